@@ -1,0 +1,14 @@
+// Where the content that ships lies.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace deixis::assets {
+
+/// A file of assets/data or a product of the build, such as "studies/pointing2023.toml" or "avatar.glb".
+/// Looked for in $DEIXIS_DATA, then beside the program (data/), then in the folders of the build that made
+/// it.
+[[nodiscard]] std::filesystem::path dataFile(std::string_view relative);
+
+}  // namespace deixis::assets

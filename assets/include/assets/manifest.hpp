@@ -1,0 +1,40 @@
+// A manifest: the clips of one or more systems, and the target for which each was made. CSV, documented in
+// docs/clip-format.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/pose.hpp"
+#include "motion/humanoid.hpp"
+
+namespace deixis::assets {
+
+/// One clip. Frames count from 0; 0 <= onset < peak <= hold < end < frame count.
+struct ManifestRow {
+    std::string clip;  ///< file, relative to the manifest
+    std::string system;
+    std::string target_id;
+    Vec3 target{0.0};  ///< metres, in the avatar's frame
+    motion::Side hand = motion::Side::right;
+    int onset_frame = 0;  ///< the hand leaves its rest
+    int peak_frame = 0;   ///< the pointing posture is reached
+    int hold_frame = 0;   ///< last frame of the pointing posture; the hand starts back
+    int end_frame = 0;    ///< the hand is back at rest
+    double fps = 30.0;
+    std::uint64_t seed = 0;
+};
+
+struct Manifest {
+    std::filesystem::path file;
+    std::vector<ManifestRow> rows;
+};
+
+/// Reads and checks a manifest: header, numbers, frames in order. Errors name file, line and column.
+[[nodiscard]] Result<Manifest> readManifest(const std::filesystem::path& path);
+[[nodiscard]] std::string manifestCsv(const std::vector<ManifestRow>& rows);
+
+}  // namespace deixis::assets

@@ -1,0 +1,24 @@
+#include "assets/data_paths.hpp"
+
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
+namespace deixis::assets {
+
+std::filesystem::path dataFile(std::string_view relative) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    std::vector<fs::path> folders;
+    if (const char* data = std::getenv("DEIXIS_DATA")) folders.emplace_back(data);
+    const fs::path program = fs::read_symlink("/proc/self/exe", code);
+    if (!code) folders.push_back(program.parent_path() / "data");
+    folders.emplace_back(DEIXIS_BUILT_DATA);
+    folders.emplace_back(DEIXIS_SOURCE_DATA);
+    for (const fs::path& folder : folders)
+        if (fs::exists(folder / relative, code)) return folder / relative;
+    // Nowhere: name the place where it ships, so that the error of whoever opens it is about that file.
+    return fs::path(DEIXIS_SOURCE_DATA) / relative;
+}
+
+}  // namespace deixis::assets

@@ -1,0 +1,47 @@
+# Helpers that declare the project's libraries and tests; the allowed arrows between modules stand in their calls.
+
+add_library(deixis_options INTERFACE)
+target_compile_options(deixis_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+    -ffp-contract=off) # the same arithmetic on every compiler and processor: plans and clips must not depend on it
+if(DEIXIS_WERROR)
+    target_compile_options(deixis_options INTERFACE -Werror)
+endif()
+if(DEIXIS_SANITIZE)
+    target_compile_options(deixis_options INTERFACE -fsanitize=${DEIXIS_SANITIZE} -fno-omit-frame-pointer
+        -fno-sanitize-recover=all)
+    target_link_options(deixis_options INTERFACE -fsanitize=${DEIXIS_SANITIZE})
+endif()
+
+# add_module(NAME [PUBLIC libs...] [PRIVATE libs...])
+# A static library deixis::NAME of every src/*.cpp here, with its own include root NAME/include. Only what is linked
+# can be included: the allowed arrows between modules stand in these calls.
+function(add_module name)
+    cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS src/*.cpp)
+    add_library(deixis_${name} STATIC ${sources})
+    add_library(deixis::${name} ALIAS deixis_${name})
+    target_include_directories(deixis_${name} PUBLIC include PRIVATE src)
+    target_link_libraries(deixis_${name} PUBLIC ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
+endfunction()
+
+# add_module_tests(NAME FILES ... LIBS libs... LABELS labels...)
+# One doctest executable NAME; each TEST_SUITE in FILES becomes one CTest test of that name.
+function(add_module_tests name)
+    cmake_parse_arguments(ARG "" "" "FILES;LIBS;LABELS" ${ARGN})
+    add_executable(${name} ${ARG_FILES} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+    target_link_libraries(${name} PRIVATE deixis_options doctest::doctest ${ARG_LIBS})
+    target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_compile_definitions(${name} PRIVATE
+        DEIXIS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+        DEIXIS_BINARY_DIR="${PROJECT_BINARY_DIR}"
+        DEIXIS_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
+    foreach(file IN LISTS ARG_FILES)
+        file(STRINGS ${file} lines REGEX "^TEST_SUITE\\(\"")
+        foreach(line IN LISTS lines)
+            string(REGEX REPLACE "^TEST_SUITE\\(\"([^\"]+)\"\\).*" "\\1" suite "${line}")
+            add_test(NAME ${suite} COMMAND ${name} --test-suite=${suite})
+            set_tests_properties(${suite} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 900)
+        endforeach()
+    endforeach()
+endfunction()

@@ -1,0 +1,30 @@
+// What can be expected to go wrong, as values. Every error that a user can meet says where it is (file, line
+// or key), what was found, what was expected and, where that is not plain, how to mend it.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <utility>
+
+namespace deixis {
+
+/// One problem, ready to print. `where` may be empty, "FILE", "FILE:LINE" or "FILE:LINE: key".
+struct Error {
+    std::string where;
+    std::string message;  ///< what was found and what was expected; one sentence, no full stop needed
+    std::string mend{};   ///< what the user can do about it; may be empty
+
+    /// "WHERE: MESSAGE. MEND" on one line.
+    [[nodiscard]] std::string text() const;
+};
+
+template <typename T>
+using Result = tl::expected<T, Error>;
+
+/// Shorthand for returning an error from a function that returns a Result.
+[[nodiscard]] inline tl::unexpected<Error> fail(std::string where, std::string message,
+                                                std::string mend = {}) {
+    return tl::unexpected<Error>(Error{std::move(where), std::move(message), std::move(mend)});
+}
+
+}  // namespace deixis

@@ -1,0 +1,86 @@
+// The SQLite store: one file holds the participants, plans, sessions, responses and events of a study. The
+// schema is documented in docs/database.md. Failing SQLite calls inside a session throw; what a user can meet
+// on opening (a newer version, a locked or read-only file, not a database) is a Result.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "studies/events.hpp"
+#include "studies/plan.hpp"
+#include "studies/station.hpp"
+#include "studies/study.hpp"
+
+namespace deixis::results {
+
+/// What a trial's clip was: kept with each response.
+struct ClipRecord {
+    std::string file;
+    std::string content_hash;  ///< SHA-256 of the file's bytes
+};
+
+/// An open session of one participant.
+struct SessionInfo {
+    std::string participant;
+    studies::StationInfo station;
+    std::string program_version;
+    std::string avatar_hash;
+    double started_utc_s = 0.0;
+};
+
+enum class Durability : unsigned char {
+    each_answer,  ///< synchronous=FULL: an answer is on the disk before the next trial starts
+    whole_run,    ///< one transaction for all (simulations, which can be run again)
+};
+
+class Store {
+  public:
+    /// Opens or creates. Errors: not a database, newer user_version, locked, read-only folder or file.
+    [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability);
+    Store(Store&&) noexcept;
+    Store& operator=(Store&&) noexcept;
+    ~Store();
+
+    /// The stored plan of a participant, if any.
+    [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
+    /// Stores study and plan. Fails where the database holds another study (other hash) or another plan.
+    [[nodiscard]] Result<void> storePlan(const studies::Study& study, const studies::StudyPlan& plan);
+    [[nodiscard]] std::set<int> answeredTrials(const std::string& participant) const;
+    [[nodiscard]] std::vector<std::string> participants() const;
+
+    /// Starts a session; later records belong to it. Returns its id.
+    long long beginSession(const SessionInfo& session);
+    /// Keeps an event. A response is one transaction with all that it holds, durable on return.
+    void record(const studies::SessionEvent& event, const studies::StudyPlan& plan,
+                const std::vector<ClipRecord>& clips_by_trial);
+    void endSession(const std::string& outcome, double ended_utc_s);  ///< "finished" or "quit"
+    /// Commits a whole_run store. Nothing is kept of it without this call.
+    void commit();
+
+  private:
+    struct Impl;
+    explicit Store(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Keeps two runs of one participant in one database apart: holds an advisory lock on a file beside the
+/// database until destroyed (also when the process dies).
+class ParticipantLock {
+  public:
+    [[nodiscard]] static Result<ParticipantLock> take(const std::filesystem::path& database,
+                                                      const std::string& participant);
+    ParticipantLock(ParticipantLock&&) noexcept;
+    ParticipantLock& operator=(ParticipantLock&&) noexcept;
+    ~ParticipantLock();
+
+  private:
+    explicit ParticipantLock(int file) : file_(file) {}
+    int file_ = -1;
+};
+
+}  // namespace deixis::results

@@ -1,0 +1,73 @@
+// A simulated participant. It sees what a person would see, the presented frame, and never the plan or the
+// answer. Its answers test pipelines and power; they are no evidence about people.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "core/error.hpp"
+#include "motion/skeleton.hpp"
+#include "studies/station.hpp"
+
+namespace deixis::studies {
+
+/// Parameters, from a TOML file (assets/data/simulated_participant.toml documents each). SDs are over
+/// participants
+/// ("between") or over trials ("within").
+struct SimulatedParameters {
+    std::string pointing_ray = "eye-fingertip";  ///< or "forearm", "shoulder-hand", "index-finger"
+    double pointing_noise_deg = 4.0;       ///< SD of the angular noise added to the ray, per trial, per axis
+    double pointing_noise_between = 0.25;  ///< relative SD of that noise over participants
+    double lapse_rate = 0.02;              ///< chance of answering at random
+    double rating_bias_between = 0.4;      ///< SD over participants, scale steps
+    double rating_noise_within = 0.6;      ///< SD over trials, scale steps
+    double reaction_mean_s = 0.9;
+    double reaction_sd_s = 0.25;
+    double frame_rate_hz = 30.0;  ///< of the virtual display
+};
+
+[[nodiscard]] Result<SimulatedParameters> loadSimulatedParameters(const std::filesystem::path& path);
+
+/// Watches frames, decides, and gives back what its hands do. Pure: time comes with the frames.
+class SimulatedParticipant {
+  public:
+    /// `avatar` names the joints of the presented avatar (as a person would know a hand when seeing one).
+    SimulatedParticipant(const SimulatedParameters& parameters, const motion::Skeleton& avatar,
+                         std::uint64_t seed);
+    ~SimulatedParticipant();
+
+    void see(const PresentedFrame& frame, double time_s);
+    /// What it does by `time_s`, the time of the frame that begins now.
+    [[nodiscard]] InputFrame act(double time_s);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The station around it: virtual time at a steady frame rate, no waiting, nothing drawn. A viewer may be
+/// attached that is given every frame, to draw it (the pilot without a display) or to take pictures.
+class SimulatedStation : public Station {
+  public:
+    SimulatedStation(const SimulatedParameters& parameters, const motion::Skeleton& avatar,
+                     std::uint64_t seed);
+    [[nodiscard]] StationInfo info() const override;
+    [[nodiscard]] InputFrame beginFrame() override;
+    FrameReport present(const PresentedFrame& frame) override;
+
+    /// Called with each presented frame and the participant's input before the frame counts as shown.
+    using Viewer = std::function<void(const PresentedFrame&, const InputFrame&)>;
+    void attachViewer(std::string details, Viewer viewer);
+
+  private:
+    SimulatedParticipant participant_;
+    double frame_time_s_;
+    double time_s_ = 0.0;
+    InputFrame input_{};
+    std::string details_;
+    Viewer viewer_;
+};
+
+}  // namespace deixis::studies

@@ -1,0 +1,124 @@
+// The one interface between a session and whoever takes part in it: a desktop, a headset or a simulated
+// participant.
+//
+// A station begins a frame (which paces, and is the only clock), tells what the person did, presents what the
+// session says, and reports whether the frame was really shown.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/pose.hpp"
+
+namespace deixis::studies {
+
+/// What the person did since the last frame, and the time at which the frame now begun will be shown.
+struct InputFrame {
+    double time_s = 0.0;         ///< predicted display time on the station's monotonic clock; never goes back
+    double utc_s = 0.0;          ///< the same moment as UTC seconds since 1970 (simulated stations: virtual)
+    Pose stage_from_head{};      ///< -z looks forward, +y up
+    std::optional<Ray> pointer;  ///< hand or mouse ray in the stage's frame; none while it is not tracked
+    bool select = false;         ///< the select button went down
+    std::optional<int> digit;    ///< a number key went down: 1..9
+    bool confirm = false;        ///< Enter or Space went down
+    bool pause = false;          ///< Esc went down, or focus or tracking was lost
+    std::string pause_reason{};  ///< "escape", "focus lost", "tracking lost", ...
+    bool quit = false;           ///< the window was closed or the operator ends the session
+};
+
+struct Rgb {
+    float r = 1.0F, g = 1.0F, b = 1.0F;  ///< linear light, 0..1
+};
+
+enum class BallLook : unsigned char {
+    waiting,
+    selectable,
+    hovered,
+    chosen
+};  // black, white, lit, lit and confirmed
+
+struct BallView {
+    Vec3 centre{0.0};
+    double radius_m = 0.0;
+    BallLook look = BallLook::waiting;
+};
+
+/// A rectangle on a panel: metres from the panel's lower left corner, y up.
+struct PanelRect {
+    double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+};
+
+struct PanelText {
+    PanelRect box{};
+    std::string text;
+    double size_m = 0.04;  ///< height of a line
+    bool bold = false;
+    bool centred = false;
+    bool faint = false;
+};
+
+struct PanelButton {
+    PanelRect box{};
+    std::string label;
+    std::string caption{};  ///< small text inside, under the label
+    int id = 0;
+    bool enabled = true;
+    bool hovered = false;
+};
+
+/// A board that stands in the world. `stage_from_panel` has its origin at the lower left corner, +x to the
+/// reader's right, +y up, +z towards the reader.
+struct Panel {
+    Pose stage_from_panel{};
+    double width_m = 0.0;
+    double height_m = 0.0;
+    std::vector<PanelText> texts;
+    std::vector<PanelButton> buttons;
+    double progress = -1.0;  ///< 0..1 draws a bar along the foot; negative: none
+};
+
+struct RayView {
+    Ray ray{};
+    double length_m = 5.0;  ///< up to what it meets
+};
+
+/// Everything that a participant can see or hear in one frame; nothing about what the right answer is.
+struct PresentedFrame {
+    std::uint64_t number = 0;  ///< counts up; a frame report refers to it
+    bool avatar_visible = true;
+    std::vector<Pose> avatar_joints;  ///< stage_from_joint, in the avatar skeleton's order
+    std::vector<BallView> balls;
+    std::optional<RayView> ray;
+    std::optional<Panel> panel;
+    Pose stage_from_viewer{};  ///< where the participant is asked to stand: on the floor, -z is forward
+    std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
+    bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
+    std::string status;        ///< one line for the operator, such as "game 12/40"
+};
+
+/// What became of a presented frame.
+struct FrameReport {
+    std::uint64_t number = 0;
+    bool shown = false;
+    double display_time_s = 0.0;  ///< when it was (or is predicted to have been) shown
+};
+
+struct StationInfo {
+    std::string kind;        ///< "desktop", "headset" or "simulated"
+    std::string details;     ///< device, driver, display and refresh rate in words
+    bool synthetic = false;  ///< no person answers here
+};
+
+class Station {
+  public:
+    virtual ~Station() = default;
+    [[nodiscard]] virtual StationInfo info() const = 0;
+    /// Begins a frame: waits for its time, and says what the person did.
+    [[nodiscard]] virtual InputFrame beginFrame() = 0;
+    /// Shows it. Called exactly once for each begun frame.
+    virtual FrameReport present(const PresentedFrame& frame) = 0;
+};
+
+}  // namespace deixis::studies
