@@ -27,6 +27,7 @@ struct Response {
     Moment motion_end{};    ///< last frame of the clip shown; selection opened here
     Moment answered{};
     double response_time_s = 0.0;  ///< answered - motion_end, less paused time
+    double paused_s = 0.0;         ///< how long the session was paused while this answer was open
     int replays = 0;
     int pauses = 0;          ///< the trial was interrupted this often and its clip shown again from the start
     std::string input;       ///< "ray", "key"
@@ -36,9 +37,9 @@ struct Response {
 
 /// Anything else worth keeping: stages, instructions read, pauses, resumes, onsets, practice answers.
 struct Note {
-    std::string
-        kind;  ///< "session_start", "stage_start", "instructions_read", "stimulus_onset", "motion_end",
-               ///< "practice_answer", "pause", "resume", "break_start", "break_end", "finished", "quit"
+    std::string kind;  ///< "session_start", "stage_start", "instructions_read", "stimulus_onset",
+                       ///< "motion_end", "practice_answer", "replay", "pause", "resume", "break_start",
+                       ///< "break_end", "finished", "quit"
     int trial_index = -1;
     Moment at{};
     std::string detail{};

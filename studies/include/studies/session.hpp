@@ -20,18 +20,35 @@ class ClipSource {
     [[nodiscard]] virtual const motion::Clip& clip(const Trial& trial) const = 0;
 };
 
-/// What one step gives: the frame to show, and what happened.
+/// What one step gives: the frame to show (valid until the next step), and what happened.
 struct SessionStep {
-    PresentedFrame frame;
+    const PresentedFrame& frame;
     std::vector<SessionEvent> events;
 };
 
+/// Ids of the buttons on panels.
+namespace button_id {
+constexpr int go_on = 1;  ///< leaves a page
+constexpr int resume = 2;
+constexpr int end_session = 3;
+constexpr int replay = 4;
+constexpr int first_rating = 101;  ///< the button "1"; the others follow
+}  // namespace button_id
+
+/// The course of a session (Deichler et al. 2023, section 2.4.2): welcome, then for each stage instructions,
+/// practice where the plan has any, and the trials with breaks, then goodbye.
+///
+/// A trial: a pause in which the avatar stands at ease (longer where the participant has been moved), the
+/// clip, then the answer. The clip's time is the display time since its first frame was shown. Its last pose
+/// is held while the answer is open; an answer counts only when the frame that opened it has been shown. A
+/// pause during the clip starts it over; a pause while the answer is open is taken off the response time.
 class SessionRunner {
   public:
     /// `answered` holds the indices of trials already answered in an earlier session of the participant: they
     /// are not asked again (practice before the first unanswered trial's stage is repeated only if that stage
     /// has not begun). `idle_pose` is how the avatar stands when no clip plays. All references must outlive
-    /// the runner.
+    /// the runner. Throws std::invalid_argument where the plan names a layout that the study lacks, and
+    /// step() where a clip is empty or has not the avatar's joints.
     SessionRunner(const Study& study, const StudyPlan& plan, const ClipSource& clips,
                   const motion::Skeleton& avatar, const motion::LocalPose& idle_pose, std::set<int> answered);
     ~SessionRunner();

@@ -1,0 +1,547 @@
+#include "studies/session.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "panel_layout.hpp"
+#include "session_agenda.hpp"
+#include "session_avatar.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr double orient_s = 0.6;      ///< added to the pause before a trial where the participant was moved
+constexpr double confirm_s = 0.35;    ///< how long the answer given is shown
+constexpr double settle_s = 0.4;      ///< a page takes no input earlier: a double click must not skip it
+constexpr double ray_length_m = 5.0;  ///< of a ray that meets nothing
+
+enum class Phase : unsigned char {
+    page,
+    lead_in,    ///< the pause before a clip
+    playing,    ///< from the clip's first frame until its last pose has been shown
+    answering,  ///< the answer is open
+    confirmed,  ///< the answer given is shown for a moment
+    over
+};
+
+const char* pageName(PageKind kind) {
+    switch (kind) {
+        case PageKind::welcome:
+            return "welcome";
+        case PageKind::welcome_back:
+            return "welcome back";
+        case PageKind::instructions:
+            return "instructions";
+        case PageKind::practice:
+            return "practice";
+        case PageKind::begin:
+            return "begin";
+        case PageKind::rest:
+            return "break";
+        case PageKind::goodbye:
+            return "goodbye";
+    }
+    return "";
+}
+
+Pose viewerPose(const Layout& layout) {
+    // The viewer looks along -z, a heading is where +z would turn to: half a turn apart.
+    return {{layout.viewer_x_m, 0.0, layout.viewer_z_m},
+            yawRotation(radiansFromDegrees(layout.heading_deg) + pi)};
+}
+
+}  // namespace
+
+struct SessionRunner::State {
+    State(const Study& study_in, const StudyPlan& plan, const ClipSource& clips_in,
+          const motion::Skeleton& avatar_in, const motion::LocalPose& idle_in, const std::set<int>& answered)
+        : study(study_in),
+          clips(clips_in),
+          avatar(avatar_in),
+          idle(idle_in),
+          agenda(buildAgenda(study_in, plan, answered)),
+          poser(avatar_in, idle_in) {
+        for (const Trial& trial : plan.trials) {
+            if (trial.practice) continue;
+            ++scored;
+            if (answered.count(trial.index) > 0) ++done;
+        }
+    }
+
+    const Study& study;
+    const ClipSource& clips;
+    const motion::Skeleton& avatar;
+    const motion::LocalPose& idle;
+    std::vector<AgendaItem> agenda;
+    AvatarPoser poser;
+    PresentedFrame frame;
+    std::vector<SessionEvent> events;
+
+    Phase phase = Phase::page;
+    std::size_t position = 0;
+    int scored = 0;
+    int done = 0;
+    bool started = false;
+    bool finished = false;
+    bool quit = false;
+    bool paused = false;
+    double paused_since_s = 0.0;
+    double panel_since_s = 0.0;
+    double confirmed_since_s = 0.0;
+    Moment now{};  ///< of the input last stepped to
+
+    // The trial under way.
+    const motion::Clip* clip = nullptr;
+    double lead_in_s = 0.0;
+    double lead_in_end_s = 0.0;
+    bool approaching = false;                 ///< the avatar is on its way to the clip's first pose
+    std::uint64_t first_frame = 0;            ///< the first that showed the clip's start
+    std::optional<std::uint64_t> last_frame;  ///< the first that showed the clip's end
+    std::uint64_t answer_frame = 0;           ///< the first in which the answer was open
+    bool answer_open = false;                 ///< balls white or panel there, in a frame
+    bool answer_shown = false;                ///< and that frame was shown
+    std::optional<Moment> onset;
+    Moment motion_end{};
+    double paused_s = 0.0;
+    int pauses = 0;
+    int replays = 0;
+
+    [[nodiscard]] const AgendaItem& item() const { return agenda[position]; }
+    [[nodiscard]] const Trial& trial() const { return *item().trial; }
+    [[nodiscard]] bool game() const { return trial().stage == StageKind::game; }
+
+    void note(const char* kind, std::string detail = {}) { noteAt(now, kind, std::move(detail)); }
+    void noteAt(const Moment& at, const char* kind, std::string detail) {
+        const bool in_trial = position < agenda.size() && item().trial != nullptr;
+        events.push_back(Note{kind, in_trial ? trial().index : -1, at, std::move(detail)});
+    }
+
+    // Panels and rays.
+
+    [[nodiscard]] double eyeHeight(const InputFrame& input) const {
+        const double head_m = input.stage_from_head.position.y;
+        return head_m > 0.9 && head_m < 2.2 ? head_m : study.eye_height_m;
+    }
+
+    void openPanel(Panel panel, const InputFrame& input, Pose (*pose)(const Panel&, const Pose&, double)) {
+        panel.stage_from_panel = pose(panel, frame.stage_from_viewer, eyeHeight(input));
+        frame.panel = std::move(panel);
+        frame.key_moment = true;
+        panel_since_s = now.time_s;
+    }
+
+    void closePanel() {
+        frame.key_moment = frame.key_moment || frame.panel.has_value();
+        frame.panel.reset();
+        frame.ray.reset();
+    }
+
+    /// What the ray meets first: the id of a button (0: none) or the place of a ball (-1: none).
+    struct Aim {
+        int button = 0;
+        int ball = -1;
+    };
+
+    Aim aim(const InputFrame& input, bool at_balls) {
+        Aim met;
+        int button = -1;
+        frame.ray.reset();
+        if (input.pointer) {
+            const Ray& ray = *input.pointer;
+            double length_m = ray_length_m;
+            if (ray.direction.y < 0.0 && ray.origin.y > 0.0)
+                length_m = std::min(length_m, -ray.origin.y / ray.direction.y);
+            if (frame.panel) {
+                const auto hit = meetPanel(*frame.panel, ray);
+                if (hit && hit->distance_m < length_m) {
+                    length_m = hit->distance_m;
+                    button = hit->button;
+                }
+            }
+            for (std::size_t i = 0; at_balls && i < frame.balls.size(); ++i) {
+                const double distance_m =
+                    distanceToSphere(ray, frame.balls[i].centre, frame.balls[i].radius_m);
+                if (distance_m < 0.0 || distance_m >= length_m) continue;
+                length_m = distance_m;
+                met.ball = static_cast<int>(i);
+                button = -1;
+            }
+            frame.ray = RayView{ray, length_m};
+        }
+        if (frame.panel) {
+            for (std::size_t i = 0; i < frame.panel->buttons.size(); ++i) {
+                PanelButton& one = frame.panel->buttons[i];
+                const bool hovered = static_cast<int>(i) == button;
+                frame.key_moment = frame.key_moment || one.hovered != hovered;
+                one.hovered = hovered;
+                if (hovered) met.button = one.id;
+            }
+        }
+        if (at_balls) lookAtBalls(BallLook::selectable, met.ball, BallLook::hovered);
+        return met;
+    }
+
+    void lookAtBalls(BallLook all, int place = -1, BallLook one = BallLook::waiting) {
+        for (std::size_t i = 0; i < frame.balls.size(); ++i) {
+            const BallLook look = static_cast<int>(i) == place ? one : all;
+            frame.key_moment = frame.key_moment || frame.balls[i].look != look;
+            frame.balls[i].look = look;
+        }
+    }
+
+    [[nodiscard]] bool settled() const { return now.time_s - panel_since_s >= settle_s; }
+
+    // From item to item.
+
+    void begin(const InputFrame& input) {
+        started = true;
+        note("session_start", done > 0 ? fmt::format("resumed after {} of {} answers", done, scored) : "");
+        enter(input);
+    }
+
+    void enter(const InputFrame& input) {
+        if (!item().starts_stage.empty()) note("stage_start", item().starts_stage);
+        frame.status = item().status;
+        const bool moved = frame.viewer_place != item().layout->name;
+        if (moved) {
+            frame.viewer_place = item().layout->name;
+            frame.stage_from_viewer = viewerPose(*item().layout);
+            frame.key_moment = true;
+        }
+        frame.balls.clear();
+        if (item().trial == nullptr)
+            enterPage(input);
+        else
+            enterTrial(moved);
+    }
+
+    void enterPage(const InputFrame& input) {
+        phase = Phase::page;
+        poser.blendTo(idle, now.time_s);
+        if (item().page.kind == PageKind::rest) note("break_start");
+        openPage(input);
+    }
+
+    void openPage(const InputFrame& input) {
+        const AgendaPage& page = item().page;
+        const double progress = scored > 0 ? static_cast<double>(done) / scored : 1.0;
+        openPanel(
+            messagePanel(page.title, page.body, page.emphasis, {{page.button, button_id::go_on}}, progress),
+            input, messagePose);
+    }
+
+    void enterTrial(bool moved) {
+        clip = &clips.clip(trial());
+        if (clip->frames.empty() || clip->frames.front().joints.size() != avatar.joints.size())
+            throw std::invalid_argument(
+                fmt::format("the clip of system '{}' for target '{}' has not the avatar's joints",
+                            trial().system, trial().target_id));
+        closePanel();
+        for (std::size_t place = 0; game() && place < trial().ball_order.size(); ++place)
+            frame.balls.push_back(
+                {trial().ball(static_cast<int>(place)), study.targets.ball_diameter_m / 2.0});
+        pauses = 0;
+        replays = 0;
+        startLeadIn(study.inter_trial_s + (moved ? orient_s : 0.0));
+    }
+
+    void leave(const InputFrame& input) {
+        if (item().trial == nullptr && item().page.kind != PageKind::goodbye) {
+            if (item().page.kind == PageKind::rest)
+                note("break_end");
+            else
+                note("instructions_read", pageName(item().page.kind));
+        }
+        if (position + 1 == agenda.size()) {
+            note("finished");
+            finished = true;
+            end("finished");
+            return;
+        }
+        ++position;
+        enter(input);
+    }
+
+    void end(const char* status) {
+        phase = Phase::over;
+        closePanel();
+        frame.balls.clear();
+        frame.status = status;
+    }
+
+    void endEarly(const char* reason) {
+        note("quit", reason);
+        quit = true;
+        end("ended early");
+    }
+
+    // A trial.
+
+    void startLeadIn(double length_s) {
+        phase = Phase::lead_in;
+        lead_in_s = std::max(length_s, 2.0 * AvatarPoser::blend_s);
+        lead_in_end_s = now.time_s + lead_in_s;
+        approaching = false;
+        onset.reset();
+        last_frame.reset();
+        answer_open = false;
+        answer_shown = false;
+        paused_s = 0.0;
+        closePanel();
+        lookAtBalls(BallLook::waiting);
+        poser.blendTo(idle, now.time_s);
+    }
+
+    void stepLeadIn() {
+        poser.advance(now.time_s);
+        if (!approaching) {
+            if (now.time_s < lead_in_end_s - AvatarPoser::blend_s) return;
+            approaching = true;
+            poser.blendTo(clip->frames.front(), now.time_s);
+        } else if (!poser.blending()) {
+            phase = Phase::playing;
+            first_frame = frame.number;
+            stepPlaying();
+        }
+    }
+
+    void stepPlaying() {
+        if (!onset) {
+            poser.show(*clip, 0.0);
+            frame.key_moment = true;
+            return;
+        }
+        const double clip_time_s = std::clamp(now.time_s - onset->time_s, 0.0, clip->duration_s());
+        poser.show(*clip, clip_time_s);
+        if (clip_time_s < clip->duration_s()) return;
+        frame.key_moment = true;
+        if (!last_frame) last_frame = frame.number;
+    }
+
+    void openAnswer(const InputFrame& input) {
+        answer_open = true;
+        answer_shown = false;
+        answer_frame = frame.number;
+        std::optional<ButtonSpec> replay;
+        if (replays < (game() ? study.game.max_replays : study.rating.max_replays))
+            replay = ButtonSpec{"Show again", button_id::replay};
+        if (!game())
+            openPanel(
+                ratingPanel(study.rating.question, study.rating.labels, button_id::first_rating, replay),
+                input, lecternPose);
+        else if (replay)
+            openPanel(questionPanel(study.game.question, *replay), input, deskPose);
+        else
+            closePanel();
+        aim(input, game());
+    }
+
+    void stepAnswering(const InputFrame& input) {
+        if (!answer_open) {
+            openAnswer(input);
+            return;
+        }
+        const Aim met = aim(input, game());
+        if (!answer_shown) return;
+        const int steps = static_cast<int>(study.rating.labels.size());
+        if (input.select && met.button == button_id::replay) {
+            ++replays;
+            note("replay");
+            startLeadIn(study.inter_trial_s);
+        } else if (input.select && met.button >= button_id::first_rating) {
+            answer(input, "ray", met.button - button_id::first_rating + 1, -1);
+        } else if (input.select && met.ball >= 0) {
+            answer(input, "ray", 0, met.ball);
+        } else if (!game() && input.digit && *input.digit >= 1 && *input.digit <= steps) {
+            answer(input, "key", *input.digit, -1);
+        }
+    }
+
+    void answer(const InputFrame& input, const char* by, int rating, int place) {
+        const bool correct = place >= 0 && place == trial().targetPlace();
+        if (trial().practice) {
+            note("practice_answer", rating > 0
+                                        ? fmt::format("rating {}", rating)
+                                        : fmt::format("place {}, {}", place, correct ? "correct" : "wrong"));
+        } else {
+            Response response;
+            response.trial_index = trial().index;
+            response.rating = rating;
+            response.chosen_place = place;
+            response.correct = correct;
+            response.onset = *onset;
+            response.motion_end = motion_end;
+            response.answered = now;
+            response.response_time_s = now.time_s - motion_end.time_s - paused_s;
+            response.paused_s = paused_s;
+            response.replays = replays;
+            response.pauses = pauses;
+            response.input = by;
+            response.stage_from_head = input.stage_from_head;
+            response.pointer = input.pointer;
+            events.push_back(std::move(response));
+            ++done;
+        }
+        phase = Phase::confirmed;
+        confirmed_since_s = now.time_s;
+        frame.key_moment = true;
+        frame.ray.reset();
+        lookAtBalls(BallLook::selectable, place, BallLook::chosen);
+        if (frame.panel)
+            for (PanelButton& one : frame.panel->buttons) {
+                one.enabled = false;
+                one.hovered = rating > 0 && one.id == button_id::first_rating + rating - 1;
+            }
+    }
+
+    // Pauses.
+
+    void pause(const InputFrame& input) {
+        const std::string reason = input.pause_reason.empty() ? "paused" : input.pause_reason;
+        note("pause", reason);
+        paused = true;
+        paused_since_s = now.time_s;
+        frame.ray.reset();
+        lookAtBalls(BallLook::waiting);
+        frame.status = item().status + ", paused: " + reason;
+        openPanel(messagePanel(
+                      "Paused",
+                      "Go on when you are ready. If you end the session here, the answers given so far are "
+                      "kept and the rest can be done later.",
+                      "", {{"Resume", button_id::resume}, {"End session", button_id::end_session}}, -1.0),
+                  input, messagePose);
+    }
+
+    void stepPaused(const InputFrame& input) {
+        const Aim met = aim(input, false);
+        if (!settled()) return;
+        if (input.select && met.button == button_id::end_session)
+            endEarly("ended on the pause panel");
+        else if (input.confirm || (input.select && met.button == button_id::resume))
+            resume(input);
+    }
+
+    void resume(const InputFrame& input) {
+        const double length_s = now.time_s - paused_since_s;
+        note("resume", fmt::format("after {:.3f} s", length_s));
+        paused = false;
+        frame.status = item().status;
+        closePanel();
+        switch (phase) {
+            case Phase::page:
+                poser.blendTo(idle, now.time_s);
+                openPage(input);
+                break;
+            case Phase::lead_in:
+                startLeadIn(lead_in_s);
+                break;
+            case Phase::playing:
+                ++pauses;
+                startLeadIn(study.inter_trial_s);
+                break;
+            case Phase::answering:
+                paused_s += length_s;
+                openAnswer(input);
+                break;
+            case Phase::confirmed:
+                leave(input);
+                break;
+            case Phase::over:
+                break;
+        }
+    }
+
+    // One frame.
+
+    void step(const InputFrame& input) {
+        ++frame.number;
+        frame.key_moment = false;
+        now = {input.time_s, input.utc_s};
+        if (phase == Phase::over) return;
+        if (!started) begin(input);
+        if (input.quit) {
+            endEarly("quit");
+        } else if (paused) {
+            stepPaused(input);
+        } else if (input.pause) {
+            pause(input);
+        } else {
+            stepPhase(input);
+        }
+        if (!paused) poser.write(frame.avatar_joints);
+    }
+
+    void stepPhase(const InputFrame& input) {
+        switch (phase) {
+            case Phase::page: {
+                poser.advance(now.time_s);
+                const Aim met = aim(input, false);
+                if (settled() && (input.confirm || (input.select && met.button == button_id::go_on)))
+                    leave(input);
+                break;
+            }
+            case Phase::lead_in:
+                stepLeadIn();
+                break;
+            case Phase::playing:
+                stepPlaying();
+                break;
+            case Phase::answering:
+                stepAnswering(input);
+                break;
+            case Phase::confirmed:
+                if (now.time_s - confirmed_since_s >= confirm_s) leave(input);
+                break;
+            case Phase::over:
+                break;
+        }
+    }
+
+    void shown(const FrameReport& report) {
+        if (!report.shown || report.number > frame.number || paused) return;
+        const Moment at{report.display_time_s, now.utc_s + report.display_time_s - now.time_s};
+        if (phase == Phase::playing) {
+            if (!onset && report.number >= first_frame) {
+                onset = at;
+                noteAt(at, "stimulus_onset", replays > 0 ? fmt::format("replay {}", replays) : "");
+            } else if (last_frame && report.number >= *last_frame) {
+                motion_end = at;
+                noteAt(at, "motion_end", "");
+                phase = Phase::answering;
+            }
+        } else if (phase == Phase::answering && answer_open && report.number >= answer_frame) {
+            answer_shown = true;
+        }
+    }
+};
+
+SessionRunner::SessionRunner(const Study& study, const StudyPlan& plan, const ClipSource& clips,
+                             const motion::Skeleton& avatar, const motion::LocalPose& idle_pose,
+                             std::set<int> answered)
+    : state_(std::make_unique<State>(study, plan, clips, avatar, idle_pose, answered)) {}
+
+SessionRunner::~SessionRunner() = default;
+
+SessionStep SessionRunner::step(const InputFrame& input) {
+    state_->step(input);
+    return {state_->frame, std::exchange(state_->events, {})};
+}
+
+std::vector<SessionEvent> SessionRunner::shown(const FrameReport& report) {
+    state_->shown(report);
+    return std::exchange(state_->events, {});
+}
+
+bool SessionRunner::finished() const {
+    return state_->finished;
+}
+
+bool SessionRunner::quit() const {
+    return state_->quit;
+}
+
+}  // namespace deixis::studies
