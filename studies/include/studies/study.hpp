@@ -32,8 +32,8 @@ struct TargetSpace {
     Range height_m{};
     Range arc_deg{};  ///< azimuth; 0 straight ahead of the avatar, positive to its left (+x)
     Range radius_m{};
-    std::string
-        fit_manifest{};  ///< path of a manifest whose targets give the three ranges; empty: as written
+    std::string fit_manifest{};  ///< path (resolved) of a manifest whose targets give the three ranges, which
+                                 ///< then are empty until fitTargetSpace() fills them; empty: as written
     double ball_diameter_m = 0.0;
     int distractors = 2;
     Range distractor_distance_m{};  ///< centre to centre, from the target
@@ -43,7 +43,8 @@ struct TargetSpace {
 struct SystemSource {
     std::string name;
     std::string generator{};  ///< name of a built-in generator
-    std::string manifest{};   ///< path of a manifest of clips, relative to the study file
+    std::string
+        manifest{};  ///< path of a manifest of clips; written relative to the study file, here resolved
 };
 
 /// Stage 1: single-stimulus rating.
@@ -98,5 +99,9 @@ struct Study {
 /// Reads and checks a study file. Every error names file, line and key, what was found and what was expected;
 /// an unknown key is an error.
 [[nodiscard]] Result<Study> loadStudy(const std::filesystem::path& path);
+
+/// Every key that a study file may have, dotted ("targets.count"; tables of a list as "layouts.name"), in the
+/// order of docs/study-file.md.
+[[nodiscard]] std::vector<std::string> studyKeys();
 
 }  // namespace deixis::studies

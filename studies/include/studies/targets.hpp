@@ -19,12 +19,22 @@ struct TargetItem {
 };
 
 /// Draws space.count targets uniformly in height, arc and radius, and for each target its distractors from
-/// the same ranges, redrawn until they lie within the distance band of the target and no nearer to each other
-/// than a ball's diameter. Depends on space and seed alone. Fails with a clear error after a bounded search
-/// where the ranges cannot be met.
+/// the same ranges, redrawn until they lie within the distance band of the target (ends included) and no
+/// nearer to each other or to the target than a ball's diameter. Fails with a clear error after a bounded
+/// search where the ranges cannot be met.
+///
+/// Depends on space and seed alone. A position is rounded to 0.1 mm before any distance is looked at, and
+/// distances are compared in whole tenths of a millimetre: two mathematics libraries whose sines differ in
+/// the last bit give the same targets. The targets do not depend on the distractors' settings, nor the first
+/// n of them on the count.
 [[nodiscard]] Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space, std::uint64_t seed);
 
-/// "target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z" and a row each.
+/// `space` with its three ranges replaced by those of `positions` (the targets of a manifest's clips): least
+/// and greatest height, azimuth and radius. Fails where there are none, or where one lies on the avatar's
+/// axis or so low that a ball there would stick in the floor.
+[[nodiscard]] Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions);
+
+/// "target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z" (as many d as there are distractors) and a row each.
 [[nodiscard]] std::string targetsCsv(const std::vector<TargetItem>& targets);
 
 /// A picture like the paper's Figure 1: the targets (and, where given, the positions that a manifest's clips

@@ -1,0 +1,166 @@
+#include "studies/targets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+
+#include "core/random.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr double units_per_metre = 1e4;  // positions and distances count in tenths of a millimetre
+
+/// A position in whole tenths of a millimetre: distances between such are exact.
+struct GridPoint {
+    std::int64_t x = 0, y = 0, z = 0;
+};
+
+std::int64_t gridUnits(double metres) {
+    return std::llround(metres * units_per_metre);
+}
+
+Vec3 metres(const GridPoint& point) {
+    return {static_cast<double>(point.x) / units_per_metre, static_cast<double>(point.y) / units_per_metre,
+            static_cast<double>(point.z) / units_per_metre};
+}
+
+std::int64_t squaredDistance(const GridPoint& a, const GridPoint& b) {
+    const std::int64_t x = a.x - b.x;
+    const std::int64_t y = a.y - b.y;
+    const std::int64_t z = a.z - b.z;
+    return x * x + y * y + z * z;
+}
+
+/// Uniform in height, arc and radius, each on its own (2.4.3), so denser in space towards the axis.
+GridPoint drawPosition(const TargetSpace& space, Random& random) {
+    const double height_m = random.uniform(space.height_m.low, space.height_m.high);
+    const double azimuth_rad = radiansFromDegrees(random.uniform(space.arc_deg.low, space.arc_deg.high));
+    const double radius_m = random.uniform(space.radius_m.low, space.radius_m.high);
+    return {gridUnits(radius_m * std::sin(azimuth_rad)), gridUnits(height_m),
+            gridUnits(radius_m * std::cos(azimuth_rad))};
+}
+
+std::string describeRanges(const TargetSpace& space) {
+    return fmt::format("height {} to {} m, arc {} to {} degrees, radius {} to {} m", space.height_m.low,
+                       space.height_m.high, space.arc_deg.low, space.arc_deg.high, space.radius_m.low,
+                       space.radius_m.high);
+}
+
+std::optional<Error> problemWith(const TargetSpace& space) {
+    const auto ordered = [](const Range& range) { return range.low <= range.high; };
+    if (space.radius_m.high <= 0.0 && !space.fit_manifest.empty())
+        return Error{"targets.fit_manifest", "the ranges have not been fitted to the manifest's targets", ""};
+    if (!ordered(space.height_m) || !ordered(space.arc_deg) || !ordered(space.radius_m) ||
+        !ordered(space.distractor_distance_m) || space.radius_m.low <= 0.0 || space.count < 1 ||
+        space.distractors < 0)
+        return Error{"targets",
+                     fmt::format("found {}; {} targets; {} distractors {} to {} m away; expected ranges with "
+                                 "the smaller number first and radii and counts above 0",
+                                 describeRanges(space), space.count, space.distractors,
+                                 space.distractor_distance_m.low, space.distractor_distance_m.high),
+                     ""};
+    return std::nullopt;
+}
+
+/// Draws until a position fits; empty after a bounded search (about a tenth of a second). With the ranges of
+/// the paper's size about one draw in 30 fits.
+std::optional<GridPoint> drawDistractor(const TargetSpace& space, const GridPoint& target,
+                                        const std::vector<GridPoint>& others, Random& random) {
+    constexpr int most_draws = 1'000'000;
+    const std::int64_t diameter = gridUnits(space.ball_diameter_m);
+    const std::int64_t nearest = std::max(gridUnits(space.distractor_distance_m.low), diameter);
+    const std::int64_t farthest = gridUnits(space.distractor_distance_m.high);
+    for (int draw = 0; draw < most_draws; ++draw) {
+        const GridPoint point = drawPosition(space, random);
+        const std::int64_t from_target = squaredDistance(point, target);
+        if (from_target < nearest * nearest || from_target > farthest * farthest) continue;
+        const bool free = std::none_of(others.begin(), others.end(), [&](const GridPoint& other) {
+            return squaredDistance(point, other) < diameter * diameter;
+        });
+        if (free) return point;
+    }
+    return std::nullopt;
+}
+
+std::string csvPosition(const Vec3& position) {
+    return fmt::format("{:.4f},{:.4f},{:.4f}", position.x, position.y, position.z);
+}
+
+}  // namespace
+
+Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space, std::uint64_t seed) {
+    if (const std::optional<Error> problem = problemWith(space)) return tl::unexpected(*problem);
+    std::vector<TargetItem> out;
+    Random random(seed, "targets");
+    for (int i = 0; i < space.count; ++i) {
+        TargetItem item;
+        item.id = fmt::format("T{:03}", i + 1);
+        const GridPoint target = drawPosition(space, random);
+        item.target = metres(target);
+        Random distractor_random(seed, "distractors of " + item.id);
+        std::vector<GridPoint> distractors;
+        while (static_cast<int>(distractors.size()) < space.distractors) {
+            const std::optional<GridPoint> point =
+                drawDistractor(space, target, distractors, distractor_random);
+            if (!point)
+                return fail("targets.distractor_distance_m",
+                            fmt::format("found no place for distractor {} of target {} ({} m): it must lie "
+                                        "within {}, {} to {} m from the target and {} m (a ball's diameter) "
+                                        "from the others",
+                                        distractors.size() + 1, item.id, csvPosition(item.target),
+                                        describeRanges(space), space.distractor_distance_m.low,
+                                        space.distractor_distance_m.high, space.ball_diameter_m),
+                            "Widen targets.distractor_distance_m or the ranges of height, arc and radius, or "
+                            "ask for fewer distractors or smaller balls");
+            distractors.push_back(*point);
+        }
+        std::transform(distractors.begin(), distractors.end(), std::back_inserter(item.distractors), metres);
+        out.push_back(std::move(item));
+    }
+    return out;
+}
+
+Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions) {
+    const auto problem = [&](std::string message) { return fail(space.fit_manifest, std::move(message)); };
+    if (positions.empty()) return problem("found no targets, expected at least one to fit the ranges to");
+    bool first = true;
+    for (const Vec3& position : positions) {
+        const double radius_m = std::hypot(position.x, position.z);
+        const double azimuth_deg = degreesFromRadians(std::atan2(position.x, position.z));
+        if (!std::isfinite(radius_m) || !(radius_m > 0.0) || !(position.y >= space.ball_diameter_m / 2))
+            return problem(
+                fmt::format("found a target at {} m, expected one off the avatar's axis and at "
+                            "least {} m high, half a ball's diameter",
+                            csvPosition(position), space.ball_diameter_m / 2));
+        const auto widen = [&](Range& range, double value) {
+            range =
+                first ? Range{value, value} : Range{std::min(range.low, value), std::max(range.high, value)};
+        };
+        widen(space.height_m, position.y);
+        widen(space.arc_deg, azimuth_deg);
+        widen(space.radius_m, radius_m);
+        first = false;
+    }
+    return space;
+}
+
+std::string targetsCsv(const std::vector<TargetItem>& targets) {
+    std::string out = "target_id,x,y,z";
+    const std::size_t distractors = targets.empty() ? 0 : targets.front().distractors.size();
+    for (std::size_t i = 1; i <= distractors; ++i) out += fmt::format(",d{0}_x,d{0}_y,d{0}_z", i);
+    out += '\n';
+    for (const TargetItem& item : targets) {
+        out += fmt::format("{},{}", item.id, csvPosition(item.target));
+        for (const Vec3& distractor : item.distractors) out += "," + csvPosition(distractor);
+        out += '\n';
+    }
+    return out;
+}
+
+}  // namespace deixis::studies
