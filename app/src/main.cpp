@@ -1,3 +1,39 @@
-int main() {
-    return 0;
+// The program. Each command lives in a file of its own; this one names them and turns what went wrong into one line
+// and an exit status: 0 done, 1 failed, 2 wrong usage.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "commands.hpp"
+
+int main(int argc, char** argv) {
+    using namespace deixis::app;
+    CLI::App cli{"Deixis: evaluate how an embodied agent points", "deixis"};
+    cli.set_version_flag("--version", programVersion());
+    cli.require_subcommand(1);
+    cli.fallthrough(false);
+
+    Command chosen;
+    addRunCommand(cli, chosen);
+    addSimulateCommand(cli, chosen);
+    addReportCommand(cli, chosen);
+    addPlanCommand(cli, chosen);
+    addTargetsCommand(cli, chosen);
+    addGenerateCommand(cli, chosen);
+    addClipsCommand(cli, chosen);
+    addViewCommand(cli, chosen);
+
+    try {
+        cli.parse(argc, argv);
+        const auto done = chosen();
+        if (done) return 0;
+        fmt::print(stderr, "deixis: error: {}\n", done.error().text());
+        return 1;
+    } catch (const CLI::ParseError& error) {
+        return cli.exit(error) == 0 ? 0 : 2;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "deixis: error: {}\n", error.what());
+        return 1;
+    }
 }

@@ -96,6 +96,9 @@ struct PresentedFrame {
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
     bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
     std::string status;        ///< one line for the operator, such as "game 12/40"
+    /// What the session is doing, for screenshots and tests: "welcome", "instructions", "playing", "rating",
+    /// "choosing", "chosen", "break", "paused", "goodbye", ...
+    std::string state;
 };
 
 /// What became of a presented frame.

@@ -1,0 +1,26 @@
+// The commands of the program. Each `add...Command` declares a subcommand and its options; when the command line
+// names it, `chosen` becomes what is to be done.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace deixis::app {
+
+using Command = std::function<Result<void>()>;
+
+[[nodiscard]] std::string programVersion();
+
+void addRunCommand(CLI::App& cli, Command& chosen);
+void addSimulateCommand(CLI::App& cli, Command& chosen);
+void addReportCommand(CLI::App& cli, Command& chosen);
+void addPlanCommand(CLI::App& cli, Command& chosen);
+void addTargetsCommand(CLI::App& cli, Command& chosen);
+void addGenerateCommand(CLI::App& cli, Command& chosen);
+void addClipsCommand(CLI::App& cli, Command& chosen);
+void addViewCommand(CLI::App& cli, Command& chosen);
+
+}  // namespace deixis::app

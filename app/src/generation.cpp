@@ -1,0 +1,39 @@
+#include "generation.hpp"
+
+#include <fmt/format.h>
+
+#include "assets/bvh.hpp"
+#include "core/files.hpp"
+#include "core/random.hpp"
+
+namespace deixis::app {
+
+Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& generator,
+                                                       const std::vector<NamedTarget>& targets, std::uint64_t seed,
+                                                       const std::filesystem::path& folder) {
+    std::vector<assets::ManifestRow> rows;
+    for (const auto& [id, position] : targets) {
+        const std::uint64_t clip_seed = deriveSeed(seed, id);
+        const motion::GeneratedClip made = generator.generate({id, position, clip_seed});
+        assets::ManifestRow row;
+        row.clip = fmt::format("{}_{}.bvh", generator.name(), id);
+        row.system = std::string(generator.name());
+        row.target_id = id;
+        row.target = position;
+        row.hand = made.hand;
+        row.onset_frame = made.onset_frame;
+        row.peak_frame = made.peak_frame;
+        row.hold_frame = made.hold_frame;
+        row.end_frame = made.end_frame;
+        row.fps = made.clip.framesPerSecond();
+        row.seed = clip_seed;
+        if (auto written = writeFile(folder / row.clip, assets::writeBvh(made.clip)); !written)
+            return tl::unexpected(written.error());
+        rows.push_back(std::move(row));
+    }
+    if (auto written = writeFile(folder / "manifest.csv", assets::manifestCsv(rows)); !written)
+        return tl::unexpected(written.error());
+    return rows;
+}
+
+}  // namespace deixis::app

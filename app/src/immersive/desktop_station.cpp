@@ -1,0 +1,230 @@
+#include "desktop_station.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <thread>
+
+#include "frame_scene.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double look_rad_per_pixel = radiansFromDegrees(0.07);
+constexpr double max_pitch_rad = radiansFromDegrees(80.0);
+constexpr double resting_pitch_rad = radiansFromDegrees(-6.0);  // a standing person's gaze rests a little down
+constexpr double max_lean_m = 0.25;
+constexpr double lean_speed_per_s = 4.0;
+const Vec3 eye_to_hand{0.20, -0.28, -0.20};  // in the head's frame turned upright
+constexpr double farthest_aim_m = 8.0;
+
+}  // namespace
+
+struct DesktopStation::State {
+    DesktopOptions options;
+    std::unique_ptr<GlWindow> window;
+    std::unique_ptr<renderer::Renderer> renderer;
+    Clock::time_point start = Clock::now();
+    double utc_offset_s = 0.0;
+    double period_s = 1.0 / 60.0;
+    double last_time_s = 0.0;
+    double last_swap_s = 0.0;
+
+    double yaw_rad = 0.0;  // to the left of the viewer's heading
+    double pitch_rad = resting_pitch_rad;
+    Vec3 lean_m{0.0};
+    double cursor_x = 0.0, cursor_y = 0.0;
+    bool cursor_known = false;
+
+    studies::InputFrame pending{};     // what has happened since the last frame
+    studies::PresentedFrame presented{};  // what is on the screen
+    int windowed_x = 0, windowed_y = 0;
+    WindowSize windowed{};
+
+    [[nodiscard]] double now_s() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+    void onKey(int key);
+    void onCursor(double x, double y);
+    void toggleFullscreen();
+    void updateLean(double elapsed_s);
+    [[nodiscard]] Pose head() const;
+    [[nodiscard]] Ray handRay(const Pose& stage_from_head) const;
+    void connectCallbacks();
+};
+
+void DesktopStation::State::onKey(int key) {
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) pending.digit = key - GLFW_KEY_0;
+    if (key >= GLFW_KEY_KP_1 && key <= GLFW_KEY_KP_9) pending.digit = key - GLFW_KEY_KP_0;
+    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_SPACE) pending.confirm = true;
+    if (key == GLFW_KEY_ESCAPE) {
+        pending.pause = true;
+        pending.pause_reason = "escape";
+    }
+    if (key == GLFW_KEY_F11) toggleFullscreen();
+}
+
+void DesktopStation::State::onCursor(double x, double y) {
+    if (cursor_known) {
+        yaw_rad -= (x - cursor_x) * look_rad_per_pixel;
+        pitch_rad = std::clamp(pitch_rad - (y - cursor_y) * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
+    }
+    cursor_x = x;
+    cursor_y = y;
+    cursor_known = true;
+}
+
+void DesktopStation::State::toggleFullscreen() {
+    GLFWwindow* w = window->handle();
+    if (glfwGetWindowMonitor(w) != nullptr) {
+        glfwSetWindowMonitor(w, nullptr, windowed_x, windowed_y, windowed.width, windowed.height, GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return;
+    glfwGetWindowPos(w, &windowed_x, &windowed_y);
+    glfwGetWindowSize(w, &windowed.width, &windowed.height);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(w, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void DesktopStation::State::updateLean(double elapsed_s) {
+    GLFWwindow* w = window->handle();
+    const auto down = [&](int a, int b) {
+        return glfwGetKey(w, a) == GLFW_PRESS || glfwGetKey(w, b) == GLFW_PRESS ? 1.0 : 0.0;
+    };
+    const Vec3 wanted =
+        max_lean_m * Vec3(down(GLFW_KEY_D, GLFW_KEY_RIGHT) - down(GLFW_KEY_A, GLFW_KEY_LEFT), 0.0,
+                          down(GLFW_KEY_S, GLFW_KEY_DOWN) - down(GLFW_KEY_W, GLFW_KEY_UP));
+    lean_m += (wanted - lean_m) * std::min(1.0, lean_speed_per_s * elapsed_s);
+}
+
+Pose DesktopStation::State::head() const {
+    const Quat yaw = yawRotation(yaw_rad);
+    const Quat pitch = glm::angleAxis(pitch_rad, Vec3(1, 0, 0));
+    return presented.stage_from_viewer * Pose{Vec3(0.0, options.eye_height_m, 0.0) + lean_m, yaw * pitch};
+}
+
+// From the hand to the first thing in the middle of the view: what the person looks at is what the ray meets.
+Ray DesktopStation::State::handRay(const Pose& stage_from_head) const {
+    const Ray gaze{stage_from_head.position, stage_from_head.orientation * Vec3(0, 0, -1)};
+    double distance = farthest_aim_m;
+    for (const auto& ball : presented.balls) {
+        const double hit = distanceToSphere(gaze, ball.centre, ball.radius_m);
+        if (hit > 0.0) distance = std::min(distance, hit);
+    }
+    if (presented.panel) {
+        const Pose& board = presented.panel->stage_from_panel;
+        const Vec3 normal = board.orientation * Vec3(0, 0, 1);
+        const double towards = -glm::dot(gaze.direction, normal);
+        if (towards > 1e-6) {
+            const double hit = glm::dot(gaze.origin - board.position, normal) / towards;
+            const Vec3 on_board = transformPoint(inverse(board), gaze.origin + hit * gaze.direction);
+            const bool inside = on_board.x >= 0.0 && on_board.x <= presented.panel->width_m && on_board.y >= 0.0 &&
+                                on_board.y <= presented.panel->height_m;
+            if (hit > 0.0 && inside) distance = std::min(distance, hit);
+        }
+    }
+    const Quat upright = presented.stage_from_viewer.orientation * yawRotation(yaw_rad);
+    const Vec3 hand = stage_from_head.position + upright * eye_to_hand;
+    return {hand, glm::normalize(gaze.origin + distance * gaze.direction - hand)};
+}
+
+void DesktopStation::State::connectCallbacks() {
+    GLFWwindow* w = window->handle();
+    glfwSetWindowUserPointer(w, this);
+    glfwSetKeyCallback(w, [](GLFWwindow* from, int key, int, int action, int) {
+        if (action == GLFW_PRESS) static_cast<State*>(glfwGetWindowUserPointer(from))->onKey(key);
+    });
+    glfwSetCursorPosCallback(w, [](GLFWwindow* from, double x, double y) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->onCursor(x, y);
+    });
+    glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int button, int action, int) {
+        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS)
+            static_cast<State*>(glfwGetWindowUserPointer(from))->pending.select = true;
+    });
+    glfwSetWindowFocusCallback(w, [](GLFWwindow* from, int focused) {
+        if (focused == GLFW_TRUE) return;
+        auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
+        state->pending.pause = true;
+        state->pending.pause_reason = "focus lost";
+    });
+    glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
+    if (glfwRawMouseMotionSupported() == GLFW_TRUE) glfwSetInputMode(w, GLFW_RAW_MOUSE_MOTION, GLFW_TRUE);
+}
+
+DesktopStation::DesktopStation(std::unique_ptr<State> state) : state_(std::move(state)) {}
+DesktopStation::~DesktopStation() = default;
+
+Result<std::unique_ptr<DesktopStation>> DesktopStation::open(const assets::Avatar& avatar,
+                                                             const DesktopOptions& options) {
+    auto state = std::make_unique<State>();
+    state->options = options;
+    auto window = GlWindow::open(options.title, options.size, options.fullscreen);
+    if (!window) return tl::unexpected(window.error());
+    state->window = std::move(*window);
+    auto made = renderer::Renderer::create(avatar, {});
+    if (!made) return tl::unexpected(made.error());
+    state->renderer = std::make_unique<renderer::Renderer>(std::move(*made));
+    state->period_s = 1.0 / state->window->refreshRate_hz();
+    state->windowed = options.size;
+    state->utc_offset_s =
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count() - state->now_s();
+    state->connectCallbacks();
+    return std::unique_ptr<DesktopStation>(new DesktopStation(std::move(state)));
+}
+
+studies::StationInfo DesktopStation::info() const {
+    const WindowSize size = state_->window->framebufferSize();
+    return {"desktop",
+            fmt::format("{}x{} pixels, {:.0f} Hz, {}", size.width, size.height, 1.0 / state_->period_s,
+                        state_->renderer->driver()),
+            false};
+}
+
+studies::InputFrame DesktopStation::beginFrame() {
+    State& s = *state_;
+    // A driver that does not wait for the display (software, remote) would draw as fast as it can: pace it here.
+    const double ready_s = s.last_swap_s + 0.9 * s.period_s;
+    if (const double wait_s = ready_s - s.now_s(); wait_s > 0.0)
+        std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
+    glfwPollEvents();
+    studies::InputFrame input = std::exchange(s.pending, {});
+    input.time_s = std::max(s.last_time_s, s.now_s() + s.period_s);
+    input.utc_s = input.time_s + s.utc_offset_s;
+    s.updateLean(input.time_s - s.last_time_s);
+    s.last_time_s = input.time_s;
+    input.stage_from_head = s.head();
+    input.pointer = s.handRay(input.stage_from_head);
+    input.quit = glfwWindowShouldClose(s.window->handle()) == GLFW_TRUE;
+    return input;
+}
+
+studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
+    State& s = *state_;
+    if (frame.viewer_place != s.presented.viewer_place) {
+        s.yaw_rad = 0.0;
+        s.pitch_rad = resting_pitch_rad;
+    }
+    if (frame.status != s.presented.status)
+        glfwSetWindowTitle(s.window->handle(), (s.options.title + " - " + frame.status).c_str());
+    s.presented = frame;
+    const WindowSize size = s.window->framebufferSize();
+    const bool visible = size.width > 0 && size.height > 0 &&
+                         glfwGetWindowAttrib(s.window->handle(), GLFW_ICONIFIED) == GLFW_FALSE;
+    if (visible) {
+        s.renderer->draw(sceneFromFrame(frame, s.head()), size.width, size.height);
+        glfwSwapBuffers(s.window->handle());
+    }
+    s.last_swap_s = s.now_s();
+    return {frame.number, visible, s.last_swap_s};
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,40 @@
+// The desktop station, mock-VR: a window, a first-person camera at standing eye height, a ray from the right hand.
+//
+// Mouse: look around; the ray goes from the hand to what is in the middle of the view. Left button: select. 1-9:
+// rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc: pause. F11: full screen on and off.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "assets/avatar.hpp"
+#include "gl_window.hpp"
+#include "renderer/renderer.hpp"
+#include "studies/station.hpp"
+
+namespace deixis::app {
+
+struct DesktopOptions {
+    std::string title;
+    WindowSize size{};
+    bool fullscreen = false;
+    double eye_height_m = 1.65;
+};
+
+class DesktopStation : public studies::Station {
+  public:
+    [[nodiscard]] static Result<std::unique_ptr<DesktopStation>> open(const assets::Avatar& avatar,
+                                                                      const DesktopOptions& options);
+    ~DesktopStation() override;
+
+    [[nodiscard]] studies::StationInfo info() const override;
+    [[nodiscard]] studies::InputFrame beginFrame() override;
+    studies::FrameReport present(const studies::PresentedFrame& frame) override;
+
+  private:
+    struct State;
+    explicit DesktopStation(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace deixis::app

@@ -1,0 +1,69 @@
+#include "drawn_simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "frame_scene.hpp"
+#include "gl_window.hpp"
+#include "renderer/renderer.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+constexpr double draw_period_s = 0.1;  // of virtual time, besides key moments
+constexpr WindowSize picture_size{1280, 720};
+
+// Order matters: the renderer goes before its context.
+struct OffscreenView {
+    renderer::OffscreenContext context;
+    renderer::Renderer renderer;
+};
+
+void takePicture(renderer::Renderer& renderer, const renderer::Scene& scene, WindowSize size,
+                 const std::string& file) {
+    const auto written = renderer::writePng(file, renderer.capture(scene, size.width, size.height));
+    if (!written) throw std::runtime_error(written.error().text());
+}
+
+}  // namespace
+
+Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar, const std::string& size,
+                            const Screenshots& screenshots) {
+    WindowSize view_size{640, 360};
+    WindowSize pictured_size = picture_size;
+    if (!size.empty()) {
+        const auto parsed = parseWindowSize(size);
+        if (!parsed) return tl::unexpected(parsed.error());
+        view_size = pictured_size = *parsed;
+    }
+    auto context = renderer::OffscreenContext::create();
+    if (!context) return tl::unexpected(context.error());
+    auto made = renderer::Renderer::create(avatar, {});
+    if (!made) return tl::unexpected(made.error());
+    const auto view = std::make_shared<OffscreenView>(OffscreenView{std::move(*context), std::move(*made)});
+
+    std::string details = fmt::format("off screen, {}x{} pixels, drawn {:g} times a second of virtual time, {}",
+                                      view_size.width, view_size.height, 1.0 / draw_period_s, view->renderer.driver());
+    station.attachViewer(std::move(details), [view, view_size, pictured_size, wanted = screenshots, next_s = 0.0](
+                                                 const studies::PresentedFrame& frame,
+                                                 const studies::InputFrame& input) mutable {
+        const auto picture = wanted.find(frame.state);
+        const bool due = frame.key_moment || input.time_s >= next_s;
+        if (!due && picture == wanted.end()) return;
+        const renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
+        if (due) {
+            (void)view->renderer.capture(scene, view_size.width, view_size.height);
+            next_s = input.time_s + draw_period_s;
+        }
+        if (picture != wanted.end()) {
+            takePicture(view->renderer, scene, pictured_size, picture->second);
+            wanted.erase(picture);
+        }
+    });
+    return {};
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,63 @@
+#include "frame_scene.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+renderer::Ball ballFromView(const studies::BallView& view) {
+    renderer::Ball ball;
+    ball.centre = view.centre;
+    ball.radius_m = view.radius_m;
+    switch (view.look) {
+        case studies::BallLook::waiting:
+            ball.colour = glm::vec3(0.012F);
+            break;
+        case studies::BallLook::selectable:
+            ball.colour = glm::vec3(0.85F);
+            break;
+        case studies::BallLook::hovered:
+            ball.colour = glm::vec3(0.95F, 0.72F, 0.30F);
+            ball.glow = glm::vec3(0.35F, 0.20F, 0.03F);
+            break;
+        case studies::BallLook::chosen:
+            ball.colour = glm::vec3(0.95F, 0.55F, 0.10F);
+            ball.glow = glm::vec3(0.75F, 0.38F, 0.05F);
+            break;
+    }
+    return ball;
+}
+
+renderer::BoardRect rectFrom(const studies::PanelRect& r) { return {r.x, r.y, r.width, r.height}; }
+
+renderer::Board boardFromPanel(const studies::Panel& panel) {
+    renderer::Board board;
+    board.stage_from_board = panel.stage_from_panel;
+    board.width_m = panel.width_m;
+    board.height_m = panel.height_m;
+    board.progress = panel.progress;
+    for (const auto& t : panel.texts)
+        board.texts.push_back({rectFrom(t.box), t.text, t.size_m, t.bold, t.centred, t.faint});
+    for (const auto& b : panel.buttons)
+        board.buttons.push_back({rectFrom(b.box), b.label, b.caption, b.enabled, b.hovered});
+    return board;
+}
+
+}  // namespace
+
+renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose& stage_from_eye) {
+    renderer::Scene scene;
+    scene.camera.stage_from_eye = stage_from_eye;
+    scene.avatar_visible = frame.avatar_visible;
+    scene.avatar_joints = frame.avatar_joints;
+    for (const auto& ball : frame.balls) scene.balls.push_back(ballFromView(ball));
+    if (frame.ray) {
+        renderer::Beam beam;
+        beam.ray = frame.ray->ray;
+        beam.length_m = frame.ray->length_m;
+        scene.beam = beam;
+    }
+    if (frame.panel) scene.board = boardFromPanel(*frame.panel);
+    return scene;
+}
+
+}  // namespace deixis::app

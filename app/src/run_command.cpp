@@ -1,0 +1,158 @@
+// deixis run: one participant's session, from the first page to the report.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "assets/data_paths.hpp"
+#include "commands.hpp"
+#include "motion/reference_humanoid.hpp"
+#include "report.hpp"
+#include "results/store.hpp"
+#include "session_loop.hpp"
+#include "simulated_setup.hpp"
+#include "stations.hpp"
+#include "stimuli.hpp"
+#include "study_setup.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string study;
+    std::string participant;
+    std::string database;
+    std::string report;
+    std::string stimuli;
+    std::vector<std::string> screenshots;
+    StationRequest station;
+};
+
+double utcNow_s() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+// The first of P01, P02, ... that the database does not know.
+std::string nextParticipant(const results::Store& store) {
+    const auto taken = store.participants();
+    for (int i = 1;; ++i) {
+        std::string id = fmt::format("P{:02}", i);
+        if (std::find(taken.begin(), taken.end(), id) == taken.end()) return id;
+    }
+}
+
+int unanswered(const studies::StudyPlan& plan, const std::set<int>& answered) {
+    int count = 0;
+    for (const auto& trial : plan.trials) count += !trial.practice && !answered.contains(trial.index);
+    return count;
+}
+
+// STATE=FILE ...
+Result<Screenshots> parseScreenshots(const std::vector<std::string>& options) {
+    Screenshots out;
+    for (const std::string& option : options) {
+        const auto equals = option.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == option.size())
+            return fail("--screenshot", fmt::format("'{}' was given; expected STATE=FILE.png", option));
+        out[option.substr(0, equals)] = option.substr(equals + 1);
+    }
+    return out;
+}
+
+// What the session came to, and where it lies.
+Result<void> reportSession(const Options& options, const std::string& participant, int left) {
+    const std::string page =
+        options.report.empty() ? fs::path(options.database).replace_extension(".html").string() : options.report;
+    const auto written = writeReport(options.database, page, "");
+    if (left > 0)
+        fmt::print("{} has {} trials left; the same command with --participant {} goes on there\n", participant, left,
+                   participant);
+    fmt::print("database: {}\n", fs::absolute(options.database).lexically_normal().string());
+    if (!written) {
+        fmt::print("report:   none yet ({})\n", written.error().text());
+        return {};
+    }
+    fmt::print("report:   {}\n", fs::absolute(page).lexically_normal().string());
+    return {};
+}
+
+Result<void> run(Options options) {
+    const auto setup = loadStudySetup(options.study);
+    if (!setup) return tl::unexpected(setup.error());
+    auto screenshots = parseScreenshots(options.screenshots);
+    if (!screenshots) return tl::unexpected(screenshots.error());
+    options.station.screenshots = std::move(*screenshots);
+    if (options.database.empty()) options.database = setup->study.name + ".sqlite";
+    const auto avatar = loadShippedAvatar();
+    if (!avatar) return tl::unexpected(avatar.error());
+
+    auto store = results::Store::open(options.database, results::Durability::each_answer);
+    if (!store) return tl::unexpected(store.error());
+    const std::string participant =
+        options.participant.empty() ? nextParticipant(*store) : options.participant;
+    const auto plan = studies::buildPlan(setup->study, setup->targets, participant);
+    if (!plan) return tl::unexpected(plan.error());
+    const auto lock = results::ParticipantLock::take(options.database, participant);
+    if (!lock) return tl::unexpected(lock.error());
+    if (auto stored = store->storePlan(setup->study, *plan); !stored) return stored;
+
+    const std::set<int> answered = store->answeredTrials(participant);
+    if (unanswered(*plan, answered) == 0) {
+        fmt::print("{} has answered every trial already\n", participant);
+        return reportSession(options, participant, 0);
+    }
+
+    std::vector<const studies::Trial*> trials;
+    for (const auto& trial : plan->trials) trials.push_back(&trial);
+    const fs::path stimuli_folder =
+        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+    const auto stimuli = StimulusLibrary::load(*setup, trials, *avatar, stimuli_folder);
+    if (!stimuli) return tl::unexpected(stimuli.error());
+
+    const auto station = openStation(options.station, setup->study, *plan, *avatar);
+    if (!station) return tl::unexpected(station.error());
+    const studies::StationInfo info = (*station)->info();
+    fmt::print("participant {}: {} station ({}){}\n", participant, info.kind, info.details,
+               answered.empty() ? "" : fmt::format(", {} answers kept from before", answered.size()));
+
+    const motion::LocalPose idle = motion::relaxedPose(avatar->skeleton);
+    const auto records = stimuli->records(*plan);
+    studies::SessionRunner session(setup->study, *plan, *stimuli, avatar->skeleton, idle, answered);
+    store->beginSession({participant, info, programVersion(), avatar->content_hash, utcNow_s()});
+    runSession(session, **station,
+               [&](const studies::SessionEvent& event) { store->record(event, *plan, records); });
+    store->endSession(session.quit() ? "quit" : "finished", utcNow_s());
+    return reportSession(options, participant, unanswered(*plan, store->answeredTrials(participant)));
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = cli.add_subcommand("run", "Run one participant's session; resumes where it was left");
+    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    command->add_option("--participant", options->participant, "Pseudonymous id [the next free of P01, P02, ...]");
+    command
+        ->add_option("--station", options->station.kind,
+                     "desktop: a window and a person; simulated: a simulated participant, drawn off screen")
+        ->capture_default_str();
+    command->add_option("--db", options->database, "Database to add to [STUDY.sqlite]");
+    command->add_option("--report", options->report, "HTML report to write [beside the database]");
+    command->add_option("--stimuli", options->stimuli, "Folder for the built-in systems' clips [beside the database]");
+    command->add_option("--size", options->station.size, "Window or picture size, such as 1280x720");
+    command->add_flag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
+    command
+        ->add_option("--parameters", options->station.simulated_parameters,
+                     "Simulated participant's parameters (TOML)")
+        ->default_val(assets::dataFile("simulated_participant.toml").string());
+    command->add_option("--screenshot", options->screenshots,
+                        "STATE=FILE.png: a picture of a state of the simulated session; may be repeated");
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,103 @@
+// deixis simulate: whole studies by simulated participants, in virtual time, nothing drawn.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "assets/data_paths.hpp"
+#include "commands.hpp"
+#include "session_loop.hpp"
+#include "simulated_setup.hpp"
+#include "motion/reference_humanoid.hpp"
+#include "stimuli.hpp"
+#include "studies/plan.hpp"
+#include "studies/simulated_participant.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string study;
+    int participants = 39;
+    std::string database;
+    std::string stimuli;
+    std::string parameters;
+};
+
+Result<void> simulate(const Options& options) {
+    const auto setup = loadStudySetup(options.study);
+    if (!setup) return tl::unexpected(setup.error());
+    const auto avatar = loadShippedAvatar();
+    if (!avatar) return tl::unexpected(avatar.error());
+    const auto parameters = loadSimulatedParameters(options.parameters);
+    if (!parameters) return tl::unexpected(parameters.error());
+
+    std::error_code code;
+    if (fs::exists(options.database, code))
+        return fail(options.database, "exists already; a simulation never adds to or overwrites a database",
+                    "Name another file with --db, or remove it");
+
+    std::vector<studies::StudyPlan> plans;
+    for (int i = 1; i <= options.participants; ++i) {
+        auto plan = studies::buildPlan(setup->study, setup->targets, fmt::format("S{:03}", i));
+        if (!plan) return tl::unexpected(plan.error());
+        plans.push_back(std::move(*plan));
+    }
+    std::vector<const studies::Trial*> trials;
+    for (const auto& plan : plans)
+        for (const auto& trial : plan.trials) trials.push_back(&trial);
+    const fs::path stimuli_folder =
+        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+    const auto stimuli = StimulusLibrary::load(*setup, trials, *avatar, stimuli_folder);
+    if (!stimuli) return tl::unexpected(stimuli.error());
+
+    // Written beside and renamed at the end: an interrupted simulation leaves no half database.
+    const fs::path partial = options.database + ".partial";
+    for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
+    int answers = 0;
+    {
+        auto store = results::Store::open(partial, results::Durability::whole_run);
+        if (!store) return tl::unexpected(store.error());
+        const motion::LocalPose idle = motion::relaxedPose(avatar->skeleton);
+        for (const auto& plan : plans) {
+            if (auto stored = store->storePlan(setup->study, plan); !stored) return stored;
+            studies::SimulatedStation station(*parameters, avatar->skeleton, simulatedSeed(plan));
+            studies::SessionRunner session(setup->study, plan, *stimuli, avatar->skeleton, idle, {});
+            const auto records = stimuli->records(plan);
+            store->beginSession({plan.participant, station.info(), programVersion(), avatar->content_hash, 0.0});
+            const studies::Moment end = runSession(session, station, [&](const studies::SessionEvent& event) {
+                if (std::holds_alternative<studies::Response>(event)) ++answers;
+                store->record(event, plan, records);
+            });
+            store->endSession("finished", end.utc_s);
+        }
+        store->commit();
+    }
+    fs::rename(partial, options.database, code);
+    if (code) return fail(options.database, "cannot be written: " + code.message());
+    for (const char* suffix : {"-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
+    fmt::print("{} simulated participants, {} answers: {}\n", options.participants, answers, options.database);
+    return {};
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = cli.add_subcommand(
+        "simulate", "Run whole studies with simulated participants, in virtual time, without drawing");
+    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    command->add_option("--participants", options->participants, "How many (S001, S002, ...)")
+        ->check(CLI::Range(1, 9999))
+        ->capture_default_str();
+    command->add_option("--db", options->database, "Database to make; must not exist")->required();
+    command->add_option("--stimuli", options->stimuli, "Folder for the built-in systems' clips [beside the database]");
+    command->add_option("--parameters", options->parameters, "Simulated participants' parameters (TOML)")
+        ->default_val(assets::dataFile("simulated_participant.toml").string());
+    command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
+}
+
+}  // namespace deixis::app

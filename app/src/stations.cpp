@@ -1,0 +1,68 @@
+#include "stations.hpp"
+
+#include <fmt/format.h>
+
+#include "simulated_setup.hpp"
+
+#ifdef DEIXIS_IMMERSIVE
+#include "immersive/desktop_station.hpp"
+#include "immersive/drawn_simulation.hpp"
+#endif
+
+namespace deixis::app {
+
+namespace {
+
+#ifdef DEIXIS_IMMERSIVE
+
+Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& request, const studies::Study& study,
+                                                      const studies::StudyPlan& plan, const assets::Avatar& avatar) {
+    if (!request.screenshots.empty())
+        return fail("--screenshot", "pictures of a session are taken with --station simulated");
+    DesktopOptions options;
+    options.title = study.title + " - " + plan.participant;
+    options.fullscreen = request.fullscreen;
+    options.eye_height_m = study.eye_height_m;
+    if (!request.size.empty()) {
+        const auto size = parseWindowSize(request.size);
+        if (!size) return tl::unexpected(size.error());
+        options.size = *size;
+    }
+    auto station = DesktopStation::open(avatar, options);
+    if (!station) return tl::unexpected(station.error());
+    return std::move(*station);
+}
+
+#else
+
+Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest&, const studies::Study&,
+                                                      const studies::StudyPlan&, const assets::Avatar&) {
+    return fail("--station", "this program was built without windows (DEIXIS_IMMERSIVE=OFF)",
+                "Use --station simulated, or build with DEIXIS_IMMERSIVE=ON");
+}
+
+Result<void> drawSimulation(studies::SimulatedStation&, const assets::Avatar&, const std::string&,
+                            const Screenshots& screenshots) {
+    if (screenshots.empty()) return {};
+    return fail("--screenshot", "this program was built without drawing (DEIXIS_IMMERSIVE=OFF)");
+}
+
+#endif
+
+}  // namespace
+
+Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request, const studies::Study& study,
+                                                      const studies::StudyPlan& plan, const assets::Avatar& avatar) {
+    if (request.kind == "desktop") return openDesktop(request, study, plan, avatar);
+    if (request.kind != "simulated")
+        return fail("--station", fmt::format("unknown station '{}'; expected desktop or simulated", request.kind));
+    const auto parameters = studies::loadSimulatedParameters(request.simulated_parameters);
+    if (!parameters) return tl::unexpected(parameters.error());
+    auto station =
+        std::make_unique<studies::SimulatedStation>(*parameters, avatar.skeleton, simulatedSeed(plan));
+    if (auto drawn = drawSimulation(*station, avatar, request.size, request.screenshots); !drawn)
+        return tl::unexpected(drawn.error());
+    return station;
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,141 @@
+#include "stimuli.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <glm/geometric.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "assets/data_paths.hpp"
+#include "assets/demonstrations.hpp"
+#include "assets/manifest.hpp"
+#include "clip_files.hpp"
+#include "core/files.hpp"
+#include "core/hash.hpp"
+#include "generation.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The manifest of a built-in system's clips, made now where it is not there yet. Once made, the clips stay as they
+// are: a later version of the program must not change what a running study shows.
+Result<fs::path> builtInManifest(const studies::SystemSource& system, const StudySetup& setup,
+                                 const assets::Avatar& avatar, const fs::path& folder) {
+    const fs::path parameters_file = assets::dataFile("demonstrations.toml");
+    const auto parameter_bytes = readFile(parameters_file);
+    if (!parameter_bytes) return tl::unexpected(parameter_bytes.error());
+    const std::string key = sha256Hex(fmt::format("{}\n{}\n{}\n{}\n{}", system.generator, setup.study.seed,
+                                                  studies::targetsCsv(setup.targets), *parameter_bytes,
+                                                  avatar.content_hash));
+    const fs::path clips = folder / fmt::format("{}-{}", system.generator, key.substr(0, 12));
+    const fs::path manifest = clips / "manifest.csv";
+    std::error_code code;
+    if (fs::exists(manifest, code)) return manifest;
+
+    const auto parameters = assets::loadDemonstrationParameters(parameters_file);
+    if (!parameters) return tl::unexpected(parameters.error());
+    const auto generator = motion::makeGenerator(system.generator, avatar.skeleton, *parameters);
+    if (!generator) return tl::unexpected(generator.error());
+    std::vector<NamedTarget> targets;
+    for (const auto& item : setup.targets) targets.emplace_back(item.id, item.target);
+    const auto rows = generateClips(**generator, targets, setup.study.seed, clips);
+    if (!rows) return tl::unexpected(rows.error());
+    return manifest;
+}
+
+Result<void> checkRow(const assets::Manifest& manifest, const assets::ManifestRow& row, const Vec3& target,
+                      const motion::Clip& clip) {
+    const std::string where = manifest.file.string() + ": clip " + row.clip;
+    if (glm::length(row.target - target) > 0.001)
+        return fail(where,
+                    fmt::format("was made for the target ({:.4f}, {:.4f}, {:.4f}), but the study's {} is at ({:.4f}, "
+                                "{:.4f}, {:.4f})",
+                                row.target.x, row.target.y, row.target.z, row.target_id, target.x, target.y,
+                                target.z),
+                    "Make the clips for the targets that 'deixis targets' prints for this study");
+    if (row.end_frame >= clip.frameCount())
+        return fail(where, fmt::format("end frame {} lies outside the clip, which has frames 0 to {}", row.end_frame,
+                                       clip.frameCount() - 1));
+    if (std::abs(row.fps - clip.framesPerSecond()) > 0.01 * row.fps)
+        return fail(where, fmt::format("fps is {:g}, but the clip has {:.4g} frames per second", row.fps,
+                                       clip.framesPerSecond()));
+    return {};
+}
+
+}  // namespace
+
+Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
+                                              const std::vector<const studies::Trial*>& trials,
+                                              const assets::Avatar& avatar, const fs::path& folder) {
+    // Systems do not depend on each other, and making and reading their clips is most of a start's work.
+    using Part = std::map<std::pair<std::string, std::string>, Stimulus>;
+    const auto loadSystem = [&](const studies::SystemSource& system) -> Result<Part> {
+        Result<fs::path> manifest_file = fs::path(system.manifest);
+        if (!system.generator.empty()) manifest_file = builtInManifest(system, setup, avatar, folder);
+        if (!manifest_file) return tl::unexpected(manifest_file.error());
+        const auto manifest = assets::readManifest(*manifest_file);
+        if (!manifest) return tl::unexpected(manifest.error());
+        Part part;
+        for (const studies::Trial* trial : trials) {
+            if (trial->system != system.name || part.contains({trial->system, trial->target_id})) continue;
+            const auto row = std::find_if(manifest->rows.begin(), manifest->rows.end(),
+                                          [&](const auto& r) { return r.target_id == trial->target_id; });
+            if (row == manifest->rows.end())
+                return fail(manifest_file->string(),
+                            fmt::format("has no clip for target {}, which the system '{}' needs", trial->target_id,
+                                        system.name));
+            const fs::path file = manifest_file->parent_path() / row->clip;
+            const auto bytes = readFile(file);
+            if (!bytes) return tl::unexpected(bytes.error());
+            const auto read = readClipFile(file, {});
+            if (!read) return tl::unexpected(read.error());
+            if (auto checked = checkRow(*manifest, *row, trial->target, read->clip); !checked)
+                return tl::unexpected(checked.error());
+            auto on_avatar = clipOnAvatar(read->clip, avatar, file.string());
+            if (!on_avatar) return tl::unexpected(on_avatar.error());
+            part.emplace(std::make_pair(trial->system, trial->target_id),
+                         Stimulus{std::move(*on_avatar), {file.string(), sha256Hex(*bytes)}});
+        }
+        return part;
+    };
+
+    std::vector<std::future<Result<Part>>> parts;
+    for (const auto& system : setup.study.systems)
+        parts.push_back(std::async(std::launch::async, loadSystem, std::cref(system)));
+    StimulusLibrary library;
+    std::optional<Error> first_error;
+    for (auto& future : parts) {
+        auto part = future.get();
+        if (!part) {
+            if (!first_error) first_error = part.error();
+            continue;
+        }
+        library.stimuli_.merge(*part);
+    }
+    if (first_error) return tl::unexpected(*first_error);
+    return library;
+}
+
+const StimulusLibrary::Stimulus& StimulusLibrary::find(const studies::Trial& trial) const {
+    const auto found = stimuli_.find({trial.system, trial.target_id});
+    if (found == stimuli_.end())
+        throw std::logic_error("clip of " + trial.system + " for " + trial.target_id + " was not loaded");
+    return found->second;
+}
+
+const motion::Clip& StimulusLibrary::clip(const studies::Trial& trial) const { return find(trial).clip; }
+
+const results::ClipRecord& StimulusLibrary::record(const studies::Trial& trial) const { return find(trial).record; }
+
+std::vector<results::ClipRecord> StimulusLibrary::records(const studies::StudyPlan& plan) const {
+    std::vector<results::ClipRecord> out;
+    for (const auto& trial : plan.trials) out.push_back(record(trial));
+    return out;
+}
+
+}  // namespace deixis::app

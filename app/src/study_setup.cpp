@@ -1,0 +1,42 @@
+#include "study_setup.hpp"
+
+#include <filesystem>
+
+#include "assets/data_paths.hpp"
+#include "assets/manifest.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+std::filesystem::path studyPath(const std::string& name) {
+    const std::filesystem::path path = name;
+    std::error_code code;
+    if (std::filesystem::exists(path, code) || path.has_parent_path() || path.has_extension()) return path;
+    return assets::dataFile("studies/" + name + ".toml");
+}
+
+}  // namespace
+
+Result<StudySetup> loadStudySetup(const std::string& name) {
+    auto study = studies::loadStudy(studyPath(name));
+    if (!study) return tl::unexpected(study.error());
+    if (!study->targets.fit_manifest.empty()) {
+        const auto manifest = assets::readManifest(study->targets.fit_manifest);
+        if (!manifest) return tl::unexpected(manifest.error());
+        std::vector<Vec3> positions;
+        for (const auto& row : manifest->rows) positions.push_back(row.target);
+        study->targets = studies::fitTargetSpace(study->targets, positions);
+    }
+    auto targets = studies::sampleTargets(study->targets, study->seed);
+    if (!targets) {
+        Error error = targets.error();
+        if (error.where.empty()) error.where = study->file.string();
+        return tl::unexpected(error);
+    }
+    return StudySetup{std::move(*study), std::move(*targets)};
+}
+
+Result<assets::Avatar> loadShippedAvatar() { return assets::loadAvatar(assets::dataFile("avatar.glb")); }
+
+}  // namespace deixis::app

@@ -1,0 +1,53 @@
+// deixis targets: a study's targets and distractors as CSV, and a picture of them.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "assets/data_paths.hpp"
+#include "assets/demonstrations.hpp"
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "motion/demonstration_library.hpp"
+#include "studies/targets.hpp"
+#include "study_setup.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct Options {
+    std::string study;
+    std::string picture;
+    bool no_picture = false;
+};
+
+Result<void> printTargets(const Options& options) {
+    const auto setup = loadStudySetup(options.study);
+    if (!setup) return tl::unexpected(setup.error());
+    if (!options.no_picture) {
+        const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
+        if (!parameters) return tl::unexpected(parameters.error());
+        const std::string picture =
+            options.picture.empty() ? setup->study.name + "-targets.svg" : options.picture;
+        const std::string svg =
+            studies::targetsSvg(setup->study.targets, setup->targets, motion::demonstrationTargets(*parameters));
+        if (auto written = writeFile(picture, svg); !written) return written;
+        fmt::print(stderr, "picture: {}\n", picture);
+    }
+    fmt::print("{}", studies::targetsCsv(setup->targets));
+    return {};
+}
+
+}  // namespace
+
+void addTargetsCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        cli.add_subcommand("targets", "Print a study's targets and distractors as CSV, and draw them");
+    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    command->add_option("--picture", options->picture, "SVG picture to write [STUDY-targets.svg]");
+    command->add_flag("--no-picture", options->no_picture, "Only print");
+    command->callback([options, &chosen] { chosen = [options] { return printTargets(*options); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,7 @@
+#include "commands.hpp"
+
+namespace deixis::app {
+
+std::string programVersion() { return "deixis " DEIXIS_VERSION; }
+
+}  // namespace deixis::app

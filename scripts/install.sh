@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing, and says which; does nothing where all are there.
+#   scripts/install.sh          what building and running needs
+#   scripts/install.sh tests    and what the tests and checks need
+set -euo pipefail
+
+packages=(
+    build-essential cmake ninja-build pkg-config
+    libglm-dev libfmt-dev libexpected-dev libssl-dev zlib1g-dev libpng-dev
+    libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
+    libsqlitecpp-dev libsqlite3-dev libboost-dev libboost-math-dev
+    libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev
+    libopenxr-dev fonts-open-sans doctest-dev
+)
+if [ "${1:-}" = tests ]; then
+    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool sqlite3 libxml2-utils libbenchmark-dev)
+    command -v npm >/dev/null || packages+=(nodejs npm)
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)" = installed ] || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+echo "Installing: ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || {
+        echo "install.sh: these packages are missing and there is no sudo; as root run: apt-get install ${missing[*]}" >&2
+        exit 1
+    }
+    as_root=(sudo)
+fi
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

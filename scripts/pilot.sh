@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# From clone to report: installs what is missing, builds, and runs one participant through the pointing study.
+# Arguments go to `deixis run`, such as --participant P07 or --station simulated.
+set -euo pipefail
+here=$PWD
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/install.sh
+[ -f build/release/build.ninja ] || cmake --preset release -Wno-dev >/dev/null
+cmake --build --preset release --target deixis | { grep -v 'no work to do' || true; }
+
+station=()
+if [[ " $* " != *" --station"* ]]; then
+    if [ -n "${DISPLAY:-}" ]; then
+        station=(--station desktop)
+    else
+        echo "No display: the simulated participant does the session, drawn off screen."
+        station=(--station simulated)
+    fi
+fi
+database=()
+[[ " $* " == *" --db"* ]] || database=(--db "$PWD/pilot/pointing2023.sqlite")
+program=$PWD/build/release/deixis
+cd "$here" # paths among the arguments are the caller's
+exec "$program" run pointing2023 "${station[@]}" "${database[@]}" "$@"

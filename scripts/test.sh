@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Installs what the tests need, builds, runs every check and test, and ends with the counts.
+#   scripts/test.sh          everything: style, lint, three builds (gcc, clang without graphics, sanitizers)
+#   scripts/test.sh dev      one preset's tests only
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+scripts/install.sh tests
+[ -d build/gltf_validator/node_modules ] || {
+    mkdir -p build/gltf_validator
+    cp tests/assets/gltf_validator/package*.json build/gltf_validator/
+    npm ci --silent --prefix build/gltf_validator
+}
+
+mkdir -p build/test-logs
+counts=()
+run_preset() {
+    echo "== $1: configure and build"
+    cmake --preset "$1" -Wno-dev >/dev/null
+    cmake --build --preset "$1" | tail -n 3
+    echo "== $1: tests"
+    local log=build/test-logs/$1.log status=0
+    ctest --preset "$1" -j2 --timeout 1200 2>&1 | tee "$log" || status=$?
+    counts+=("$1: $(grep -E 'tests passed' "$log" || echo 'no result')")
+    return "$status"
+}
+
+presets=("$@")
+[ ${#presets[@]} -gt 0 ] || {
+    scripts/check_style.sh
+    presets=(dev offline asan)
+}
+status=0
+for preset in "${presets[@]}"; do run_preset "$preset" || status=1; done
+if [ $# -eq 0 ]; then scripts/lint.sh || status=1; fi
+
+echo
+printf '%s\n' "${counts[@]}"
+[ "$status" -eq 0 ] && echo "All passed." || echo "Something failed: see above."
+exit "$status"

@@ -1,0 +1,88 @@
+// The real window, on a virtual display, with a keyboard and a mouse.
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "program.hpp"
+
+using namespace deixis::tests;
+
+namespace {
+
+// An X server of its own for one test.
+class Display {
+  public:
+    Display() : server_("Xvfb :" + std::to_string(number()) + " -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1") {
+        REQUIRE(eventually(20.0, [&] { return shell(environment() + " xdotool getdisplaygeometry").status == 0; }));
+    }
+    [[nodiscard]] static std::string environment() { return "env DISPLAY=:" + std::to_string(number()); }
+
+  private:
+    static int number() {
+        static const int chosen = 100 + static_cast<int>(getpid()) % 800;
+        return chosen;
+    }
+    Background server_;
+};
+
+int count(const std::string& database, const std::string& query) {
+    try {
+        SQLite::Database db(database, SQLite::OPEN_READONLY, 1000);
+        return db.execAndGet(query).getInt();
+    } catch (const SQLite::Exception&) {
+        return -1;
+    }
+}
+
+}  // namespace
+
+TEST_SUITE("app/desktop") {
+    TEST_CASE("a person at the desktop reads, rates by key, pauses and ends; the answers are kept") {
+        const Scratch scratch;
+        const Display display;
+        const std::string database = scratch / "study.sqlite";
+        Background session(Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1 " + DEIXIS_PROGRAM +
+                           " run pointing2023 --participant P01 --size 480x320 --db " + database + " >" +
+                           (scratch / "out") + " 2>&1");
+        const std::string window = Display::environment() + " xdotool search --onlyvisible --name P01";
+        const bool opened = eventually(120.0, [&] { return shell(window).status == 0 || !session.running(); });
+        INFO(slurp(scratch / "out"));
+        REQUIRE(opened);
+        REQUIRE(session.running());
+        const auto press = [&](const std::string& key) {
+            shell(Display::environment() + " xdotool search --name P01 windowfocus key " + key);
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        };
+        // Pages are left with Enter, ratings given with 4: pressing both in turn walks through stage 1.
+        const bool rated = eventually(240.0, [&] {
+            press("Return");
+            press("4");
+            return count(database, "select count(*) from responses") >= 3 || !session.running();
+        });
+        INFO(slurp(scratch / "out"));
+        REQUIRE(rated);
+        CHECK(count(database, "select count(*) from responses where rating = 4 and input = 'key'") >= 3);
+        CHECK(count(database, "select count(*) from sessions where station = 'desktop' and synthetic = 0") == 1);
+        press("Escape");
+        CHECK(eventually(20.0, [&] {
+            return count(database, "select count(*) from events where kind = 'pause'") >= 1;
+        }));
+        session.kill(SIGTERM);
+    }
+
+    TEST_CASE("without a display the desktop station says so and starts nothing else") {
+        const Scratch scratch;
+        CHECK_FAILS_SAYING(deixis("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
+                                  "env -u DISPLAY -u WAYLAND_DISPLAY"),
+                           "display", "simulated");
+    }
+
+    TEST_CASE("a driver without OpenGL 4.5 is named with the version that it has") {
+        const Scratch scratch;
+        CHECK_FAILS_SAYING(deixis("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite"),
+                                  "env MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
+                           "4.5");
+        const Display display;
+        CHECK_FAILS_SAYING(deixis("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
+                                  Display::environment() + " MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
+                           "4.5");
+    }
+}
