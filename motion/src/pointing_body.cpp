@@ -1,0 +1,113 @@
+#include "pointing_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
+#include "motion/hand_shapes.hpp"
+#include "motion/pointing.hpp"
+#include "motion/reference_humanoid.hpp"
+
+namespace deixis::motion {
+
+namespace {
+
+constexpr std::array needed{Bone::hips,          Bone::spine,         Bone::head,
+                            Bone::leftUpperArm,  Bone::leftLowerArm,  Bone::leftHand,
+                            Bone::rightUpperArm, Bone::rightLowerArm, Bone::rightHand};
+
+/// The reference humanoid's rotations on the avatar's joints.
+LocalPose onAvatar(const Skeleton& avatar, const HumanoidMap& map, const LocalPose& reference) {
+    LocalPose pose = restPose(avatar);
+    for (std::size_t i = 0; i < bone_count; ++i)
+        if (const int joint = map.joint[i]; joint >= 0)
+            pose.joints[static_cast<std::size_t>(joint)].orientation = reference.joints[i].orientation;
+    return pose;
+}
+
+Vec3 pointInHand(const PointingBody& body, Side side, const Vec3& point) {
+    const std::size_t hand = body.joint(armBones(side).hand);
+    return transformPoint(inverse(body.world(body.pointing_hands, hand)), point);
+}
+
+}  // namespace
+
+Pose PointingBody::world(const LocalPose& pose, std::size_t joint) const {
+    Pose out = pose.joints[joint];
+    for (int parent = skeleton.joints[joint].parent; parent >= 0;
+         parent = skeleton.joints[static_cast<std::size_t>(parent)].parent)
+        out = pose.joints[static_cast<std::size_t>(parent)] * out;
+    return out;
+}
+
+Vec3 PointingBody::eye(const LocalPose& pose) const {
+    if (!map.has(Bone::leftEye) || !map.has(Bone::rightEye)) return world(pose, joint(Bone::head)).position;
+    return 0.5 * (world(pose, joint(Bone::leftEye)).position + world(pose, joint(Bone::rightEye)).position);
+}
+
+Vec3 PointingBody::fingertipInHand(Side side) const {
+    return pointInHand(*this, side,
+                       fingertipPosition(skeleton, map, worldPose(skeleton, pointing_hands), side));
+}
+
+Vec3 PointingBody::knuckleInHand(Side side) const {
+    const Bone knuckle = armBones(side).index_proximal;
+    if (!map.has(knuckle)) return Vec3(0.0);
+    return pointInHand(*this, side, world(pointing_hands, joint(knuckle)).position);
+}
+
+Result<PointingBody> makePointingBody(const Skeleton& avatar) {
+    PointingBody body;
+    body.skeleton = avatar;
+    body.map = mapByVrmNames(avatar);
+    for (const Bone bone : needed)
+        if (!body.map.has(bone))
+            return fail("", "the avatar has no bone '" + std::string(boneName(bone)) + "'",
+                        "A pointing avatar needs hips, spine, head and both arms, by their VRM names");
+    for (const Joint& joint : avatar.joints)
+        if (std::abs(joint.rest.orientation.w) < 1.0 - 1e-9)
+            return fail("", "the avatar's joint '" + joint.name + "' has a rest rotation",
+                        "A pointing avatar stands in a T pose without rest rotations");
+
+    const Skeleton& reference = referenceHumanoid();
+    LocalPose pose = relaxedPose(reference);
+    body.relaxed = onAvatar(avatar, body.map, pose);
+    applyPointingHand(pose, Side::left, 1.0);
+    applyPointingHand(pose, Side::right, 1.0);
+    body.pointing_hands = onAvatar(avatar, body.map, pose);
+    for (const Side side : {Side::left, Side::right}) {
+        const auto first = static_cast<std::size_t>(side == Side::left ? Bone::leftThumbMetacarpal
+                                                                       : Bone::rightThumbMetacarpal);
+        const auto last =
+            static_cast<std::size_t>(side == Side::left ? Bone::leftLittleDistal : Bone::rightLittleDistal);
+        for (std::size_t i = first; i <= last; ++i)
+            if (body.map.joint[i] >= 0)
+                body.fingers[static_cast<std::size_t>(side)].push_back(
+                    static_cast<std::size_t>(body.map.joint[i]));
+    }
+    return body;
+}
+
+LocalPose mirrored(const Skeleton& skeleton, const HumanoidMap& map, const LocalPose& pose) {
+    std::vector<std::size_t> partner(pose.joints.size());
+    for (std::size_t i = 0; i < partner.size(); ++i) partner[i] = i;
+    for (std::size_t i = 0; i < bone_count; ++i) {
+        const int there = map[mirroredBone(static_cast<Bone>(i))];
+        if (map.joint[i] >= 0 && there >= 0)
+            partner[static_cast<std::size_t>(map.joint[i])] = static_cast<std::size_t>(there);
+    }
+    LocalPose out;
+    out.joints.resize(pose.joints.size());
+    for (std::size_t i = 0; i < partner.size(); ++i) {
+        const Pose& from = pose.joints[partner[i]];
+        // Offsets stay the joint's own, so that an uneven skeleton keeps its bone lengths; only roots move.
+        const Vec3& p = from.position;
+        out.joints[i].position =
+            skeleton.joints[i].parent < 0 ? Vec3(-p.x, p.y, p.z) : pose.joints[i].position;
+        const Quat& q = from.orientation;
+        out.joints[i].orientation = Quat(q.w, q.x, -q.y, -q.z);
+    }
+    return out;
+}
+
+}  // namespace deixis::motion
