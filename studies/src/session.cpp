@@ -6,18 +6,17 @@
 #include <stdexcept>
 #include <utility>
 
-#include "panel_layout.hpp"
 #include "session_agenda.hpp"
 #include "session_avatar.hpp"
+#include "session_view.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
-constexpr double orient_s = 0.6;      ///< added to the pause before a trial where the participant was moved
-constexpr double confirm_s = 0.35;    ///< how long the answer given is shown
-constexpr double settle_s = 0.4;      ///< a page takes no input earlier: a double click must not skip it
-constexpr double ray_length_m = 5.0;  ///< of a ray that meets nothing
+constexpr double orient_s = 0.6;    ///< added to the pause before a trial where the participant was moved
+constexpr double confirm_s = 0.35;  ///< how long the answer given is shown
+constexpr double settle_s = 0.4;    ///< a page takes no input earlier: a double click must not skip it
 
 enum class Phase : unsigned char {
     page,
@@ -27,32 +26,6 @@ enum class Phase : unsigned char {
     confirmed,  ///< the answer given is shown for a moment
     over
 };
-
-const char* pageName(PageKind kind) {
-    switch (kind) {
-        case PageKind::welcome:
-            return "welcome";
-        case PageKind::welcome_back:
-            return "welcome back";
-        case PageKind::instructions:
-            return "instructions";
-        case PageKind::practice:
-            return "practice";
-        case PageKind::begin:
-            return "begin";
-        case PageKind::rest:
-            return "break";
-        case PageKind::goodbye:
-            return "goodbye";
-    }
-    return "";
-}
-
-Pose viewerPose(const Layout& layout) {
-    // The viewer looks along -z, a heading is where +z would turn to: half a turn apart.
-    return {{layout.viewer_x_m, 0.0, layout.viewer_z_m},
-            yawRotation(radiansFromDegrees(layout.heading_deg) + pi)};
-}
 
 }  // namespace
 
@@ -78,7 +51,7 @@ struct SessionRunner::State {
     const motion::LocalPose& idle;
     std::vector<AgendaItem> agenda;
     AvatarPoser poser;
-    PresentedFrame frame;
+    SessionView view;
     std::vector<SessionEvent> events;
 
     Phase phase = Phase::page;
@@ -120,77 +93,14 @@ struct SessionRunner::State {
         events.push_back(Note{kind, in_trial ? trial().index : -1, at, std::move(detail)});
     }
 
-    // Panels and rays.
-
     [[nodiscard]] double eyeHeight(const InputFrame& input) const {
         const double head_m = input.stage_from_head.position.y;
         return head_m > 0.9 && head_m < 2.2 ? head_m : study.eye_height_m;
     }
 
-    void openPanel(Panel panel, const InputFrame& input, Pose (*pose)(const Panel&, const Pose&, double)) {
-        panel.stage_from_panel = pose(panel, frame.stage_from_viewer, eyeHeight(input));
-        frame.panel = std::move(panel);
-        frame.key_moment = true;
+    void openPanel(Panel panel, const InputFrame& input, PanelPlace place) {
+        view.openPanel(std::move(panel), eyeHeight(input), place);
         panel_since_s = now.time_s;
-    }
-
-    void closePanel() {
-        frame.key_moment = frame.key_moment || frame.panel.has_value();
-        frame.panel.reset();
-        frame.ray.reset();
-    }
-
-    /// What the ray meets first: the id of a button (0: none) or the place of a ball (-1: none).
-    struct Aim {
-        int button = 0;
-        int ball = -1;
-    };
-
-    Aim aim(const InputFrame& input, bool at_balls) {
-        Aim met;
-        int button = -1;
-        frame.ray.reset();
-        if (input.pointer) {
-            const Ray& ray = *input.pointer;
-            double length_m = ray_length_m;
-            if (ray.direction.y < 0.0 && ray.origin.y > 0.0)
-                length_m = std::min(length_m, -ray.origin.y / ray.direction.y);
-            if (frame.panel) {
-                const auto hit = meetPanel(*frame.panel, ray);
-                if (hit && hit->distance_m < length_m) {
-                    length_m = hit->distance_m;
-                    button = hit->button;
-                }
-            }
-            for (std::size_t i = 0; at_balls && i < frame.balls.size(); ++i) {
-                const double distance_m =
-                    distanceToSphere(ray, frame.balls[i].centre, frame.balls[i].radius_m);
-                if (distance_m < 0.0 || distance_m >= length_m) continue;
-                length_m = distance_m;
-                met.ball = static_cast<int>(i);
-                button = -1;
-            }
-            frame.ray = RayView{ray, length_m};
-        }
-        if (frame.panel) {
-            for (std::size_t i = 0; i < frame.panel->buttons.size(); ++i) {
-                PanelButton& one = frame.panel->buttons[i];
-                const bool hovered = static_cast<int>(i) == button;
-                frame.key_moment = frame.key_moment || one.hovered != hovered;
-                one.hovered = hovered;
-                if (hovered) met.button = one.id;
-            }
-        }
-        if (at_balls) lookAtBalls(BallLook::selectable, met.ball, BallLook::hovered);
-        return met;
-    }
-
-    void lookAtBalls(BallLook all, int place = -1, BallLook one = BallLook::waiting) {
-        for (std::size_t i = 0; i < frame.balls.size(); ++i) {
-            const BallLook look = static_cast<int>(i) == place ? one : all;
-            frame.key_moment = frame.key_moment || frame.balls[i].look != look;
-            frame.balls[i].look = look;
-        }
     }
 
     [[nodiscard]] bool settled() const { return now.time_s - panel_since_s >= settle_s; }
@@ -205,14 +115,9 @@ struct SessionRunner::State {
 
     void enter(const InputFrame& input) {
         if (!item().starts_stage.empty()) note("stage_start", item().starts_stage);
-        frame.status = item().status;
-        const bool moved = frame.viewer_place != item().layout->name;
-        if (moved) {
-            frame.viewer_place = item().layout->name;
-            frame.stage_from_viewer = viewerPose(*item().layout);
-            frame.key_moment = true;
-        }
-        frame.balls.clear();
+        view.frame.status = item().status;
+        const bool moved = view.place(*item().layout);
+        view.frame.balls.clear();
         if (item().trial == nullptr)
             enterPage(input);
         else
@@ -240,9 +145,9 @@ struct SessionRunner::State {
             throw std::invalid_argument(
                 fmt::format("the clip of system '{}' for target '{}' has not the avatar's joints",
                             trial().system, trial().target_id));
-        closePanel();
+        view.closePanel();
         for (std::size_t place = 0; game() && place < trial().ball_order.size(); ++place)
-            frame.balls.push_back(
+            view.frame.balls.push_back(
                 {trial().ball(static_cast<int>(place)), study.targets.ball_diameter_m / 2.0});
         pauses = 0;
         replays = 0;
@@ -254,7 +159,7 @@ struct SessionRunner::State {
             if (item().page.kind == PageKind::rest)
                 note("break_end");
             else
-                note("instructions_read", pageName(item().page.kind));
+                note("instructions_read", std::string(pageName(item().page.kind)));
         }
         if (position + 1 == agenda.size()) {
             note("finished");
@@ -268,9 +173,9 @@ struct SessionRunner::State {
 
     void end(const char* status) {
         phase = Phase::over;
-        closePanel();
-        frame.balls.clear();
-        frame.status = status;
+        view.closePanel();
+        view.frame.balls.clear();
+        view.frame.status = status;
     }
 
     void endEarly(const char* reason) {
@@ -291,8 +196,8 @@ struct SessionRunner::State {
         answer_open = false;
         answer_shown = false;
         paused_s = 0.0;
-        closePanel();
-        lookAtBalls(BallLook::waiting);
+        view.closePanel();
+        view.lookAtBalls(BallLook::waiting);
         poser.blendTo(idle, now.time_s);
     }
 
@@ -304,7 +209,7 @@ struct SessionRunner::State {
             poser.blendTo(clip->frames.front(), now.time_s);
         } else if (!poser.blending()) {
             phase = Phase::playing;
-            first_frame = frame.number;
+            first_frame = view.frame.number;
             stepPlaying();
         }
     }
@@ -312,20 +217,20 @@ struct SessionRunner::State {
     void stepPlaying() {
         if (!onset) {
             poser.show(*clip, 0.0);
-            frame.key_moment = true;
+            view.frame.key_moment = true;
             return;
         }
         const double clip_time_s = std::clamp(now.time_s - onset->time_s, 0.0, clip->duration_s());
         poser.show(*clip, clip_time_s);
         if (clip_time_s < clip->duration_s()) return;
-        frame.key_moment = true;
-        if (!last_frame) last_frame = frame.number;
+        view.frame.key_moment = true;
+        if (!last_frame) last_frame = view.frame.number;
     }
 
     void openAnswer(const InputFrame& input) {
         answer_open = true;
         answer_shown = false;
-        answer_frame = frame.number;
+        answer_frame = view.frame.number;
         std::optional<ButtonSpec> replay;
         if (replays < (game() ? study.game.max_replays : study.rating.max_replays))
             replay = ButtonSpec{"Show again", button_id::replay};
@@ -336,8 +241,8 @@ struct SessionRunner::State {
         else if (replay)
             openPanel(questionPanel(study.game.question, *replay), input, deskPose);
         else
-            closePanel();
-        aim(input, game());
+            view.closePanel();
+        view.aim(input.pointer, game());
     }
 
     void stepAnswering(const InputFrame& input) {
@@ -345,7 +250,7 @@ struct SessionRunner::State {
             openAnswer(input);
             return;
         }
-        const Aim met = aim(input, game());
+        const Aim met = view.aim(input.pointer, game());
         if (!answer_shown) return;
         const int steps = static_cast<int>(study.rating.labels.size());
         if (input.select && met.button == button_id::replay) {
@@ -388,14 +293,10 @@ struct SessionRunner::State {
         }
         phase = Phase::confirmed;
         confirmed_since_s = now.time_s;
-        frame.key_moment = true;
-        frame.ray.reset();
-        lookAtBalls(BallLook::selectable, place, BallLook::chosen);
-        if (frame.panel)
-            for (PanelButton& one : frame.panel->buttons) {
-                one.enabled = false;
-                one.hovered = rating > 0 && one.id == button_id::first_rating + rating - 1;
-            }
+        view.frame.key_moment = true;
+        view.frame.ray.reset();
+        view.lookAtBalls(BallLook::selectable, place, BallLook::chosen);
+        view.confirmButton(rating > 0 ? button_id::first_rating + rating - 1 : 0);
     }
 
     // Pauses.
@@ -405,9 +306,9 @@ struct SessionRunner::State {
         note("pause", reason);
         paused = true;
         paused_since_s = now.time_s;
-        frame.ray.reset();
-        lookAtBalls(BallLook::waiting);
-        frame.status = item().status + ", paused: " + reason;
+        view.frame.ray.reset();
+        view.lookAtBalls(BallLook::waiting);
+        view.frame.status = item().status + ", paused: " + reason;
         openPanel(messagePanel(
                       "Paused",
                       "Go on when you are ready. If you end the session here, the answers given so far are "
@@ -417,7 +318,7 @@ struct SessionRunner::State {
     }
 
     void stepPaused(const InputFrame& input) {
-        const Aim met = aim(input, false);
+        const Aim met = view.aim(input.pointer, false);
         if (!settled()) return;
         if (input.select && met.button == button_id::end_session)
             endEarly("ended on the pause panel");
@@ -429,8 +330,8 @@ struct SessionRunner::State {
         const double length_s = now.time_s - paused_since_s;
         note("resume", fmt::format("after {:.3f} s", length_s));
         paused = false;
-        frame.status = item().status;
-        closePanel();
+        view.frame.status = item().status;
+        view.closePanel();
         switch (phase) {
             case Phase::page:
                 poser.blendTo(idle, now.time_s);
@@ -458,8 +359,7 @@ struct SessionRunner::State {
     // One frame.
 
     void step(const InputFrame& input) {
-        ++frame.number;
-        frame.key_moment = false;
+        view.beginFrame();
         now = {input.time_s, input.utc_s};
         if (phase == Phase::over) return;
         if (!started) begin(input);
@@ -472,14 +372,14 @@ struct SessionRunner::State {
         } else {
             stepPhase(input);
         }
-        if (!paused) poser.write(frame.avatar_joints);
+        if (!paused) poser.write(view.frame.avatar_joints);
     }
 
     void stepPhase(const InputFrame& input) {
         switch (phase) {
             case Phase::page: {
                 poser.advance(now.time_s);
-                const Aim met = aim(input, false);
+                const Aim met = view.aim(input.pointer, false);
                 if (settled() && (input.confirm || (input.select && met.button == button_id::go_on)))
                     leave(input);
                 break;
@@ -502,7 +402,7 @@ struct SessionRunner::State {
     }
 
     void shown(const FrameReport& report) {
-        if (!report.shown || report.number > frame.number || paused) return;
+        if (!report.shown || report.number > view.frame.number || paused) return;
         const Moment at{report.display_time_s, now.utc_s + report.display_time_s - now.time_s};
         if (phase == Phase::playing) {
             if (!onset && report.number >= first_frame) {
@@ -528,7 +428,7 @@ SessionRunner::~SessionRunner() = default;
 
 SessionStep SessionRunner::step(const InputFrame& input) {
     state_->step(input);
-    return {state_->frame, std::exchange(state_->events, {})};
+    return {state_->view.frame, std::exchange(state_->events, {})};
 }
 
 std::vector<SessionEvent> SessionRunner::shown(const FrameReport& report) {

@@ -158,6 +158,26 @@ class AgendaBuilder {
 
 }  // namespace
 
+std::string_view pageName(PageKind kind) {
+    switch (kind) {
+        case PageKind::welcome:
+            return "welcome";
+        case PageKind::welcome_back:
+            return "welcome back";
+        case PageKind::instructions:
+            return "instructions";
+        case PageKind::practice:
+            return "practice";
+        case PageKind::begin:
+            return "begin";
+        case PageKind::rest:
+            return "break";
+        case PageKind::goodbye:
+            return "goodbye";
+    }
+    return "";
+}
+
 std::vector<AgendaItem> buildAgenda(const Study& study, const StudyPlan& plan,
                                     const std::set<int>& answered) {
     return AgendaBuilder(study, plan, answered).build();

@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "studies/plan.hpp"
@@ -19,6 +20,9 @@ enum class PageKind : unsigned char {
     rest,
     goodbye
 };
+
+/// "welcome", "welcome back", "instructions", ... as notes name it.
+[[nodiscard]] std::string_view pageName(PageKind kind);
 
 struct AgendaPage {
     PageKind kind = PageKind::welcome;

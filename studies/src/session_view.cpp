@@ -1,0 +1,96 @@
+#include "session_view.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr double ray_length_m = 5.0;  // of a ray that meets nothing
+
+double distanceToFloor(const Ray& ray) {
+    if (ray.direction.y >= 0.0 || ray.origin.y <= 0.0) return ray_length_m;
+    return std::min(ray_length_m, -ray.origin.y / ray.direction.y);
+}
+
+}  // namespace
+
+void SessionView::beginFrame() {
+    ++frame.number;
+    frame.key_moment = false;
+}
+
+bool SessionView::place(const Layout& layout) {
+    if (frame.viewer_place == layout.name) return false;
+    frame.viewer_place = layout.name;
+    // The viewer looks along -z, a heading is where +z would turn to: half a turn apart.
+    frame.stage_from_viewer = {{layout.viewer_x_m, 0.0, layout.viewer_z_m},
+                               yawRotation(radiansFromDegrees(layout.heading_deg) + pi)};
+    frame.key_moment = true;
+    return true;
+}
+
+void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace place) {
+    panel.stage_from_panel = place(panel, frame.stage_from_viewer, eye_height_m);
+    frame.panel = std::move(panel);
+    frame.key_moment = true;
+}
+
+void SessionView::closePanel() {
+    frame.key_moment = frame.key_moment || frame.panel.has_value();
+    frame.panel.reset();
+    frame.ray.reset();
+}
+
+void SessionView::lookAtBalls(BallLook all, int place, BallLook one) {
+    for (std::size_t i = 0; i < frame.balls.size(); ++i) {
+        const BallLook look = static_cast<int>(i) == place ? one : all;
+        frame.key_moment = frame.key_moment || frame.balls[i].look != look;
+        frame.balls[i].look = look;
+    }
+}
+
+Aim SessionView::aim(const std::optional<Ray>& pointer, bool at_balls) {
+    Aim met;
+    int button = -1;
+    frame.ray.reset();
+    if (pointer) {
+        double length_m = distanceToFloor(*pointer);
+        const auto hit = frame.panel ? meetPanel(*frame.panel, *pointer) : std::nullopt;
+        if (hit && hit->distance_m < length_m) {
+            length_m = hit->distance_m;
+            button = hit->button;
+        }
+        for (std::size_t i = 0; at_balls && i < frame.balls.size(); ++i) {
+            const BallView& ball = frame.balls[i];
+            const double distance_m = distanceToSphere(*pointer, ball.centre, ball.radius_m);
+            if (distance_m < 0.0 || distance_m >= length_m) continue;
+            length_m = distance_m;
+            met.ball = static_cast<int>(i);
+            button = -1;
+        }
+        frame.ray = RayView{*pointer, length_m};
+    }
+    for (std::size_t i = 0; frame.panel && i < frame.panel->buttons.size(); ++i) {
+        PanelButton& one = frame.panel->buttons[i];
+        const bool hovered = static_cast<int>(i) == button;
+        frame.key_moment = frame.key_moment || one.hovered != hovered;
+        one.hovered = hovered;
+        if (hovered) met.button = one.id;
+    }
+    if (at_balls) lookAtBalls(BallLook::selectable, met.ball, BallLook::hovered);
+    return met;
+}
+
+void SessionView::confirmButton(int id) {
+    frame.key_moment = true;
+    frame.ray.reset();
+    for (std::size_t i = 0; frame.panel && i < frame.panel->buttons.size(); ++i) {
+        PanelButton& one = frame.panel->buttons[i];
+        one.enabled = false;
+        one.hovered = one.id == id;
+    }
+}
+
+}  // namespace deixis::studies

@@ -1,0 +1,38 @@
+// The frame that a session presents: the viewer's place, the panel, the balls and what the ray meets on them.
+#pragma once
+
+#include <optional>
+
+#include "panel_layout.hpp"
+#include "studies/station.hpp"
+#include "studies/study.hpp"
+
+namespace deixis::studies {
+
+/// What a ray meets first: the id of a button (0: none) or the place of a ball (-1: none).
+struct Aim {
+    int button = 0;
+    int ball = -1;
+};
+
+/// Where a panel stands, from panel_layout.hpp.
+using PanelPlace = Pose (*)(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
+
+/// Each change that a participant must see makes the frame a key moment.
+class SessionView {
+  public:
+    PresentedFrame frame;
+
+    void beginFrame();
+    /// Moves the viewer; false where the participant stands there already.
+    bool place(const Layout& layout);
+    void openPanel(Panel panel, double eye_height_m, PanelPlace place);
+    void closePanel();  ///< and the ray
+    void lookAtBalls(BallLook all, int place = -1, BallLook one = BallLook::waiting);
+    /// Shows the ray up to what it meets and lights that up. Balls are met only `at_balls`.
+    Aim aim(const std::optional<Ray>& pointer, bool at_balls);
+    /// Takes no more input, and keeps one button lit (0: none).
+    void confirmButton(int id);
+};
+
+}  // namespace deixis::studies
