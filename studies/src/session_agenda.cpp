@@ -28,6 +28,14 @@ std::vector<const Trial*> trialsOf(const StudyPlan& plan, StageKind stage, bool 
     return trials;
 }
 
+/// A short first paragraph of a text is its title.
+AgendaPage titledPage(PageKind kind, const char* otherwise, const std::string& text) {
+    constexpr std::size_t longest_title = 60;
+    const std::size_t stop = text.find("\n\n");
+    if (stop == std::string::npos || stop > longest_title) return {kind, otherwise, text};
+    return {kind, text.substr(0, stop), text.substr(stop + 2)};
+}
+
 class AgendaBuilder {
   public:
     AgendaBuilder(const Study& study, const StudyPlan& plan, const std::set<int>& answered)
@@ -107,7 +115,9 @@ class AgendaBuilder {
     }
 
     void addIntroduction(const StageTexts& stage) {
-        page({PageKind::instructions, stage.part, stage.instructions, stage.question});
+        AgendaPage instructions = titledPage(PageKind::instructions, stage.part, stage.instructions);
+        instructions.emphasis = stage.question;
+        page(std::move(instructions));
         const auto practice = trialsOf(plan_, stage.kind, true);
         if (practice.empty()) return;
         page({PageKind::practice, "Practice",

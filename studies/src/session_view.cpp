@@ -31,8 +31,8 @@ bool SessionView::place(const Layout& layout) {
     return true;
 }
 
-void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace place) {
-    panel.stage_from_panel = place(panel, frame.stage_from_viewer, eye_height_m);
+void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace stand) {
+    panel.stage_from_panel = stand(panel, frame.stage_from_viewer, eye_height_m);
     frame.panel = std::move(panel);
     frame.key_moment = true;
 }

@@ -26,7 +26,7 @@ class SessionView {
     void beginFrame();
     /// Moves the viewer; false where the participant stands there already.
     bool place(const Layout& layout);
-    void openPanel(Panel panel, double eye_height_m, PanelPlace place);
+    void openPanel(Panel panel, double eye_height_m, PanelPlace stand);
     void closePanel();  ///< and the ray
     void lookAtBalls(BallLook all, int place = -1, BallLook one = BallLook::waiting);
     /// Shows the ray up to what it meets and lights that up. Balls are met only `at_balls`.

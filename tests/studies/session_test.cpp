@@ -270,6 +270,16 @@ TEST_SUITE("studies/session") {
         CHECK(moves == 3);
     }
 
+    TEST_CASE("a short first paragraph of the instructions is their title") {
+        Driver driver(1);
+        driver.study.rating.instructions = "Part 1: how natural?\n\nWatch and rate.";
+        driver.start();
+        driver.leavePage();
+        CHECK(driver.frame.panel->texts[0].text == "Part 1: how natural?");
+        CHECK(driver.frame.panel->texts[1].text == "Watch and rate.");
+        CHECK(driver.frame.panel->texts[2].text == driver.study.rating.question);
+    }
+
     TEST_CASE("pages cannot be skipped by a double click, and go on by ray or by key") {
         Driver driver(1);
         driver.start();
