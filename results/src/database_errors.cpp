@@ -1,0 +1,56 @@
+#include "database_errors.hpp"
+
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include "schema.hpp"
+
+namespace deixis::results {
+
+Error describe(const std::filesystem::path& path, const SQLite::Exception& problem) {
+    const std::string where = path.string();
+    switch (problem.getErrorCode()) {
+        case SQLITE_NOTADB:
+            return {where, "found a file that is not a SQLite database",
+                    "Name another file, or move this one away"};
+        case SQLITE_CORRUPT:
+            return {where, fmt::format("the database is damaged ({})", problem.what()),
+                    "Keep a copy, and try the sqlite3 shell's .recover on it"};
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+            return {where, "the database is locked by another program",
+                    "Close the program that has it open (another deixis, an SQLite browser), then try again"};
+        case SQLITE_READONLY:
+            return {where, "the database can be read but not written",
+                    "Give yourself write permission for the file and its folder, or name another file"};
+        case SQLITE_CANTOPEN:
+            return {where, "the database cannot be opened or created",
+                    "Check that the folder exists and that you may read and write in it"};
+        case SQLITE_FULL:
+            return {where, "the disk is full", "Free some space, then try again"};
+        default:
+            return {where, fmt::format("SQLite reports: {}", problem.what()), ""};
+    }
+}
+
+Result<Identity> identify(SQLite::Database& database, const std::filesystem::path& path) {
+    const int id = database.execAndGet("PRAGMA application_id").getInt();
+    const int version = database.execAndGet("PRAGMA user_version").getInt();
+    const int tables = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt();
+    if (id == 0 && version == 0 && tables == 0) return Identity{true};
+    if (id != application_id)
+        return fail(path.string(), "found a SQLite database of another program, expected one made by deixis",
+                    "Name another file");
+    if (version > schema_version)
+        return fail(path.string(),
+                    fmt::format("found database version {}, but this program knows versions up to {}",
+                                version, schema_version),
+                    "Use the newer deixis that made it");
+    if (version != schema_version)
+        return fail(path.string(),
+                    fmt::format("found database version {}, expected {}", version, schema_version),
+                    "Name another file");
+    return Identity{false};
+}
+
+}  // namespace deixis::results
