@@ -1,0 +1,332 @@
+#include "figure.hpp"
+
+#include "shapes.hpp"
+
+namespace deixis::avatar_maker {
+
+namespace {
+
+using glm::vec3;
+
+// Everything but the hair is the same on both sides, so the bodies are those of the left (+x).
+
+// ---- clothes ----
+
+double sweater(const Vec3& p) {
+    static const Loft trunk(1, 0, 2, 0.25, 0.02,
+                            {{0.872, 0, -0.004, 0.166, 0.112, 0.118},
+                             {0.885, 0, -0.004, 0.170, 0.115, 0.121},
+                             {0.905, 0, -0.004, 0.170, 0.115, 0.120},
+                             {0.960, 0, -0.004, 0.163, 0.110, 0.112},
+                             {1.030, 0, -0.004, 0.151, 0.105, 0.100},
+                             {1.090, 0, -0.006, 0.147, 0.104, 0.096},
+                             {1.160, 0, -0.008, 0.151, 0.110, 0.101},
+                             {1.240, 0, -0.010, 0.158, 0.117, 0.109},
+                             {1.310, 0, -0.012, 0.160, 0.113, 0.112},
+                             {1.370, 0, -0.014, 0.146, 0.096, 0.106},
+                             {1.415, 0, -0.017, 0.112, 0.074, 0.088},
+                             {1.445, 0, -0.020, 0.074, 0.058, 0.066},
+                             {1.462, 0, -0.020, 0.060, 0.052, 0.056}});
+    static const Loft sleeve(0, 1, 2, 0.0, 0.008,
+                             {{0.140, 1.388, -0.016, 0.058, 0.058, 0.058},
+                              {0.190, 1.387, -0.016, 0.059, 0.059, 0.059},
+                              {0.250, 1.387, -0.016, 0.054, 0.053, 0.054},
+                              {0.330, 1.388, -0.015, 0.049, 0.049, 0.050},
+                              {0.420, 1.389, -0.015, 0.045, 0.045, 0.046},
+                              {0.470, 1.390, -0.015, 0.044, 0.043, 0.046},
+                              {0.530, 1.390, -0.014, 0.045, 0.046, 0.045},
+                              {0.600, 1.390, -0.014, 0.040, 0.042, 0.040},
+                              {0.650, 1.390, -0.014, 0.036, 0.038, 0.037},
+                              {0.672, 1.390, -0.014, 0.0345, 0.037, 0.036}});
+    const double chest = ellipsoid(p, {0.070, 1.285, 0.050}, {0.075, 0.065, 0.056});
+    const double shoulder_blade = ellipsoid(p, {0.080, 1.320, -0.080}, {0.062, 0.080, 0.040});
+    const double deltoid = ellipsoid(p, {0.176, 1.389, -0.015}, {0.064, 0.060, 0.061});
+    const double trapezius = roundCone(p, {0.035, 1.435, -0.030}, {0.150, 1.402, -0.020}, 0.046, 0.048);
+    double d = trunk(p);
+    d = blend(d, chest, 0.05);
+    d = blend(d, shoulder_blade, 0.05);
+    d = blend(d, trapezius, 0.05);
+    const double arm = blend(sleeve(p), deltoid, 0.04);
+    return blend(d, arm, 0.045);
+}
+
+/// Ribbed ends of the sweater: collar, cuffs, hem.
+double trim(const Vec3& p) {
+    static const Vec3 collar_axis = glm::normalize(Vec3(0, 0.955, 0.297));
+    const double collar = torus(p, {0, 1.462, -0.019}, collar_axis, 0.0595, 0.0105);
+    static const Loft cuff(0, 1, 2, 0.0, 0.008,
+                           {{0.664, 1.390, -0.014, 0.0365, 0.0385, 0.0375},
+                            {0.680, 1.390, -0.0145, 0.0355, 0.0375, 0.0365},
+                            {0.704, 1.390, -0.015, 0.0325, 0.0355, 0.0345}});
+    return std::min(collar, cuff(p));
+}
+
+double trousers(const Vec3& p) {
+    static const Loft seat(1, 0, 2, 0.2, 0.03,
+                           {{0.800, 0, -0.004, 0.150, 0.090, 0.100},
+                            {0.860, 0, -0.004, 0.162, 0.102, 0.110},
+                            {0.920, 0, -0.004, 0.158, 0.102, 0.106},
+                            {0.980, 0, -0.004, 0.140, 0.095, 0.095}});
+    static const Loft leg(1, 0, 2, 0.05, 0.012,
+                          {{0.062, 0.101, -0.024, 0.050, 0.058, 0.052},
+                           {0.090, 0.101, -0.025, 0.050, 0.055, 0.053},
+                           {0.150, 0.100, -0.022, 0.049, 0.050, 0.053},
+                           {0.240, 0.099, -0.014, 0.051, 0.050, 0.060},
+                           {0.330, 0.098, -0.006, 0.055, 0.053, 0.066},
+                           {0.400, 0.097, 0.000, 0.056, 0.056, 0.064},
+                           {0.460, 0.096, 0.004, 0.056, 0.059, 0.058},
+                           {0.510, 0.095, 0.006, 0.058, 0.062, 0.058},
+                           {0.600, 0.094, 0.004, 0.067, 0.069, 0.069},
+                           {0.700, 0.092, 0.002, 0.076, 0.079, 0.081},
+                           {0.790, 0.089, 0.000, 0.081, 0.086, 0.092},
+                           {0.870, 0.086, -0.002, 0.080, 0.088, 0.096},
+                           {0.930, 0.082, -0.002, 0.072, 0.080, 0.085}});
+    const double glutes = ellipsoid(p, {0.074, 0.872, -0.060}, {0.078, 0.076, 0.062});
+    const double hips = blend(seat(p), glutes, 0.04);
+    return blend(hips, leg(p), 0.03);
+}
+
+double shoes(const Vec3& p) {
+    const double heel = ellipsoid(p, {0.100, 0.036, -0.044}, {0.037, 0.062, 0.046});
+    const double collar = ellipsoid(p, {0.100, 0.070, -0.026}, {0.036, 0.036, 0.045});
+    const double instep = roundCone(p, {0.101, 0.060, -0.008}, {0.106, 0.030, 0.096}, 0.036, 0.030);
+    const double toes = ellipsoid(p, {0.109, 0.018, 0.112}, {0.045, 0.036, 0.062});
+    double d = blend(heel, instep, 0.03);
+    d = blend(d, collar, 0.02);
+    d = blend(d, toes, 0.04);
+    return d;
+}
+
+double soles(const Vec3& p) {
+    static const Loft sole(2, 0, 1, 0.3, 0.012,
+                           {{-0.094, 0.100, 0.010, 0.022, 0.013, 0.010},
+                            {-0.086, 0.100, 0.010, 0.030, 0.014, 0.010},
+                            {-0.060, 0.100, 0.010, 0.038, 0.014, 0.010},
+                            {0.000, 0.102, 0.010, 0.038, 0.013, 0.010},
+                            {0.060, 0.106, 0.010, 0.042, 0.012, 0.010},
+                            {0.110, 0.109, 0.010, 0.047, 0.012, 0.010},
+                            {0.145, 0.109, 0.010, 0.041, 0.012, 0.010},
+                            {0.168, 0.108, 0.010, 0.026, 0.012, 0.010},
+                            {0.176, 0.107, 0.010, 0.014, 0.011, 0.010}});
+    return sole(p);
+}
+
+// ---- hand ----
+
+struct Finger {
+    Vec3 knuckle, middle, last, tip;
+    double radius;  // at the knuckle
+    Vec3 wrist;     // where its metacarpal starts
+};
+
+double finger(const Vec3& p, const Finger& f) {
+    const double r = f.radius;
+    const Vec3 end = f.tip - glm::normalize(f.tip - f.last) * (0.76 * r);
+    double d = roundCone(p, f.knuckle, f.middle, r * 1.02, r * 0.95);
+    d = blend(d, roundCone(p, f.middle, f.last, r * 0.97, r * 0.87), 0.003);
+    return blend(d, roundCone(p, f.last, end, r * 0.89, r * 0.76), 0.003);
+}
+
+double hand(const Vec3& p) {
+    static const Finger fingers[] = {
+        {{0.818, 1.388, 0.013},
+         {0.862, 1.388, 0.016},
+         {0.889, 1.388, 0.018},
+         {0.912, 1.387, 0.020},
+         0.0096,
+         {0.745, 1.389, 0.001}},
+        {{0.822, 1.390, -0.010},
+         {0.870, 1.390, -0.010},
+         {0.900, 1.390, -0.010},
+         {0.924, 1.389, -0.010},
+         0.0098,
+         {0.745, 1.391, -0.010}},
+        {{0.817, 1.388, -0.031},
+         {0.861, 1.388, -0.034},
+         {0.889, 1.388, -0.036},
+         {0.912, 1.387, -0.038},
+         0.0092,
+         {0.745, 1.390, -0.021}},
+        {{0.808, 1.384, -0.050},
+         {0.842, 1.384, -0.055},
+         {0.863, 1.384, -0.058},
+         {0.883, 1.383, -0.061},
+         0.0081,
+         {0.745, 1.388, -0.029}},
+    };
+    static const Loft wrist(0, 1, 2, 0.0, 0.01,
+                            {{0.660, 1.390, -0.015, 0.0240, 0.0285, 0.0280},
+                             {0.700, 1.390, -0.015, 0.0220, 0.0275, 0.0270},
+                             {0.730, 1.389, -0.015, 0.0205, 0.0275, 0.0270},
+                             {0.760, 1.388, -0.014, 0.0180, 0.0290, 0.0280}});
+    double palm = wrist(p);
+    for (const Finger& f : fingers) {
+        const Vec3 under(0, -0.003, 0);
+        palm = blend(palm, roundCone(p, f.wrist + under, f.knuckle + under * 0.7, 0.0150, f.radius + 0.0022),
+                     0.012);
+    }
+    palm = blend(palm, ellipsoid(p, {0.772, 1.378, 0.006}, {0.030, 0.013, 0.017}), 0.012);  // thenar
+    palm = blend(palm, ellipsoid(p, {0.772, 1.378, -0.037}, {0.030, 0.012, 0.014}), 0.012);
+
+    const Vec3 metacarpal(0.747, 1.378, 0.006), proximal(0.779, 1.368, 0.034), distal(0.805, 1.362, 0.054);
+    const Vec3 tip(0.828, 1.357, 0.071);
+    const Vec3 thumb_end = tip - glm::normalize(tip - distal) * 0.0085;
+    double thumb = roundCone(p, metacarpal, proximal, 0.0150, 0.0118);
+    thumb = blend(thumb, roundCone(p, proximal, distal, 0.0116, 0.0105), 0.004);
+    thumb = blend(thumb, roundCone(p, distal, thumb_end, 0.0108, 0.0086), 0.004);
+
+    // Each finger grows out of the palm, but neighbours never melt into one another.
+    double d = blend(palm, thumb, 0.014);
+    for (const Finger& f : fingers) d = std::min(d, blend(palm, finger(p, f), 0.007));
+    return d;
+}
+
+// ---- head ----
+
+const Vec3 eye(0.031, 1.622, 0.068);
+
+double face(const Vec3& p) {
+    double d = ellipsoid(p, {0, 1.650, -0.012}, {0.074, 0.090, 0.093});
+    d = blend(d, leaningEllipsoid(p, {0, 1.592, 0.022}, {0.060, 0.080, 0.066}, 0.08), 0.03);
+    d = blend(d, roundCone(p, {0.043, 1.566, 0.010}, {0.012, 1.534, 0.062}, 0.024, 0.021), 0.025);
+    d = blend(d, ellipsoid(p, {0.034, 1.588, 0.056}, {0.026, 0.022, 0.026}), 0.02);                   // cheek
+    d = blend(d, ellipsoid(p, {0, 1.528, 0.074}, {0.018, 0.014, 0.014}), 0.018);                      // chin
+    d = blend(d, roundCone(p, {0.010, 1.648, 0.076}, {0.046, 1.647, 0.058}, 0.0115, 0.0115), 0.018);  // brow
+    d = carve(d, ellipsoid(p, {0.031, 1.621, 0.096}, {0.024, 0.015, 0.0165}), 0.016);  // eye socket
+    d = blend(d, glm::length(p - eye) - (eyeball_radius_m + 0.0022), 0.004);           // lids
+    return d;
+}
+
+double lids(const Vec3& p, double d) {
+    // The opening between the lids: an almond before the eyeball.
+    const double dx = (p.x - eye.x) / 0.0150;
+    const double dy = (p.y - eye.y + 0.0005 + 0.06 * (p.x - eye.x)) / (p.y > eye.y ? 0.0088 : 0.0078);
+    const double q = std::sqrt(dx * dx + dy * dy);
+    const double opening = std::max((q - 1.0) * 0.009, eye.z + 0.002 - p.z);
+    return carve(d, opening, 0.0015);
+}
+
+double nose(const Vec3& p) {
+    double d = roundCone(p, {0, 1.640, 0.078}, {0, 1.588, 0.104}, 0.0085, 0.0105);
+    d = blend(d, ellipsoid(p, {0, 1.585, 0.107}, {0.0115, 0.0105, 0.0120}), 0.008);
+    return blend(d, ellipsoid(p, {0.0120, 1.582, 0.096}, {0.0080, 0.0075, 0.0100}), 0.007);
+}
+
+double lipBodies(const Vec3& p) {
+    const double upper = roundCone(p, {0.000, 1.5545, 0.0885}, {0.0205, 1.5535, 0.0775}, 0.0048, 0.0025);
+    const double lower = roundCone(p, {0.000, 1.5460, 0.0870}, {0.0190, 1.5515, 0.0775}, 0.0058, 0.0025);
+    return std::min(upper, lower);
+}
+
+double ear(const Vec3& p) {
+    const Vec3 q(p.x - 0.10 * (p.z + 0.012) * -1.0, p.y, p.z);
+    double d = leaningEllipsoid(q, {0.0790, 1.612, -0.012}, {0.0090, 0.0300, 0.0185}, 0.18);
+    d = carve(d, ellipsoid(q, {0.0880, 1.613, -0.009}, {0.0065, 0.0180, 0.0105}), 0.006);
+    return d;
+}
+
+double headSkin(const Vec3& p) {
+    double d = face(p);
+    d = blend(d, nose(p), 0.012);
+    d = blend(d, lipBodies(p), 0.006);
+    d = lids(p, d);
+    d = blend(d, ear(p), 0.006);
+    const double neck = roundCone(p, {0, 1.420, -0.022}, {0, 1.560, -0.014}, 0.0540, 0.0500);
+    return blend(d, neck, 0.025);
+}
+
+double hair(const Vec3& p, const Vec3& left) {
+    // A cap around the skull, open at the face; then a fringe combed over from a parting on the left.
+    double d = ellipsoid(left, {0, 1.658, -0.016}, {0.0840, 0.0920, 0.1030});
+    const double open = ellipsoid(left, {0, 1.585, 0.105}, {0.067, 0.098, 0.098});
+    d = carve(d, open, 0.010);
+    const double below = 1.585 - left.y + 0.35 * (left.z + 0.07);
+    d = common(d, below, 0.014);
+    const double ear_room = ellipsoid(left, {0.082, 1.600, -0.004}, {0.030, 0.036, 0.026});
+    d = carve(d, ear_room, 0.008);
+    double locks = roundCone(p, {0.030, 1.722, 0.048}, {-0.046, 1.700, 0.066}, 0.022, 0.017);
+    locks = blend(locks, roundCone(p, {-0.040, 1.706, 0.062}, {-0.074, 1.662, 0.034}, 0.018, 0.010), 0.012);
+    locks = blend(locks, roundCone(p, {0.036, 1.722, 0.046}, {0.072, 1.668, 0.036}, 0.019, 0.010), 0.008);
+    return blend(d, locks, 0.012);
+}
+
+double brows(const Vec3& p) {
+    return blend(roundCone(p, {0.0150, 1.6460, 0.0890}, {0.0300, 1.6510, 0.0835}, 0.0034, 0.0036),
+                 roundCone(p, {0.0300, 1.6510, 0.0835}, {0.0480, 1.6465, 0.0690}, 0.0036, 0.0022), 0.002);
+}
+
+struct Parts {
+    double skin, hair, sweater, trim, trousers, shoes, soles;
+};
+
+Parts parts(const Vec3& p) {
+    const Vec3 left(std::abs(p.x), p.y, p.z);
+    constexpr double far = 1.0;
+    Parts d{far, far, far, far, far, far, far};
+    // Only bodies near enough to matter; the bounds are wider than the blends.
+    if (left.x < 0.25 && p.y > 1.35) d.skin = headSkin(left);
+    if (left.x > 0.55) d.skin = std::min(d.skin, hand(left));
+    if (left.x < 0.25 && p.y > 1.45) d.hair = std::min(hair(p, left), brows(left));
+    if (p.y > 0.75) d.sweater = sweater(left);
+    if (p.y > 1.2) d.trim = trim(left);
+    if (left.x < 0.4 && p.y < 1.1) d.trousers = trousers(left);
+    if (p.y < 0.3) {
+        const double floor = -p.y;
+        d.shoes = common(shoes(left), floor, 0.006);
+        d.soles = common(soles(left), floor, 0.006);
+    }
+    return d;
+}
+
+}  // namespace
+
+double figureDistance(const Vec3& p) {
+    const Parts d = parts(p);
+    double all = blend(d.skin, d.hair, 0.004);
+    all = blend(all, blend(d.sweater, d.trim, 0.004), 0.003);
+    all = blend(all, d.trousers, 0.003);
+    return blend(all, blend(d.shoes, d.soles, 0.002), 0.003);
+}
+
+Material figureMaterial(const Vec3& p) {
+    const Parts d = parts(p);
+    const std::array<std::pair<double, Material>, 7> all{{{d.skin, Material::skin},
+                                                          {d.hair, Material::hair},
+                                                          {d.sweater, Material::sweater},
+                                                          {d.trim, Material::trim},
+                                                          {d.trousers, Material::trousers},
+                                                          {d.shoes, Material::shoes},
+                                                          {d.soles, Material::soles}}};
+    auto nearest = all[0];
+    for (const auto& entry : all)
+        if (entry.first < nearest.first) nearest = entry;
+    if (nearest.second == Material::skin) {
+        const Vec3 left(std::abs(p.x), p.y, p.z);
+        if (left.x < 0.03 && p.z > 0.05 && lipBodies(left) < 0.0008) return Material::lips;
+    }
+    return nearest.second;
+}
+
+vec3 materialColour(Material material) {
+    switch (material) {
+        case Material::skin:
+            return {0.546F, 0.275F, 0.156F};
+        case Material::lips:
+            return {0.420F, 0.150F, 0.100F};
+        case Material::hair:
+            return {0.040F, 0.023F, 0.015F};
+        case Material::sweater:
+            return {0.034F, 0.216F, 0.223F};
+        case Material::trim:
+            return {0.023F, 0.150F, 0.160F};
+        case Material::trousers:
+            return {0.036F, 0.043F, 0.068F};
+        case Material::shoes:
+            return {0.300F, 0.270F, 0.235F};
+        case Material::soles:
+            return {0.730F, 0.710F, 0.670F};
+    }
+    return vec3(1.0F);
+}
+
+}  // namespace deixis::avatar_maker

@@ -1,0 +1,23 @@
+// The avatar's figure: where its surface is and what each place is made of. T pose, metres, +y up, facing +z.
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "core/pose.hpp"
+
+namespace deixis::avatar_maker {
+
+enum class Material : unsigned char { skin, lips, hair, sweater, trim, trousers, shoes, soles };
+constexpr std::size_t material_count = 8;
+
+/// Signed distance to the figure without its eyeballs; negative inside.
+[[nodiscard]] double figureDistance(const Vec3& p);
+/// What the surface nearest to `p` is made of.
+[[nodiscard]] Material figureMaterial(const Vec3& p);
+/// Linear RGB.
+[[nodiscard]] glm::vec3 materialColour(Material material);
+
+constexpr double eyeball_radius_m = 0.0165;
+
+}  // namespace deixis::avatar_maker

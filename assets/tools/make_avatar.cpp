@@ -1,0 +1,131 @@
+// Makes the product's own avatar: deixis_make_avatar OUT.glb
+//
+// A distance field of rounded bodies is turned into one closed mesh, simplified, painted, bound to
+// motion::referenceHumanoid() and written as glTF 2.0 binary. No clock, no randomness, no function whose
+// result differs between compilers beyond what the rounding of the output hides: the same bytes everywhere.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "core/files.hpp"
+#include "eyeball.hpp"
+#include "glb.hpp"
+#include "motion/reference_humanoid.hpp"
+#include "paint.hpp"
+#include "skin_weights.hpp"
+#include "surface.hpp"
+
+namespace {
+
+using namespace deixis;
+using namespace deixis::avatar_maker;
+
+constexpr std::size_t triangle_target = 30000;
+
+glm::vec3 rounded(const Vec3& v, double step) {
+    return {static_cast<float>(std::floor(v.x / step + 0.5) * step),
+            static_cast<float>(std::floor(v.y / step + 0.5) * step),
+            static_cast<float>(std::floor(v.z / step + 0.5) * step)};
+}
+glm::vec3 roundedNormal(const Vec3& n) {
+    const glm::vec3 coarse = rounded(n, 1e-4);
+    return glm::vec3(glm::normalize(Vec3(coarse)));
+}
+
+/// Vertices and triangles as they are written: a place where two colours meet has a vertex for each.
+class Output {
+  public:
+    void addBody(const PaintedMesh& body) {
+        std::vector<Vec3> faceted(body.mesh.positions.size(), Vec3(0.0));
+        for (const Triangle& t : body.mesh.triangles) {
+            const Vec3& p = body.mesh.positions[t[0]];
+            const Vec3 cross = glm::cross(body.mesh.positions[t[1]] - p, body.mesh.positions[t[2]] - p);
+            for (const std::uint32_t v : t) faceted[v] += cross;
+        }
+        std::map<std::pair<std::uint32_t, Material>, std::uint32_t> index_of;
+        for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t)
+            for (const std::uint32_t v : body.mesh.triangles[t]) {
+                const Material material = body.materials[t];
+                const auto [at, is_new] = index_of.try_emplace({v, material}, size());
+                if (is_new) {
+                    const Vec3& p = body.mesh.positions[v];
+                    // In a crease the field's gradient may be that of the far side; the triangles know
+                    // better.
+                    const Vec3 mean = glm::normalize(faceted[v]);
+                    const Vec3 exact = surfaceNormal(p);
+                    addVertex(p, glm::dot(mean, exact) > 0.75 ? exact : mean, materialColour(material),
+                              skinWeightsAt(p));
+                }
+                indices_.push_back(at->second);
+            }
+    }
+
+    void addEyeball(motion::Bone bone) {
+        const auto world =
+            motion::worldPose(motion::referenceHumanoid(), motion::restPose(motion::referenceHumanoid()));
+        const Vec3 centre = world[static_cast<std::size_t>(bone)].position;
+        SkinWeights weights;
+        weights.joints[0] = static_cast<std::uint8_t>(bone);
+        weights.weights[0] = 1.0F;
+        const Eyeball eye = makeEyeball();
+        std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> index_of;
+        for (std::size_t t = 0; t < eye.mesh.triangles.size(); ++t)
+            for (const std::uint32_t v : eye.mesh.triangles[t]) {
+                const glm::vec3& colour = eye.colours[t];
+                const auto [at, is_new] = index_of.try_emplace({v, colour.r, colour.g, colour.b}, size());
+                const Vec3& p = eye.mesh.positions[v];
+                if (is_new) addVertex(centre + p, glm::normalize(p), colour, weights);
+                indices_.push_back(at->second);
+            }
+    }
+
+    [[nodiscard]] const std::vector<assets::SkinnedVertex>& vertices() const { return vertices_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return indices_; }
+
+  private:
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }
+
+    void addVertex(const Vec3& p, const Vec3& normal, const glm::vec3& colour, const SkinWeights& weights) {
+        assets::SkinnedVertex vertex;
+        vertex.position = rounded(p, 1e-5);
+        vertex.normal = roundedNormal(normal);
+        vertex.colour = colour;
+        for (std::size_t i = 0; i < 4; ++i) vertex.joints[i] = weights.joints[i];
+        vertex.weights = weights.weights;
+        vertices_.push_back(vertex);
+    }
+
+    std::vector<assets::SkinnedVertex> vertices_;
+    std::vector<std::uint32_t> indices_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        fmt::print(stderr, "usage: deixis_make_avatar OUT.glb\n");
+        return 2;
+    }
+    Mesh surface = extractSurface();
+    simplify(surface, triangle_target);
+    const PaintedMesh body = paint(std::move(surface));
+    if (!isClosed(body.mesh.triangles)) {
+        fmt::print(stderr, "deixis_make_avatar: the mesh is not closed\n");
+        return 1;
+    }
+    Output output;
+    output.addBody(body);
+    output.addEyeball(motion::Bone::leftEye);
+    output.addEyeball(motion::Bone::rightEye);
+    const auto written = writeFile(argv[1], glbOf(output.vertices(), output.indices()));
+    if (!written) {
+        fmt::print(stderr, "deixis_make_avatar: {}\n", written.error().text());
+        return 1;
+    }
+    fmt::print("{}: {} vertices, {} triangles\n", argv[1], output.vertices().size(),
+               output.indices().size() / 3);
+    return 0;
+}
