@@ -45,6 +45,7 @@ class Renderer {
     [[nodiscard]] Image capture(const Scene& scene, int width, int height);
 
     [[nodiscard]] std::string driver() const;  ///< GL_RENDERER and GL_VERSION
+    [[nodiscard]] int boardPaints() const;     ///< how often a board's content was painted anew
 
   private:
     struct Impl;

@@ -37,14 +37,16 @@ struct Beam {
 /// Rectangles are in metres from its lower left corner, y up.
 struct BoardRect {
     double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+    friend bool operator==(const BoardRect&, const BoardRect&) = default;
 };
 struct BoardText {
     BoardRect box{};
-    std::string text;  ///< wrapped to the box's width
-    double size_m = 0.04;
+    std::string text;  ///< UTF-8; wrapped to the box's width from its top, shrunk (to 60 %) to fit its height
+    double size_m = 0.04;  ///< height of a line
     bool bold = false;
-    bool centred = false;
+    bool centred = false;  ///< across the box
     bool faint = false;
+    friend bool operator==(const BoardText&, const BoardText&) = default;
 };
 struct BoardButton {
     BoardRect box{};
@@ -52,6 +54,7 @@ struct BoardButton {
     std::string caption{};
     bool enabled = true;
     bool hovered = false;
+    friend bool operator==(const BoardButton&, const BoardButton&) = default;
 };
 struct Board {
     Pose stage_from_board{};  ///< origin at the lower left corner, +x to the reader's right, +z towards the

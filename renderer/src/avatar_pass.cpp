@@ -1,0 +1,263 @@
+#include "avatar_pass.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <stdexcept>
+
+namespace deixis::renderer {
+namespace {
+
+constexpr int skin_group = 64;
+
+const std::string_view skin_glsl = R"(
+layout(local_size_x = 64) in;
+struct Bind { vec4 position; vec4 normal; uvec4 joints; vec4 weights; };
+struct Skinned { vec4 position; vec4 normal; };
+layout(std430, binding = 0) readonly buffer BindVertices { Bind bind_vertices[]; };
+layout(std430, binding = 1) readonly buffer Joints { vec4 rows[]; };  // of stage_from_bind, 3 a joint
+layout(std430, binding = 2) writeonly buffer SkinnedVertices { Skinned skinned_vertices[]; };
+layout(location = 0) uniform uint count;
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count) return;
+    Bind v = bind_vertices[i];
+    vec4 x = vec4(0.0), y = vec4(0.0), z = vec4(0.0);
+    for (int k = 0; k < 4; ++k) {
+        uint row = v.joints[k] * 3u;
+        x += v.weights[k] * rows[row];
+        y += v.weights[k] * rows[row + 1u];
+        z += v.weights[k] * rows[row + 2u];
+    }
+    vec4 p = vec4(v.position.xyz, 1.0);
+    vec3 n = v.normal.xyz;
+    skinned_vertices[i].position = vec4(dot(x, p), dot(y, p), dot(z, p), 1.0);
+    skinned_vertices[i].normal = vec4(normalize(vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n))), 0.0);
+}
+)";
+
+const std::string_view shadow_vertex_glsl = R"(
+layout(location = 0) in vec3 position;
+void main() { gl_Position = vec4((shadow_from_stage * vec4(position, 1.0)).xyz * 2.0 - 1.0, 1.0); }
+)";
+
+const std::string_view shadow_fragment_glsl = "void main() {}\n";
+
+const std::string_view draw_vertex_glsl = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec3 colour;
+out vec3 stage_position;
+out vec3 stage_normal;
+out vec3 albedo;
+void main() {
+    stage_position = position;
+    stage_normal = normal;
+    albedo = colour;
+    gl_Position = clip_from_stage * vec4(position, 1.0);
+}
+)";
+
+const std::string_view draw_fragment_glsl = R"(
+in vec3 stage_position;
+in vec3 stage_normal;
+in vec3 albedo;
+out vec4 colour;
+void main() {
+    vec3 n = normalize(stage_normal);
+    vec3 to_eye = normalize(eye.xyz - stage_position);
+    float light = avatarLight(stage_position, n) * ballLight(stage_position);
+    // The floor is near the feet and takes light from what faces it.
+    float open = mix(0.72, 1.0, smoothstep(-0.9, 0.4, n.y + 0.5 * stage_position.y));
+    vec3 c = lit(albedo, n, to_eye, light, open, 0.035);
+    float rim = 1.0 - max(dot(n, to_eye), 0.0);
+    c += albedo * ambient(n) * (0.35 * rim * rim * rim);
+    colour = finish(c);
+}
+)";
+
+struct BindVertex {
+    glm::vec4 position, normal;
+    glm::uvec4 joints;
+    glm::vec4 weights;
+};
+struct SkinnedVertex {
+    glm::vec4 position, normal;
+};
+
+// The shadow map covers a square of this side around the avatar's hips, seen from the light: arms stretched
+// out and a step to any side lie within. Its depth runs over as much above and below.
+constexpr double shadow_side_m = 2.8;
+constexpr double shadow_depth_m = 4.0;
+
+}  // namespace
+
+AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
+    : humanoid_(avatar.humanoid),
+      joint_from_bind_(avatar.joint_from_bind),
+      vertex_count_(static_cast<int>(avatar.vertices.size())),
+      index_count_(static_cast<int>(avatar.indices.size())),
+      shadow_resolution_(shadow_resolution),
+      skin_program_(gl::computeProgram("skin", {skin_glsl})),
+      shadow_program_(gl::drawProgram("shadow", {frame_glsl, shadow_vertex_glsl}, {shadow_fragment_glsl})),
+      draw_program_(gl::drawProgram("avatar", {frame_glsl, draw_vertex_glsl},
+                                    {frame_glsl, lighting_glsl, draw_fragment_glsl})) {
+    std::vector<BindVertex> vertices;
+    std::vector<glm::vec3> colours;
+    vertices.reserve(avatar.vertices.size());
+    colours.reserve(avatar.vertices.size());
+    for (const assets::SkinnedVertex& v : avatar.vertices) {
+        vertices.push_back({glm::vec4(v.position, 1.0F), glm::vec4(v.normal, 0.0F),
+                            glm::uvec4(v.joints[0], v.joints[1], v.joints[2], v.joints[3]),
+                            glm::vec4(v.weights[0], v.weights[1], v.weights[2], v.weights[3])});
+        colours.push_back(v.colour);
+    }
+    bind_vertices_ = gl::fixedBuffer(std::span<const BindVertex>(vertices));
+    colours_ = gl::fixedBuffer(std::span<const glm::vec3>(colours));
+    indices_ = gl::fixedBuffer(std::span<const std::uint32_t>(avatar.indices));
+    skinned_ = gl::dynamicBuffer(
+        static_cast<GLsizeiptr>(std::max<std::size_t>(vertices.size(), 1) * sizeof(SkinnedVertex)));
+    joint_rows_.resize(joint_from_bind_.size() * 12);
+    joints_ = gl::dynamicBuffer(
+        static_cast<GLsizeiptr>(std::max<std::size_t>(joint_rows_.size(), 12) * sizeof(float)));
+
+    vertices_ = gl::vertexArray();
+    const GLuint vao = vertices_.name();
+    glVertexArrayVertexBuffer(vao, 0, skinned_.name(), 0, sizeof(SkinnedVertex));
+    glVertexArrayVertexBuffer(vao, 1, colours_.name(), 0, sizeof(glm::vec3));
+    glVertexArrayElementBuffer(vao, indices_.name());
+    glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, position));
+    glVertexArrayAttribFormat(vao, 1, 3, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, normal));
+    glVertexArrayAttribFormat(vao, 2, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vao, 0, 0);
+    glVertexArrayAttribBinding(vao, 1, 0);
+    glVertexArrayAttribBinding(vao, 2, 1);
+    for (GLuint attribute = 0; attribute < 3; ++attribute) glEnableVertexArrayAttrib(vao, attribute);
+
+    shadow_map_ = gl::texture2d(GL_DEPTH_COMPONENT16, shadow_resolution_, shadow_resolution_);
+    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    // The same texels without comparing, for the search of what shades.
+    GLuint view = 0;
+    glGenTextures(1, &view);
+    glTextureView(view, GL_TEXTURE_2D, shadow_map_.name(), GL_DEPTH_COMPONENT16, 0, 1, 0, 1);
+    shadow_depth_view_ = gl::Texture(view);
+    glTextureParameteri(view, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(view, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTextureParameteri(view, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    shadow_target_ = gl::framebuffer();
+    glNamedFramebufferTexture(shadow_target_.name(), GL_DEPTH_ATTACHMENT, shadow_map_.name(), 0);
+    glNamedFramebufferDrawBuffer(shadow_target_.name(), GL_NONE);
+    gl::requireComplete(shadow_target_, "shadow map");
+}
+
+void AvatarPass::skin(const std::vector<Pose>& stage_from_joint) {
+    if (stage_from_joint.size() != joint_from_bind_.size())
+        throw std::invalid_argument(fmt::format("Scene::avatar_joints has {} poses, the avatar {} joints",
+                                                stage_from_joint.size(), joint_from_bind_.size()));
+    for (std::size_t j = 0; j < stage_from_joint.size(); ++j) {
+        const glm::mat4 stage_from_bind = matrixFromPose(stage_from_joint[j] * joint_from_bind_[j]);
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 4; ++column)
+                joint_rows_[j * 12 + static_cast<std::size_t>(row * 4 + column)] =
+                    stage_from_bind[column][row];
+    }
+    if (vertex_count_ == 0) return;
+    glNamedBufferSubData(joints_.name(), 0, static_cast<GLsizeiptr>(joint_rows_.size() * sizeof(float)),
+                         joint_rows_.data());
+    glUseProgram(skin_program_.name());
+    glUniform1ui(0, static_cast<GLuint>(vertex_count_));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, bind_vertices_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, joints_.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, skinned_.name());
+    glDispatchCompute(static_cast<GLuint>((vertex_count_ + skin_group - 1) / skin_group), 1, 1);
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+}
+
+void AvatarPass::placeShadow(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const {
+    const int hips_joint = std::max(humanoid_[motion::Bone::hips], 0);
+    const Vec3 hips = stage_from_joint.empty()
+                          ? Vec3(0.0)
+                          : stage_from_joint[static_cast<std::size_t>(hips_joint)].position;
+    const Vec3 to_light = directionToLight();
+    const glm::dmat4 turn = glm::lookAt(Vec3(0.0), -to_light, Vec3(0.0, 0.0, -1.0));
+    const auto seen = [&](const Vec3& p) { return Vec3(turn * glm::dvec4(p, 1.0)); };
+    // Moves in whole texels, so that the shadow's edge does not crawl while the avatar sways.
+    const double texel_m = shadow_side_m / shadow_resolution_;
+    Vec3 centre = seen(hips);
+    centre.x = std::round(centre.x / texel_m) * texel_m;
+    centre.y = std::round(centre.y / texel_m) * texel_m;
+    centre.z = std::round(centre.z / 0.25) * 0.25;
+    glm::dmat4 shadow(1.0);
+    shadow = glm::translate(shadow, Vec3(0.5, 0.5, 0.5));
+    shadow = glm::scale(shadow, Vec3(1.0 / shadow_side_m, 1.0 / shadow_side_m, -1.0 / shadow_depth_m));
+    shadow = glm::translate(shadow, -centre);
+    const glm::dmat4 shadow_from_stage = shadow * turn;
+    block.shadow_from_stage = glm::mat4(shadow_from_stage);
+    block.shadow = glm::vec4(1.0 / shadow_side_m, shadow_depth_m, 1.0, 0.0);
+
+    // Flesh reaches no further than this from the joints (the crown of the head is the farthest).
+    const double reach = 0.22 / shadow_side_m;
+    glm::dvec2 low(1.0);
+    glm::dvec2 high(0.0);
+    for (const Pose& joint : stage_from_joint) {
+        const glm::dvec2 uv(shadow_from_stage * glm::dvec4(joint.position, 1.0));
+        low = glm::min(low, uv - reach);
+        high = glm::max(high, uv + reach);
+    }
+    block.shadow_box = glm::vec4(glm::max(low, glm::dvec2(0.0)), glm::min(high, glm::dvec2(1.0)));
+}
+
+void AvatarPass::drawShadow() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, shadow_target_.name());
+    glViewport(0, 0, shadow_resolution_, shadow_resolution_);
+    const GLfloat farthest = 1.0F;
+    glClearNamedFramebufferfv(shadow_target_.name(), GL_DEPTH, 0, &farthest);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5F, 2.0F);
+    glUseProgram(shadow_program_.name());
+    drawTriangles();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void AvatarPass::placeFeet(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const {
+    using motion::Bone;
+    const std::array<std::pair<Bone, Bone>, foot_count> feet{std::pair{Bone::leftFoot, Bone::leftToes},
+                                                             std::pair{Bone::rightFoot, Bone::rightToes}};
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+        const int ankle_joint = humanoid_[feet[i].first];
+        const int toes_joint = humanoid_[feet[i].second];
+        if (ankle_joint < 0 || toes_joint < 0) continue;
+        const Vec3 ankle = stage_from_joint[static_cast<std::size_t>(ankle_joint)].position;
+        const Vec3 toes = stage_from_joint[static_cast<std::size_t>(toes_joint)].position;
+        // The sole's middle line, from over the heel to the toes' middle.
+        const Vec3 along = toes - ankle;
+        const Vec3 heel = ankle + Vec3(-0.25 * along.x, 0.75 * along.y, -0.25 * along.z);
+        const Vec3 tip = toes + Vec3(0.2 * along.x, 0.0, 0.2 * along.z);
+        block.feet[2 * i] = glm::vec4(glm::vec3(heel), 0.045F);
+        block.feet[2 * i + 1] = glm::vec4(glm::vec3(tip), 0.045F);
+    }
+}
+
+void AvatarPass::bindShadow() const {
+    glBindTextureUnit(shadow_texture_unit, shadow_map_.name());
+    glBindTextureUnit(shadow_texture_unit + 1, shadow_depth_view_.name());
+}
+
+void AvatarPass::draw() const {
+    glUseProgram(draw_program_.name());
+    drawTriangles();
+}
+
+void AvatarPass::drawTriangles() const {
+    glBindVertexArray(vertices_.name());
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace deixis::renderer

@@ -1,0 +1,114 @@
+#include "ball_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace deixis::renderer {
+namespace {
+
+const std::string_view vertex_glsl = R"(
+layout(location = 0) in vec3 normal;
+layout(location = 1) in vec4 place;  // centre, radius
+layout(location = 2) in vec3 own_colour;
+layout(location = 3) in vec3 own_glow;
+out vec3 stage_position;
+out vec3 stage_normal;
+flat out vec3 albedo;
+flat out vec3 glow;
+void main() {
+    stage_position = place.xyz + place.w * normal;
+    stage_normal = normal;
+    albedo = own_colour;
+    glow = own_glow;
+    gl_Position = clip_from_stage * vec4(stage_position, 1.0);
+}
+)";
+
+const std::string_view fragment_glsl = R"(
+in vec3 stage_position;
+in vec3 stage_normal;
+flat in vec3 albedo;
+flat in vec3 glow;
+out vec4 colour;
+void main() {
+    vec3 n = normalize(stage_normal);
+    vec3 to_eye = normalize(eye.xyz - stage_position);
+    float light = avatarLight(stage_position, n) * ballLight(stage_position + n * 0.002);
+    colour = finish(lit(albedo, n, to_eye, light, 1.0, 0.11) + glow);
+}
+)";
+
+constexpr int rings = 24;
+constexpr int segments = 40;
+
+struct Instance {
+    glm::vec4 place;
+    glm::vec3 colour, glow;
+};
+
+}  // namespace
+
+BallPass::BallPass()
+    : program_(
+          gl::drawProgram("ball", {frame_glsl, vertex_glsl}, {frame_glsl, lighting_glsl, fragment_glsl})),
+      vertices_(gl::vertexArray()) {
+    std::vector<glm::vec3> normals;
+    std::vector<std::uint16_t> indices;
+    for (int ring = 0; ring <= rings; ++ring) {
+        const double polar = pi * ring / rings;
+        for (int segment = 0; segment <= segments; ++segment) {
+            const double azimuth = 2.0 * pi * segment / segments;
+            normals.emplace_back(std::sin(polar) * std::sin(azimuth), std::cos(polar),
+                                 std::sin(polar) * std::cos(azimuth));
+            if (ring == rings || segment == segments) continue;
+            const int here = ring * (segments + 1) + segment;
+            const int below = here + segments + 1;
+            for (const int index : {here, below, here + 1, here + 1, below, below + 1})
+                indices.push_back(static_cast<std::uint16_t>(index));
+        }
+    }
+    sphere_ = gl::fixedBuffer(std::span<const glm::vec3>(normals));
+    indices_ = gl::fixedBuffer(std::span<const std::uint16_t>(indices));
+    index_count_ = static_cast<GLsizei>(indices.size());
+    const GLuint vao = vertices_.name();
+    glVertexArrayVertexBuffer(vao, 0, sphere_.name(), 0, sizeof(glm::vec3));
+    glVertexArrayElementBuffer(vao, indices_.name());
+    glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, 0);
+    glVertexArrayAttribBinding(vao, 0, 0);
+    glVertexArrayAttribFormat(vao, 1, 4, GL_FLOAT, GL_FALSE, offsetof(Instance, place));
+    glVertexArrayAttribFormat(vao, 2, 3, GL_FLOAT, GL_FALSE, offsetof(Instance, colour));
+    glVertexArrayAttribFormat(vao, 3, 3, GL_FLOAT, GL_FALSE, offsetof(Instance, glow));
+    for (GLuint attribute = 1; attribute < 4; ++attribute) glVertexArrayAttribBinding(vao, attribute, 1);
+    for (GLuint attribute = 0; attribute < 4; ++attribute) glEnableVertexArrayAttrib(vao, attribute);
+    glVertexArrayBindingDivisor(vao, 1, 1);
+}
+
+void BallPass::placeShadows(const std::vector<Ball>& balls, FrameBlock& block) {
+    const std::size_t count = std::min(balls.size(), block.balls.size());
+    for (std::size_t i = 0; i < count; ++i)
+        block.balls[i] = glm::vec4(glm::vec3(balls[i].centre), static_cast<float>(balls[i].radius_m));
+    block.to_light.w = static_cast<float>(count);
+}
+
+void BallPass::draw(const std::vector<Ball>& balls) {
+    if (balls.empty()) return;
+    std::vector<Instance> instances;
+    instances.reserve(balls.size());
+    for (const Ball& ball : balls)
+        instances.push_back(
+            {glm::vec4(glm::vec3(ball.centre), static_cast<float>(ball.radius_m)), ball.colour, ball.glow});
+    const auto bytes = static_cast<GLsizeiptr>(instances.size() * sizeof(Instance));
+    if (bytes > instance_capacity_) {
+        instances_ = gl::dynamicBuffer(bytes);
+        instance_capacity_ = bytes;
+        glVertexArrayVertexBuffer(vertices_.name(), 1, instances_.name(), 0, sizeof(Instance));
+    }
+    glNamedBufferSubData(instances_.name(), 0, bytes, instances.data());
+    glUseProgram(program_.name());
+    glBindVertexArray(vertices_.name());
+    glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr,
+                            static_cast<GLsizei>(instances.size()));
+}
+
+}  // namespace deixis::renderer

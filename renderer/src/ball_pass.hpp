@@ -1,0 +1,27 @@
+// Matte balls, drawn as instances of one sphere.
+#pragma once
+
+#include <vector>
+
+#include "frame.hpp"
+#include "gl.hpp"
+#include "renderer/scene.hpp"
+
+namespace deixis::renderer {
+
+class BallPass {
+  public:
+    BallPass();
+    /// Tells the block which balls cast shadows.
+    static void placeShadows(const std::vector<Ball>& balls, FrameBlock& block);
+    void draw(const std::vector<Ball>& balls);
+
+  private:
+    gl::Program program_;
+    gl::Buffer sphere_, indices_, instances_;
+    GLsizeiptr instance_capacity_ = 0;
+    GLsizei index_count_ = 0;
+    gl::VertexArray vertices_;
+};
+
+}  // namespace deixis::renderer

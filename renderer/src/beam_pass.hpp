@@ -1,0 +1,19 @@
+// The pointing beam: a ribbon that always faces the eye, with soft edges, and a dot at its end.
+#pragma once
+
+#include "gl.hpp"
+#include "renderer/scene.hpp"
+
+namespace deixis::renderer {
+
+class BeamPass {
+  public:
+    BeamPass();
+    void draw(const Beam& beam) const;
+
+  private:
+    gl::Program program_;
+    gl::VertexArray no_vertices_;
+};
+
+}  // namespace deixis::renderer

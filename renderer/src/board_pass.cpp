@@ -1,0 +1,211 @@
+#include "board_pass.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "board_painter.hpp"
+#include "frame.hpp"
+
+namespace deixis::renderer {
+namespace {
+
+constexpr int most_texture_pixels = 2048;
+
+/// Makes the board's own ImGui context current, and the caller's again at the end: the program may have one
+/// for its window.
+class ContextScope {
+  public:
+    explicit ContextScope(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
+        ImGui::SetCurrentContext(context);
+    }
+    ~ContextScope() { ImGui::SetCurrentContext(before_); }
+    ContextScope(const ContextScope&) = delete;
+    ContextScope& operator=(const ContextScope&) = delete;
+
+  private:
+    ImGuiContext* before_;
+};
+
+const std::string_view text_vertex_glsl = R"(
+layout(location = 0) in vec2 position;
+layout(location = 1) in vec2 uv;
+layout(location = 2) in vec4 srgb;
+layout(location = 0) uniform vec2 size;
+out vec2 font_uv;
+out vec4 premultiplied;
+void main() {
+    font_uv = uv;
+    vec3 linear = mix(srgb.rgb / 12.92, pow((srgb.rgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb.rgb));
+    premultiplied = vec4(linear * srgb.a, srgb.a);
+    gl_Position = vec4(position / size * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+
+const std::string_view text_fragment_glsl = R"(
+layout(binding = 0) uniform sampler2D font;
+in vec2 font_uv;
+in vec4 premultiplied;
+out vec4 colour;
+void main() { colour = premultiplied * texture(font, font_uv).r; }
+)";
+
+// The texture's first row is the board's top.
+const std::string_view card_vertex_glsl = R"(
+layout(location = 0) uniform mat4 stage_from_board;
+layout(location = 1) uniform vec4 rect;  // low and high corner on the board, margin included, metres
+out vec2 card_uv;
+void main() {
+    vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
+    card_uv = vec2(corner.x, 1.0 - corner.y);
+    gl_Position = clip_from_stage * stage_from_board * vec4(mix(rect.xy, rect.zw, corner), 0.0, 1.0);
+}
+)";
+
+const std::string_view card_fragment_glsl = R"(
+layout(binding = 0) uniform sampler2D card;
+in vec2 card_uv;
+out vec4 colour;
+void main() {
+    colour = texture(card, card_uv);
+    if (colour.a < 0.01) discard;
+}
+)";
+
+bool sameContent(const Board& a, const Board& b) {
+    return a.width_m == b.width_m && a.height_m == b.height_m && a.texts == b.texts &&
+           a.buttons == b.buttons && a.progress == b.progress;
+}
+
+}  // namespace
+
+void BoardPass::ContextDeleter::operator()(ImGuiContext* context) const {
+    ImGui::DestroyContext(context);
+}
+
+BoardPass::BoardPass(BoardFonts fonts, double pixels_per_metre)
+    : fonts_(std::move(fonts)),
+      wanted_pixels_per_metre_(pixels_per_metre),
+      text_program_(gl::drawProgram("board text", {text_vertex_glsl}, {text_fragment_glsl})),
+      card_program_(gl::drawProgram("board", {frame_glsl, card_vertex_glsl}, {card_fragment_glsl})),
+      text_vertices_(gl::vertexArray()),
+      no_vertices_(gl::vertexArray()) {
+    const ContextScope scope(ImGui::GetCurrentContext());  // making one may change the current one
+    context_.reset(ImGui::CreateContext(&fonts_.atlas()));
+    ImGui::SetCurrentContext(context_.get());
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+
+    const GLuint vao = text_vertices_.name();
+    glVertexArrayAttribFormat(vao, 0, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, pos));
+    glVertexArrayAttribFormat(vao, 1, 2, GL_FLOAT, GL_FALSE, offsetof(ImDrawVert, uv));
+    glVertexArrayAttribFormat(vao, 2, 4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(ImDrawVert, col));
+    for (GLuint attribute = 0; attribute < 3; ++attribute) {
+        glVertexArrayAttribBinding(vao, attribute, 0);
+        glEnableVertexArrayAttrib(vao, attribute);
+    }
+}
+
+void BoardPass::paint(const Board& board) {
+    if (painted_ && sameContent(*painted_, board)) return;
+    const ContextScope scope(context_.get());
+    makeTexture(board);
+    if (requireBoardFonts(board, pixels_per_metre_, fonts_)) uploadFonts();
+
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = ImVec2(static_cast<float>(width_), static_cast<float>(height_));
+    ImGui::NewFrame();
+    paintBoard(board, pixels_per_metre_, fonts_, *ImGui::GetBackgroundDrawList());
+    ImGui::Render();
+    drawLists(*ImGui::GetDrawData());
+    glGenerateTextureMipmap(card_.name());
+    painted_ = board;
+    ++paints_;
+}
+
+void BoardPass::makeTexture(const Board& board) {
+    const double larger_m = std::max({board.width_m, board.height_m, 0.01});
+    pixels_per_metre_ =
+        std::min(wanted_pixels_per_metre_, (most_texture_pixels - 2 * card_margin_px) / larger_m);
+    const auto pixels = [&](double metres) {
+        return std::max(1, static_cast<int>(std::ceil(metres * pixels_per_metre_))) + 2 * card_margin_px;
+    };
+    const int width = pixels(board.width_m);
+    const int height = pixels(board.height_m);
+    if (width == width_ && height == height_) return;
+    width_ = width;
+    height_ = height;
+    const int levels = 1 + static_cast<int>(std::log2(std::max(width, height)));
+    card_ = gl::texture2d(GL_SRGB8_ALPHA8, width, height, levels);
+    glTextureParameteri(card_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(card_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    GLfloat most = 1.0F;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
+    glTextureParameterf(card_.name(), GL_TEXTURE_MAX_ANISOTROPY, std::min(most, 8.0F));
+    card_target_ = gl::framebuffer();
+    glNamedFramebufferTexture(card_target_.name(), GL_COLOR_ATTACHMENT0, card_.name(), 0);
+    gl::requireComplete(card_target_, "board");
+}
+
+void BoardPass::uploadFonts() {
+    unsigned char* coverage = nullptr;
+    int width = 0;
+    int height = 0;
+    fonts_.atlas().GetTexDataAsAlpha8(&coverage, &width, &height);
+    font_texture_ = gl::texture2d(GL_R8, width, height);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(font_texture_.name(), 0, 0, 0, width, height, GL_RED, GL_UNSIGNED_BYTE, coverage);
+    glTextureParameteri(font_texture_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(font_texture_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
+void BoardPass::drawLists(const ImDrawData& data) {
+    const std::array<GLfloat, 4> clear{0.0F, 0.0F, 0.0F, 0.0F};
+    glClearNamedFramebufferfv(card_target_.name(), GL_COLOR, 0, clear.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, card_target_.name());
+    glViewport(0, 0, width_, height_);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glUseProgram(text_program_.name());
+    glUniform2f(0, static_cast<float>(width_), static_cast<float>(height_));
+    glBindTextureUnit(0, font_texture_.name());
+    glBindVertexArray(text_vertices_.name());
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList& list = *data.CmdLists[i];
+        const gl::Buffer vertices = gl::fixedBuffer(
+            std::span<const ImDrawVert>(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.Size)));
+        const gl::Buffer indices = gl::fixedBuffer(
+            std::span<const ImDrawIdx>(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.Size)));
+        glVertexArrayVertexBuffer(text_vertices_.name(), 0, vertices.name(), 0, sizeof(ImDrawVert));
+        glVertexArrayElementBuffer(text_vertices_.name(), indices.name());
+        for (const ImDrawCmd& command : list.CmdBuffer)
+            glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
+                                     sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+                                     reinterpret_cast<const void*>(
+                                         static_cast<std::uintptr_t>(command.IdxOffset) * sizeof(ImDrawIdx)),
+                                     static_cast<GLint>(command.VtxOffset));
+    }
+    glDisable(GL_BLEND);
+}
+
+void BoardPass::draw(const Board& board) const {
+    const glm::mat4 stage_from_board = matrixFromPose(board.stage_from_board);
+    const double margin_m = card_margin_px / pixels_per_metre_;
+    // The texture ends on whole pixels: its lower edge may lie a part of one below the board's.
+    const double shown_width_m = width_ / pixels_per_metre_ - margin_m;
+    const double low_m = board.height_m + margin_m - height_ / pixels_per_metre_;
+    glUseProgram(card_program_.name());
+    glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(stage_from_board));
+    glUniform4f(1, static_cast<float>(-margin_m), static_cast<float>(low_m),
+                static_cast<float>(shown_width_m), static_cast<float>(board.height_m + margin_m));
+    glBindTextureUnit(0, card_.name());
+    glBindVertexArray(no_vertices_.name());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace deixis::renderer

@@ -1,0 +1,49 @@
+// What every pass needs of one frame: the uniform block, and the shader text that reads it and lights a
+// surface with it.
+#pragma once
+
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <string_view>
+
+#include "core/pose.hpp"
+
+namespace deixis::renderer {
+
+constexpr int max_shadow_balls = 64;  ///< balls beyond these are drawn, but cast no shadow
+constexpr int foot_count = 2;
+
+/// The room, metres: a floor of 8 x 9 m around the avatar and the people who look at it.
+constexpr glm::vec3 room_low{-4.0F, 0.0F, -3.5F};
+constexpr glm::vec3 room_high{4.0F, 3.0F, 5.5F};
+
+/// Laid out as std140 has it; bound at uniform block 0.
+struct FrameBlock {
+    glm::mat4 clip_from_stage{1.0F};
+    glm::mat4 eye_from_stage{1.0F};
+    glm::mat4 clip_from_eye{1.0F};
+    glm::mat4 shadow_from_stage{1.0F};  ///< to texture coordinates and depth, 0..1
+    glm::vec4 eye{0.0F};                ///< w: size of a pixel at 1 m, metres
+    glm::vec4 to_light{0.0F};           ///< w: number of balls that cast a shadow
+    glm::vec4 shadow{0.0F};      ///< x: texture units a metre; y: depth range, m; z: 1 where it is cast
+    glm::vec4 shadow_box{0.0F};  ///< the caster's extent in texture coordinates: low u v, high u v
+    std::array<glm::vec4, foot_count * 2UL> feet{};   ///< heel and toe of each foot; w: radius, 0 for none
+    std::array<glm::vec4, max_shadow_balls> balls{};  ///< centre, radius
+};
+
+constexpr unsigned int frame_block_binding = 0;
+constexpr unsigned int shadow_texture_unit = 0;
+
+/// The direction to the key light: 10 degrees off the vertical, so that a ball's shadow falls below it.
+[[nodiscard]] Vec3 directionToLight();
+
+[[nodiscard]] glm::mat4 matrixFromPose(const Pose& pose);
+
+/// GLSL: the block.
+extern const std::string_view frame_glsl;
+/// GLSL for fragment shaders, after frame_glsl: ballLight(), avatarLight(), lit(), and finish(), which gives
+/// the colour to write.
+extern const std::string_view lighting_glsl;
+
+}  // namespace deixis::renderer

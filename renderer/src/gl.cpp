@@ -1,0 +1,153 @@
+#include "gl.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace deixis::renderer::gl {
+namespace {
+
+std::string_view errorName(GLenum error) {
+    switch (error) {
+        case GL_INVALID_ENUM:
+            return "GL_INVALID_ENUM";
+        case GL_INVALID_VALUE:
+            return "GL_INVALID_VALUE";
+        case GL_INVALID_OPERATION:
+            return "GL_INVALID_OPERATION";
+        case GL_INVALID_FRAMEBUFFER_OPERATION:
+            return "GL_INVALID_FRAMEBUFFER_OPERATION";
+        case GL_OUT_OF_MEMORY:
+            return "GL_OUT_OF_MEMORY";
+        case GL_CONTEXT_LOST:
+            return "GL_CONTEXT_LOST";
+        default:
+            return "an unknown GL error";
+    }
+}
+
+Shader compile(std::string_view name, GLenum stage, Parts parts) {
+    std::vector<const GLchar*> texts{"#version 450 core\n"};
+    std::vector<GLint> lengths{-1};
+    for (const std::string_view part : parts) {
+        texts.push_back(part.data());
+        lengths.push_back(static_cast<GLint>(part.size()));
+    }
+    Shader shader(glCreateShader(stage));
+    glShaderSource(shader.name(), static_cast<GLsizei>(texts.size()), texts.data(), lengths.data());
+    glCompileShader(shader.name());
+    GLint good = GL_FALSE;
+    glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &good);
+    if (good == GL_TRUE) return shader;
+    std::array<GLchar, 4096> log{};
+    glGetShaderInfoLog(shader.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+    throw std::runtime_error(fmt::format("glCompileShader({}) failed: {}", name, log.data()));
+}
+
+Program link(std::string_view name, std::initializer_list<GLuint> shaders) {
+    Program program(glCreateProgram());
+    for (const GLuint shader : shaders) glAttachShader(program.name(), shader);
+    glLinkProgram(program.name());
+    for (const GLuint shader : shaders) glDetachShader(program.name(), shader);
+    GLint good = GL_FALSE;
+    glGetProgramiv(program.name(), GL_LINK_STATUS, &good);
+    if (good == GL_TRUE) return program;
+    std::array<GLchar, 4096> log{};
+    glGetProgramInfoLog(program.name(), static_cast<GLsizei>(log.size()), nullptr, log.data());
+    throw std::runtime_error(fmt::format("glLinkProgram({}) failed: {}", name, log.data()));
+}
+
+#ifndef NDEBUG
+// An exception must not cross the driver's frames, so the first message waits here for checkErrors.
+thread_local std::string reported_error;
+
+void GLAPIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* message,
+                          const void*) {
+    if (type != GL_DEBUG_TYPE_ERROR || !reported_error.empty()) return;
+    reported_error =
+        length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));
+}
+#endif
+
+}  // namespace
+
+Buffer dynamicBuffer(GLsizeiptr bytes) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    glNamedBufferStorage(name, bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    return Buffer(name);
+}
+
+VertexArray vertexArray() {
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    return VertexArray(name);
+}
+
+Framebuffer framebuffer() {
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    return Framebuffer(name);
+}
+
+Texture texture2d(GLenum format, int width, int height, int levels) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    glTextureStorage2D(name, levels, format, width, height);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return Texture(name);
+}
+
+Renderbuffer renderbuffer(GLenum format, int width, int height, int samples) {
+    GLuint name = 0;
+    glCreateRenderbuffers(1, &name);
+    glNamedRenderbufferStorageMultisample(name, samples > 1 ? samples : 0, format, width, height);
+    return Renderbuffer(name);
+}
+
+void requireComplete(const Framebuffer& framebuffer, std::string_view what) {
+    const GLenum status = glCheckNamedFramebufferStatus(framebuffer.name(), GL_DRAW_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw std::runtime_error(fmt::format("glCheckNamedFramebufferStatus({}): {:#x}", what, status));
+}
+
+Program drawProgram(std::string_view name, Parts vertex, Parts fragment) {
+    const Shader vertex_shader = compile(name, GL_VERTEX_SHADER, vertex);
+    const Shader fragment_shader = compile(name, GL_FRAGMENT_SHADER, fragment);
+    return link(name, {vertex_shader.name(), fragment_shader.name()});
+}
+
+Program computeProgram(std::string_view name, Parts compute) {
+    const Shader shader = compile(name, GL_COMPUTE_SHADER, compute);
+    return link(name, {shader.name()});
+}
+
+GLint uniform(const Program& program, const char* name) {
+    const GLint location = glGetUniformLocation(program.name(), name);
+    if (location < 0) throw std::runtime_error(fmt::format("glGetUniformLocation(\"{}\"): not there", name));
+    return location;
+}
+
+void watchErrors() {
+#ifndef NDEBUG
+    glEnable(GL_DEBUG_OUTPUT);
+    glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+    glDebugMessageCallback(onMessage, nullptr);
+#endif
+}
+
+void checkErrors(std::string_view what) {
+    std::string details;
+#ifndef NDEBUG
+    details = std::exchange(reported_error, {});
+#endif
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR && details.empty()) return;
+    throw std::runtime_error(fmt::format("{}: {} {}", what, errorName(error), details));
+}
+
+}  // namespace deixis::renderer::gl

@@ -1,0 +1,14 @@
+// The oldest OpenGL that the renderer draws with, and what to say where there is less.
+#pragma once
+
+#include "core/error.hpp"
+
+namespace deixis::renderer {
+
+constexpr int needed_gl_major = 4;
+constexpr int needed_gl_minor = 5;
+
+/// Fails with the driver's own words where the current context is older; `where` names who asked.
+[[nodiscard]] Result<void> requireGlVersion(const char* where);
+
+}  // namespace deixis::renderer
