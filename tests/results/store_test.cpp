@@ -315,7 +315,8 @@ TEST_SUITE("results/store opening") {
         using std::filesystem::perms;
         const fixtures::Folder folder;
         { Store store = fixtures::open(folder / "a.sqlite"); }
-        std::filesystem::permissions(folder / "a.sqlite", perms::owner_read | perms::others_read);
+        std::filesystem::permissions(folder / "a.sqlite",
+                                     perms::owner_read | perms::group_read | perms::others_read);
         // Permissions do not bind root, so root becomes nobody for a moment.
         const uid_t user = ::geteuid();
         const uid_t nobody = 65534;

@@ -17,6 +17,13 @@ struct SignedRankTest {
     std::string method;  ///< "exact", "exact with ties", "normal approximation", "no differences"
 };
 
+/// Differences no larger than this count as zero: means of answers that are equal on paper differ by
+/// rounding.
+inline constexpr double zero_difference = 1e-12;
+
+/// W+ and W- are the sums of the midranks of the positive and the negative differences. Exact for up to 100
+/// differences other than zero, with ties too; beyond, the normal approximation with tie and continuity
+/// corrections. p is 1 where all differences are zero.
 [[nodiscard]] SignedRankTest signedRankTest(std::span<const double> differences);
 
 /// Holm's step-down adjustment; the order of the input is kept. Each in [0, 1].
