@@ -1,10 +1,11 @@
 // A manifest: the clips of one or more systems, and the target for which each was made. CSV, documented in
-// docs/clip-format.md.
+// docs/manifest.md.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -33,8 +34,13 @@ struct Manifest {
     std::vector<ManifestRow> rows;
 };
 
-/// Reads and checks a manifest: header, numbers, frames in order. Errors name file, line and column.
+/// Reads and checks a manifest: header, numbers, frames in order. Columns may stand in any order; those that
+/// a manifest does not know are passed over. Errors name file, line and column. Whether the clips are there
+/// is not looked at.
 [[nodiscard]] Result<Manifest> readManifest(const std::filesystem::path& path);
+/// The same from text; `name` stands for the file in errors and in the result.
+[[nodiscard]] Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name);
+/// Header and rows, every number with as many digits as bring the same number back.
 [[nodiscard]] std::string manifestCsv(const std::vector<ManifestRow>& rows);
 
 }  // namespace deixis::assets

@@ -1,0 +1,176 @@
+#include "assets/manifest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "core/files.hpp"
+#include "csv_records.hpp"
+
+namespace deixis::assets {
+
+namespace {
+
+enum Column {
+    clip,
+    system,
+    target_id,
+    target_x,
+    target_y,
+    target_z,
+    hand,
+    onset,
+    peak,
+    hold,
+    end,
+    fps,
+    seed
+};
+constexpr std::array<std::string_view, 13> column_names{
+    "clip",  "system", "target_id", "target_x", "target_y", "target_z", "hand",
+    "onset", "peak",   "hold",      "end",      "fps",      "seed"};
+
+std::string header() {
+    return fmt::format("{}", fmt::join(column_names, ","));
+}
+
+/// One record by column name; notes the first problem.
+class RowReader {
+  public:
+    RowReader(const CsvRecord& record, const std::array<std::size_t, column_names.size()>& places,
+              const std::string& file)
+        : record_(record), places_(places), file_(file) {}
+
+    std::string text(Column column) {
+        const std::string& found = record_.fields[places_[column]];
+        if (found.empty()) problem(column, "is empty", "Give it a value");
+        return found;
+    }
+
+    template <typename Number>
+    Number number(Column column, std::string_view expected) {
+        const std::string& found = record_.fields[places_[column]];
+        Number value{};
+        const auto [last, code] = std::from_chars(found.data(), found.data() + found.size(), value);
+        bool good = code == std::errc() && last == found.data() + found.size();
+        if constexpr (std::is_floating_point_v<Number>) good = good && std::isfinite(value);
+        if (!good) problem(column, fmt::format("found '{}', expected {}", found, expected));
+        return value;
+    }
+
+    void problem(Column column, const std::string& message, std::string mend = {}) {
+        if (!first_)
+            first_ = Error{fmt::format("{}:{}: {}", file_, record_.line, column_names[column]), message,
+                           std::move(mend)};
+    }
+
+    [[nodiscard]] const std::optional<Error>& first() const { return first_; }
+
+  private:
+    const CsvRecord& record_;
+    const std::array<std::size_t, column_names.size()>& places_;
+    const std::string& file_;
+    std::optional<Error> first_;
+};
+
+Result<ManifestRow> readRow(RowReader reader) {
+    ManifestRow row;
+    row.clip = reader.text(clip);
+    row.system = reader.text(system);
+    row.target_id = reader.text(target_id);
+    constexpr std::string_view metres = "a finite number of metres";
+    row.target.x = reader.number<double>(target_x, metres);
+    row.target.y = reader.number<double>(target_y, metres);
+    row.target.z = reader.number<double>(target_z, metres);
+    const std::string side = reader.text(hand);
+    if (side != "left" && side != "right")
+        reader.problem(hand, fmt::format("found '{}', expected left or right", side));
+    row.hand = side == "left" ? motion::Side::left : motion::Side::right;
+    constexpr std::string_view frame = "a whole number of frames";
+    row.onset_frame = reader.number<int>(onset, frame);
+    row.peak_frame = reader.number<int>(peak, frame);
+    row.hold_frame = reader.number<int>(hold, frame);
+    row.end_frame = reader.number<int>(end, frame);
+    if (row.onset_frame < 0)
+        reader.problem(onset, fmt::format("found {}, expected 0 or more", row.onset_frame));
+    if (row.peak_frame <= row.onset_frame)
+        reader.problem(peak, fmt::format("found {}, expected a frame after the onset ({})", row.peak_frame,
+                                         row.onset_frame));
+    if (row.hold_frame < row.peak_frame)
+        reader.problem(
+            hold, fmt::format("found {}, expected the peak ({}) or later", row.hold_frame, row.peak_frame));
+    if (row.end_frame <= row.hold_frame)
+        reader.problem(end, fmt::format("found {}, expected a frame after the hold ({})", row.end_frame,
+                                        row.hold_frame));
+    row.fps = reader.number<double>(fps, "frames per second, more than 0");
+    if (row.fps <= 0.0) reader.problem(fps, fmt::format("found {}, expected more than 0", row.fps));
+    row.seed = reader.number<std::uint64_t>(seed, "a whole number from 0 to 18446744073709551615");
+    if (reader.first()) return tl::unexpected(*reader.first());
+    return row;
+}
+
+Result<std::array<std::size_t, column_names.size()>> findColumns(const CsvRecord& first,
+                                                                 const std::string& file) {
+    std::array<std::size_t, column_names.size()> places{};
+    for (std::size_t i = 0; i < column_names.size(); ++i) {
+        const auto count = std::count(first.fields.begin(), first.fields.end(), column_names[i]);
+        if (count != 1)
+            return fail(fmt::format("{}:{}: {}", file, first.line, column_names[i]),
+                        count == 0 ? "this column is missing from the header"
+                                   : "this column stands in the header more than once",
+                        fmt::format("The columns are {}", header()));
+        places[i] = static_cast<std::size_t>(
+            std::find(first.fields.begin(), first.fields.end(), column_names[i]) - first.fields.begin());
+    }
+    return places;
+}
+
+}  // namespace
+
+Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name) {
+    const std::string file = name.string();
+    const auto records = parseCsv(text, file);
+    if (!records) return tl::unexpected(records.error());
+    if (records->empty())
+        return fail(file, "the manifest is empty", fmt::format("Its first line is {}", header()));
+    const CsvRecord& first = records->front();
+    const auto places = findColumns(first, file);
+    if (!places) return tl::unexpected(places.error());
+    Manifest manifest;
+    manifest.file = name;
+    for (std::size_t i = 1; i < records->size(); ++i) {
+        const CsvRecord& record = (*records)[i];
+        if (record.fields.size() != first.fields.size())
+            return fail(fmt::format("{}:{}", file, record.line),
+                        fmt::format("found {} fields, expected {} as in the header", record.fields.size(),
+                                    first.fields.size()));
+        auto row = readRow(RowReader(record, *places, file));
+        if (!row) return tl::unexpected(row.error());
+        manifest.rows.push_back(std::move(*row));
+    }
+    return manifest;
+}
+
+Result<Manifest> readManifest(const std::filesystem::path& path) {
+    const auto text = readFile(path);
+    if (!text) return tl::unexpected(text.error());
+    return parseManifest(*text, path);
+}
+
+std::string manifestCsv(const std::vector<ManifestRow>& rows) {
+    std::string out = header() + "\n";
+    for (const ManifestRow& row : rows)
+        out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvField(row.clip),
+                           csvField(row.system), csvField(row.target_id), row.target.x, row.target.y,
+                           row.target.z, motion::sideName(row.hand), row.onset_frame, row.peak_frame,
+                           row.hold_frame, row.end_frame, row.fps, row.seed);
+    return out;
+}
+
+}  // namespace deixis::assets
