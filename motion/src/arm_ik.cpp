@@ -45,7 +45,9 @@ double flexionForReach(const TwoLinkArm& arm, double reach_m) {
 ArmSolution solveArm(const TwoLinkArm& arm, const Vec3& tip, const Vec3& elbow_direction) {
     ArmSolution solution;
     solution.flexion_rad = flexionForReach(arm, glm::length(tip));
-    const glm::dmat3 in_arm = frameOf(tipInUpperArm(arm, solution.flexion_rad), arm.elbow);
+    // The elbow's point faces -z; unlike the elbow's own place this stays a direction when the arm is
+    // straight.
+    const glm::dmat3 in_arm = frameOf(tipInUpperArm(arm, solution.flexion_rad), Vec3(0.0, 0.0, -1.0));
     const glm::dmat3 wanted = frameOf(tip, elbow_direction);
     solution.upper_arm = glm::normalize(glm::quat_cast(wanted * glm::transpose(in_arm)));
     return solution;

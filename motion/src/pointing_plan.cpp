@@ -95,6 +95,7 @@ DemonstrationPlan planDemonstration(const PointingBody& body, const Vec3& target
     request.extension = drawn(line.extension, random);
     request.index_alignment = line.index_alignment;
     request.wrist_limit_rad = radiansFromDegrees(line.wrist_limit_deg);
+    request.knuckle_limit_rad = radiansFromDegrees(line.knuckle_limit_deg);
     request.swivel_offset_rad = radiansFromDegrees(parameters.arm.swivel_sd_deg) * random.normal();
     request.palm_inward_rad = radiansFromDegrees(drawn(line.palm_inward_deg, random));
     plan.motion = humanTiming(target, hand, parameters.timing, random);

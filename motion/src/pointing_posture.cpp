@@ -151,7 +151,8 @@ LocalPose solvePosture(const PointingBody& body, const PostureRequest& request,
     const Vec3 eye = body.eye(pose);
     const Vec3 origin = (1.0 - request.origin_k) * eye + request.origin_k * shoulder;
     const Vec3 tip_in_hand = body.fingertipInHand(request.hand);
-    const Vec3 index_in_hand = tip_in_hand - body.knuckleInHand(request.hand);
+    const Vec3 knuckle_in_hand = body.knuckleInHand(request.hand);
+    const Vec3 index_in_hand = tip_in_hand - knuckle_in_hand;
     const double upper_m = glm::length(body.offset(bones.lower_arm));
     const double fore_m = glm::length(body.offset(bones.hand) + tip_in_hand);
 
@@ -159,12 +160,14 @@ LocalPose solvePosture(const PointingBody& body, const PostureRequest& request,
     constexpr int rounds = 8;
     double twist = 0.0;
     Quat wrist = no_rotation;
+    Quat knuckle = no_rotation;
     Quat upper = no_rotation;
     Quat elbow = no_rotation;
     for (int round = 0; round < rounds; ++round) {
         const Quat turned = glm::angleAxis(twist, x_axis);
-        TwoLinkArm links{request.hand, body.offset(bones.lower_arm),
-                         turned * (body.offset(bones.hand) + wrist * tip_in_hand)};
+        TwoLinkArm links{
+            request.hand, body.offset(bones.lower_arm),
+            turned * (body.offset(bones.hand) + wrist * (knuckle_in_hand + knuckle * index_in_hand))};
         const double longest = glm::length(tipInUpperArm(links, least_flexion_rad));
         const double radius = std::min(request.extension * (upper_m + fore_m), longest);
         const Vec3 tip = fingertipOnLine(origin, request.aim, shoulder, radius);
@@ -181,14 +184,19 @@ LocalPose solvePosture(const PointingBody& body, const PostureRequest& request,
         const Quat forearm = upper * elbow * glm::angleAxis(twist, x_axis);
         const Quat straight = rotationBetween(index_in_hand, glm::conjugate(forearm) * (request.aim - tip));
         const double bend = 2.0 * std::acos(std::clamp(std::abs(straight.w), 0.0, 1.0));
-        const double allowed = std::min(request.index_alignment * bend, request.wrist_limit_rad);
-        wrist = bend > 1e-6 ? partOf(straight, allowed / bend) : no_rotation;
+        if (bend < 1e-6) continue;
+        const double mended = request.index_alignment * bend;
+        const double at_wrist = std::min(0.6 * mended, request.wrist_limit_rad);
+        const double at_knuckle = std::min(mended - at_wrist, request.knuckle_limit_rad);
+        wrist = partOf(straight, at_wrist / bend);
+        knuckle = partOf(straight, at_knuckle / bend);
     }
     // Pronation is spread over the forearm's length: half at the elbow, half at the wrist.
     const Quat half_twist = glm::angleAxis(0.5 * twist, x_axis);
     pose.joints[upper_joint].orientation = glm::normalize(glm::conjugate(girdle.orientation) * upper);
     pose.joints[body.joint(bones.lower_arm)].orientation = glm::normalize(elbow * half_twist);
     pose.joints[body.joint(bones.hand)].orientation = glm::normalize(half_twist * wrist);
+    if (Quat* index = body.find(pose, bones.index_proximal)) *index = glm::normalize(knuckle * *index);
     return pose;
 }
 

@@ -14,6 +14,7 @@ struct PostureRequest {
     double extension = 0.985;  ///< shoulder to fingertip over the straight arm's length
     double index_alignment = 1.0;
     double wrist_limit_rad = 0.0;
+    double knuckle_limit_rad = 0.0;
     double swivel_offset_rad = 0.0;
     double palm_inward_rad = 0.0;
     double torso_yaw_rad = 0.0;    ///< positive to the left

@@ -24,6 +24,7 @@ class Direct : public Generator {
         request.extension = parameters_.direct.extension;
         request.index_alignment = parameters_.direct.index_alignment;
         request.wrist_limit_rad = radiansFromDegrees(line.wrist_limit_deg);
+        request.knuckle_limit_rad = radiansFromDegrees(line.knuckle_limit_deg);
         request.swivel_offset_rad = radiansFromDegrees(parameters_.arm.swivel_sd_deg) * random.normal();
         request.palm_inward_rad = radiansFromDegrees(drawn(line.palm_inward_deg, random));
         PointingMotion motion = humanTiming(asked.target, request.hand, parameters_.timing, random);

@@ -22,6 +22,7 @@ class Stiff : public Generator {
         request.aim = asked.target;
         request.extension = stiff.extension;
         request.wrist_limit_rad = radiansFromDegrees(parameters_.line.wrist_limit_deg);
+        request.knuckle_limit_rad = radiansFromDegrees(parameters_.line.knuckle_limit_deg);
         PointingMotion motion;
         motion.hand = request.hand;
         motion.peak = solvePosture(body_, request, parameters_.arm);

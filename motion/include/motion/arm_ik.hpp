@@ -35,8 +35,8 @@ struct ArmSolution {
 /// cannot.
 [[nodiscard]] double flexionForReach(const TwoLinkArm& arm, double reach_m);
 
-/// Lays the tip at `tip` (relative to the shoulder; scaled to the nearest reachable distance) with the elbow
-/// on the side of `elbow_direction` (any direction not along the tip's).
+/// Lays the tip at `tip` (relative to the shoulder; scaled to the nearest reachable distance) with the point
+/// of the elbow towards `elbow_direction` (any direction not along the tip's).
 [[nodiscard]] ArmSolution solveArm(const TwoLinkArm& arm, const Vec3& tip, const Vec3& elbow_direction);
 
 }  // namespace deixis::motion

@@ -30,12 +30,14 @@ struct TargetDraw {
 
 /// The line that the pointer lays through fingertip and target, and its errors.
 struct PointingLineParameters {
-    double origin_k = 0.35;          ///< the line starts at (1-k) eye + k shoulder
+    double origin_k = 0.25;          ///< the line starts at (1-k) eye + k shoulder
     Spread extension{0.985, 0.006};  ///< shoulder to fingertip over the length of the straight arm
-    double index_alignment = 0.25;   ///< share of the index finger's angle to the target that the wrist mends
-    double wrist_limit_deg = 25.0;   ///< bend of the wrist at most
-    double actor_bias_sd_deg = 3.0;  ///< constant error of the one actor, per axis
-    double trial_bias_sd_deg = 2.0;  ///< error of a trial, per axis
+    /// Share of the index finger's angle to the target that wrist and knuckle mend, and their limits.
+    double index_alignment = 0.15;
+    double wrist_limit_deg = 18.0;
+    double knuckle_limit_deg = 15.0;
+    double actor_bias_sd_deg = 3.0;     ///< constant error of the one actor, per axis
+    double trial_bias_sd_deg = 2.0;     ///< error of a trial, per axis
     Spread palm_inward_deg{20.0, 8.0};  ///< turn of the palm from facing down towards the body's middle
 };
 
@@ -98,7 +100,7 @@ struct NoiseParameters {
 
 /// Where the system `direct` differs from a demonstration.
 struct DirectParameters {
-    double extension = 0.985;
+    double extension = 0.990;
     double index_alignment = 1.0;
     double noise_share = 0.25;  ///< of the demonstrations' noise
 };
@@ -114,12 +116,12 @@ struct StiffParameters {
 
 /// Where the system `drifting` differs.
 struct DriftingParameters {
-    Interval pull{0.60, 0.75};  ///< share of the way to the mean posture of the hand's demonstrations
+    Interval pull{0.35, 0.55};  ///< share of the way to the mean posture of the hand's demonstrations
     Interval hold_s{1.5, 2.5};
     double wander_deg = 5.0;  ///< amplitude of the slow wandering during the hold
     Interval wander_hz{0.25, 0.6};
     Interval hold_shift{0.10, 0.25};  ///< share of the way that the posture goes on moving during the hold
-    double jitter_rad = 0.008;        ///< SD of the unsmoothed shaking of each arm joint, per frame
+    double jitter_rad = 0.003;        ///< SD of the unsmoothed shaking of each arm joint, per frame
     double noise_share = 1.5;
 };
 
