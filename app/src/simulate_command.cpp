@@ -32,7 +32,7 @@ Result<void> simulate(const Options& options) {
     if (!setup) return tl::unexpected(setup.error());
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
-    const auto parameters = loadSimulatedParameters(options.parameters);
+    const auto parameters = studies::loadSimulatedParameters(options.parameters);
     if (!parameters) return tl::unexpected(parameters.error());
 
     std::error_code code;

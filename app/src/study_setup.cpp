@@ -26,7 +26,9 @@ Result<StudySetup> loadStudySetup(const std::string& name) {
         if (!manifest) return tl::unexpected(manifest.error());
         std::vector<Vec3> positions;
         for (const auto& row : manifest->rows) positions.push_back(row.target);
-        study->targets = studies::fitTargetSpace(study->targets, positions);
+        const auto fitted = studies::fitTargetSpace(study->targets, positions);
+        if (!fitted) return tl::unexpected(fitted.error());
+        study->targets = *fitted;
     }
     auto targets = studies::sampleTargets(study->targets, study->seed);
     if (!targets) {
