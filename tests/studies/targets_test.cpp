@@ -1,0 +1,266 @@
+#include "studies/targets.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "core/hash.hpp"
+
+using namespace deixis;
+using namespace deixis::studies;
+
+namespace {
+
+TargetSpace paperLike() {
+    TargetSpace space;
+    space.count = 100;
+    space.height_m = {0.1, 2.1};
+    space.arc_deg = {-85.0, 85.0};
+    space.radius_m = {1.9, 2.2};
+    space.ball_diameter_m = 0.1;
+    space.distractors = 2;
+    space.distractor_distance_m = {0.2, 0.4};
+    return space;
+}
+
+std::vector<TargetItem> sampled(const TargetSpace& space, std::uint64_t seed) {
+    Result<std::vector<TargetItem>> targets = sampleTargets(space, seed);
+    if (!targets) FAIL(targets.error().text());
+    return *targets;
+}
+
+double azimuthDeg(const Vec3& position) {
+    return degreesFromRadians(std::atan2(position.x, position.z));
+}
+
+constexpr double rounding_m = 1e-4;  // a position moves by at most half of it on each axis
+
+bool within(double value, const Range& range, double slack) {
+    return value >= range.low - slack && value <= range.high + slack;
+}
+
+/// Kolmogorov-Smirnov's distance of a sample from the uniform distribution over a range.
+double uniformDistance(std::vector<double> values, const Range& range) {
+    std::sort(values.begin(), values.end());
+    const double n = static_cast<double>(values.size());
+    double most = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double expected = (values[i] - range.low) / (range.high - range.low);
+        most = std::max({most, std::abs(expected - static_cast<double>(i) / n),
+                         std::abs(expected - static_cast<double>(i + 1) / n)});
+    }
+    return most;
+}
+
+}  // namespace
+
+TEST_SUITE("studies/targets") {
+    TEST_CASE(
+        "Over 1,000 seeds every ball lies in the ranges, the band holds and no two balls of a trial "
+        "overlap.") {
+        TargetSpace space = paperLike();
+        space.count = 10;
+        space.distractors = 3;
+        int outside = 0;
+        int off_band = 0;
+        int overlapping = 0;
+        for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+            for (const TargetItem& item : sampled(space, seed)) {
+                REQUIRE(item.distractors.size() == 3);
+                std::vector<Vec3> balls = item.distractors;
+                balls.push_back(item.target);
+                for (std::size_t i = 0; i < balls.size(); ++i) {
+                    const Vec3& ball = balls[i];
+                    const double slack_deg = degreesFromRadians(rounding_m / space.radius_m.low);
+                    outside += !within(ball.y, space.height_m, 0.0);
+                    outside += !within(std::hypot(ball.x, ball.z), space.radius_m, rounding_m);
+                    outside += !within(azimuthDeg(ball), space.arc_deg, slack_deg);
+                    for (std::size_t j = 0; j < i; ++j)
+                        overlapping += glm::distance(ball, balls[j]) < space.ball_diameter_m - 1e-12;
+                }
+                for (const Vec3& distractor : item.distractors)
+                    off_band +=
+                        !within(glm::distance(item.target, distractor), space.distractor_distance_m, 1e-12);
+            }
+        }
+        CHECK(outside == 0);
+        CHECK(off_band == 0);
+        CHECK(overlapping == 0);
+    }
+
+    TEST_CASE("Targets are uniform in height, arc and radius, and the three do not hang together.") {
+        TargetSpace space = paperLike();
+        space.count = 5000;
+        const std::vector<TargetItem> targets = sampled(space, 42);
+        std::vector<double> heights, azimuths, radii;
+        for (const TargetItem& item : targets) {
+            heights.push_back(item.target.y);
+            azimuths.push_back(azimuthDeg(item.target));
+            radii.push_back(std::hypot(item.target.x, item.target.z));
+        }
+        // Critical value at p = 0.001 for a large sample: 1.949 / sqrt(n).
+        const double critical = 1.949 / std::sqrt(5000.0);
+        CHECK(uniformDistance(heights, space.height_m) < critical);
+        CHECK(uniformDistance(azimuths, space.arc_deg) < critical);
+        CHECK(uniformDistance(radii, space.radius_m) < critical);
+        // The measure itself sees a sample that is uniform over the area and not over the radius.
+        std::vector<double> by_area;
+        for (int i = 0; i < 5000; ++i) by_area.push_back(std::sqrt(0.01 + (4.0 - 0.01) * (i + 0.5) / 5000));
+        CHECK(uniformDistance(by_area, {0.1, 2.0}) > critical);
+
+        const auto correlation = [](const std::vector<double>& a, const std::vector<double>& b) {
+            double mean_a = 0.0, mean_b = 0.0, ab = 0.0, aa = 0.0, bb = 0.0;
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                mean_a += a[i] / static_cast<double>(a.size());
+                mean_b += b[i] / static_cast<double>(b.size());
+            }
+            for (std::size_t i = 0; i < a.size(); ++i) {
+                ab += (a[i] - mean_a) * (b[i] - mean_b);
+                aa += (a[i] - mean_a) * (a[i] - mean_a);
+                bb += (b[i] - mean_b) * (b[i] - mean_b);
+            }
+            return ab / std::sqrt(aa * bb);
+        };
+        const double four_sd = 4.0 / std::sqrt(5000.0);
+        CHECK(std::abs(correlation(heights, azimuths)) < four_sd);
+        CHECK(std::abs(correlation(heights, radii)) < four_sd);
+        CHECK(std::abs(correlation(azimuths, radii)) < four_sd);
+    }
+
+    TEST_CASE("Positions are whole tenths of a millimetre, so that printing keeps them.") {
+        for (const TargetItem& item : sampled(paperLike(), 3))
+            for (const double value : {item.target.x, item.target.y, item.target.z, item.distractors[0].x})
+                CHECK(value == std::round(value * 1e4) / 1e4);
+    }
+
+    TEST_CASE("The same seed gives the same targets, another seed others.") {
+        const std::string csv = targetsCsv(sampled(paperLike(), 2023));
+        CHECK(csv == targetsCsv(sampled(paperLike(), 2023)));
+        CHECK(csv != targetsCsv(sampled(paperLike(), 2024)));
+        // Pinned: what a published study showed must not change with the program.
+        CHECK(sha256Hex(csv) == "b5eafe3da2b1303c8a89634a919ba3cc4874653cedd0a6990c0efc33741a4300");
+    }
+
+    TEST_CASE("Targets depend neither on their number nor on the distractors' settings.") {
+        TargetSpace space = paperLike();
+        const std::vector<TargetItem> all = sampled(space, 5);
+        space.count = 30;
+        space.distractor_distance_m = {0.3, 0.9};
+        space.distractors = 4;
+        const std::vector<TargetItem> some = sampled(space, 5);
+        REQUIRE(some.size() == 30);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            CHECK(some[i].target == all[i].target);
+            CHECK(some[i].id == all[i].id);
+        }
+        CHECK(all.front().id == "T001");
+        CHECK(all.back().id == "T100");
+    }
+
+    TEST_CASE("Ranges in which no distractor can lie give an error that says what to widen.") {
+        TargetSpace space = paperLike();
+        space.height_m = {1.0, 1.1};
+        space.arc_deg = {-2.0, 2.0};
+        space.radius_m = {2.0, 2.05};  // no two points are 0.2 m apart: 0.14 by 0.1 by 0.05 m
+        Result<std::vector<TargetItem>> targets = sampleTargets(space, 1);
+        REQUIRE_FALSE(targets.has_value());
+        const std::string text = targets.error().text();
+        for (const char* part : {"targets.distractor_distance_m", "T001", "height 1 to 1.1 m", "0.2 to 0.4 m",
+                                 "radius 2 to 2.05 m", "arc -2 to 2 degrees", "Widen"})
+            CHECK_MESSAGE(text.find(part) != std::string::npos, part << " should stand in: " << text);
+
+        // Room for one distractor at the target's side but not for eight.
+        space = paperLike();
+        space.count = 1;
+        space.height_m = {1.0, 1.0};
+        space.arc_deg = {-4.0, 4.0};
+        space.radius_m = {2.0, 2.0};
+        space.distractors = 8;
+        space.distractor_distance_m = {0.1, 0.4};
+        CHECK_FALSE(sampleTargets(space, 1).has_value());
+    }
+
+    TEST_CASE("Ranges that are upside down or empty of sense are refused.") {
+        TargetSpace space = paperLike();
+        space.height_m = {2.0, 1.0};
+        CHECK_FALSE(sampleTargets(space, 1).has_value());
+        space = paperLike();
+        space.radius_m = {0.0, std::nan("")};
+        CHECK_FALSE(sampleTargets(space, 1).has_value());
+        space = paperLike();
+        space.radius_m = {};
+        space.fit_manifest = "clips.csv";
+        REQUIRE_FALSE(sampleTargets(space, 1).has_value());
+        CHECK(sampleTargets(space, 1).error().message.find("fitted") != std::string::npos);
+    }
+
+    TEST_CASE("Fitted ranges are the least and greatest height, azimuth and radius of the positions.") {
+        TargetSpace space = paperLike();
+        space.fit_manifest = "clips.csv";
+        const Result<TargetSpace> fitted =
+            fitTargetSpace(space, {{2.0, 1.0, 0.0}, {0.0, 0.5, 1.5}, {-1.0, 1.75, 1.0}});
+        REQUIRE(fitted.has_value());
+        CHECK(fitted->height_m.low == 0.5);
+        CHECK(fitted->height_m.high == 1.75);
+        CHECK(fitted->arc_deg.low == doctest::Approx(-45.0));
+        CHECK(fitted->arc_deg.high == doctest::Approx(90.0));
+        CHECK(fitted->radius_m.low == doctest::Approx(std::sqrt(2.0)));
+        CHECK(fitted->radius_m.high == 2.0);
+        CHECK(fitted->count == 100);
+        CHECK(sampleTargets(*fitted, 1).has_value());
+
+        CHECK_FALSE(fitTargetSpace(space, {}).has_value());
+        CHECK_FALSE(fitTargetSpace(space, {{0.0, 1.0, 0.0}}).has_value());
+        CHECK_FALSE(fitTargetSpace(space, {{1.0, 0.04, 1.0}}).has_value());
+        CHECK_FALSE(fitTargetSpace(space, {{1.0, std::nan(""), 1.0}}).has_value());
+    }
+
+    TEST_CASE("The CSV has the promised header and one row of ten fields a target, that read back exactly.") {
+        const std::vector<TargetItem> targets = sampled(paperLike(), 9);
+        std::istringstream lines(targetsCsv(targets));
+        std::string line;
+        std::getline(lines, line);
+        CHECK(line == "target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z");
+        std::size_t row = 0;
+        while (std::getline(lines, line)) {
+            REQUIRE(row < targets.size());
+            std::istringstream fields(line);
+            std::string field;
+            std::getline(fields, field, ',');
+            CHECK(field == targets[row].id);
+            std::vector<double> numbers;
+            while (std::getline(fields, field, ',')) numbers.push_back(std::stod(field));
+            REQUIRE(numbers.size() == 9);
+            CHECK(numbers[0] == targets[row].target.x);
+            CHECK(numbers[2] == targets[row].target.z);
+            CHECK(numbers[4] == targets[row].distractors[0].y);
+            CHECK(numbers[8] == targets[row].distractors[1].z);
+            ++row;
+        }
+        CHECK(row == 100);
+    }
+
+    TEST_CASE("The picture shows every target in all three views, and demonstrations in their own colour.") {
+        const std::vector<TargetItem> targets = sampled(paperLike(), 9);
+        const auto count = [](const std::string& text, const std::string& part) {
+            int found = 0;
+            for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+            return found;
+        };
+        const std::string alone = targetsSvg(paperLike(), targets, {});
+        CHECK(alone.rfind("<svg ", 0) == 0);
+        CHECK(alone.find("</svg>\n") == alone.size() - 7);
+        CHECK(count(alone, "fill=\"url(#target)\"") == 101);  // and one in the legend
+        CHECK(count(alone, "fill=\"#d1263c\"") == 200);
+        CHECK(count(alone, "demonstrations") == 0);
+        const std::string both = targetsSvg(paperLike(), targets, {{0.5, 1.0, 2.0}, {-0.5, 1.0, 2.0}});
+        CHECK(count(both, "fill=\"url(#demonstration)\"") == 3);
+        CHECK(count(both, "fill=\"#2468b2\"") == 4);
+        CHECK(both.find("2 demonstrations") != std::string::npos);
+        CHECK(count(both, "nan") == 0);
+        CHECK(count(both, "inf") == 0);
+    }
+}
