@@ -72,11 +72,13 @@ struct SessionRunner::State {
     double lead_in_s = 0.0;
     double lead_in_end_s = 0.0;
     bool approaching = false;                 ///< the avatar is on its way to the clip's first pose
+    bool halfway = false;                     ///< half of the clip has been played
     std::uint64_t first_frame = 0;            ///< the first that showed the clip's start
     std::optional<std::uint64_t> last_frame;  ///< the first that showed the clip's end
     std::uint64_t answer_frame = 0;           ///< the first in which the answer was open
     bool answer_open = false;                 ///< balls white or panel there, in a frame
     bool answer_shown = false;                ///< and that frame was shown
+    bool aiming = false;                      ///< the ray is on a ball
     std::optional<Moment> onset;
     Moment motion_end{};
     double paused_s = 0.0;
@@ -91,6 +93,12 @@ struct SessionRunner::State {
     void noteAt(const Moment& at, const char* kind, std::string detail) {
         const bool in_trial = position < agenda.size() && item().trial != nullptr;
         events.push_back(Note{kind, in_trial ? trial().index : -1, at, std::move(detail)});
+    }
+
+    /// In the game the place is part of the state's name.
+    void showState(const char* base) {
+        view.frame.state = base;
+        if (item().trial != nullptr && game()) view.frame.state += "-" + trial().layout;
     }
 
     [[nodiscard]] double eyeHeight(const InputFrame& input) const {
@@ -133,6 +141,7 @@ struct SessionRunner::State {
 
     void openPage(const InputFrame& input) {
         const AgendaPage& page = item().page;
+        view.frame.state = pageName(page.kind);
         const double progress = scored > 0 ? static_cast<double>(done) / scored : 1.0;
         openPanel(
             messagePanel(page.title, page.body, page.emphasis, {{page.button, button_id::go_on}}, progress),
@@ -176,6 +185,7 @@ struct SessionRunner::State {
         view.closePanel();
         view.frame.balls.clear();
         view.frame.status = status;
+        view.frame.state = "over";
     }
 
     void endEarly(const char* reason) {
@@ -188,9 +198,11 @@ struct SessionRunner::State {
 
     void startLeadIn(double length_s) {
         phase = Phase::lead_in;
+        showState("waiting");
         lead_in_s = std::max(length_s, 2.0 * AvatarPoser::blend_s);
         lead_in_end_s = now.time_s + lead_in_s;
         approaching = false;
+        halfway = false;
         onset.reset();
         last_frame.reset();
         answer_open = false;
@@ -210,6 +222,7 @@ struct SessionRunner::State {
         } else if (!poser.blending()) {
             phase = Phase::playing;
             first_frame = view.frame.number;
+            showState("playing");
             stepPlaying();
         }
     }
@@ -222,6 +235,10 @@ struct SessionRunner::State {
         }
         const double clip_time_s = std::clamp(now.time_s - onset->time_s, 0.0, clip->duration_s());
         poser.show(*clip, clip_time_s);
+        if (!halfway && clip_time_s >= clip->duration_s() / 2.0) {
+            halfway = true;
+            showState("pointing");
+        }
         if (clip_time_s < clip->duration_s()) return;
         view.frame.key_moment = true;
         if (!last_frame) last_frame = view.frame.number;
@@ -230,7 +247,9 @@ struct SessionRunner::State {
     void openAnswer(const InputFrame& input) {
         answer_open = true;
         answer_shown = false;
+        aiming = false;
         answer_frame = view.frame.number;
+        showState(game() ? "choosing" : "rating");
         std::optional<ButtonSpec> replay;
         if (replays < (game() ? study.game.max_replays : study.rating.max_replays))
             replay = ButtonSpec{"Show again", button_id::replay};
@@ -251,6 +270,10 @@ struct SessionRunner::State {
             return;
         }
         const Aim met = view.aim(input.pointer, game());
+        if (game() && (met.ball >= 0) != aiming) {
+            aiming = met.ball >= 0;
+            showState(aiming ? "aiming" : "choosing");
+        }
         if (!answer_shown) return;
         const int steps = static_cast<int>(study.rating.labels.size());
         if (input.select && met.button == button_id::replay) {
@@ -292,6 +315,7 @@ struct SessionRunner::State {
             ++done;
         }
         phase = Phase::confirmed;
+        showState(game() ? "chosen" : "rated");
         confirmed_since_s = now.time_s;
         view.frame.key_moment = true;
         view.frame.ray.reset();
@@ -305,6 +329,7 @@ struct SessionRunner::State {
         const std::string reason = input.pause_reason.empty() ? "paused" : input.pause_reason;
         note("pause", reason);
         paused = true;
+        view.frame.state = "paused";
         paused_since_s = now.time_s;
         view.frame.ray.reset();
         view.lookAtBalls(BallLook::waiting);

@@ -173,7 +173,7 @@ std::string_view pageName(PageKind kind) {
         case PageKind::welcome:
             return "welcome";
         case PageKind::welcome_back:
-            return "welcome back";
+            return "welcome-back";
         case PageKind::instructions:
             return "instructions";
         case PageKind::practice:

@@ -21,7 +21,7 @@ enum class PageKind : unsigned char {
     goodbye
 };
 
-/// "welcome", "welcome back", "instructions", ... as notes name it.
+/// "welcome", "welcome-back", "instructions", ... as notes and frames name it.
 [[nodiscard]] std::string_view pageName(PageKind kind);
 
 struct AgendaPage {

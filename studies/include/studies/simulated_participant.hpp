@@ -1,7 +1,9 @@
 // A simulated participant. It sees what a person would see, the presented frame, and never the plan or the
-// answer. Its answers test pipelines and power; they are no evidence about people.
+// answer. Its answers test pipelines and power; they are no evidence about people. How it decides is told in
+// docs/simulated-participant.md.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,30 +15,46 @@
 
 namespace deixis::studies {
 
-/// Parameters, from a TOML file (assets/data/simulated_participant.toml documents each). SDs are over
-/// participants
-/// ("between") or over trials ("within").
+/// Parameters, from a TOML file (assets/data/simulated_participant.toml documents each and has the same
+/// values). SDs are over participants ("between") or over trials ("within"). All are assumptions.
 struct SimulatedParameters {
     std::string pointing_ray = "eye-fingertip";  ///< or "forearm", "shoulder-hand", "index-finger"
     double pointing_noise_deg = 4.0;       ///< SD of the angular noise added to the ray, per trial, per axis
     double pointing_noise_between = 0.25;  ///< relative SD of that noise over participants
-    double lapse_rate = 0.02;              ///< chance of answering at random
-    double rating_bias_between = 0.4;      ///< SD over participants, scale steps
-    double rating_noise_within = 0.6;      ///< SD over trials, scale steps
-    double reaction_mean_s = 0.9;
+    double lapse_rate = 0.02;              ///< chance of choosing a ball at random
+
+    // The rating: base + weights x how much of each quality was seen (0..1), on a scale from 1 to 5.
+    double rating_base = 0.9;
+    double rating_profile_weight = 0.9;  ///< the hand speeds up and slows down instead of starting abruptly
+    double rating_participation_weight = 0.95;  ///< head and trunk take part
+    double rating_steadiness_weight = 1.6;      ///< the hand is still while it points
+    double profile_abrupt = 1.15;               ///< peak over mean speed of the raise that gives quality 0
+    double profile_smooth = 1.6;                ///< and quality 1
+    double participation_deg = 6.0;             ///< turn of head and trunk that gives quality 0.63
+    double steady_speed_m_s = 0.05;    ///< mean speed of the fingertip in the hold that gives quality 1
+    double unsteady_speed_m_s = 0.2;   ///< and quality 0
+    double rating_bias_between = 0.4;  ///< SD over participants, scale steps
+    double rating_noise_within = 0.6;  ///< SD over trials, scale steps
+
+    double reaction_mean_s = 0.9;  ///< lognormal
     double reaction_sd_s = 0.25;
+    double eye_height_m = 1.65;
     double frame_rate_hz = 30.0;  ///< of the virtual display
 };
 
+/// Errors name file, line and key.
 [[nodiscard]] Result<SimulatedParameters> loadSimulatedParameters(const std::filesystem::path& path);
 
 /// Watches frames, decides, and gives back what its hands do. Pure: time comes with the frames.
 class SimulatedParticipant {
   public:
-    /// `avatar` names the joints of the presented avatar (as a person would know a hand when seeing one).
+    /// `avatar` names the joints of the presented avatar (as a person would know a hand when seeing one) and
+    /// must outlive the participant. Throws std::invalid_argument on an unknown ray or an avatar without arms
+    /// or head.
     SimulatedParticipant(const SimulatedParameters& parameters, const motion::Skeleton& avatar,
                          std::uint64_t seed);
     ~SimulatedParticipant();
+    SimulatedParticipant(SimulatedParticipant&&) noexcept;
 
     void see(const PresentedFrame& frame, double time_s);
     /// What it does by `time_s`, the time of the frame that begins now.
@@ -63,8 +81,8 @@ class SimulatedStation : public Station {
 
   private:
     SimulatedParticipant participant_;
-    double frame_time_s_;
-    double time_s_ = 0.0;
+    double frame_rate_hz_;
+    std::uint64_t frames_ = 0;
     InputFrame input_{};
     std::string details_;
     Viewer viewer_;

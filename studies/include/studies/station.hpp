@@ -96,8 +96,11 @@ struct PresentedFrame {
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
     bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
     std::string status;        ///< one line for the operator, such as "game 12/40"
-    /// What the session is doing, for screenshots and tests: "welcome", "instructions", "playing", "rating",
-    /// "choosing", "chosen", "break", "paused", "goodbye", ...
+    /// What the session is doing, for screenshots and tests. Pages: "welcome", "welcome-back",
+    /// "instructions", "practice", "begin", "break", "goodbye". Ratings: "waiting", "playing", "pointing"
+    /// (the clip's second half), "rating", "rated". Game, each with "-" and the layout: "waiting-across",
+    /// "playing-...", "pointing-...", "choosing-...", "aiming-..." (the ray is on a ball), "chosen-...". Also
+    /// "paused", "over".
     std::string state;
 };
 

@@ -1,0 +1,122 @@
+#include "simulated_observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr double raised_share = 0.6;    ///< of the largest displacement: there the hand counts as raised
+constexpr double still_share = 0.25;    ///< of the peak speed: slower, a raised hand counts as held
+constexpr double started_share = 0.05;  ///< of the peak speed: slower, the raise has not begun
+
+double turn_deg(const Quat& a, const Quat& b) {
+    return degreesFromRadians(2.0 * std::acos(std::min(1.0, std::abs(glm::dot(a, b)))));
+}
+
+}  // namespace
+
+GestureObserver::GestureObserver(const motion::Skeleton& avatar, motion::PointingRay kind)
+    : avatar_(avatar), map_(motion::mapByVrmNames(avatar)), kind_(kind) {
+    using motion::Bone;
+    for (const Bone bone : {Bone::head, Bone::chest, Bone::leftUpperArm, Bone::leftLowerArm, Bone::leftHand,
+                            Bone::rightUpperArm, Bone::rightLowerArm, Bone::rightHand})
+        if (!map_.has(bone))
+            throw std::invalid_argument("the avatar has no joint " + std::string(motion::boneName(bone)));
+    seen_.reserve(512);
+}
+
+void GestureObserver::forget() {
+    seen_.clear();
+}
+
+void GestureObserver::see(const std::vector<Pose>& stage_from_joint, double time_s) {
+    Glimpse& glimpse = seen_.emplace_back();
+    glimpse.time_s = time_s;
+    for (const motion::Side side : {motion::Side::left, motion::Side::right}) {
+        const auto index = static_cast<std::size_t>(side);
+        glimpse.tip[index] = motion::fingertipPosition(avatar_, map_, stage_from_joint, side);
+        glimpse.ray[index] = motion::pointingRay(avatar_, map_, stage_from_joint, side, kind_);
+    }
+    glimpse.head = stage_from_joint[static_cast<std::size_t>(map_[motion::Bone::head])].orientation;
+    glimpse.trunk = stage_from_joint[static_cast<std::size_t>(map_[motion::Bone::chest])].orientation;
+}
+
+std::vector<double> GestureObserver::speeds(std::size_t side) const {
+    std::vector<double> speed(seen_.size(), 0.0);
+    for (std::size_t i = 1; i < seen_.size(); ++i) {
+        const double passed_s = seen_[i].time_s - seen_[i - 1].time_s;
+        if (passed_s > 0.0) speed[i] = glm::length(seen_[i].tip[side] - seen_[i - 1].tip[side]) / passed_s;
+    }
+    return speed;
+}
+
+/// The longest run of frames in which the hand is raised and slow; the frame of the largest displacement
+/// where there is none.
+GestureObserver::Span GestureObserver::holdOf(std::size_t side, const std::vector<double>& speed) const {
+    std::vector<double> displacement(seen_.size());
+    for (std::size_t i = 0; i < seen_.size(); ++i)
+        displacement[i] = glm::length(seen_[i].tip[side] - seen_.front().tip[side]);
+    const auto farthest = std::max_element(displacement.begin(), displacement.end());
+    const double peak_speed = *std::max_element(speed.begin(), speed.end());
+    const auto peak = static_cast<std::size_t>(farthest - displacement.begin());
+    Span best{peak, peak};
+    std::size_t length = 0;
+    std::size_t run = 0;
+    for (std::size_t i = 1; i < seen_.size(); ++i) {
+        const bool held = displacement[i] >= raised_share * *farthest && speed[i] <= still_share * peak_speed;
+        run = held ? run + 1 : 0;
+        if (run <= length) continue;
+        length = run;
+        best = {i + 1 - run, i};
+    }
+    return best;
+}
+
+SeenGesture GestureObserver::gesture() const {
+    SeenGesture seen;
+    if (seen_.size() < 2) return seen;
+
+    // The hand that moved farther is the one that points.
+    std::array<double, 2> reach{0.0, 0.0};
+    for (const Glimpse& glimpse : seen_)
+        for (std::size_t side = 0; side < 2; ++side)
+            reach[side] = std::max(reach[side], glm::length(glimpse.tip[side] - seen_.front().tip[side]));
+    const std::size_t side = reach[0] > reach[1] ? 0 : 1;
+    seen.hand = side == 0 ? motion::Side::left : motion::Side::right;
+
+    const std::vector<double> speed = speeds(side);
+    const Span hold = holdOf(side, speed);
+    Ray sum{Vec3(0.0), Vec3(0.0)};
+    for (std::size_t i = hold.first; i <= hold.last; ++i) {
+        sum.origin += seen_[i].ray[side].origin;
+        sum.direction += seen_[i].ray[side].direction;
+        seen.hold_speed_m_s += speed[i];
+    }
+    const auto frames = static_cast<double>(hold.last - hold.first + 1);
+    seen.ray = {sum.origin / frames, glm::normalize(sum.direction)};
+    seen.hold_speed_m_s /= frames;
+
+    // The raise: back from the hold to where the hand was last almost still.
+    const double peak =
+        *std::max_element(speed.begin() + 1, speed.begin() + static_cast<std::ptrdiff_t>(hold.first) + 1);
+    std::size_t start = hold.first;
+    while (start > 1 && speed[start - 1] <= started_share * peak)
+        --start;  // the approach to the hold may be slow
+    while (start > 1 && speed[start - 1] > started_share * peak) --start;
+    double length_m = 0.0;
+    for (std::size_t i = start; i < hold.first; ++i) length_m += speed[i];
+    const auto raise_frames = static_cast<double>(hold.first - start);
+    if (length_m > 0.0) seen.peak_over_mean = peak * raise_frames / length_m;
+
+    const Glimpse& before = seen_[start > 1 ? start - 1 : 0];
+    const Glimpse& during = seen_[(hold.first + hold.last) / 2];
+    seen.participation_deg = turn_deg(before.head, during.head) + turn_deg(before.trunk, during.trunk);
+    return seen;
+}
+
+}  // namespace deixis::studies
