@@ -1,6 +1,8 @@
-// Any humanoid clip onto the avatar.
+// Any humanoid clip onto the avatar: from another skeleton's rotations, or from joint positions alone.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,5 +25,25 @@ struct RetargetReport {
 /// rotations. Fails where the source lacks the bones that a humanoid needs, naming them.
 [[nodiscard]] Result<Clip> retarget(const Clip& source, const HumanoidMap& source_map, const Skeleton& avatar,
                                     const HumanoidMap& avatar_map, RetargetReport* report = nullptr);
+
+/// Where a person's joints were at one moment: metres, y up, facing anywhere. The neck is the point between
+/// the shoulders.
+struct BonePositions {
+    std::array<std::optional<Vec3>, bone_count> at{};
+
+    [[nodiscard]] const std::optional<Vec3>& operator[](Bone bone) const {
+        return at[static_cast<std::size_t>(bone)];
+    }
+    std::optional<Vec3>& operator[](Bone bone) { return at[static_cast<std::size_t>(bone)]; }
+};
+
+/// The clip of an avatar (as for retarget) that holds its bones as the positions say, levelled so that the
+/// person on the mean stands upright. What positions do not tell is chosen so: limbs twist as the plane of
+/// elbow or knee says, and little where they are straight; the head is level on the mean; hands rest; feet
+/// stay flat. Every frame must know hips, neck, head and the bones of both arms (to the hand) and legs (to
+/// the foot); fails naming what is missing.
+[[nodiscard]] Result<Clip> clipFromPositions(const std::vector<BonePositions>& frames, double frame_time_s,
+                                             const Skeleton& avatar, const HumanoidMap& avatar_map,
+                                             RetargetReport* report = nullptr);
 
 }  // namespace deixis::motion
