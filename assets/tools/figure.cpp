@@ -14,24 +14,24 @@ using glm::vec3;
 
 double sweater(const Vec3& p) {
     static const Loft trunk(1, 0, 2, 0.25, 0.02,
-                            {{0.872, 0, -0.004, 0.166, 0.112, 0.118},
-                             {0.885, 0, -0.004, 0.170, 0.115, 0.121},
-                             {0.905, 0, -0.004, 0.170, 0.115, 0.120},
-                             {0.960, 0, -0.004, 0.163, 0.110, 0.112},
+                            {{0.872, 0, -0.004, 0.166, 0.112, 0.124},
+                             {0.885, 0, -0.004, 0.170, 0.115, 0.128},
+                             {0.905, 0, -0.004, 0.170, 0.115, 0.126},
+                             {0.960, 0, -0.004, 0.163, 0.110, 0.115},
                              {1.030, 0, -0.004, 0.151, 0.105, 0.100},
                              {1.090, 0, -0.006, 0.147, 0.104, 0.096},
                              {1.160, 0, -0.008, 0.151, 0.110, 0.101},
                              {1.240, 0, -0.010, 0.158, 0.117, 0.109},
                              {1.310, 0, -0.012, 0.160, 0.113, 0.112},
-                             {1.370, 0, -0.014, 0.146, 0.096, 0.106},
-                             {1.415, 0, -0.017, 0.112, 0.074, 0.088},
-                             {1.445, 0, -0.020, 0.074, 0.058, 0.066},
-                             {1.462, 0, -0.020, 0.060, 0.052, 0.056}});
+                             {1.370, 0, -0.014, 0.142, 0.092, 0.104},
+                             {1.410, 0, -0.018, 0.104, 0.064, 0.084},
+                             {1.438, 0, -0.021, 0.068, 0.047, 0.064},
+                             {1.460, 0, -0.022, 0.052, 0.040, 0.052}});
     static const Loft sleeve(0, 1, 2, 0.0, 0.008,
-                             {{0.140, 1.388, -0.016, 0.058, 0.058, 0.058},
-                              {0.190, 1.387, -0.016, 0.059, 0.059, 0.059},
-                              {0.250, 1.387, -0.016, 0.054, 0.053, 0.054},
-                              {0.330, 1.388, -0.015, 0.049, 0.049, 0.050},
+                             {{0.140, 1.386, -0.016, 0.049, 0.052, 0.052},
+                              {0.190, 1.386, -0.016, 0.050, 0.053, 0.053},
+                              {0.250, 1.387, -0.016, 0.048, 0.050, 0.050},
+                              {0.330, 1.388, -0.015, 0.046, 0.047, 0.048},
                               {0.420, 1.389, -0.015, 0.045, 0.045, 0.046},
                               {0.470, 1.390, -0.015, 0.044, 0.043, 0.046},
                               {0.530, 1.390, -0.014, 0.045, 0.046, 0.045},
@@ -40,8 +40,8 @@ double sweater(const Vec3& p) {
                               {0.672, 1.390, -0.014, 0.0345, 0.037, 0.036}});
     const double chest = ellipsoid(p, {0.070, 1.285, 0.050}, {0.075, 0.065, 0.056});
     const double shoulder_blade = ellipsoid(p, {0.080, 1.320, -0.080}, {0.062, 0.080, 0.040});
-    const double deltoid = ellipsoid(p, {0.176, 1.389, -0.015}, {0.064, 0.060, 0.061});
-    const double trapezius = roundCone(p, {0.035, 1.435, -0.030}, {0.150, 1.402, -0.020}, 0.046, 0.048);
+    const double deltoid = ellipsoid(p, {0.174, 1.384, -0.016}, {0.058, 0.050, 0.054});
+    const double trapezius = roundCone(p, {0.028, 1.432, -0.032}, {0.150, 1.392, -0.020}, 0.034, 0.038);
     double d = trunk(p);
     d = blend(d, chest, 0.05);
     d = blend(d, shoulder_blade, 0.05);
@@ -53,7 +53,7 @@ double sweater(const Vec3& p) {
 /// Ribbed ends of the sweater: collar, cuffs, hem.
 double trim(const Vec3& p) {
     static const Vec3 collar_axis = glm::normalize(Vec3(0, 0.955, 0.297));
-    const double collar = torus(p, {0, 1.462, -0.019}, collar_axis, 0.0595, 0.0105);
+    const double collar = torus(p, {0, 1.459, -0.021}, collar_axis, 0.0570, 0.0110);
     static const Loft cuff(0, 1, 2, 0.0, 0.008,
                            {{0.664, 1.390, -0.014, 0.0365, 0.0385, 0.0375},
                             {0.680, 1.390, -0.0145, 0.0355, 0.0375, 0.0365},
@@ -81,7 +81,7 @@ double trousers(const Vec3& p) {
                            {0.790, 0.089, 0.000, 0.081, 0.086, 0.092},
                            {0.870, 0.086, -0.002, 0.080, 0.088, 0.096},
                            {0.930, 0.082, -0.002, 0.072, 0.080, 0.085}});
-    const double glutes = ellipsoid(p, {0.074, 0.872, -0.060}, {0.078, 0.076, 0.062});
+    const double glutes = ellipsoid(p, {0.074, 0.866, -0.052}, {0.078, 0.074, 0.062});
     const double hips = blend(seat(p), glutes, 0.04);
     return blend(hips, leg(p), 0.03);
 }
@@ -183,76 +183,97 @@ double hand(const Vec3& p) {
 
 // ---- head ----
 
-const Vec3 eye(0.031, 1.622, 0.068);
+const Vec3 eye(0.031, 1.622, 0.068);  // as the joint leftEye
 
 double face(const Vec3& p) {
     double d = ellipsoid(p, {0, 1.650, -0.012}, {0.074, 0.090, 0.093});
-    d = blend(d, leaningEllipsoid(p, {0, 1.592, 0.022}, {0.060, 0.080, 0.066}, 0.08), 0.03);
-    d = blend(d, roundCone(p, {0.043, 1.566, 0.010}, {0.012, 1.534, 0.062}, 0.024, 0.021), 0.025);
-    d = blend(d, ellipsoid(p, {0.034, 1.588, 0.056}, {0.026, 0.022, 0.026}), 0.02);                   // cheek
-    d = blend(d, ellipsoid(p, {0, 1.528, 0.074}, {0.018, 0.014, 0.014}), 0.018);                      // chin
-    d = blend(d, roundCone(p, {0.010, 1.648, 0.076}, {0.046, 1.647, 0.058}, 0.0115, 0.0115), 0.018);  // brow
-    d = carve(d, ellipsoid(p, {0.031, 1.621, 0.096}, {0.024, 0.015, 0.0165}), 0.016);  // eye socket
-    d = blend(d, glm::length(p - eye) - (eyeball_radius_m + 0.0022), 0.004);           // lids
-    return d;
-}
-
-double lids(const Vec3& p, double d) {
-    // The opening between the lids: an almond before the eyeball.
-    const double dx = (p.x - eye.x) / 0.0150;
-    const double dy = (p.y - eye.y + 0.0005 + 0.06 * (p.x - eye.x)) / (p.y > eye.y ? 0.0088 : 0.0078);
-    const double q = std::sqrt(dx * dx + dy * dy);
-    const double opening = std::max((q - 1.0) * 0.009, eye.z + 0.002 - p.z);
-    return carve(d, opening, 0.0015);
+    d = blend(d, leaningEllipsoid(p, {0, 1.596, 0.022}, {0.058, 0.080, 0.065}, 0.08), 0.03);
+    d = blend(d, roundCone(p, {0.035, 1.568, 0.008}, {0.008, 1.538, 0.064}, 0.020, 0.0185), 0.028);
+    d = blend(d, ellipsoid(p, {0.035, 1.594, 0.053}, {0.024, 0.021, 0.025}), 0.02);                  // cheek
+    d = blend(d, ellipsoid(p, {0, 1.531, 0.073}, {0.016, 0.013, 0.013}), 0.018);                     // chin
+    d = blend(d, roundCone(p, {0.010, 1.650, 0.074}, {0.046, 1.648, 0.058}, 0.0105, 0.0105), 0.02);  // brow
+    d = blend(d, roundCone(p, {0.050, 1.643, 0.052}, {0.050, 1.606, 0.052}, 0.0110, 0.0120), 0.014);
+    d = carve(d, ellipsoid(p, {0.030, 1.622, 0.099}, {0.022, 0.0155, 0.0175}), 0.016);  // eye socket
+    d = blend(d, glm::length(p - eye) - (eyeball_radius_m + 0.0009), 0.005);            // lids
+    // Their opening is a little larger than that of makeLids(), which draws the sharp border.
+    const double dx = (p.x - eye.x) / 0.0172;
+    const double dy = (p.y - eye.y - 0.06 * (p.x - eye.x)) / (p.y > eye.y ? 0.0108 : 0.0088);
+    const double opening = (std::sqrt(dx * dx + dy * dy) - 1.0) * 0.010;
+    return carve(d, std::max(opening, eye.z - p.z), 0.001);
 }
 
 double nose(const Vec3& p) {
-    double d = roundCone(p, {0, 1.640, 0.078}, {0, 1.588, 0.104}, 0.0085, 0.0105);
-    d = blend(d, ellipsoid(p, {0, 1.585, 0.107}, {0.0115, 0.0105, 0.0120}), 0.008);
-    return blend(d, ellipsoid(p, {0.0120, 1.582, 0.096}, {0.0080, 0.0075, 0.0100}), 0.007);
+    double d = roundCone(p, {0, 1.640, 0.075}, {0, 1.590, 0.097}, 0.0078, 0.0095);
+    d = blend(d, ellipsoid(p, {0, 1.587, 0.099}, {0.0108, 0.0098, 0.0108}), 0.008);
+    return blend(d, ellipsoid(p, {0.0100, 1.5855, 0.0890}, {0.0075, 0.0070, 0.0095}), 0.008);
 }
 
-double lipBodies(const Vec3& p) {
-    const double upper = roundCone(p, {0.000, 1.5545, 0.0885}, {0.0205, 1.5535, 0.0775}, 0.0048, 0.0025);
-    const double lower = roundCone(p, {0.000, 1.5460, 0.0870}, {0.0190, 1.5515, 0.0775}, 0.0058, 0.0025);
-    return std::min(upper, lower);
+/// The lips as a patch of the face: 1 in the middle of each lip, 0 at its border and at the mouth's line.
+struct Mouth {
+    double half_width = 0.0245;
+    [[nodiscard]] double line(double t) const { return 1.5515 + 0.0030 * t * t; }
+    [[nodiscard]] double upper(double t) const { return (1.0 - t * t) * 0.0052 + 0.0004; }
+    [[nodiscard]] double lower(double t) const { return (1.0 - t * t) * 0.0072 + 0.0004; }
+};
+
+/// Height above the mouth's line as a fraction of the lip's thickness there: -1 at the lower border, 1 at the
+/// upper; beyond them outside.
+double lipHeight(const Vec3& p) {
+    constexpr Mouth mouth;
+    const double t = std::min(p.x / mouth.half_width, 1.0);
+    const double dy = p.y - mouth.line(t);
+    return dy > 0.0 ? dy / mouth.upper(t) : dy / mouth.lower(t);
+}
+
+double lipRelief(const Vec3& p) {
+    if (p.z < 0.05 || std::abs(p.y - 1.552) > 0.03) return 0.0;
+    const double t = std::min(p.x / Mouth{}.half_width, 1.0);
+    const double h = lipHeight(p);
+    const double bulge = smoothStep(1.35, 0.5, std::abs(h)) * smoothStep(0.0, 0.35, std::abs(h));
+    return (1.0 - t * t) * 0.0026 * bulge;
 }
 
 double ear(const Vec3& p) {
-    const Vec3 q(p.x - 0.10 * (p.z + 0.012) * -1.0, p.y, p.z);
-    double d = leaningEllipsoid(q, {0.0790, 1.612, -0.012}, {0.0090, 0.0300, 0.0185}, 0.18);
-    d = carve(d, ellipsoid(q, {0.0880, 1.613, -0.009}, {0.0065, 0.0180, 0.0105}), 0.006);
-    return d;
+    const Vec3 q(p.x + 0.12 * (p.z + 0.014), p.y, p.z);
+    const double d = leaningEllipsoid(q, {0.0750, 1.610, -0.014}, {0.0078, 0.0275, 0.0165}, 0.18);
+    return carve(d, ellipsoid(q, {0.0835, 1.612, -0.011}, {0.0060, 0.0165, 0.0095}), 0.005);
 }
 
 double headSkin(const Vec3& p) {
     double d = face(p);
-    d = blend(d, nose(p), 0.012);
-    d = blend(d, lipBodies(p), 0.006);
-    d = lids(p, d);
+    d = blend(d, nose(p), 0.010) - lipRelief(p);
     d = blend(d, ear(p), 0.006);
-    const double neck = roundCone(p, {0, 1.420, -0.022}, {0, 1.560, -0.014}, 0.0540, 0.0500);
+    const double neck = roundCone(p, {0, 1.420, -0.024}, {0, 1.560, -0.014}, 0.0520, 0.0480);
     return blend(d, neck, 0.025);
 }
 
+/// Locks combed back from the forehead: a wave around the head's length.
+double hairGrooves(const Vec3& p) {
+    const double x = p.x - 0.012;
+    const double y = p.y - 1.655;
+    const double around = x / (std::abs(x) + std::abs(y) + 1e-3);  // about as an angle
+    const double turned = 7.0 * around + 9.0 * p.z;
+    const double wave = std::abs(turned - 2.0 * std::floor(0.5 * turned + 0.5));  // 0 to 1 and back
+    return 0.0022 * smoothStep(0.0, 1.0, wave) * smoothStep(1.665, 1.715, p.y) * smoothStep(-0.08, 0.0, p.z);
+}
+
 double hair(const Vec3& p, const Vec3& left) {
-    // A cap around the skull, open at the face; then a fringe combed over from a parting on the left.
-    double d = ellipsoid(left, {0, 1.658, -0.016}, {0.0840, 0.0920, 0.1030});
-    const double open = ellipsoid(left, {0, 1.585, 0.105}, {0.067, 0.098, 0.098});
-    d = carve(d, open, 0.010);
-    const double below = 1.585 - left.y + 0.35 * (left.z + 0.07);
+    double d = ellipsoid(left, {0, 1.670, -0.014}, {0.0785, 0.0790, 0.0990});
+    d = blend(d, ellipsoid(left, {0, 1.630, -0.030}, {0.0730, 0.0750, 0.0800}), 0.03);
+    const double forelock = roundCone(p, {0.034, 1.716, 0.040}, {-0.044, 1.706, 0.042}, 0.024, 0.024);
+    d = blend(d, forelock, 0.02) + hairGrooves(p);
+    const double open = ellipsoid(p, {-0.004, 1.594, 0.108}, {0.0660, 0.0900, 0.0980});
+    d = carve(d, open, 0.008);
+    const double below = 1.580 - left.y + 0.30 * (left.z + 0.07);
     d = common(d, below, 0.014);
-    const double ear_room = ellipsoid(left, {0.082, 1.600, -0.004}, {0.030, 0.036, 0.026});
-    d = carve(d, ear_room, 0.008);
-    double locks = roundCone(p, {0.030, 1.722, 0.048}, {-0.046, 1.700, 0.066}, 0.022, 0.017);
-    locks = blend(locks, roundCone(p, {-0.040, 1.706, 0.062}, {-0.074, 1.662, 0.034}, 0.018, 0.010), 0.012);
-    locks = blend(locks, roundCone(p, {0.036, 1.722, 0.046}, {0.072, 1.668, 0.036}, 0.019, 0.010), 0.008);
-    return blend(d, locks, 0.012);
+    const double ear_room = ellipsoid(left, {0.082, 1.600, -0.008}, {0.024, 0.034, 0.024});
+    return carve(d, ear_room, 0.014);
 }
 
 double brows(const Vec3& p) {
-    return blend(roundCone(p, {0.0150, 1.6460, 0.0890}, {0.0300, 1.6510, 0.0835}, 0.0034, 0.0036),
-                 roundCone(p, {0.0300, 1.6510, 0.0835}, {0.0480, 1.6465, 0.0690}, 0.0036, 0.0022), 0.002);
+    double d = roundCone(p, {0.0165, 1.6500, 0.0866}, {0.0310, 1.6540, 0.0815}, 0.0024, 0.0033);
+    d = blend(d, roundCone(p, {0.0310, 1.6540, 0.0815}, {0.0490, 1.6485, 0.0670}, 0.0033, 0.0014), 0.002);
+    return d;
 }
 
 struct Parts {
@@ -264,7 +285,7 @@ Parts parts(const Vec3& p) {
     constexpr double far = 1.0;
     Parts d{far, far, far, far, far, far, far};
     // Only bodies near enough to matter; the bounds are wider than the blends.
-    if (left.x < 0.25 && p.y > 1.35) d.skin = headSkin(left);
+    if (left.x < 0.2 && p.y > 1.38) d.skin = headSkin(left);
     if (left.x > 0.55) d.skin = std::min(d.skin, hand(left));
     if (left.x < 0.25 && p.y > 1.45) d.hair = std::min(hair(p, left), brows(left));
     if (p.y > 0.75) d.sweater = sweater(left);
@@ -279,6 +300,29 @@ Parts parts(const Vec3& p) {
 }
 
 }  // namespace
+
+double materialDistance(const Vec3& p, Material material) {
+    const Parts d = parts(p);
+    switch (material) {
+        case Material::skin:
+        case Material::lips:
+        case Material::mouth:
+            return d.skin;
+        case Material::hair:
+            return d.hair;
+        case Material::sweater:
+            return d.sweater;
+        case Material::trim:
+            return d.trim;
+        case Material::trousers:
+            return d.trousers;
+        case Material::shoes:
+            return d.shoes;
+        case Material::soles:
+            return d.soles;
+    }
+    return d.skin;
+}
 
 double figureDistance(const Vec3& p) {
     const Parts d = parts(p);
@@ -302,7 +346,11 @@ Material figureMaterial(const Vec3& p) {
         if (entry.first < nearest.first) nearest = entry;
     if (nearest.second == Material::skin) {
         const Vec3 left(std::abs(p.x), p.y, p.z);
-        if (left.x < 0.03 && p.z > 0.05 && lipBodies(left) < 0.0008) return Material::lips;
+        const Mouth mouth;
+        if (left.x < mouth.half_width && p.z > 0.05 && std::abs(lipHeight(left)) < 1.0) {
+            const double t = left.x / mouth.half_width;
+            return std::abs(p.y - mouth.line(t)) < 0.0008 + 0.0003 * t ? Material::mouth : Material::lips;
+        }
     }
     return nearest.second;
 }
@@ -313,6 +361,8 @@ vec3 materialColour(Material material) {
             return {0.546F, 0.275F, 0.156F};
         case Material::lips:
             return {0.420F, 0.150F, 0.100F};
+        case Material::mouth:
+            return {0.110F, 0.030F, 0.022F};
         case Material::hair:
             return {0.040F, 0.023F, 0.015F};
         case Material::sweater:

@@ -8,11 +8,12 @@
 
 namespace deixis::avatar_maker {
 
-enum class Material : unsigned char { skin, lips, hair, sweater, trim, trousers, shoes, soles };
-constexpr std::size_t material_count = 8;
+enum class Material : unsigned char { skin, lips, mouth, hair, sweater, trim, trousers, shoes, soles };
 
 /// Signed distance to the figure without its eyeballs; negative inside.
 [[nodiscard]] double figureDistance(const Vec3& p);
+/// Signed distance to what is made of one material alone.
+[[nodiscard]] double materialDistance(const Vec3& p, Material material);
 /// What the surface nearest to `p` is made of.
 [[nodiscard]] Material figureMaterial(const Vec3& p);
 /// Linear RGB.

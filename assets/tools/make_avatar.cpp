@@ -9,13 +9,15 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <map>
+#include <set>
 
 #include "core/files.hpp"
-#include "eyeball.hpp"
+#include "eye.hpp"
 #include "glb.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "paint.hpp"
 #include "skin_weights.hpp"
+#include "split.hpp"
 #include "surface.hpp"
 
 namespace {
@@ -35,6 +37,15 @@ glm::vec3 roundedNormal(const Vec3& n) {
     return glm::vec3(glm::normalize(Vec3(coarse)));
 }
 
+/// Thin patches of colour need small triangles: the mouth and the brows.
+double longestEdgeForColour(const Vec3& p) {
+    const double x = std::abs(p.x);
+    const bool mouth = x < 0.028 && p.y > 1.540 && p.y < 1.562 && p.z > 0.06;
+    const bool brow = x > 0.01 && x < 0.054 && p.y > 1.642 && p.y < 1.660 && p.z > 0.055;
+    if (mouth) return 0.0012;
+    return brow ? 0.0022 : 1.0;
+}
+
 /// Vertices and triangles as they are written: a place where two colours meet has a vertex for each.
 class Output {
   public:
@@ -45,6 +56,9 @@ class Output {
             const Vec3 cross = glm::cross(body.mesh.positions[t[1]] - p, body.mesh.positions[t[2]] - p);
             for (const std::uint32_t v : t) faceted[v] += cross;
         }
+        std::vector<std::set<Material>> materials_at(faceted.size());
+        for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t)
+            for (const std::uint32_t v : body.mesh.triangles[t]) materials_at[v].insert(body.materials[t]);
         std::map<std::pair<std::uint32_t, Material>, std::uint32_t> index_of;
         for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t)
             for (const std::uint32_t v : body.mesh.triangles[t]) {
@@ -52,31 +66,31 @@ class Output {
                 const auto [at, is_new] = index_of.try_emplace({v, material}, size());
                 if (is_new) {
                     const Vec3& p = body.mesh.positions[v];
-                    // In a crease the field's gradient may be that of the far side; the triangles know
-                    // better.
+                    // Where two materials meet, each keeps its own direction: the crease stays sharp.
+                    const bool on_border = materials_at[v].size() > 1;
+                    const Vec3 exact =
+                        on_border
+                            ? fieldNormal([&](const Vec3& q) { return materialDistance(q, material); }, p)
+                            : surfaceNormal(p);
                     const Vec3 mean = glm::normalize(faceted[v]);
-                    const Vec3 exact = surfaceNormal(p);
-                    addVertex(p, glm::dot(mean, exact) > 0.75 ? exact : mean, materialColour(material),
-                              skinWeightsAt(p));
+                    addVertex(p, glm::dot(mean, exact) > (on_border ? 0.2 : 0.75) ? exact : mean,
+                              materialColour(material), skinWeightsAt(p));
                 }
                 indices_.push_back(at->second);
             }
     }
 
-    void addEyeball(motion::Bone bone) {
-        const auto world =
-            motion::worldPose(motion::referenceHumanoid(), motion::restPose(motion::referenceHumanoid()));
-        const Vec3 centre = world[static_cast<std::size_t>(bone)].position;
+    /// A part about `centre` that follows one bone.
+    void addEyePart(const EyePart& part, const Vec3& centre, motion::Bone bone) {
         SkinWeights weights;
         weights.joints[0] = static_cast<std::uint8_t>(bone);
         weights.weights[0] = 1.0F;
-        const Eyeball eye = makeEyeball();
         std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> index_of;
-        for (std::size_t t = 0; t < eye.mesh.triangles.size(); ++t)
-            for (const std::uint32_t v : eye.mesh.triangles[t]) {
-                const glm::vec3& colour = eye.colours[t];
+        for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t)
+            for (const std::uint32_t v : part.mesh.triangles[t]) {
+                const glm::vec3& colour = part.colours[t];
                 const auto [at, is_new] = index_of.try_emplace({v, colour.r, colour.g, colour.b}, size());
-                const Vec3& p = eye.mesh.positions[v];
+                const Vec3& p = part.mesh.positions[v];
                 if (is_new) addVertex(centre + p, glm::normalize(p), colour, weights);
                 indices_.push_back(at->second);
             }
@@ -111,6 +125,7 @@ int main(int argc, char** argv) {
     }
     Mesh surface = extractSurface();
     simplify(surface, triangle_target);
+    refine(surface, longestEdgeForColour);
     const PaintedMesh body = paint(std::move(surface));
     if (!isClosed(body.mesh.triangles)) {
         fmt::print(stderr, "deixis_make_avatar: the mesh is not closed\n");
@@ -118,8 +133,14 @@ int main(int argc, char** argv) {
     }
     Output output;
     output.addBody(body);
-    output.addEyeball(motion::Bone::leftEye);
-    output.addEyeball(motion::Bone::rightEye);
+    const auto world =
+        motion::worldPose(motion::referenceHumanoid(), motion::restPose(motion::referenceHumanoid()));
+    const EyePart lids = makeLids();
+    for (const motion::Bone bone : {motion::Bone::leftEye, motion::Bone::rightEye}) {
+        const Vec3 centre = world[static_cast<std::size_t>(bone)].position;
+        output.addEyePart(makeEyeball(), centre, bone);
+        output.addEyePart(bone == motion::Bone::leftEye ? lids : mirrored(lids), centre, motion::Bone::head);
+    }
     const auto written = writeFile(argv[1], glbOf(output.vertices(), output.indices()));
     if (!written) {
         fmt::print(stderr, "deixis_make_avatar: {}\n", written.error().text());

@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 
+#include "split.hpp"
+
 namespace deixis::avatar_maker {
 
 namespace {
@@ -79,36 +81,13 @@ class Cutter {
     }
 
     void cut(const Triangle& t, PaintedMesh& out) {
-        std::array<std::optional<std::uint32_t>, 3> split;  // on the edge from t[i] to t[i + 1]
-        int count = 0;
+        std::array<std::optional<std::uint32_t>, 3> split;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t a = t[i];
             const std::uint32_t b = t[(i + 1) % 3];
-            if (!label_[a] || !label_[b] || label_[a] == label_[b]) continue;
-            split[i] = splitVertex(a, b);
-            ++count;
+            if (label_[a] && label_[b] && label_[a] != label_[b]) split[i] = splitVertex(a, b);
         }
-        if (count == 0) return emit(t, out);
-        if (count == 3) {
-            for (std::size_t i = 0; i < 3; ++i) emit({t[i], *split[i], *split[(i + 2) % 3]}, out);
-            return emit({*split[0], *split[1], *split[2]}, out);
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            const std::uint32_t a = t[i];
-            const std::uint32_t b = t[(i + 1) % 3];
-            const std::uint32_t c = t[(i + 2) % 3];
-            if (count == 1 && split[i]) {
-                emit({a, *split[i], c}, out);
-                return emit({*split[i], b, c}, out);
-            }
-            if (count == 2 && split[i] && split[(i + 2) % 3]) {  // a is cut off
-                const std::uint32_t s = *split[i];
-                const std::uint32_t r = *split[(i + 2) % 3];
-                emit({a, s, r}, out);
-                emit({s, b, c}, out);
-                return emit({s, c, r}, out);
-            }
-        }
+        splitTriangle(t, split, [&](const Triangle& part) { emit(part, out); });
     }
 
     Mesh mesh_;

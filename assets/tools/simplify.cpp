@@ -51,7 +51,8 @@ struct Quadric {
 double importance(const Vec3& p) {
     const double hand = smoothStep(0.68, 0.74, std::abs(p.x));
     const double head = smoothStep(1.47, 1.53, p.y) * (p.z > 0.03 ? 1.0 : 0.5);
-    return 1.0 + 14.0 * hand + 18.0 * head;
+    const double collar = p.y > 1.42 && p.y < 1.49 && std::abs(p.x) < 0.09 ? 1.0 : 0.0;
+    return 1.0 + 14.0 * hand + 18.0 * std::max(head, 0.4 * collar);
 }
 
 /// Edges no longer than this, so that limbs keep rings to bend at.

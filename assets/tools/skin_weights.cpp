@@ -54,22 +54,19 @@ double distanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
 
 void legs(const Vec3& p, Weights& w) {
     const double left_share = smoothStep(-0.022, 0.022, p.x);
-    for (const bool left : {true, false}) {
-        const auto bone = [&](Bone b) { return left ? b : mirroredBone(b); };
-        const Vec3 q(left ? p.x : -p.x, p.y, p.z);
-        const Vec3 outward = glm::normalize(Vec3(0.20, -1.0, 0.0));
-        const double thigh = beyond(q, place(leftUpperLeg), outward, 0.045, 0.085);
-        // The second side takes its share of what the first has left over.
-        const double share = left ? left_share * thigh : (1.0 - left_share) * thigh;
-        const double left_over =
-            left ? 1.0
-                 : 1.0 - left_share * beyond({-q.x, q.y, q.z}, place(leftUpperLeg), outward, 0.045, 0.085);
-        w.pass(hips, bone(leftUpperLeg), left_over > 1e-9 ? std::min(share / left_over, 1.0) : 0.0);
-        w.pass(bone(leftUpperLeg), bone(leftLowerLeg),
-               beyond(q, place(leftLowerLeg), {0, -1, 0}, 0.055, 0.055));
-        w.pass(bone(leftLowerLeg), bone(leftFoot), smoothStep(0.135, 0.075, q.y));
-        w.pass(bone(leftFoot), bone(leftToes), beyond(q, place(leftToes), {0, 0, 1}, 0.025, 0.02));
-    }
+    const Vec3 q(std::abs(p.x), p.y, p.z);
+    const double thigh = beyond(q, place(leftUpperLeg), glm::normalize(Vec3(0.20, -1.0, 0.0)), 0.045, 0.085);
+    w.pass(hips, leftUpperLeg, left_share * thigh);
+    w.pass(hips, rightUpperLeg, (1.0 - left_share) * thigh / (1.0 - left_share * thigh + 1e-12));
+    const double shin = beyond(q, place(leftLowerLeg), {0, -1, 0}, 0.055, 0.055);
+    const double foot = smoothStep(-0.135, -0.075, -q.y);
+    const double toes = beyond(q, place(leftToes), {0, 0, 1}, 0.025, 0.02);
+    w.pass(leftUpperLeg, leftLowerLeg, shin);
+    w.pass(rightUpperLeg, rightLowerLeg, shin);
+    w.pass(leftLowerLeg, leftFoot, foot);
+    w.pass(rightLowerLeg, rightFoot, foot);
+    w.pass(leftFoot, leftToes, toes);
+    w.pass(rightFoot, rightToes, toes);
 }
 
 void trunk(const Vec3& p, Weights& w) {
@@ -134,9 +131,8 @@ void arms(const Vec3& p, Weights& w) {
     const Vec3 q(std::abs(p.x), p.y, p.z);
     const double shoulder = 0.85 * smoothStep(0.035, 0.150, q.x) * smoothStep(1.270, 1.400, q.y);
     w.pass(upperChest, bone(leftShoulder), shoulder);
-    // The border leans: above it lies nearer to the neck, so that the cap of the shoulder goes with the arm.
-    const Vec3 across = glm::normalize(Vec3(1.0, 0.42, 0.0));
-    const double upper_arm = beyond(q, place(leftUpperArm), across, 0.050, 0.050);
+    const double upper_arm =
+        beyond(q, place(leftUpperArm), glm::normalize(Vec3(1.0, 0.12, 0.0)), 0.058, 0.055);
     for (const Bone b : {hips, spine, chest, upperChest, bone(leftShoulder)})
         w.pass(b, bone(leftUpperArm), upper_arm);
     w.pass(bone(leftUpperArm), bone(leftLowerArm), beyond(q, place(leftLowerArm), {1, 0, 0}, 0.042, 0.042));

@@ -15,8 +15,8 @@ namespace {
 
 // The grid is uniform in its own space and bent so that its cells shrink along the arms towards the hands and
 // up the neck towards the head; what is extracted from it is closed wherever the cells differ in size.
-constexpr double cell = 0.009;
-constexpr double hand_scale = 0.27, head_scale = 0.38;
+constexpr double cell = 0.008;
+constexpr double hand_scale = 0.27, head_scale = 0.30;
 
 struct Ramp {
     double start, length, scale;
@@ -54,7 +54,7 @@ struct KeyHash {
 
 // The grid covers [-1.8, 1.8] x [-0.04, 2.3] x [-0.5, 0.5] in its own space.
 Vec3 cornerPlace(const Key& k) {
-    return bend(Vec3(k[0] + 0.5, k[1] - 4.3, k[2] + 0.5) * cell);
+    return bend(Vec3(k[0] + 0.5, k[1] - 5.3, k[2] + 0.5) * cell);
 }
 
 class Grid {
@@ -71,8 +71,8 @@ class Grid {
     /// Cells that the surface may pass through, found by halving blocks that it surely misses away.
     std::vector<Key> cellsNearSurface() {
         std::vector<Key> cells;
-        for (int x = -208; x < 208; x += 16)
-            for (int y = 0; y < 272; y += 16)
+        for (int x = -240; x < 240; x += 16)
+            for (int y = 0; y < 336; y += 16)
                 for (int z = -64; z < 64; z += 16) collect({x, y, z}, 16, cells);
         std::sort(cells.begin(), cells.end());
         return cells;
@@ -191,20 +191,24 @@ void relax(Mesh& mesh, int rounds) {
 
 }  // namespace
 
-Vec3 surfaceNormal(const Vec3& p) {
+Vec3 fieldNormal(const std::function<double(const Vec3&)>& field, const Vec3& p) {
     constexpr double e = 0.0004;
-    const Vec3 gradient(figureDistance(p + Vec3(e, 0, 0)) - figureDistance(p - Vec3(e, 0, 0)),
-                        figureDistance(p + Vec3(0, e, 0)) - figureDistance(p - Vec3(0, e, 0)),
-                        figureDistance(p + Vec3(0, 0, e)) - figureDistance(p - Vec3(0, 0, e)));
+    Vec3 gradient(0.0);  // from the corners of a tetrahedron
+    for (const Vec3& corner : {Vec3(1, -1, -1), Vec3(-1, -1, 1), Vec3(-1, 1, -1), Vec3(1, 1, 1)})
+        gradient += corner * field(p + e * corner);
     const double length = glm::length(gradient);
     return length < 1e-12 ? Vec3(0, 1, 0) : gradient / length;
+}
+
+Vec3 surfaceNormal(const Vec3& p) {
+    return fieldNormal(figureDistance, p);
 }
 
 Vec3 ontoSurface(const Vec3& p) {
     Vec3 q = p;
     for (int step = 0; step < 3; ++step) {
         const double d = figureDistance(q);
-        if (std::abs(d) < 1e-6) break;
+        if (std::abs(d) < 5e-6) break;
         q -= surfaceNormal(q) * std::clamp(d, -0.003, 0.003);
     }
     return q;

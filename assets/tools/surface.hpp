@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/pose.hpp"
@@ -16,7 +17,7 @@ struct Mesh {
     std::vector<Triangle> triangles;
 };
 
-/// The figure's surface, closed, with cells of about 9 mm on trunk and limbs, 3.5 mm on the head and 2.5 mm
+/// The figure's surface, closed, with cells of 8 mm on trunk and limbs, 2.4 mm on the head and 2.2 mm
 /// on the hands.
 [[nodiscard]] Mesh extractSurface();
 
@@ -24,6 +25,8 @@ struct Mesh {
 [[nodiscard]] Vec3 ontoSurface(const Vec3& p);
 /// Unit outward direction of the surface near `p`.
 [[nodiscard]] Vec3 surfaceNormal(const Vec3& p);
+/// The same of a field other than the figure's distance.
+[[nodiscard]] Vec3 fieldNormal(const std::function<double(const Vec3&)>& field, const Vec3& p);
 
 /// Collapses edges, cheapest first (quadric error: Garland & Heckbert 1997), until at most
 /// `triangle_target` triangles are left or nothing can be collapsed; the mesh stays closed. Head and hands
