@@ -19,20 +19,20 @@ namespace deixis::studies {
 /// values). SDs are over participants ("between") or over trials ("within"). All are assumptions.
 struct SimulatedParameters {
     std::string pointing_ray = "eye-fingertip";  ///< or "forearm", "shoulder-hand", "index-finger"
-    double pointing_noise_deg = 4.0;       ///< SD of the angular noise added to the ray, per trial, per axis
+    double pointing_noise_deg = 2.0;       ///< SD of the angular noise added to the ray, per trial, per axis
     double pointing_noise_between = 0.25;  ///< relative SD of that noise over participants
     double lapse_rate = 0.02;              ///< chance of choosing a ball at random
 
     // The rating: base + weights x how much of each quality was seen (0..1), on a scale from 1 to 5.
-    double rating_base = 0.9;
+    double rating_base = 0.8;
     double rating_profile_weight = 0.9;  ///< the hand speeds up and slows down instead of starting abruptly
     double rating_participation_weight = 0.95;  ///< head and trunk take part
     double rating_steadiness_weight = 1.6;      ///< the hand is still while it points
-    double profile_abrupt = 1.15;               ///< peak over mean speed of the raise that gives quality 0
-    double profile_smooth = 1.6;                ///< and quality 1
+    double profile_abrupt = 1.1;                ///< peak over mean speed of the raise that gives quality 0
+    double profile_smooth = 1.4;                ///< and quality 1
     double participation_deg = 6.0;             ///< turn of head and trunk that gives quality 0.63
-    double steady_speed_m_s = 0.05;    ///< mean speed of the fingertip in the hold that gives quality 1
-    double unsteady_speed_m_s = 0.2;   ///< and quality 0
+    double steady_speed_m_s = 0.04;    ///< mean speed of the fingertip in the hold that gives quality 1
+    double unsteady_speed_m_s = 0.22;  ///< and quality 0
     double rating_bias_between = 0.4;  ///< SD over participants, scale steps
     double rating_noise_within = 0.6;  ///< SD over trials, scale steps
 
