@@ -247,7 +247,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
         if (!given[index(leftIndexProximal)])
             report->remarks.emplace_back("no fingers in the source: the hands are relaxed");
     }
-    return assemble(avatar, std::move(frames), given, 0, source_clip.frame_time_s);
+    return assemble(avatar, std::move(frames), given, Ground::clip, source_clip.frame_time_s);
 }
 
 }  // namespace deixis::motion

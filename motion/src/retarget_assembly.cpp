@@ -43,20 +43,26 @@ std::vector<Attached> solePoints(const AvatarRest& avatar) {
     return points;
 }
 
-/// How high the soles' lowest point is while the figure stands: of all frames' lowest points the one that a
-/// tenth of them lie below, so that a single foot driven into the floor does not lift the whole clip.
-double standingHeight(const AvatarRest& avatar, const Clip& clip, std::size_t start) {
+/// Of each frame the height of the soles' lowest point.
+std::vector<double> soleHeights(const AvatarRest& avatar, const Clip& clip) {
     const auto points = solePoints(avatar);
-    std::vector<double> lowest;
+    std::vector<double> heights;
+    heights.reserve(clip.frames.size());
     std::vector<Pose> world;
-    for (std::size_t f = start; f < clip.frames.size(); ++f) {
-        worldPose(clip.skeleton, clip.frames[f], world);
-        double height = transformPoint(world[points.front().joint], points.front().local).y;
-        for (const Attached& p : points) height = std::min(height, transformPoint(world[p.joint], p.local).y);
-        lowest.push_back(height);
+    for (const LocalPose& pose : clip.frames) {
+        worldPose(clip.skeleton, pose, world);
+        double lowest = transformPoint(world[points.front().joint], points.front().local).y;
+        for (const Attached& p : points) lowest = std::min(lowest, transformPoint(world[p.joint], p.local).y);
+        heights.push_back(lowest);
     }
-    const auto at = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 10);
-    std::nth_element(lowest.begin(), at, lowest.end());
+    return heights;
+}
+
+/// The height that a tenth of the frames lie below: a single foot driven into the floor does not lift the
+/// whole clip.
+double standingHeight(std::vector<double> heights) {
+    const auto at = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
+    std::nth_element(heights.begin(), at, heights.end());
     return *at;
 }
 
@@ -116,9 +122,9 @@ AvatarRest avatarRest(const Skeleton& skeleton, const HumanoidMap& map) {
     return {skeleton, map, std::move(world), std::move(shape), axes, leg};
 }
 
-Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const BoneSet& driven,
-              std::size_t start, double frame_time_s) {
-    const Vec3 forward = frames[start].rotation[static_cast<std::size_t>(hips)] * Vec3(0, 0, 1);
+Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const BoneSet& driven, Ground ground,
+              double frame_time_s) {
+    const Vec3 forward = frames.front().rotation[static_cast<std::size_t>(hips)] * Vec3(0, 0, 1);
     const Quat turn = yawRotation(-std::atan2(forward.x, forward.z));
     for (BodyFrame& frame : frames) {
         for (Quat& rotation : frame.rotation) rotation = turn * rotation;
@@ -131,9 +137,12 @@ Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const Bon
     for (const BodyFrame& frame : frames) clip.frames.push_back(assembler.pose(frame));
 
     const auto hips_joint = static_cast<std::size_t>(avatar.map[hips]);
-    Vec3 shift = -clip.frames[start].joints[hips_joint].position;
-    shift.y = -standingHeight(avatar, clip, start);
-    for (LocalPose& pose : clip.frames) pose.joints[hips_joint].position += shift;
+    const Vec3 begin = clip.frames.front().joints[hips_joint].position;
+    const auto heights = soleHeights(avatar, clip);
+    const double floor = standingHeight(heights);
+    for (std::size_t f = 0; f < clip.frames.size(); ++f)
+        clip.frames[f].joints[hips_joint].position -=
+            Vec3(begin.x, ground == Ground::clip ? floor : heights[f], begin.z);
     return clip;
 }
 

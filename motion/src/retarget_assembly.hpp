@@ -28,10 +28,14 @@ struct BodyFrame {
 
 using BoneSet = std::array<bool, bone_count>;
 
-/// Turns the motion so that frame `start` faces +z with the hips over the origin, and moves it up or down so
-/// that the feet stand on the floor. Bones outside `driven` keep their rest, fingers the relaxed hand.
+/// How the feet come to the floor: one shift for the clip, which keeps jumps; or one for each frame, for a
+/// person who keeps a foot on the floor while the recorded height of the hips wavers.
+enum class Ground : unsigned char { clip, frame };
+
+/// Turns the motion so that its first frame faces +z with the hips over the origin, and moves it up or down
+/// so that the feet stand on the floor. Bones outside `driven` keep their rest, fingers the relaxed hand.
 [[nodiscard]] Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const BoneSet& driven,
-                            std::size_t start, double frame_time_s);
+                            Ground ground, double frame_time_s);
 
 /// "leftHand, head": names of required bones that `has` lacks; empty where none is missing.
 [[nodiscard]] std::string missingBones(const BoneSet& has);

@@ -124,7 +124,7 @@ Result<Clip> clipFromPositions(const std::vector<BonePositions>& positions, doub
     for (const Hinge& hinge : hinges())
         driven[index(hinge.upper)] = driven[index(hinge.lower)] = driven[index(hinge.end)] = true;
     if (report) report->scale = scale;
-    return assemble(avatar, std::move(frames), driven, 0, frame_time_s);
+    return assemble(avatar, std::move(frames), driven, Ground::frame, frame_time_s);
 }
 
 }  // namespace deixis::motion

@@ -40,8 +40,8 @@ struct BonePositions {
 /// The clip of an avatar (as for retarget) that holds its bones as the positions say, levelled so that the
 /// person on the mean stands upright. What positions do not tell is chosen so: limbs twist as the plane of
 /// elbow or knee says, and little where they are straight; the head is level on the mean; hands rest; feet
-/// stay flat. Every frame must know hips, neck, head and the bones of both arms (to the hand) and legs (to
-/// the foot); fails naming what is missing.
+/// stay flat, and in every frame one is on the floor. Every frame must know hips, neck, head and the bones of
+/// both arms (to the hand) and legs (to the foot); fails naming what is missing.
 [[nodiscard]] Result<Clip> clipFromPositions(const std::vector<BonePositions>& frames, double frame_time_s,
                                              const Skeleton& avatar, const HumanoidMap& avatar_map,
                                              RetargetReport* report = nullptr);
