@@ -37,7 +37,8 @@ struct Comparison {
         measure;  ///< "accuracy", "naturalness", or "layout" (a and b are then layouts, within `system`)
     std::string system{};
     std::string a, b;
-    SignedRankTest test;
+    double mean_difference = 0.0;  ///< a - b, mean over the participants paired
+    SignedRankTest test;           ///< of participants' means, a - b; n is the number of participants paired
     double p_holm = 1.0;
     bool significant = false;
 };
@@ -54,9 +55,16 @@ struct AnalysisResult {
         remarks;  ///< what a reader must know: missing answers, exclusions from a test, ...
 };
 
+/// Participants' means are compared, as in the paper; a participant without answers under one of the two
+/// conditions is left out of that comparison. Holm's families: all pairs of systems in one measure, and all
+/// layout tests. Significant: p_holm <= alpha.
 [[nodiscard]] AnalysisResult analyse(const ResponseTable& table);
+/// One JSON object: program, study, participants, synthetic, alpha, systems, layouts, pairwise, layout_tests,
+/// remarks. Numbers in full precision, fixed order: the same table gives the same bytes. A mean of no answers
+/// and a standard deviation of fewer than two values are null.
 [[nodiscard]] std::string analysisJson(const AnalysisResult& result);
-/// A whole, self-contained HTML page.
+/// A whole, self-contained HTML page (also well-formed XML), without script, outside file or date: the same
+/// table gives the same bytes.
 [[nodiscard]] std::string renderReport(const AnalysisResult& result);
 
 }  // namespace deixis::results
