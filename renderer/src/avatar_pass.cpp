@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <map>
 #include <stdexcept>
 
 namespace deixis::renderer {
@@ -15,28 +17,50 @@ constexpr int skin_group = 64;
 
 const std::string_view skin_glsl = R"(
 layout(local_size_x = 64) in;
-struct Bind { vec4 position; vec4 normal; uvec4 joints; vec4 weights; };
+// Packed, since software GL reads buffers word by word: 10 words a vertex. Joints are 16 bits each, weights
+// 16-bit fractions, heaviest first.
+struct Bind { float position[3]; float normal[3]; uint joints[2]; uint weights[2]; };
 struct Skinned { vec4 position; vec4 normal; };
 layout(std430, binding = 0) readonly buffer BindVertices { Bind bind_vertices[]; };
-layout(std430, binding = 1) readonly buffer Joints { vec4 rows[]; };  // of stage_from_bind, 3 a joint
 layout(std430, binding = 2) writeonly buffer SkinnedVertices { Skinned skinned_vertices[]; };
+layout(std140, binding = 1) uniform Joints { vec4 rows[1020]; };  // of stage_from_bind, 3 a joint
 layout(location = 0) uniform uint count;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i >= count) return;
-    Bind v = bind_vertices[i];
+    uvec2 joints = uvec2(bind_vertices[i].joints[0], bind_vertices[i].joints[1]);
+    vec4 weights = vec4(unpackUnorm2x16(bind_vertices[i].weights[0]), unpackUnorm2x16(bind_vertices[i].weights[1]));
     vec4 x = vec4(0.0), y = vec4(0.0), z = vec4(0.0);
-    for (int k = 0; k < 4; ++k) {
-        uint row = v.joints[k] * 3u;
-        x += v.weights[k] * rows[row];
-        y += v.weights[k] * rows[row + 1u];
-        z += v.weights[k] * rows[row + 2u];
+    for (int k = 0; k < 4 && weights.x > 0.0; ++k) {
+        uint row = (joints.x & 0xFFFFu) * 3u;
+        x += weights.x * rows[row];
+        y += weights.x * rows[row + 1u];
+        z += weights.x * rows[row + 2u];
+        weights = vec4(weights.yzw, 0.0);
+        joints = uvec2((joints.x >> 16) | (joints.y << 16), joints.y >> 16);
     }
-    vec4 p = vec4(v.position.xyz, 1.0);
-    vec3 n = v.normal.xyz;
+    vec4 p = vec4(bind_vertices[i].position[0], bind_vertices[i].position[1], bind_vertices[i].position[2], 1.0);
+    vec3 n = vec3(bind_vertices[i].normal[0], bind_vertices[i].normal[1], bind_vertices[i].normal[2]);
     skinned_vertices[i].position = vec4(dot(x, p), dot(y, p), dot(z, p), 1.0);
-    skinned_vertices[i].normal = vec4(normalize(vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n))), 0.0);
+    skinned_vertices[i].normal = vec4(normalize(vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n))), 1.0);
+}
+)";
+
+// The key light that reaches each vertex. Vertices lie about a centimetre apart, no wider than the shadows'
+// edges are soft, and there are far fewer of them than of pixels times samples.
+const std::string_view light_glsl = R"(
+layout(local_size_x = 64) in;
+struct Skinned { vec4 position; vec4 normal; };
+layout(std430, binding = 2) buffer SkinnedVertices { Skinned skinned_vertices[]; };
+layout(location = 0) uniform uint count;
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count) return;
+    vec3 p = skinned_vertices[i].position.xyz;
+    vec3 n = skinned_vertices[i].normal.xyz;
+    skinned_vertices[i].normal.w = avatarLight(p, n, 0.0) * ballLight(p);
 }
 )";
 
@@ -49,10 +73,10 @@ const std::string_view shadow_fragment_glsl = "void main() {}\n";
 
 const std::string_view draw_vertex_glsl = R"(
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
+layout(location = 1) in vec4 normal;  // w: key light
 layout(location = 2) in vec3 colour;
 out vec3 stage_position;
-out vec3 stage_normal;
+out vec4 stage_normal;
 out vec3 albedo;
 void main() {
     stage_position = position;
@@ -64,13 +88,13 @@ void main() {
 
 const std::string_view draw_fragment_glsl = R"(
 in vec3 stage_position;
-in vec3 stage_normal;
+in vec4 stage_normal;
 in vec3 albedo;
 out vec4 colour;
 void main() {
-    vec3 n = normalize(stage_normal);
+    vec3 n = normalize(stage_normal.xyz);
     vec3 to_eye = normalize(eye.xyz - stage_position);
-    float light = avatarLight(stage_position, n) * ballLight(stage_position);
+    float light = stage_normal.w;
     // The floor is near the feet and takes light from what faces it.
     float open = mix(0.72, 1.0, smoothstep(-0.9, 0.4, n.y + 0.5 * stage_position.y));
     vec3 c = lit(albedo, n, to_eye, light, open, 0.035);
@@ -80,19 +104,62 @@ void main() {
 }
 )";
 
+constexpr std::size_t most_joints = 340;  // as many fit the smallest uniform block that GL promises
+
 struct BindVertex {
-    glm::vec4 position, normal;
-    glm::uvec4 joints;
-    glm::vec4 weights;
+    glm::vec3 position, normal;
+    std::array<std::uint16_t, 4> joints, weights;
 };
 struct SkinnedVertex {
     glm::vec4 position, normal;
 };
 
+// Heaviest first, the weights as fractions of 65535 whose sum is exactly that.
+BindVertex packed(const assets::SkinnedVertex& v) {
+    BindVertex out{v.position, v.normal, {}, {}};
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return v.weights[a] > v.weights[b]; });
+    int left = 65535;
+    for (std::size_t k = 4; k-- > 0;) {
+        const int weight =
+            k == 0 ? left
+                   : std::clamp(static_cast<int>(std::lround(v.weights[order[k]] * 65535.0F)), 0, left);
+        out.joints[k] = v.joints[order[k]];
+        out.weights[k] = static_cast<std::uint16_t>(weight);
+        left -= weight;
+    }
+    return out;
+}
+
 // The shadow map covers a square of this side around the avatar's hips, seen from the light: arms stretched
 // out and a step to any side lie within. Its depth runs over as much above and below.
 constexpr double shadow_side_m = 2.8;
 constexpr double shadow_depth_m = 4.0;
+
+// What casts the shadow is coarser than what is seen: vertices of one joint within a cell of this side become
+// one.
+constexpr float caster_cell_m = 0.014F;
+
+std::vector<std::uint32_t> coarseTriangles(const assets::Avatar& avatar, float cell_m) {
+    std::map<std::array<int, 4>, std::uint32_t> cells;
+    std::vector<std::uint32_t> stands_for(avatar.vertices.size());
+    for (std::uint32_t i = 0; i < avatar.vertices.size(); ++i) {
+        const assets::SkinnedVertex& v = avatar.vertices[i];
+        const auto heaviest = std::max_element(v.weights.begin(), v.weights.end()) - v.weights.begin();
+        const glm::ivec3 cell(glm::floor(v.position / cell_m));
+        const std::array<int, 4> key{cell.x, cell.y, cell.z, v.joints[static_cast<std::size_t>(heaviest)]};
+        stands_for[i] = cells.emplace(key, i).first->second;
+    }
+    std::vector<std::uint32_t> coarse;
+    for (std::size_t t = 0; t + 2 < avatar.indices.size(); t += 3) {
+        const std::uint32_t a = stands_for[avatar.indices[t]];
+        const std::uint32_t b = stands_for[avatar.indices[t + 1]];
+        const std::uint32_t c = stands_for[avatar.indices[t + 2]];
+        if (a != b && b != c && c != a) coarse.insert(coarse.end(), {a, b, c});
+    }
+    return coarse;
+}
 
 }  // namespace
 
@@ -103,27 +170,32 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
       index_count_(static_cast<int>(avatar.indices.size())),
       shadow_resolution_(shadow_resolution),
       skin_program_(gl::computeProgram("skin", {skin_glsl})),
+      light_program_(gl::computeProgram("light", {frame_glsl, shadow_glsl, light_glsl})),
       shadow_program_(gl::drawProgram("shadow", {frame_glsl, shadow_vertex_glsl}, {shadow_fragment_glsl})),
       draw_program_(gl::drawProgram("avatar", {frame_glsl, draw_vertex_glsl},
                                     {frame_glsl, lighting_glsl, draw_fragment_glsl})) {
+    if (joint_from_bind_.size() > most_joints)
+        throw std::invalid_argument(fmt::format("the avatar has {} joints, at most {} can be drawn",
+                                                joint_from_bind_.size(), most_joints));
     std::vector<BindVertex> vertices;
     std::vector<glm::vec3> colours;
     vertices.reserve(avatar.vertices.size());
     colours.reserve(avatar.vertices.size());
     for (const assets::SkinnedVertex& v : avatar.vertices) {
-        vertices.push_back({glm::vec4(v.position, 1.0F), glm::vec4(v.normal, 0.0F),
-                            glm::uvec4(v.joints[0], v.joints[1], v.joints[2], v.joints[3]),
-                            glm::vec4(v.weights[0], v.weights[1], v.weights[2], v.weights[3])});
+        vertices.push_back(packed(v));
         colours.push_back(v.colour);
     }
     bind_vertices_ = gl::fixedBuffer(std::span<const BindVertex>(vertices));
     colours_ = gl::fixedBuffer(std::span<const glm::vec3>(colours));
-    indices_ = gl::fixedBuffer(std::span<const std::uint32_t>(avatar.indices));
+    std::vector<std::uint32_t> indices = avatar.indices;
+    const std::vector<std::uint32_t> caster = coarseTriangles(avatar, caster_cell_m);
+    caster_index_count_ = static_cast<int>(caster.size());
+    indices.insert(indices.end(), caster.begin(), caster.end());
+    indices_ = gl::fixedBuffer(std::span<const std::uint32_t>(indices));
     skinned_ = gl::dynamicBuffer(
         static_cast<GLsizeiptr>(std::max<std::size_t>(vertices.size(), 1) * sizeof(SkinnedVertex)));
     joint_rows_.resize(joint_from_bind_.size() * 12);
-    joints_ = gl::dynamicBuffer(
-        static_cast<GLsizeiptr>(std::max<std::size_t>(joint_rows_.size(), 12) * sizeof(float)));
+    joints_ = gl::dynamicBuffer(static_cast<GLsizeiptr>(most_joints * 12 * sizeof(float)));
 
     vertices_ = gl::vertexArray();
     const GLuint vao = vertices_.name();
@@ -131,7 +203,7 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
     glVertexArrayVertexBuffer(vao, 1, colours_.name(), 0, sizeof(glm::vec3));
     glVertexArrayElementBuffer(vao, indices_.name());
     glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, position));
-    glVertexArrayAttribFormat(vao, 1, 3, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, normal));
+    glVertexArrayAttribFormat(vao, 1, 4, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, normal));
     glVertexArrayAttribFormat(vao, 2, 3, GL_FLOAT, GL_FALSE, 0);
     glVertexArrayAttribBinding(vao, 0, 0);
     glVertexArrayAttribBinding(vao, 1, 0);
@@ -174,10 +246,10 @@ void AvatarPass::skin(const std::vector<Pose>& stage_from_joint) {
     glUseProgram(skin_program_.name());
     glUniform1ui(0, static_cast<GLuint>(vertex_count_));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, bind_vertices_.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, joints_.name());
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, joints_.name());
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, skinned_.name());
     glDispatchCompute(static_cast<GLuint>((vertex_count_ + skin_group - 1) / skin_group), 1, 1);
-    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void AvatarPass::placeShadow(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const {
@@ -219,11 +291,15 @@ void AvatarPass::drawShadow() const {
     glViewport(0, 0, shadow_resolution_, shadow_resolution_);
     const GLfloat farthest = 1.0F;
     glClearNamedFramebufferfv(shadow_target_.name(), GL_DEPTH, 0, &farthest);
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.5F, 2.0F);
     glUseProgram(shadow_program_.name());
-    drawTriangles();
-    glDisable(GL_POLYGON_OFFSET_FILL);
+    glBindVertexArray(vertices_.name());
+    // Only what faces away from the light: the lit side then cannot shade itself.
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_FRONT);
+    glDrawElements(GL_TRIANGLES, caster_index_count_, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(static_cast<std::uintptr_t>(index_count_) * sizeof(GLuint)));
+    glCullFace(GL_BACK);
+    glDisable(GL_CULL_FACE);
 }
 
 void AvatarPass::placeFeet(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const {
@@ -250,14 +326,22 @@ void AvatarPass::bindShadow() const {
     glBindTextureUnit(shadow_texture_unit + 1, shadow_depth_view_.name());
 }
 
-void AvatarPass::draw() const {
-    glUseProgram(draw_program_.name());
-    drawTriangles();
+void AvatarPass::light() const {
+    if (vertex_count_ == 0) return;
+    bindShadow();
+    glUseProgram(light_program_.name());
+    glUniform1ui(0, static_cast<GLuint>(vertex_count_));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, skinned_.name());
+    glDispatchCompute(static_cast<GLuint>((vertex_count_ + skin_group - 1) / skin_group), 1, 1);
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-void AvatarPass::drawTriangles() const {
+void AvatarPass::draw() const {
+    glUseProgram(draw_program_.name());
     glBindVertexArray(vertices_.name());
+    glEnable(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    glDisable(GL_CULL_FACE);
 }
 
 }  // namespace deixis::renderer

@@ -22,19 +22,20 @@ class AvatarPass {
     void placeFeet(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const;
     /// Draws the shadow map; the block must be bound.
     void drawShadow() const;
+    /// Finds how much of the key light reaches each vertex, after drawShadow().
+    void light() const;
     void bindShadow() const;
     void draw() const;
 
   private:
-    void drawTriangles() const;
-
     motion::HumanoidMap humanoid_;
     std::vector<Pose> joint_from_bind_;
     std::vector<float> joint_rows_;  // scratch: 3 rows of 4 a joint
     int vertex_count_ = 0;
     int index_count_ = 0;
+    int caster_index_count_ = 0;  // these follow in the same buffer
     int shadow_resolution_ = 0;
-    gl::Program skin_program_, shadow_program_, draw_program_;
+    gl::Program skin_program_, light_program_, shadow_program_, draw_program_;
     gl::Buffer bind_vertices_, joints_, skinned_, colours_, indices_;
     gl::VertexArray vertices_;
     gl::Texture shadow_map_, shadow_depth_view_;

@@ -16,11 +16,13 @@ out vec3 stage_position;
 out vec3 stage_normal;
 flat out vec3 albedo;
 flat out vec3 glow;
+out float light;
 void main() {
     stage_position = place.xyz + place.w * normal;
     stage_normal = normal;
     albedo = own_colour;
     glow = own_glow;
+    light = avatarLight(stage_position, normal, 0.0) * ballLight(stage_position);
     gl_Position = clip_from_stage * vec4(stage_position, 1.0);
 }
 )";
@@ -30,17 +32,17 @@ in vec3 stage_position;
 in vec3 stage_normal;
 flat in vec3 albedo;
 flat in vec3 glow;
+in float light;
 out vec4 colour;
 void main() {
     vec3 n = normalize(stage_normal);
     vec3 to_eye = normalize(eye.xyz - stage_position);
-    float light = avatarLight(stage_position, n) * ballLight(stage_position + n * 0.002);
     colour = finish(lit(albedo, n, to_eye, light, 1.0, 0.11) + glow);
 }
 )";
 
-constexpr int rings = 24;
-constexpr int segments = 40;
+constexpr int rings = 18;
+constexpr int segments = 32;
 
 struct Instance {
     glm::vec4 place;
@@ -50,8 +52,8 @@ struct Instance {
 }  // namespace
 
 BallPass::BallPass()
-    : program_(
-          gl::drawProgram("ball", {frame_glsl, vertex_glsl}, {frame_glsl, lighting_glsl, fragment_glsl})),
+    : program_(gl::drawProgram("ball", {frame_glsl, shadow_glsl, vertex_glsl},
+                               {frame_glsl, lighting_glsl, fragment_glsl})),
       vertices_(gl::vertexArray()) {
     std::vector<glm::vec3> normals;
     std::vector<std::uint16_t> indices;
@@ -107,8 +109,10 @@ void BallPass::draw(const std::vector<Ball>& balls) {
     glNamedBufferSubData(instances_.name(), 0, bytes, instances.data());
     glUseProgram(program_.name());
     glBindVertexArray(vertices_.name());
+    glEnable(GL_CULL_FACE);
     glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr,
                             static_cast<GLsizei>(instances.size()));
+    glDisable(GL_CULL_FACE);
 }
 
 }  // namespace deixis::renderer

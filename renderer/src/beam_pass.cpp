@@ -73,7 +73,7 @@ void main() {
     float fall = clamp(1.0 - d / max(reach, 2.0 * pixel), 0.0, 1.0);
     float glow = 0.30 * fall * fall;
     float alpha = max(solid * 0.96, glow) * smoothstep(0.0, 0.15, along + 0.02);
-    vec3 hot = mix(beam_colour, vec3(1.0, 0.62, 0.50), 0.30 * solid * clamp(1.0 - d / radius, 0.0, 1.0));
+    vec3 hot = mix(beam_colour, vec3(1.0, 0.45, 0.35), 0.22 * solid * clamp(1.0 - d / radius, 0.0, 1.0));
     colour = vec4(hot, 1.0) * alpha;
 }
 )";

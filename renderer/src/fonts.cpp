@@ -2,6 +2,8 @@
 
 namespace deixis::renderer {
 
-std::string regularFontFile() { return DEIXIS_FONT_REGULAR; }
+std::string regularFontFile() {
+    return DEIXIS_FONT_REGULAR;
+}
 
 }  // namespace deixis::renderer

@@ -31,14 +31,9 @@ layout(std140, binding = 0) uniform Frame {
 };
 )";
 
-const std::string_view lighting_glsl = R"(
+const std::string_view shadow_glsl = R"(
 layout(binding = 0) uniform sampler2DShadow shadow_map;
 layout(binding = 1) uniform sampler2D shadow_depth;
-
-// A different number for each pixel, without the clumps of white noise (interleaved gradient noise).
-float pixelNoise() {
-    return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-}
 
 // How much of the key light, a disc of 1.7 degrees radius, the balls leave at point p: for each the part of
 // the disc that a sphere covers, exact where the disc is wholly covered or free and smooth between.
@@ -59,20 +54,20 @@ float ballLight(vec3 p) {
 
 // How much of the key light the avatar leaves at point p with normal n. The wider the gap to what shades, the
 // softer. Outside the avatar's extent the loops end at once, which processors without branches profit from.
-float avatarLight(vec3 p, vec3 n) {
+float avatarLight(vec3 p, vec3 n, float noise) {
     vec3 q = (shadow_from_stage * vec4(p + n * 0.006, 1.0)).xyz;
     const float widest = 0.03;
     float margin = widest * shadow.x;
     bool inside = shadow.z > 0.5 && all(greaterThan(q.xy, shadow_box.xy - margin)) &&
                   all(lessThan(q.xy, shadow_box.zw + margin));
-    float turn = 6.2831853 * pixelNoise();
+    float turn = 6.2831853 * noise;
     vec2 spiral = vec2(cos(turn), sin(turn));
     const mat2 golden = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
     float gap = 0.0;
     float found = 0.0;
-    int searches = inside ? 5 : 0;
+    int searches = inside ? 4 : 0;
     for (int i = 0; i < searches; ++i) {
-        float d = textureLod(shadow_depth, q.xy + spiral * (margin * sqrt((float(i) + 0.5) / 5.0)), 0.0).r;
+        float d = textureLod(shadow_depth, q.xy + spiral * (margin * sqrt((float(i) + 0.5) / 4.0)), 0.0).r;
         float g = (q.z - d) * shadow.y;
         if (g > 0.0) {
             gap += g;
@@ -80,9 +75,9 @@ float avatarLight(vec3 p, vec3 n) {
         }
         spiral = golden * spiral;
     }
-    gap /= max(found, 1.0);
+    gap = found > 0.0 ? gap / found : 1.0;
     float radius = clamp(0.03 * gap, 0.004, widest) * shadow.x;
-    const int taps = 12;
+    const int taps = 10;
     int used = inside ? taps : 0;
     float light = inside ? 0.0 : float(taps);
     for (int i = 0; i < used; ++i) {
@@ -90,6 +85,13 @@ float avatarLight(vec3 p, vec3 n) {
         spiral = golden * spiral;
     }
     return light / float(taps);
+}
+)";
+
+const std::string_view lighting_glsl = R"(
+// A different number for each pixel, without the clumps of white noise (interleaved gradient noise).
+float pixelNoise() {
+    return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
 }
 
 const vec3 key_colour = vec3(1.00, 0.965, 0.91);

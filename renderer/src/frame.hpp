@@ -42,8 +42,11 @@ constexpr unsigned int shadow_texture_unit = 0;
 
 /// GLSL: the block.
 extern const std::string_view frame_glsl;
-/// GLSL for fragment shaders, after frame_glsl: ballLight(), avatarLight(), lit(), and finish(), which gives
-/// the colour to write.
+/// GLSL, after frame_glsl: ballLight() and avatarLight(), what shadows leave of the key light. `noise` (0..1)
+/// turns the places where the shadow map is read.
+extern const std::string_view shadow_glsl;
+/// GLSL for fragment shaders, after frame_glsl: lit(), pixelNoise(), and finish(), which gives the colour to
+/// write.
 extern const std::string_view lighting_glsl;
 
 }  // namespace deixis::renderer

@@ -77,7 +77,10 @@ void Renderer::Impl::render(const Scene& scene, int width, int height) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    if (scene.avatar_visible) avatar.drawShadow();
+    if (scene.avatar_visible) {
+        avatar.drawShadow();
+        avatar.light();
+    }
 
     targets.begin(width, height);
     glEnable(GL_MULTISAMPLE);

@@ -67,7 +67,7 @@ void main() {
     vec2 wall = min(p.xz - room_low.xz, room_high.xz - p.xz);
     float open = 1.0 - 0.30 * exp(-wall.x * 2.2) - 0.30 * exp(-wall.y * 2.2);
     open *= footOcclusion(p);
-    float light = avatarLight(p, vec3(0.0, 1.0, 0.0)) * ballLight(p) * mix(open, 1.0, 0.5);
+    float light = avatarLight(p, vec3(0.0, 1.0, 0.0), pixelNoise()) * ballLight(p) * mix(open, 1.0, 0.5);
     // The key light is a lamp over the middle of the room: it falls off softly towards the walls.
     float r2 = dot(p.xz - vec2(0.0, 0.8), p.xz - vec2(0.0, 0.8));
     light *= 1.0 / (1.0 + 0.018 * r2);
@@ -88,13 +88,13 @@ void main() {
     vec3 corner = 0.16 * exp(-near * 2.0) * (1.0 - abs(stage_normal));
     float open = 1.0 - corner.x - corner.y - corner.z;
     float height = low.y / (room_high.y - room_low.y);
-    vec3 wall = mix(vec3(0.440, 0.420, 0.395), vec3(0.530, 0.515, 0.495), smoothstep(0.0, 0.9, height));
+    vec3 wall = mix(vec3(0.440, 0.408, 0.368), vec3(0.540, 0.512, 0.472), smoothstep(0.0, 0.9, height));
     float px = max(fwidth(p.y), 1e-4);
     float board = 1.0 - smoothstep(0.090 - 0.5 * px, 0.090 + 0.5 * px, p.y);
     float groove = 1.0 - smoothstep(0.003 + 0.2 * px, 0.004 + 0.8 * px, abs(p.y - 0.092));
-    wall = mix(wall, vec3(0.60, 0.585, 0.56), board);
+    wall = mix(wall, vec3(0.62, 0.60, 0.565), board);
     wall *= 1.0 - 0.28 * groove * min(1.0, 0.008 / px);
-    vec3 ceiling = vec3(0.60, 0.595, 0.58);
+    vec3 ceiling = vec3(0.60, 0.585, 0.555);
     vec3 c = abs(stage_normal.y) > 0.5 ? ceiling : wall;
     colour = finish(c * open);
 }
@@ -145,8 +145,9 @@ constexpr GLsizei face_vertices = 6;
 }  // namespace
 
 RoomPass::RoomPass()
-    : floor_program_(gl::drawProgram("floor", {frame_glsl, room_vertex_glsl},
-                                     {frame_glsl, lighting_glsl, room_size_glsl, floor_fragment_glsl})),
+    : floor_program_(
+          gl::drawProgram("floor", {frame_glsl, room_vertex_glsl},
+                          {frame_glsl, shadow_glsl, lighting_glsl, room_size_glsl, floor_fragment_glsl})),
       wall_program_(gl::drawProgram("wall", {frame_glsl, room_vertex_glsl},
                                     {frame_glsl, lighting_glsl, room_size_glsl, wall_fragment_glsl})),
       vertices_(gl::vertexArray()) {
