@@ -28,9 +28,9 @@ double sweater(const Vec3& p) {
                              {1.438, 0, -0.021, 0.068, 0.047, 0.064},
                              {1.460, 0, -0.022, 0.052, 0.040, 0.052}});
     static const Loft sleeve(0, 1, 2, 0.0, 0.008,
-                             {{0.140, 1.386, -0.016, 0.049, 0.052, 0.052},
-                              {0.190, 1.386, -0.016, 0.050, 0.053, 0.053},
-                              {0.250, 1.387, -0.016, 0.048, 0.050, 0.050},
+                             {{0.140, 1.383, -0.016, 0.047, 0.052, 0.052},
+                              {0.190, 1.384, -0.016, 0.048, 0.053, 0.053},
+                              {0.250, 1.386, -0.016, 0.047, 0.050, 0.050},
                               {0.330, 1.388, -0.015, 0.046, 0.047, 0.048},
                               {0.420, 1.389, -0.015, 0.045, 0.045, 0.046},
                               {0.470, 1.390, -0.015, 0.044, 0.043, 0.046},
@@ -38,10 +38,10 @@ double sweater(const Vec3& p) {
                               {0.600, 1.390, -0.014, 0.040, 0.042, 0.040},
                               {0.650, 1.390, -0.014, 0.036, 0.038, 0.037},
                               {0.672, 1.390, -0.014, 0.0345, 0.037, 0.036}});
-    const double chest = ellipsoid(p, {0.070, 1.285, 0.050}, {0.075, 0.065, 0.056});
+    const double chest = ellipsoid(p, {0.072, 1.290, 0.046}, {0.078, 0.070, 0.054});
     const double shoulder_blade = ellipsoid(p, {0.080, 1.320, -0.080}, {0.062, 0.080, 0.040});
-    const double deltoid = ellipsoid(p, {0.174, 1.384, -0.016}, {0.058, 0.050, 0.054});
-    const double trapezius = roundCone(p, {0.028, 1.432, -0.032}, {0.150, 1.392, -0.020}, 0.034, 0.038);
+    const double deltoid = ellipsoid(p, {0.173, 1.381, -0.016}, {0.057, 0.048, 0.053});
+    const double trapezius = roundCone(p, {0.028, 1.434, -0.036}, {0.150, 1.388, -0.020}, 0.032, 0.038);
     double d = trunk(p);
     d = blend(d, chest, 0.05);
     d = blend(d, shoulder_blade, 0.05);
@@ -53,7 +53,8 @@ double sweater(const Vec3& p) {
 /// Ribbed ends of the sweater: collar, cuffs, hem.
 double trim(const Vec3& p) {
     static const Vec3 collar_axis = glm::normalize(Vec3(0, 0.955, 0.297));
-    const double collar = torus(p, {0, 1.459, -0.021}, collar_axis, 0.0570, 0.0110);
+    double collar = torus(p, {0, 1.4580, -0.0210}, collar_axis, 0.0575, 0.0100);
+    collar = blend(collar, torus(p, {0, 1.4715, -0.0195}, collar_axis, 0.0550, 0.0090), 0.008);
     static const Loft cuff(0, 1, 2, 0.0, 0.008,
                            {{0.664, 1.390, -0.014, 0.0365, 0.0385, 0.0375},
                             {0.680, 1.390, -0.0145, 0.0355, 0.0375, 0.0365},
@@ -185,18 +186,20 @@ double hand(const Vec3& p) {
 
 const Vec3 eye(0.031, 1.622, 0.068);  // as the joint leftEye
 
-double face(const Vec3& p) {
+double face(const Vec3& p, bool eyes_open) {
     double d = ellipsoid(p, {0, 1.650, -0.012}, {0.074, 0.090, 0.093});
     d = blend(d, leaningEllipsoid(p, {0, 1.596, 0.022}, {0.058, 0.080, 0.065}, 0.08), 0.03);
     d = blend(d, roundCone(p, {0.035, 1.568, 0.008}, {0.008, 1.538, 0.064}, 0.020, 0.0185), 0.028);
-    d = blend(d, ellipsoid(p, {0.035, 1.594, 0.053}, {0.024, 0.021, 0.025}), 0.02);                  // cheek
+    d = blend(d, ellipsoid(p, {0.035, 1.594, 0.053}, {0.024, 0.021, 0.025}), 0.02);  // cheek
+    d = blend(d, ellipsoid(p, {0.033, 1.572, 0.040}, {0.025, 0.028, 0.032}), 0.02);
     d = blend(d, ellipsoid(p, {0, 1.531, 0.073}, {0.016, 0.013, 0.013}), 0.018);                     // chin
     d = blend(d, roundCone(p, {0.010, 1.650, 0.074}, {0.046, 1.648, 0.058}, 0.0105, 0.0105), 0.02);  // brow
     d = blend(d, roundCone(p, {0.050, 1.643, 0.052}, {0.050, 1.606, 0.052}, 0.0110, 0.0120), 0.014);
     d = carve(d, ellipsoid(p, {0.030, 1.622, 0.099}, {0.022, 0.0155, 0.0175}), 0.016);  // eye socket
     d = blend(d, glm::length(p - eye) - (eyeball_radius_m + 0.0009), 0.005);            // lids
+    if (!eyes_open) return d;
     // Their opening is a little larger than that of makeLids(), which draws the sharp border.
-    const double dx = (p.x - eye.x) / 0.0172;
+    const double dx = (p.x - eye.x) / 0.0162;
     const double dy = (p.y - eye.y - 0.06 * (p.x - eye.x)) / (p.y > eye.y ? 0.0108 : 0.0088);
     const double opening = (std::sqrt(dx * dx + dy * dy) - 1.0) * 0.010;
     return carve(d, std::max(opening, eye.z - p.z), 0.001);
@@ -239,8 +242,8 @@ double ear(const Vec3& p) {
     return carve(d, ellipsoid(q, {0.0835, 1.612, -0.011}, {0.0060, 0.0165, 0.0095}), 0.005);
 }
 
-double headSkin(const Vec3& p) {
-    double d = face(p);
+double headSkin(const Vec3& p, bool eyes_open) {
+    double d = face(p, eyes_open);
     d = blend(d, nose(p), 0.010) - lipRelief(p);
     d = blend(d, ear(p), 0.006);
     const double neck = roundCone(p, {0, 1.420, -0.024}, {0, 1.560, -0.014}, 0.0520, 0.0480);
@@ -271,21 +274,20 @@ double hair(const Vec3& p, const Vec3& left) {
 }
 
 double brows(const Vec3& p) {
-    double d = roundCone(p, {0.0165, 1.6500, 0.0866}, {0.0310, 1.6540, 0.0815}, 0.0024, 0.0033);
-    d = blend(d, roundCone(p, {0.0310, 1.6540, 0.0815}, {0.0490, 1.6485, 0.0670}, 0.0033, 0.0014), 0.002);
-    return d;
+    const Vec3 inner(0.0160, 1.6515, 0.0866), arch(0.0320, 1.6555, 0.0805), outer(0.0490, 1.6500, 0.0665);
+    return blend(roundCone(p, inner, arch, 0.0031, 0.0031), roundCone(p, arch, outer, 0.0031, 0.0012), 0.002);
 }
 
 struct Parts {
     double skin, hair, sweater, trim, trousers, shoes, soles;
 };
 
-Parts parts(const Vec3& p) {
+Parts parts(const Vec3& p, bool eyes_open = true) {
     const Vec3 left(std::abs(p.x), p.y, p.z);
     constexpr double far = 1.0;
     Parts d{far, far, far, far, far, far, far};
     // Only bodies near enough to matter; the bounds are wider than the blends.
-    if (left.x < 0.2 && p.y > 1.38) d.skin = headSkin(left);
+    if (left.x < 0.2 && p.y > 1.38) d.skin = headSkin(left, eyes_open);
     if (left.x > 0.55) d.skin = std::min(d.skin, hand(left));
     if (left.x < 0.25 && p.y > 1.45) d.hair = std::min(hair(p, left), brows(left));
     if (p.y > 0.75) d.sweater = sweater(left);
@@ -302,7 +304,7 @@ Parts parts(const Vec3& p) {
 }  // namespace
 
 double materialDistance(const Vec3& p, Material material) {
-    const Parts d = parts(p);
+    const Parts d = parts(p, false);
     switch (material) {
         case Material::skin:
         case Material::lips:

@@ -12,7 +12,8 @@ enum class Material : unsigned char { skin, lips, mouth, hair, sweater, trim, tr
 
 /// Signed distance to the figure without its eyeballs; negative inside.
 [[nodiscard]] double figureDistance(const Vec3& p);
-/// Signed distance to what is made of one material alone.
+/// Signed distance to what is made of one material alone, with the eyes closed: for shading, since the rims
+/// of the eyes' openings lie hidden behind the lids.
 [[nodiscard]] double materialDistance(const Vec3& p, Material material);
 /// What the surface nearest to `p` is made of.
 [[nodiscard]] Material figureMaterial(const Vec3& p);

@@ -37,12 +37,17 @@ glm::vec3 roundedNormal(const Vec3& n) {
     return glm::vec3(glm::normalize(Vec3(coarse)));
 }
 
-/// Thin patches of colour need small triangles: the mouth and the brows.
-double longestEdgeForColour(const Vec3& p) {
+bool nearEye(const Vec3& p) {
+    return std::abs(std::abs(p.x) - 0.031) < 0.028 && std::abs(p.y - 1.622) < 0.018 && p.z > 0.05;
+}
+
+/// Thin patches of colour need small triangles: the mouth and the brows; and so does the bend of the lids.
+double longestEdge(const Vec3& p) {
     const double x = std::abs(p.x);
     const bool mouth = x < 0.028 && p.y > 1.540 && p.y < 1.562 && p.z > 0.06;
     const bool brow = x > 0.01 && x < 0.054 && p.y > 1.642 && p.y < 1.660 && p.z > 0.055;
     if (mouth) return 0.0012;
+    if (nearEye(p) || (x < 0.034 && p.y > 1.534 && p.y < 1.568 && p.z > 0.06)) return 0.0032;
     return brow ? 0.0022 : 1.0;
 }
 
@@ -66,8 +71,9 @@ class Output {
                 const auto [at, is_new] = index_of.try_emplace({v, material}, size());
                 if (is_new) {
                     const Vec3& p = body.mesh.positions[v];
-                    // Where two materials meet, each keeps its own direction: the crease stays sharp.
-                    const bool on_border = materials_at[v].size() > 1;
+                    // Where two materials meet, each keeps its own direction: the crease stays sharp. So does
+                    // the skin at the eyes, whose opening is not to be seen.
+                    const bool on_border = materials_at[v].size() > 1 || nearEye(p);
                     const Vec3 exact =
                         on_border
                             ? fieldNormal([&](const Vec3& q) { return materialDistance(q, material); }, p)
@@ -125,7 +131,7 @@ int main(int argc, char** argv) {
     }
     Mesh surface = extractSurface();
     simplify(surface, triangle_target);
-    refine(surface, longestEdgeForColour);
+    refine(surface, longestEdge);
     const PaintedMesh body = paint(std::move(surface));
     if (!isClosed(body.mesh.triangles)) {
         fmt::print(stderr, "deixis_make_avatar: the mesh is not closed\n");
