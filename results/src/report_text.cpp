@@ -1,0 +1,208 @@
+#include "report_text.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace deixis::results {
+
+std::string escapeHtml(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+            case '&':
+                out += "&amp;";
+                break;
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                // Control characters are not allowed in XML.
+                if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') out += c;
+        }
+    }
+    return out;
+}
+
+std::string pText(double p) {
+    return p < 0.001 ? "&lt;0.001" : fmt::format("{:.3f}", p);
+}
+
+std::string scoreText(const std::string& measure, double value) {
+    return measure == "naturalness" ? fmt::format("{:.2f}", value)
+                                    : fmt::format("{:.1f}&#160;%", 100.0 * value);
+}
+
+namespace {
+
+std::string extremes(const AnalysisResult& result, const std::string& measure) {
+    const bool accuracy = measure == "accuracy";
+    std::vector<const SystemResult*> answered;
+    for (const auto& system : result.systems)
+        if ((accuracy ? system.accuracy : system.naturalness).n > 0) answered.push_back(&system);
+    if (answered.size() < 2) return "";
+    const auto value = [&](const SystemResult* s) { return (accuracy ? s->accuracy : s->naturalness).mean; };
+    std::stable_sort(answered.begin(), answered.end(),
+                     [&](const auto* a, const auto* b) { return value(a) > value(b); });
+    const auto named = [&](const SystemResult* s) {
+        return fmt::format("<b>{}</b> ({})", escapeHtml(s->system), scoreText(measure, value(s)));
+    };
+    return fmt::format("{} had the highest mean {}, {} the lowest.", named(answered.front()), measure,
+                       named(answered.back()));
+}
+
+std::string significance(const AnalysisResult& result, const std::string& measure) {
+    int pairs = 0;
+    int significant = 0;
+    std::string equal;
+    for (const auto& comparison : result.pairwise) {
+        if (comparison.measure != measure || comparison.test.n == 0) continue;
+        ++pairs;
+        if (comparison.significant)
+            ++significant;
+        else
+            equal += fmt::format("{}{} and {}", equal.empty() ? "" : "; ", escapeHtml(comparison.a),
+                                 escapeHtml(comparison.b));
+    }
+    if (pairs == 0) return "";
+    std::string out =
+        fmt::format("{} of {} pairs of systems differ significantly in {}", significant, pairs, measure);
+    if (significant > 0 && !equal.empty()) out += " (not: " + equal + ")";
+    return out + ".";
+}
+
+std::string layoutSentence(const AnalysisResult& result) {
+    std::string systems;
+    bool tested = false;
+    for (const auto& comparison : result.layout_tests) {
+        tested = tested || comparison.test.n > 0;
+        if (comparison.significant) systems += (systems.empty() ? "" : ", ") + escapeHtml(comparison.system);
+    }
+    if (!tested) return "";
+    return systems.empty() ? "The layout made no significant difference to accuracy for any system."
+                           : "The layout made a significant difference to accuracy for " + systems + ".";
+}
+
+}  // namespace
+
+std::string findingsHtml(const AnalysisResult& result) {
+    std::string out;
+    for (const char* measure : {"accuracy", "naturalness"}) {
+        std::string item = extremes(result, measure);
+        if (result.participants > 1) item += " " + significance(result, measure);
+        if (item.size() > 1) out += "<li>" + item + "</li>";
+    }
+    if (result.participants > 1)
+        if (const auto item = layoutSentence(result); !item.empty()) out += "<li>" + item + "</li>";
+    if (out.empty()) return "";
+    out = "<ul class=\"findings\">" + out + "</ul>";
+    if (result.participants > 1)
+        out += fmt::format(
+            "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "
+            "tests over participants, after Holm's correction.</p>",
+            result.table.alpha);
+    return out;
+}
+
+std::string methodsHtml(const AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    const auto pairs = table.systems.size() * (table.systems.size() - 1) / 2;
+    std::string out = fmt::format(
+        "<p>The analysis follows section 3.1 of Deichler, Wang, Alexanderson and Beskow (2023). Naturalness "
+        "is the "
+        "rating on the scale from 1 to {}. Accuracy is the share of trials of the referential game in which "
+        "the "
+        "target was chosen{}. Practice trials are left out.</p>",
+        table.rating_steps,
+        table.balls > 1
+            ? fmt::format(" among {} balls (chance: {:.1f}&#160;%)", table.balls, 100.0 / table.balls)
+            : std::string());
+    out +=
+        "<p><b>Means and standard deviations.</b> First each participant's answers to one system are "
+        "averaged; the "
+        "means given are means of these participants' means. \"SD participants\" is the standard deviation "
+        "of the "
+        "participants' means, \"SD trials\" that of all single answers, which for right or wrong answers is "
+        "about "
+        "&#8730;(p(1&#8722;p)). Table&#160;2, like Table&#160;1 of the paper, gives mean and standard "
+        "deviation over "
+        "trials. Both divide by n&#160;&#8722;&#160;1.</p>";
+    out += fmt::format(
+        "<p><b>Tests.</b> Two systems are compared by the two-sided Wilcoxon signed-rank test of the "
+        "participants' "
+        "means. Differences of zero are dropped before ranking (Wilcoxon's rule), equal differences share "
+        "their mean "
+        "rank. W+ and W&#8722; are the rank sums of positive and negative differences. p is exact, with ties "
+        "too, for "
+        "up to 100 differences; beyond, it is a normal approximation with tie and continuity corrections. "
+        "Holm's "
+        "correction covers the {} pairs of systems within one measure, and for the layouts the tests of all "
+        "systems; "
+        "corrected p values up to &#945;&#160;=&#160;{} count as significant. A participant without answers "
+        "under one "
+        "of two conditions is left out of their comparison; nothing is filled in.</p>",
+        pairs, table.alpha);
+    out +=
+        "<p><b>Box plots.</b> Box: 25th to 75th percentile of the participants' means (linear interpolation, "
+        "R's "
+        "type&#160;7); line: median; diamond: mean; whiskers: the farthest values within 1.5 box heights of "
+        "the box "
+        "(Tukey); points: the participants.</p>";
+    return out;
+}
+
+const char* const report_css = R"css(
+@page { size: A4; margin: 16mm 15mm; }
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 62rem; background: #ffffff; color: #1c1c1a;
+  font: 16px/1.5 "Source Sans 3", "Noto Sans", "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif;
+  font-variant-numeric: tabular-nums; }
+h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .3rem; }
+h2 { font-size: 1.25rem; margin: 2.4rem 0 .6rem; padding-bottom: .25rem; border-bottom: 1px solid #d6d6d1;
+  break-after: avoid; }
+p { margin: .5rem 0; max-width: 48rem; }
+.lead { color: #4c4c48; margin-bottom: 1.2rem; }
+.small, caption, figcaption { font-size: .875rem; color: #4c4c48; }
+.synthetic { border: 2px solid #b35900; border-left-width: .6rem; background: #fff6e8; padding: .7rem 1rem;
+  margin: 1.2rem 0; max-width: none; }
+.findings { padding-left: 1.2rem; max-width: 48rem; }
+.findings li { margin: .35rem 0; }
+.plots { display: flex; flex-wrap: wrap; gap: 1.2rem; }
+figure { margin: 0; flex: 1 1 20rem; break-inside: avoid; }
+figcaption { margin: 0 0 .3rem; }
+figcaption b { color: #1c1c1a; font-size: 1rem; }
+svg { width: 100%; height: auto; display: block; }
+svg text { font: 13px "Source Sans 3", "Noto Sans", "DejaVu Sans", Helvetica, Arial, sans-serif; }
+.scroll { overflow-x: auto; margin: 1rem 0; }
+table { border-collapse: collapse; font-size: .9375rem; break-inside: avoid; }
+caption { text-align: left; padding-bottom: .4rem; }
+caption b { color: #1c1c1a; }
+th, td { padding: .28rem .8rem; text-align: right; white-space: nowrap; border-bottom: 1px solid #e3e3e0; }
+th:first-child, td:first-child, .text { text-align: left; }
+thead th { border-bottom: 1.5px solid #1c1c1a; font-weight: 600; vertical-align: bottom; }
+thead tr.over th { border-bottom: none; text-align: center; padding-bottom: 0; }
+tbody th { font-weight: 600; }
+tr.all td, tr.all th { background: #f5f5f2; }
+td.sig { font-weight: 600; }
+td.not { color: #6b6b66; }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1.2rem; font-size: .9375rem; }
+dt { color: #4c4c48; }
+dd { margin: 0; overflow-wrap: anywhere; }
+@media print {
+  body { padding: 0; max-width: none; font-size: 10pt; }
+  h2 { margin-top: 1.5rem; }
+  .plots { flex-wrap: nowrap; }
+  figure { flex-basis: 0; }
+  th, td { padding: .2rem .5rem; }
+  p, .findings { max-width: none; }
+  .scroll { overflow: visible; }
+}
+)css";
+
+}  // namespace deixis::results
