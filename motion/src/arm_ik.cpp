@@ -45,9 +45,11 @@ double flexionForReach(const TwoLinkArm& arm, double reach_m) {
 ArmSolution solveArm(const TwoLinkArm& arm, const Vec3& tip, const Vec3& elbow_direction) {
     ArmSolution solution;
     solution.flexion_rad = flexionForReach(arm, glm::length(tip));
-    // The elbow's point faces -z; unlike the elbow's own place this stays a direction when the arm is
-    // straight.
-    const glm::dmat3 in_arm = frameOf(tipInUpperArm(arm, solution.flexion_rad), Vec3(0.0, 0.0, -1.0));
+    // Across the tip's direction in the plane of the hinge: unlike the elbow's own place this stays a
+    // direction when the arm is straight.
+    const Vec3 in_arm_tip = tipInUpperArm(arm, solution.flexion_rad);
+    const Vec3 hinge(0.0, arm.side == Side::left ? 1.0 : -1.0, 0.0);
+    const glm::dmat3 in_arm = frameOf(in_arm_tip, glm::cross(hinge, in_arm_tip));
     const glm::dmat3 wanted = frameOf(tip, elbow_direction);
     solution.upper_arm = glm::normalize(glm::quat_cast(wanted * glm::transpose(in_arm)));
     return solution;

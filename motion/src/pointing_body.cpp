@@ -25,9 +25,17 @@ LocalPose onAvatar(const Skeleton& avatar, const HumanoidMap& map, const LocalPo
     return pose;
 }
 
-Vec3 pointInHand(const PointingBody& body, Side side, const Vec3& point) {
-    const std::size_t hand = body.joint(armBones(side).hand);
-    return transformPoint(inverse(body.world(body.pointing_hands, hand)), point);
+void findIndexFinger(PointingBody& body, Side side) {
+    const ArmBones bones = armBones(side);
+    const auto world = worldPose(body.skeleton, body.pointing_hands);
+    const Pose hand_from_root = inverse(world[body.joint(bones.hand)]);
+    const auto index = static_cast<std::size_t>(side);
+    body.fingertip_in_hand[index] =
+        transformPoint(hand_from_root, fingertipPosition(body.skeleton, body.map, world, side));
+    body.knuckle_in_hand[index] =
+        body.map.has(bones.index_proximal)
+            ? transformPoint(hand_from_root, world[body.joint(bones.index_proximal)].position)
+            : Vec3(0.0);
 }
 
 }  // namespace
@@ -43,17 +51,6 @@ Pose PointingBody::world(const LocalPose& pose, std::size_t joint) const {
 Vec3 PointingBody::eye(const LocalPose& pose) const {
     if (!map.has(Bone::leftEye) || !map.has(Bone::rightEye)) return world(pose, joint(Bone::head)).position;
     return 0.5 * (world(pose, joint(Bone::leftEye)).position + world(pose, joint(Bone::rightEye)).position);
-}
-
-Vec3 PointingBody::fingertipInHand(Side side) const {
-    return pointInHand(*this, side,
-                       fingertipPosition(skeleton, map, worldPose(skeleton, pointing_hands), side));
-}
-
-Vec3 PointingBody::knuckleInHand(Side side) const {
-    const Bone knuckle = armBones(side).index_proximal;
-    if (!map.has(knuckle)) return Vec3(0.0);
-    return pointInHand(*this, side, world(pointing_hands, joint(knuckle)).position);
 }
 
 Result<PointingBody> makePointingBody(const Skeleton& avatar) {
@@ -76,6 +73,7 @@ Result<PointingBody> makePointingBody(const Skeleton& avatar) {
     applyPointingHand(pose, Side::right, 1.0);
     body.pointing_hands = onAvatar(avatar, body.map, pose);
     for (const Side side : {Side::left, Side::right}) {
+        findIndexFinger(body, side);
         const auto first = static_cast<std::size_t>(side == Side::left ? Bone::leftThumbMetacarpal
                                                                        : Bone::rightThumbMetacarpal);
         const auto last =

@@ -17,6 +17,9 @@ struct PointingBody {
     LocalPose pointing_hands;  ///< `relaxed` with both hands in the pointing shape
     /// Joints of each hand's fingers, by Side.
     std::array<std::vector<std::size_t>, 2> fingers;
+    /// Index fingertip and index knuckle in the frame of each hand in the pointing shape, by Side, metres.
+    std::array<Vec3, 2> fingertip_in_hand{};
+    std::array<Vec3, 2> knuckle_in_hand{};
 
     /// Joint of a bone that the body must have.
     [[nodiscard]] std::size_t joint(Bone bone) const { return static_cast<std::size_t>(map[bone]); }
@@ -28,10 +31,6 @@ struct PointingBody {
     /// root_from_joint of one joint.
     [[nodiscard]] Pose world(const LocalPose& pose, std::size_t joint) const;
     [[nodiscard]] Vec3 eye(const LocalPose& pose) const;
-    /// Index fingertip in the hand's frame, the hand in the pointing shape; and the same of the index
-    /// knuckle.
-    [[nodiscard]] Vec3 fingertipInHand(Side side) const;
-    [[nodiscard]] Vec3 knuckleInHand(Side side) const;
 };
 
 /// Fails where the avatar lacks a bone of the trunk, the head or an arm, or has rest rotations.

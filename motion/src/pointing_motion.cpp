@@ -15,9 +15,7 @@ namespace deixis::motion {
 
 namespace {
 
-const Vec3 x_axis{1.0, 0.0, 0.0};
 const Vec3 y_axis{0.0, 1.0, 0.0};
-const Vec3 z_axis{0.0, 0.0, 1.0};
 
 /// 0 at rest, 1 in the pointing posture.
 struct Course {
@@ -129,7 +127,8 @@ class Performance {
     /// Fingertip in the upper arm's frame.
     [[nodiscard]] Vec3 tipFromShoulder(const Quat& lower_arm, const Quat& hand) const {
         return body_.offset(bones_.lower_arm) +
-               lower_arm * (body_.offset(bones_.hand) + hand * body_.fingertipInHand(motion_.hand));
+               lower_arm * (body_.offset(bones_.hand) +
+                            hand * body_.fingertip_in_hand[static_cast<std::size_t>(motion_.hand)]);
     }
 
     [[nodiscard]] Quat orientation(const LocalPose& pose, Bone bone) const {
@@ -147,8 +146,9 @@ class Performance {
         const Vec3 from = tip_of(body_.relaxed);
         const Vec3 to = tip_of(posture);
         const double straight_way = glm::length(to - from);
-        const TwoLinkArm links{motion_.hand, body_.offset(bones_.lower_arm),
-                               body_.offset(bones_.hand) + body_.fingertipInHand(motion_.hand)};
+        const TwoLinkArm links{
+            motion_.hand, body_.offset(bones_.lower_arm),
+            body_.offset(bones_.hand) + body_.fingertip_in_hand[static_cast<std::size_t>(motion_.hand)]};
         const double longest = glm::length(links.elbow) + glm::length(links.tip);
         const double reach = std::max(glm::length(0.5 * (from + to)) + bulge * straight_way,
                                       parameters_.timing.least_reach * longest);

@@ -150,8 +150,8 @@ LocalPose solvePosture(const PointingBody& body, const PostureRequest& request,
             .orientation;
     const Vec3 eye = body.eye(pose);
     const Vec3 origin = (1.0 - request.origin_k) * eye + request.origin_k * shoulder;
-    const Vec3 tip_in_hand = body.fingertipInHand(request.hand);
-    const Vec3 knuckle_in_hand = body.knuckleInHand(request.hand);
+    const Vec3 tip_in_hand = body.fingertip_in_hand[static_cast<std::size_t>(request.hand)];
+    const Vec3 knuckle_in_hand = body.knuckle_in_hand[static_cast<std::size_t>(request.hand)];
     const Vec3 index_in_hand = tip_in_hand - knuckle_in_hand;
     const double upper_m = glm::length(body.offset(bones.lower_arm));
     const double fore_m = glm::length(body.offset(bones.hand) + tip_in_hand);
