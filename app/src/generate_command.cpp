@@ -5,6 +5,7 @@
 
 #include "assets/data_paths.hpp"
 #include "assets/demonstrations.hpp"
+#include "assets/target_list.hpp"
 #include "commands.hpp"
 #include "generation.hpp"
 #include "study_setup.hpp"
@@ -27,7 +28,7 @@ Result<void> generate(const Options& options) {
     if (!parameters) return tl::unexpected(parameters.error());
     const auto generator = motion::makeGenerator(options.system, avatar->skeleton, *parameters);
     if (!generator) return tl::unexpected(generator.error());
-    const auto targets = readTargets(options.targets);
+    const auto targets = assets::readTargetList(options.targets);
     if (!targets) return tl::unexpected(targets.error());
     const auto rows = generateClips(**generator, *targets, options.seed, options.folder);
     if (!rows) return tl::unexpected(rows.error());

@@ -41,8 +41,8 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, const Stud
     if (!parameters) return tl::unexpected(parameters.error());
     const auto generator = motion::makeGenerator(system.generator, avatar.skeleton, *parameters);
     if (!generator) return tl::unexpected(generator.error());
-    std::vector<NamedTarget> targets;
-    for (const auto& item : setup.targets) targets.emplace_back(item.id, item.target);
+    std::vector<assets::ListedTarget> targets;
+    for (const auto& item : setup.targets) targets.push_back({item.id, item.target});
     const auto rows = generateClips(**generator, targets, setup.study.seed, clips);
     if (!rows) return tl::unexpected(rows.error());
     return manifest;

@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "motion/demonstration_library.hpp"
+#include "motion/reference_humanoid.hpp"
 #include "studies/targets.hpp"
 #include "study_setup.hpp"
 
@@ -29,8 +30,12 @@ Result<void> printTargets(const Options& options) {
         if (!parameters) return tl::unexpected(parameters.error());
         const std::string picture =
             options.picture.empty() ? setup->study.name + "-targets.svg" : options.picture;
-        const std::string svg =
-            studies::targetsSvg(setup->study.targets, setup->targets, motion::demonstrationTargets(*parameters));
+        // The picture sets the targets against what the built-in systems were made from, as the paper's does.
+        const auto library = motion::makeDemonstrations(motion::referenceHumanoid(), *parameters);
+        if (!library) return tl::unexpected(library.error());
+        std::vector<Vec3> demonstrations;
+        for (const auto& demonstration : *library) demonstrations.push_back(demonstration.target);
+        const std::string svg = studies::targetsSvg(setup->study.targets, setup->targets, demonstrations);
         if (auto written = writeFile(picture, svg); !written) return written;
         fmt::print(stderr, "picture: {}\n", picture);
     }
