@@ -1,14 +1,18 @@
 // A small study made by hand, its plans, and answers to them: what the tests of the results share.
 #pragma once
 
+#include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "core/random.hpp"
 #include "results/store.hpp"
 
 namespace fixtures {
@@ -118,6 +122,39 @@ inline results::Store open(const std::filesystem::path& path,
     auto store = results::Store::open(path, how);
     if (!store) throw std::runtime_error(store.error().text());
     return std::move(*store);
+}
+
+/// A database of `participants` made-up participants. System k (of the names given) is right in a share
+/// right[k] of choices and rated about rating[k]. `keep` tells which trials are answered.
+template <typename Keep>
+void fill(const std::filesystem::path& path, const studies::Study& of, int participants, int items,
+          bool synthetic, const std::vector<double>& right, const std::vector<double>& rating,
+          const Keep& keep) {
+    results::Store store = open(path, results::Durability::whole_run);
+    for (int number = 1; number <= participants; ++number) {
+        const std::string id = fmt::format("P{:02}", number);
+        const auto trials = plan(of, id, items);
+        if (!store.storePlan(of, trials)) throw std::runtime_error("the plan is refused");
+        store.beginSession(session(id, synthetic));
+        Random random(2023, id);
+        const double bias = random.normal(0.0, 0.4);
+        for (const auto& trial : trials.trials) {
+            std::size_t system = 0;
+            while (of.systems[system].name != trial.system) ++system;
+            const bool correct = random.uniform() < right[system];
+            const double rated = std::clamp(std::round(random.normal(rating[system] + bias, 0.8)), 1.0, 5.0);
+            const bool game = trial.stage == studies::StageKind::game;
+            if (!trial.practice && keep(number, trial))
+                store.record(answer(trial, game ? static_cast<int>(correct) : static_cast<int>(rated)),
+                             trials, clips(trials));
+        }
+        store.endSession("finished", 1.7e9 + 900.0);
+    }
+    store.commit();
+}
+
+inline bool everything(int, const studies::Trial&) {
+    return true;
 }
 
 }  // namespace fixtures

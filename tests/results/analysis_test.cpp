@@ -1,0 +1,188 @@
+#include "results/analysis.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "fixtures.hpp"
+
+using namespace deixis;
+using namespace deixis::results;
+
+namespace {
+
+/// A table of two systems to which answers are added one by one.
+struct TableMaker {
+    ResponseTable table;
+
+    TableMaker() {
+        table.study_name = "hand-made";
+        table.systems = {"x", "y"};
+        table.layouts = {"across", "side-by-side"};
+        table.alpha = 0.01;
+    }
+    void rate(const char* participant, const char* system, double rating) {
+        table.rows.push_back({participant, "naturalness", system, "across", "T001", rating});
+        ++table.planned_ratings;
+    }
+    void choose(const char* participant, const char* system, const char* layout, bool correct) {
+        table.rows.push_back({participant, "game", system, layout, "T001", 0.0, correct});
+        ++table.planned_choices;
+    }
+};
+
+bool anyContains(const std::vector<std::string>& texts, const char* part) {
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST_SUITE("results/analysis") {
+    TEST_CASE("A table worked by hand gives its means, deviations and tests") {
+        TableMaker made;
+        // Participants' means: x 4, 3, 5; y 2, 2, 1 -> differences 2, 1, 4.
+        for (const double rating : {5.0, 3.0}) made.rate("A", "x", rating);
+        for (const double rating : {2.0, 2.0}) made.rate("A", "y", rating);
+        made.rate("B", "x", 3.0);
+        made.rate("B", "y", 2.0);
+        made.rate("C", "x", 5.0);
+        made.rate("C", "y", 1.0);
+        // Across: A right, B wrong; side by side: A right, B right; C has played across only.
+        made.choose("A", "x", "across", true);
+        made.choose("A", "x", "side-by-side", true);
+        made.choose("B", "x", "across", false);
+        made.choose("B", "x", "side-by-side", true);
+        made.choose("C", "x", "across", true);
+        made.table.planned_participants = 3;
+        const auto result = analyse(made.table);
+        CHECK(result.participants == 3);
+        REQUIRE(result.systems.size() == 2);
+        const auto& x = result.systems[0];
+        CHECK(x.naturalness.mean == doctest::Approx(4.0));
+        CHECK(x.naturalness.sd_participants == doctest::Approx(1.0));
+        // Ratings 5, 3, 3, 5: mean 4, squares 4, n - 1 = 3.
+        CHECK(x.naturalness.sd_trials == doctest::Approx(std::sqrt(4.0 / 3.0)));
+        CHECK(x.naturalness.n == 4);
+        // Means 1, 1/2, 1: the mean of participants, not of trials (4/5).
+        CHECK(x.accuracy.mean == doctest::Approx(2.5 / 3.0));
+        CHECK(x.accuracy.n == 5);
+        CHECK(result.systems[1].accuracy.n == 0);
+        CHECK(x.naturalness_by_participant == std::vector<double>{4.0, 3.0, 5.0});
+
+        REQUIRE(result.layouts.size() == 6);
+        CHECK(result.layouts[0].system == "all");
+        CHECK(result.layouts[0].layout == "across");
+        CHECK(result.layouts[0].mean == doctest::Approx(2.0 / 3.0));
+        CHECK(result.layouts[0].sd_trials == doctest::Approx(std::sqrt(1.0 / 3.0)));
+        CHECK(result.layouts[3].system == "x");
+        CHECK(result.layouts[3].layout == "side-by-side");
+        CHECK(result.layouts[3].mean == 1.0);
+        CHECK(result.layouts[3].n == 2);
+
+        REQUIRE(result.pairwise.size() == 2);
+        const auto& accuracy = result.pairwise[0];
+        CHECK(accuracy.measure == "accuracy");
+        CHECK(accuracy.test.n == 0);
+        CHECK(accuracy.test.p == 1.0);
+        const auto& naturalness = result.pairwise[1];
+        CHECK(naturalness.measure == "naturalness");
+        CHECK(naturalness.a == "x");
+        CHECK(naturalness.b == "y");
+        CHECK(naturalness.mean_difference == doctest::Approx(7.0 / 3.0));
+        CHECK(naturalness.test.w_plus == 6.0);
+        CHECK(naturalness.test.w_minus == 0.0);
+        CHECK(naturalness.test.p == 0.25);  // 2 of 8 sign patterns
+        CHECK_FALSE(naturalness.significant);
+
+        REQUIRE(result.layout_tests.size() == 2);
+        CHECK(result.layout_tests[0].system == "x");
+        CHECK(result.layout_tests[0].test.n == 2);
+        CHECK(result.layout_tests[0].test.n_zero == 1);
+        CHECK(result.layout_tests[0].test.p == 1.0);
+        CHECK(anyContains(result.remarks, "Tests of layout: participants without answers"));
+        CHECK(anyContains(result.remarks, "With 3 participants no difference"));
+        CHECK_FALSE(anyContains(result.remarks, "incomplete"));
+    }
+
+    TEST_CASE(
+        "The deviation over trials of right and wrong answers is the binomial one of the paper's Table 1") {
+        // Proportions and deviations as printed there, two decimals each.
+        const std::pair<double, double> printed[] = {
+            {0.84, 0.37}, {0.5, 0.5}, {0.39, 0.49}, {0.96, 0.20}, {0.95, 0.22}};
+        for (const auto& [proportion, deviation] : printed) {
+            CAPTURE(proportion);
+            TableMaker made;
+            for (int trial = 0; trial < 400; ++trial)
+                made.choose(trial % 2 == 0 ? "A" : "B", "x", "across",
+                            trial < std::lround(400.0 * proportion));
+            const auto result = analyse(made.table);
+            CHECK(std::abs(result.layouts[0].sd_trials - deviation) < 0.005);
+        }
+    }
+
+    TEST_CASE("Holm's families are the pairs within a measure, and the layout tests") {
+        TableMaker made;
+        made.table.systems = {"x", "y", "z"};
+        const char* participants[] = {"A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L"};
+        for (int i = 0; i < 12; ++i) {
+            made.rate(participants[i], "x", 5.0);
+            made.rate(participants[i], "y", 3.0);
+            made.rate(participants[i], "z", i % 2 == 0 ? 2.0 : 4.0);
+        }
+        made.table.planned_participants = 12;
+        const auto result = analyse(made.table);
+        REQUIRE(result.pairwise.size() == 6);
+        const double p = std::exp2(-11);  // all of 12 differences positive
+        const auto& xy = result.pairwise[3];
+        CHECK(xy.test.p == doctest::Approx(p));
+        CHECK(xy.p_holm == doctest::Approx(3.0 * p));
+        CHECK(xy.significant);
+        CHECK(result.pairwise[5].p_holm == 1.0);
+        CHECK_FALSE(result.pairwise[5].significant);
+        CHECK_FALSE(anyContains(result.remarks, "no difference between systems can be significant"));
+        CHECK(anyContains(result.remarks, "There are no choices"));
+    }
+
+    TEST_CASE("The JSON has the promised shapes, null where nothing is known, and the same bytes each time") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::study({"a", "b", "c", "d"});
+        fixtures::fill(folder / "a.sqlite", study, 5, 2, true, {0.9, 0.8, 0.7, 0.4}, {4.0, 3.5, 3.0, 2.5},
+                       fixtures::everything);
+        const auto table = loadResponses(folder / "a.sqlite");
+        REQUIRE(table);
+        const auto result = analyse(*table);
+        const auto text = analysisJson(result);
+        CHECK(text == analysisJson(analyse(*loadResponses(folder / "a.sqlite"))));
+        const auto json = nlohmann::json::parse(text);
+        CHECK(json["participants"] == 5);
+        CHECK(json["synthetic"] == true);
+        CHECK(json["alpha"] == 0.01);
+        REQUIRE(json["systems"].size() == 4);
+        for (const char* measure : {"accuracy", "naturalness"})
+            for (const char* key : {"mean", "sd_participants", "sd_trials", "n"})
+                CHECK(json["systems"][0][measure][key].is_number());
+        CHECK(json["systems"][0]["naturalness"]["n"] == 10);
+        CHECK(json["systems"][0]["accuracy"]["n"] == 20);
+        CHECK(json["systems"][2]["accuracy"]["mean"].get<double>() == result.systems[2].accuracy.mean);
+        REQUIRE(json["layouts"].size() == 10);
+        for (const char* key : {"system", "layout", "mean", "sd_trials", "n"})
+            CHECK(json["layouts"][9].contains(key));
+        REQUIRE(json["pairwise"].size() == 12);
+        for (const char* key : {"measure", "a", "b", "n", "n_zero", "w_plus", "w_minus", "p", "p_holm",
+                                "significant", "method"})
+            CHECK(json["pairwise"][0].contains(key));
+        CHECK(json["layout_tests"].size() == 4);
+
+        fixtures::fill(
+            folder / "one.sqlite", study, 1, 1, false, {1, 1, 1, 1}, {3, 3, 3, 3},
+            [](int, const studies::Trial& trial) { return trial.stage == studies::StageKind::naturalness; });
+        const auto one = nlohmann::json::parse(analysisJson(analyse(*loadResponses(folder / "one.sqlite"))));
+        CHECK(one["synthetic"] == false);
+        CHECK(one["systems"][0]["accuracy"]["mean"].is_null());
+        CHECK(one["systems"][0]["naturalness"]["mean"].is_number());
+        CHECK(one["systems"][0]["naturalness"]["sd_participants"].is_null());
+        CHECK(anyContains(one["remarks"], "incomplete: 4 of 4 planned ratings and 0 of 8 planned choices"));
+    }
+}

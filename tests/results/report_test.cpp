@@ -1,0 +1,110 @@
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/files.hpp"
+#include "fixtures.hpp"
+#include "results/analysis.hpp"
+
+using namespace deixis;
+using namespace deixis::results;
+
+namespace {
+
+/// What xmllint (libxml2-utils) prints for an XPath expression; fails the test where the file is no
+/// well-formed XML.
+std::string xpath(const std::filesystem::path& file, const std::string& expression) {
+    const std::string command = fmt::format("xmllint --nonet --xpath \"{}\" '{}'", expression, file.string());
+    FILE* pipe = ::popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string out;
+    char part[4096];
+    for (std::size_t got = 0; (got = std::fread(part, 1, sizeof part, pipe)) > 0;) out.append(part, got);
+    CHECK(::pclose(pipe) == 0);
+    return out;
+}
+
+struct Page {
+    std::string html;
+    std::string text;  ///< without the markup
+};
+
+/// The page of a database, checked to be self-contained, and left in the build folder to be looked at.
+Page pageOf(const std::filesystem::path& database, const char* name) {
+    const auto table = loadResponses(database);
+    REQUIRE(table);
+    const auto html = renderReport(analyse(*table));
+    const std::filesystem::path folder = std::string(DEIXIS_BINARY_DIR) + "/test-reports";
+    std::filesystem::create_directories(folder);
+    const auto file = folder / (std::string(name) + ".html");
+    REQUIRE(writeFile(file, html));
+    CHECK(xpath(file,
+                "count(//*[local-name()='script' or local-name()='link' or local-name()='img']) + "
+                "count(//@src | //@href)") == "0\n");
+    return {html, xpath(file, "string(/)")};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+const std::vector<std::string> systems{"demonstration-nn", "direct", "stiff", "drifting"};
+
+}  // namespace
+
+TEST_SUITE("results/report") {
+    TEST_CASE("The report of a whole study is well formed and shows the numbers of the analysis") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::study(systems);
+        fixtures::fill(folder / "a.sqlite", study, 39, 5, true, {0.86, 0.95, 0.83, 0.46},
+                       {4.0, 3.6, 2.6, 2.9}, fixtures::everything);
+        const auto page = pageOf(folder / "a.sqlite", "whole");
+        CHECK(page.html == renderReport(analyse(*loadResponses(folder / "a.sqlite"))));
+        const std::string& text = page.text;
+        CHECK(contains(text, "Simulated participants: these numbers test the pipeline"));
+        CHECK(contains(text, "A small <study> & its \"title\""));
+        CHECK(contains(text, std::string(64, 'a')));
+        const auto json = nlohmann::json::parse(analysisJson(analyse(*loadResponses(folder / "a.sqlite"))));
+        for (const auto& system : json["systems"]) {
+            CHECK(contains(text,
+                           fmt::format("{:.1f}\u00a0%", 100.0 * system["accuracy"]["mean"].get<double>())));
+            CHECK(contains(text, fmt::format("{:.2f}", system["naturalness"]["sd_trials"].get<double>())));
+        }
+        for (const auto& row : json["layouts"])
+            CHECK(contains(text, fmt::format("{:.2f} \u00b1 {:.2f}", row["mean"].get<double>(),
+                                             row["sd_trials"].get<double>())));
+        for (const auto& pair : json["pairwise"])
+            CHECK(contains(page.html, fmt::format("<td>{}</td>", pair["w_plus"].get<double>())));
+        CHECK(contains(text, "had the highest mean accuracy, drifting ("));
+        CHECK_FALSE(contains(text, "Remarks"));
+    }
+
+    TEST_CASE("One participant gives a report without tests that says so") {
+        const fixtures::Folder folder;
+        fixtures::fill(folder / "a.sqlite", fixtures::study(systems), 1, 5, false, {0.9, 0.9, 0.8, 0.4},
+                       {4.0, 3.6, 2.6, 2.9}, fixtures::everything);
+        const auto text = pageOf(folder / "a.sqlite", "one").text;
+        CHECK(contains(text, "With one participant there is nothing to test yet"));
+        CHECK_FALSE(contains(text, "Table 3"));
+        CHECK_FALSE(contains(text, "Simulated participants:"));
+    }
+
+    TEST_CASE("Ratings without a game, and a participant who stopped, are reported as what they are") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::study(systems);
+        fixtures::fill(
+            folder / "a.sqlite", study, 12, 5, false, {0.9, 0.9, 0.8, 0.4}, {4.0, 3.6, 2.6, 2.9},
+            [](int, const studies::Trial& trial) { return trial.stage == studies::StageKind::naturalness; });
+        const auto ratings = pageOf(folder / "a.sqlite", "ratings").text;
+        CHECK(contains(ratings, "There are no choices: accuracy is not reported."));
+        CHECK(contains(ratings, "no participant has both"));
+        fixtures::fill(folder / "b.sqlite", study, 12, 5, false, {0.9, 0.9, 0.8, 0.4}, {4.0, 3.6, 2.6, 2.9},
+                       [](int participant, const studies::Trial& trial) {
+                           return participant != 7 || trial.index < 23;
+                       });
+        const auto stopped = pageOf(folder / "b.sqlite", "stopped").text;
+        CHECK(contains(stopped, "240 of 240 planned ratings and 442 of 480 planned choices"));
+        CHECK(contains(stopped, "11 to 12 of 12 participants enter"));
+    }
+}
