@@ -114,6 +114,19 @@ struct SkinnedVertex {
     glm::vec4 position, normal;
 };
 
+// How far the vertices that a joint moves lie from it, whatever the pose; -1 for a joint that moves none.
+std::vector<double> jointReach(const assets::Avatar& avatar) {
+    std::vector<double> reach_m(avatar.joint_from_bind.size(), -1.0);
+    for (const assets::SkinnedVertex& v : avatar.vertices)
+        for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t joint = v.joints[k];
+            if (v.weights[k] < 0.25F || joint >= reach_m.size()) continue;
+            const Vec3 in_joint = transformPoint(avatar.joint_from_bind[joint], Vec3(v.position));
+            reach_m[joint] = std::max(reach_m[joint], glm::length(in_joint));
+        }
+    return reach_m;
+}
+
 // Heaviest first, the weights as fractions of 65535 whose sum is exactly that.
 BindVertex packed(const assets::SkinnedVertex& v) {
     BindVertex out{v.position, v.normal, {}, {}};
@@ -166,6 +179,7 @@ std::vector<std::uint32_t> coarseTriangles(const assets::Avatar& avatar, float c
 AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
     : humanoid_(avatar.humanoid),
       joint_from_bind_(avatar.joint_from_bind),
+      joint_reach_m_(jointReach(avatar)),
       vertex_count_(static_cast<int>(avatar.vertices.size())),
       index_count_(static_cast<int>(avatar.indices.size())),
       shadow_resolution_(shadow_resolution),
@@ -274,14 +288,13 @@ void AvatarPass::placeShadow(const std::vector<Pose>& stage_from_joint, FrameBlo
     block.shadow_from_stage = glm::mat4(shadow_from_stage);
     block.shadow = glm::vec4(1.0 / shadow_side_m, shadow_depth_m, 1.0, 0.0);
 
-    // Flesh reaches no further than this from the joints (the crown of the head is the farthest).
-    const double reach = 0.22 / shadow_side_m;
     glm::dvec2 low(1.0);
     glm::dvec2 high(0.0);
-    for (const Pose& joint : stage_from_joint) {
-        const glm::dvec2 uv(shadow_from_stage * glm::dvec4(joint.position, 1.0));
-        low = glm::min(low, uv - reach);
-        high = glm::max(high, uv + reach);
+    for (std::size_t j = 0; j < stage_from_joint.size(); ++j) {
+        if (joint_reach_m_[j] < 0.0) continue;
+        const glm::dvec2 uv(shadow_from_stage * glm::dvec4(stage_from_joint[j].position, 1.0));
+        low = glm::min(low, uv - joint_reach_m_[j] / shadow_side_m);
+        high = glm::max(high, uv + joint_reach_m_[j] / shadow_side_m);
     }
     block.shadow_box = glm::vec4(glm::max(low, glm::dvec2(0.0)), glm::min(high, glm::dvec2(1.0)));
 }

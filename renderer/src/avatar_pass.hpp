@@ -30,6 +30,7 @@ class AvatarPass {
   private:
     motion::HumanoidMap humanoid_;
     std::vector<Pose> joint_from_bind_;
+    std::vector<double> joint_reach_m_;
     std::vector<float> joint_rows_;  // scratch: 3 rows of 4 a joint
     int vertex_count_ = 0;
     int index_count_ = 0;

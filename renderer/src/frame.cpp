@@ -60,8 +60,7 @@ float avatarLight(vec3 p, vec3 n, float noise) {
     float margin = widest * shadow.x;
     bool inside = shadow.z > 0.5 && all(greaterThan(q.xy, shadow_box.xy - margin)) &&
                   all(lessThan(q.xy, shadow_box.zw + margin));
-    float turn = 6.2831853 * noise;
-    vec2 spiral = vec2(cos(turn), sin(turn));
+    vec2 spiral = vec2(1.0, 0.0);
     const mat2 golden = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
     float gap = 0.0;
     float found = 0.0;
@@ -77,6 +76,8 @@ float avatarLight(vec3 p, vec3 n, float noise) {
     }
     gap = found > 0.0 ? gap / found : 1.0;
     float radius = clamp(0.03 * gap, 0.004, widest) * shadow.x;
+    float turn = 6.2831853 * noise;
+    spiral = vec2(cos(turn), sin(turn));
     const int taps = 10;
     int used = inside ? taps : 0;
     float light = inside ? 0.0 : float(taps);

@@ -1,0 +1,156 @@
+#include "gl_fixture.hpp"
+
+using namespace deixis;
+using namespace deixis::renderer;
+using namespace deixis::tests;
+
+namespace {
+
+constexpr int width = 640;
+constexpr int height = 360;
+
+Board questionBoard() {
+    Board board;
+    board.stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
+    board.width_m = 1.0;
+    board.height_m = 0.5;
+    board.texts.push_back({{0.05, 0.35, 0.9, 0.1}, "How natural is it?", 0.08, true, true, false});
+    board.buttons.push_back({{0.1, 0.1, 0.2, 0.15}, "1", "not at all", true, false});
+    board.buttons.push_back({{0.6, 0.1, 0.2, 0.15}, "5", "completely", true, false});
+    return board;
+}
+
+struct Region {
+    int darkest = 255, brightest = 0;
+    double mean = 0.0;
+};
+
+/// Green bytes over a rectangle of the board.
+Region region(const Image& image, const Scene& scene, const BoardRect& box) {
+    const Pose& pose = scene.board->stage_from_board;
+    const auto [x0, y1] = project(scene.camera, transformPoint(pose, {box.x, box.y, 0.0}), width, height);
+    const auto [x1, y0] = project(
+        scene.camera, transformPoint(pose, {box.x + box.width, box.y + box.height, 0.0}), width, height);
+    Region found;
+    int count = 0;
+    for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x) {
+            const int value = pixel(image, x, y).g;
+            found.darkest = std::min(found.darkest, value);
+            found.brightest = std::max(found.brightest, value);
+            found.mean += value;
+            ++count;
+        }
+    found.mean /= count;
+    return found;
+}
+
+Scene boardScene() {
+    Scene scene = emptyScene();
+    scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
+    scene.board = questionBoard();
+    return scene;
+}
+
+}  // namespace
+
+TEST_SUITE("renderer/board") {
+    TEST_CASE("Text stands bright on the dark card inside its box, and nowhere else") {
+        Gl gl;
+        Scene scene = boardScene();
+        const Region text = region(gl.renderer->capture(scene, width, height), scene, {0.1, 0.34, 0.8, 0.1});
+        CHECK(text.brightest > 200);
+        CHECK(text.darkest < 70);
+        const Region bare =
+            region(gl.renderer->capture(scene, width, height), scene, {0.05, 0.27, 0.9, 0.05});
+        CHECK(bare.brightest < 70);
+        scene.board->texts.clear();
+        const Region empty = region(gl.renderer->capture(scene, width, height), scene, {0.1, 0.34, 0.8, 0.1});
+        CHECK(empty.brightest < 70);
+    }
+
+    TEST_CASE("A text of accents, dashes and quotes draws every one of them") {
+        Gl gl;
+        Scene scene = boardScene();
+        // Each of these alone leaves bright pixels that differ from a question mark's, which stands for a
+        // character that the font lacks.
+        std::vector<double> means;
+        for (const char* text : {"?", "é", "ß", "–", "—", "“", "…", "Å"}) {
+            scene.board->texts = {{{0.3, 0.3, 0.4, 0.18}, text, 0.16, false, true, false}};
+            const Region drawn =
+                region(gl.renderer->capture(scene, width, height), scene, {0.3, 0.3, 0.4, 0.18});
+            CHECK(drawn.brightest > 190);
+            means.push_back(drawn.mean);
+        }
+        std::sort(means.begin(), means.end());
+        CHECK(std::adjacent_find(means.begin(), means.end()) == means.end());
+    }
+
+    TEST_CASE("Long text wraps within its box: its right margin stays free and lines follow below") {
+        Gl gl;
+        Scene scene = boardScene();
+        scene.board->buttons.clear();
+        scene.board->texts = {{{0.05, 0.05, 0.5, 0.42},
+                               "These words are far too many for a single line of the box that they are in.",
+                               0.06,
+                               false,
+                               false,
+                               false}};
+        const Image image = gl.renderer->capture(scene, width, height);
+        CHECK(region(image, scene, {0.05, 0.41, 0.5, 0.06}).brightest > 190);
+        CHECK(region(image, scene, {0.05, 0.29, 0.5, 0.06}).brightest > 190);
+        CHECK(region(image, scene, {0.57, 0.05, 0.4, 0.42}).brightest < 70);
+    }
+
+    TEST_CASE("A hovered button is clearly brighter than the same button at rest, and its neighbour is not") {
+        Gl gl;
+        Scene scene = boardScene();
+        const BoardRect first = scene.board->buttons[0].box;
+        const BoardRect second = scene.board->buttons[1].box;
+        const Image rest = gl.renderer->capture(scene, width, height);
+        scene.board->buttons[0].hovered = true;
+        const Image hovered = gl.renderer->capture(scene, width, height);
+        CHECK(region(hovered, scene, first).mean > region(rest, scene, first).mean + 60.0);
+        CHECK(region(hovered, scene, second).mean == doctest::Approx(region(rest, scene, second).mean));
+        scene.board->buttons[0].enabled = false;
+        CHECK(region(gl.renderer->capture(scene, width, height), scene, first).mean <
+              region(rest, scene, first).mean);
+    }
+
+    TEST_CASE("Progress fills the bar from the left") {
+        Gl gl;
+        Scene scene = boardScene();
+        scene.board->progress = 0.5;
+        const Image image = gl.renderer->capture(scene, width, height);
+        CHECK(region(image, scene, {0.1, 0.013, 0.3, 0.009}).brightest > 120);
+        CHECK(region(image, scene, {0.6, 0.013, 0.3, 0.009}).brightest < 100);
+    }
+
+    TEST_CASE("A board whose content stays is painted once, also while it moves; a change paints it again") {
+        Gl gl;
+        Scene scene = boardScene();
+        for (int i = 0; i < 3; ++i) {
+            scene.board->stage_from_board.position.x += 0.01;
+            static_cast<void>(gl.renderer->capture(scene, 64, 36));
+        }
+        CHECK(gl.renderer->boardPaints() == 1);
+        scene.board->buttons[1].hovered = true;
+        static_cast<void>(gl.renderer->capture(scene, 64, 36));
+        CHECK(gl.renderer->boardPaints() == 2);
+        scene.board->texts[0].text += '!';
+        static_cast<void>(gl.renderer->capture(scene, 64, 36));
+        CHECK(gl.renderer->boardPaints() == 3);
+    }
+
+    TEST_CASE("A ball in front of the board hides it, one behind is hidden") {
+        Gl gl;
+        Scene scene = boardScene();
+        const Vec3 middle(0.0, 1.23, 1.6);
+        scene.balls = {{middle + Vec3(0.0, 0.0, 0.3), 0.03, glm::vec3(0.9F), glm::vec3(0.3F)}};
+        const Vec3 seen = middle + Vec3(0.0, 0.0, 0.33);
+        CHECK(pixelAt(gl.renderer->capture(scene, width, height), scene.camera, seen).g > 180);
+        scene.balls[0].centre = middle - Vec3(0.0, 0.0, 0.3);
+        CHECK(pixelAt(gl.renderer->capture(scene, width, height), scene.camera, scene.balls[0].centre).g <
+              90);
+    }
+}
