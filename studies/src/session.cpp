@@ -8,6 +8,7 @@
 
 #include "session_agenda.hpp"
 #include "session_avatar.hpp"
+#include "session_playback.hpp"
 #include "session_view.hpp"
 
 namespace deixis::studies {
@@ -37,7 +38,8 @@ struct SessionRunner::State {
           avatar(avatar_in),
           idle(idle_in),
           agenda(buildAgenda(study_in, plan, answered)),
-          poser(avatar_in, idle_in) {
+          poser(avatar_in, idle_in),
+          playback(poser, idle_in) {
         for (const Trial& trial : plan.trials) {
             if (trial.practice) continue;
             ++scored;
@@ -50,7 +52,7 @@ struct SessionRunner::State {
     const motion::Skeleton& avatar;
     const motion::LocalPose& idle;
     std::vector<AgendaItem> agenda;
-    AvatarPoser poser;
+    AvatarPoser poser;  ///< moved by `playback` too
     SessionView view;
     std::vector<SessionEvent> events;
 
@@ -68,19 +70,11 @@ struct SessionRunner::State {
     Moment now{};  ///< of the input last stepped to
 
     // The trial under way.
-    const motion::Clip* clip = nullptr;
-    double lead_in_s = 0.0;
-    double lead_in_end_s = 0.0;
-    bool approaching = false;                 ///< the avatar is on its way to the clip's first pose
-    bool halfway = false;                     ///< half of the clip has been played
-    std::uint64_t first_frame = 0;            ///< the first that showed the clip's start
-    std::optional<std::uint64_t> last_frame;  ///< the first that showed the clip's end
-    std::uint64_t answer_frame = 0;           ///< the first in which the answer was open
-    bool answer_open = false;                 ///< balls white or panel there, in a frame
-    bool answer_shown = false;                ///< and that frame was shown
-    bool aiming = false;                      ///< the ray is on a ball
-    std::optional<Moment> onset;
-    Moment motion_end{};
+    ClipPlayback playback;
+    std::uint64_t answer_frame = 0;  ///< the first in which the answer was open
+    bool answer_open = false;        ///< balls white or panel there, in a frame
+    bool answer_shown = false;       ///< and that frame was shown
+    bool aiming = false;             ///< the ray is on a ball
     double paused_s = 0.0;
     int pauses = 0;
     int replays = 0;
@@ -149,11 +143,12 @@ struct SessionRunner::State {
     }
 
     void enterTrial(bool moved) {
-        clip = &clips.clip(trial());
-        if (clip->frames.empty() || clip->frames.front().joints.size() != avatar.joints.size())
+        const motion::Clip& clip = clips.clip(trial());
+        if (clip.frames.empty() || clip.frames.front().joints.size() != avatar.joints.size())
             throw std::invalid_argument(
                 fmt::format("the clip of system '{}' for target '{}' has not the avatar's joints",
                             trial().system, trial().target_id));
+        playback.load(clip);
         view.closePanel();
         for (std::size_t place = 0; game() && place < trial().ball_order.size(); ++place)
             view.frame.balls.push_back(
@@ -198,50 +193,26 @@ struct SessionRunner::State {
 
     void startLeadIn(double length_s) {
         phase = Phase::lead_in;
+        playback.start(length_s, now.time_s);
         showState("waiting");
-        lead_in_s = std::max(length_s, 2.0 * AvatarPoser::blend_s);
-        lead_in_end_s = now.time_s + lead_in_s;
-        approaching = false;
-        halfway = false;
-        onset.reset();
-        last_frame.reset();
         answer_open = false;
         answer_shown = false;
         paused_s = 0.0;
         view.closePanel();
         view.lookAtBalls(BallLook::waiting);
-        poser.blendTo(idle, now.time_s);
     }
 
     void stepLeadIn() {
-        poser.advance(now.time_s);
-        if (!approaching) {
-            if (now.time_s < lead_in_end_s - AvatarPoser::blend_s) return;
-            approaching = true;
-            poser.blendTo(clip->frames.front(), now.time_s);
-        } else if (!poser.blending()) {
-            phase = Phase::playing;
-            first_frame = view.frame.number;
-            showState("playing");
-            stepPlaying();
-        }
+        if (!playback.leadIn(now.time_s)) return;
+        phase = Phase::playing;
+        showState("playing");
+        stepPlaying();
     }
 
     void stepPlaying() {
-        if (!onset) {
-            poser.show(*clip, 0.0);
-            view.frame.key_moment = true;
-            return;
-        }
-        const double clip_time_s = std::clamp(now.time_s - onset->time_s, 0.0, clip->duration_s());
-        poser.show(*clip, clip_time_s);
-        if (!halfway && clip_time_s >= clip->duration_s() / 2.0) {
-            halfway = true;
-            showState("pointing");
-        }
-        if (clip_time_s < clip->duration_s()) return;
-        view.frame.key_moment = true;
-        if (!last_frame) last_frame = view.frame.number;
+        const bool was_halfway = playback.halfway();
+        if (playback.play(now.time_s, view.frame.number)) view.frame.key_moment = true;
+        if (playback.halfway() && !was_halfway) showState("pointing");
     }
 
     void openAnswer(const InputFrame& input) {
@@ -301,10 +272,10 @@ struct SessionRunner::State {
             response.rating = rating;
             response.chosen_place = place;
             response.correct = correct;
-            response.onset = *onset;
-            response.motion_end = motion_end;
+            response.onset = playback.onset();
+            response.motion_end = playback.motionEnd();
             response.answered = now;
-            response.response_time_s = now.time_s - motion_end.time_s - paused_s;
+            response.response_time_s = now.time_s - playback.motionEnd().time_s - paused_s;
             response.paused_s = paused_s;
             response.replays = replays;
             response.pauses = pauses;
@@ -363,7 +334,7 @@ struct SessionRunner::State {
                 openPage(input);
                 break;
             case Phase::lead_in:
-                startLeadIn(lead_in_s);
+                startLeadIn(playback.leadInLength_s());
                 break;
             case Phase::playing:
                 ++pauses;
@@ -430,11 +401,10 @@ struct SessionRunner::State {
         if (!report.shown || report.number > view.frame.number || paused) return;
         const Moment at{report.display_time_s, now.utc_s + report.display_time_s - now.time_s};
         if (phase == Phase::playing) {
-            if (!onset && report.number >= first_frame) {
-                onset = at;
+            const Shown first = playback.shown(report.number, at);
+            if (first == Shown::onset)
                 noteAt(at, "stimulus_onset", replays > 0 ? fmt::format("replay {}", replays) : "");
-            } else if (last_frame && report.number >= *last_frame) {
-                motion_end = at;
+            if (first == Shown::end) {
                 noteAt(at, "motion_end", "");
                 phase = Phase::answering;
             }
