@@ -1,6 +1,8 @@
 // The report's page: what stands where.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "report_text.hpp"
 
 namespace deixis::results {
@@ -63,13 +65,15 @@ std::string layoutTable(const AnalysisResult& result) {
 std::string verdict(const Comparison& comparison) {
     if (comparison.test.n == 0) return "<td class=\"text not\">no participant has both</td>";
     if (!comparison.significant) return "<td class=\"text not\">not significant</td>";
-    const bool a_higher = comparison.test.w_plus > comparison.test.w_minus;
     return fmt::format("<td class=\"text sig\">{} higher</td>",
-                       escapeHtml(a_higher ? comparison.a : comparison.b));
+                       comparison.test.w_plus > comparison.test.w_minus ? "A" : "B");
 }
 
+/// Empty where no participant has answers to compare.
 std::string testTable(const std::vector<Comparison>& comparisons, const std::string& measure,
                       const std::string& caption) {
+    const auto tested = [&](const Comparison& c) { return c.measure == measure && c.test.n > 0; };
+    if (std::none_of(comparisons.begin(), comparisons.end(), tested)) return "";
     const bool layout = measure == "layout";
     std::string out = fmt::format(
         "<div class=\"scroll\"><table><caption>{}</caption><thead><tr>{}<th class=\"text\">A</th>"
@@ -100,13 +104,15 @@ std::string tests(const AnalysisResult& result) {
                "test yet; the tests appear here from the second participant on.</p>";
     if (result.systems.size() > 1) {
         out += testTable(result.pairwise, "accuracy",
-                         "<b>Table 3.</b> Accuracy, all pairs of systems. n counts participants.");
+                         "<b>Table 3.</b> Accuracy, all pairs of systems (A &#8722; B in percentage points). "
+                         "n counts participants.");
         out += testTable(result.pairwise, "naturalness",
                          "<b>Table 4.</b> Naturalness, all pairs of systems. n counts participants.");
     }
     if (!result.layout_tests.empty())
         out += testTable(result.layout_tests, "layout",
-                         "<b>Table 5.</b> Accuracy, layouts within each system. n counts participants.");
+                         "<b>Table 5.</b> Accuracy, layouts within each system (A &#8722; B in percentage "
+                         "points). n counts participants.");
     return out;
 }
 

@@ -17,6 +17,7 @@ constexpr double top = 14.0;
 constexpr double plot_height = 270.0;
 constexpr double column = 92.0;
 constexpr double bottom = 52.0;
+constexpr double margin_right = 58.0;  // for the word "chance"
 
 /// Told apart by people of all colour vision (Okabe & Ito 2008).
 constexpr std::array colours{"#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"};
@@ -104,7 +105,7 @@ std::string boxPlotSvg(const AnalysisResult& result, const std::string& measure)
     const Axis axis =
         accuracy ? Axis{-0.03, 1.03} : Axis{1.0 - 0.03 * (steps - 1.0), steps + 0.03 * (steps - 1.0)};
     const double right = left + column * static_cast<double>(std::max<std::size_t>(1, result.systems.size()));
-    const double width = right + 12.0;
+    const double width = right + margin_right;
     const double height = top + plot_height + bottom;
     std::string out = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="Box plot of {} by system">)",
@@ -116,9 +117,7 @@ std::string boxPlotSvg(const AnalysisResult& result, const std::string& measure)
             const double chance = 1.0 / result.table.balls;
             out += line(left, axis.y(chance), right, axis.y(chance),
                         R"(stroke="#8a8a85" stroke-dasharray="5 4")");
-            out +=
-                fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="end" fill="#6b6b66">chance</text>)",
-                            right, axis.y(chance) - 5.0);
+            out += label(right + 5.0, axis.y(chance) + 4.5, "start", "chance");
         }
     } else {
         const int every = static_cast<int>(std::ceil((steps - 1.0) / 10.0));

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace deixis::results {
 
@@ -35,8 +36,10 @@ std::string pText(double p) {
 }
 
 std::string scoreText(const std::string& measure, double value) {
-    return measure == "naturalness" ? fmt::format("{:.2f}", value)
-                                    : fmt::format("{:.1f}&#160;%", 100.0 * value);
+    const char* const sign = value < 0.0 ? "&#8722;" : "";
+    const double size = std::abs(value);
+    return measure == "naturalness" ? fmt::format("{}{:.2f}", sign, size)
+                                    : fmt::format("{}{:.1f}&#160;%", sign, 100.0 * size);
 }
 
 namespace {
@@ -161,7 +164,7 @@ const char* const report_css = R"css(
 @page { size: A4; margin: 16mm 15mm; }
 * { box-sizing: border-box; }
 body { margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 62rem; background: #ffffff; color: #1c1c1a;
-  font: 16px/1.5 "Source Sans 3", "Noto Sans", "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif;
+  font: 1rem/1.5 "Source Sans 3", "Noto Sans", "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif;
   font-variant-numeric: tabular-nums; }
 h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .3rem; }
 h2 { font-size: 1.25rem; margin: 2.4rem 0 .6rem; padding-bottom: .25rem; border-bottom: 1px solid #d6d6d1;
@@ -183,7 +186,7 @@ svg text { font: 13px "Source Sans 3", "Noto Sans", "DejaVu Sans", Helvetica, Ar
 table { border-collapse: collapse; font-size: .9375rem; break-inside: avoid; }
 caption { text-align: left; padding-bottom: .4rem; }
 caption b { color: #1c1c1a; }
-th, td { padding: .28rem .8rem; text-align: right; white-space: nowrap; border-bottom: 1px solid #e3e3e0; }
+th, td { padding: .28rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid #e3e3e0; }
 th:first-child, td:first-child, .text { text-align: left; }
 thead th { border-bottom: 1.5px solid #1c1c1a; font-weight: 600; vertical-align: bottom; }
 thead tr.over th { border-bottom: none; text-align: center; padding-bottom: 0; }
@@ -195,11 +198,13 @@ dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1.2rem; f
 dt { color: #4c4c48; }
 dd { margin: 0; overflow-wrap: anywhere; }
 @media print {
-  body { padding: 0; max-width: none; font-size: 10pt; }
-  h2 { margin-top: 1.5rem; }
+  html { font-size: 9.5pt; }
+  body { padding: 0; max-width: none; line-height: 1.4; }
+  h2 { margin-top: 1.4rem; }
+  dl { break-inside: avoid; }
   .plots { flex-wrap: nowrap; }
   figure { flex-basis: 0; }
-  th, td { padding: .2rem .5rem; }
+  th, td { padding: .2rem .6rem; }
   p, .findings { max-width: none; }
   .scroll { overflow: visible; }
 }
