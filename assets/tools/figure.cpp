@@ -88,28 +88,15 @@ double trousers(const Vec3& p) {
 }
 
 double shoes(const Vec3& p) {
-    const double heel = ellipsoid(p, {0.100, 0.036, -0.044}, {0.037, 0.062, 0.046});
-    const double collar = ellipsoid(p, {0.100, 0.070, -0.026}, {0.036, 0.036, 0.045});
-    const double instep = roundCone(p, {0.101, 0.060, -0.008}, {0.106, 0.030, 0.096}, 0.036, 0.030);
-    const double toes = ellipsoid(p, {0.109, 0.018, 0.112}, {0.045, 0.036, 0.062});
-    double d = blend(heel, instep, 0.03);
+    const double heel = ellipsoid(p, {0.100, 0.030, -0.042}, {0.038, 0.062, 0.048});
+    const double collar = ellipsoid(p, {0.100, 0.070, -0.026}, {0.037, 0.036, 0.046});
+    const double instep = roundCone(p, {0.101, 0.056, -0.008}, {0.107, 0.026, 0.100}, 0.038, 0.034);
+    const double toes = ellipsoid(p, {0.109, 0.012, 0.112}, {0.046, 0.044, 0.064});
+    const double waist = roundCone(p, {0.101, 0.014, -0.040}, {0.107, 0.014, 0.100}, 0.033, 0.040);
+    double d = blend(blend(heel, waist, 0.02), instep, 0.03);
     d = blend(d, collar, 0.02);
     d = blend(d, toes, 0.04);
     return d;
-}
-
-double soles(const Vec3& p) {
-    static const Loft sole(2, 0, 1, 0.3, 0.012,
-                           {{-0.094, 0.100, 0.010, 0.022, 0.013, 0.010},
-                            {-0.086, 0.100, 0.010, 0.030, 0.014, 0.010},
-                            {-0.060, 0.100, 0.010, 0.038, 0.014, 0.010},
-                            {0.000, 0.102, 0.010, 0.038, 0.013, 0.010},
-                            {0.060, 0.106, 0.010, 0.042, 0.012, 0.010},
-                            {0.110, 0.109, 0.010, 0.047, 0.012, 0.010},
-                            {0.145, 0.109, 0.010, 0.041, 0.012, 0.010},
-                            {0.168, 0.108, 0.010, 0.026, 0.012, 0.010},
-                            {0.176, 0.107, 0.010, 0.014, 0.011, 0.010}});
-    return sole(p);
 }
 
 // ---- hand ----
@@ -199,8 +186,8 @@ double face(const Vec3& p, bool eyes_open) {
     d = blend(d, glm::length(p - eye) - (eyeball_radius_m + 0.0009), 0.005);            // lids
     if (!eyes_open) return d;
     // Their opening is a little larger than that of makeLids(), which draws the sharp border.
-    const double dx = (p.x - eye.x) / 0.0162;
-    const double dy = (p.y - eye.y - 0.06 * (p.x - eye.x)) / (p.y > eye.y ? 0.0108 : 0.0088);
+    const double dx = (p.x - eye.x) / 0.0159;
+    const double dy = (p.y - eye.y - 0.06 * (p.x - eye.x)) / (p.y > eye.y ? 0.0103 : 0.0083);
     const double opening = (std::sqrt(dx * dx + dy * dy) - 1.0) * 0.010;
     return carve(d, std::max(opening, eye.z - p.z), 0.001);
 }
@@ -274,18 +261,18 @@ double hair(const Vec3& p, const Vec3& left) {
 }
 
 double brows(const Vec3& p) {
-    const Vec3 inner(0.0160, 1.6515, 0.0866), arch(0.0320, 1.6555, 0.0805), outer(0.0490, 1.6500, 0.0665);
-    return blend(roundCone(p, inner, arch, 0.0031, 0.0031), roundCone(p, arch, outer, 0.0031, 0.0012), 0.002);
+    const Vec3 inner(0.0165, 1.6550, 0.0864), arch(0.0320, 1.6578, 0.0805), outer(0.0495, 1.6520, 0.0665);
+    return blend(roundCone(p, inner, arch, 0.0027, 0.0030), roundCone(p, arch, outer, 0.0030, 0.0012), 0.002);
 }
 
 struct Parts {
-    double skin, hair, sweater, trim, trousers, shoes, soles;
+    double skin, hair, sweater, trim, trousers, shoes;
 };
 
 Parts parts(const Vec3& p, bool eyes_open = true) {
     const Vec3 left(std::abs(p.x), p.y, p.z);
     constexpr double far = 1.0;
-    Parts d{far, far, far, far, far, far, far};
+    Parts d{far, far, far, far, far, far};
     // Only bodies near enough to matter; the bounds are wider than the blends.
     if (left.x < 0.2 && p.y > 1.38) d.skin = headSkin(left, eyes_open);
     if (left.x > 0.55) d.skin = std::min(d.skin, hand(left));
@@ -293,11 +280,7 @@ Parts parts(const Vec3& p, bool eyes_open = true) {
     if (p.y > 0.75) d.sweater = sweater(left);
     if (p.y > 1.2) d.trim = trim(left);
     if (left.x < 0.4 && p.y < 1.1) d.trousers = trousers(left);
-    if (p.y < 0.3) {
-        const double floor = -p.y;
-        d.shoes = common(shoes(left), floor, 0.006);
-        d.soles = common(soles(left), floor, 0.006);
-    }
+    if (p.y < 0.3) d.shoes = common(shoes(left), -p.y, 0.006);
     return d;
 }
 
@@ -319,9 +302,8 @@ double materialDistance(const Vec3& p, Material material) {
         case Material::trousers:
             return d.trousers;
         case Material::shoes:
-            return d.shoes;
         case Material::soles:
-            return d.soles;
+            return d.shoes;
     }
     return d.skin;
 }
@@ -331,18 +313,17 @@ double figureDistance(const Vec3& p) {
     double all = blend(d.skin, d.hair, 0.004);
     all = blend(all, blend(d.sweater, d.trim, 0.004), 0.003);
     all = blend(all, d.trousers, 0.003);
-    return blend(all, blend(d.shoes, d.soles, 0.002), 0.003);
+    return blend(all, d.shoes, 0.003);
 }
 
 Material figureMaterial(const Vec3& p) {
     const Parts d = parts(p);
-    const std::array<std::pair<double, Material>, 7> all{{{d.skin, Material::skin},
+    const std::array<std::pair<double, Material>, 6> all{{{d.skin, Material::skin},
                                                           {d.hair, Material::hair},
                                                           {d.sweater, Material::sweater},
                                                           {d.trim, Material::trim},
                                                           {d.trousers, Material::trousers},
-                                                          {d.shoes, Material::shoes},
-                                                          {d.soles, Material::soles}}};
+                                                          {d.shoes, Material::shoes}}};
     auto nearest = all[0];
     for (const auto& entry : all)
         if (entry.first < nearest.first) nearest = entry;
@@ -354,6 +335,7 @@ Material figureMaterial(const Vec3& p) {
             return std::abs(p.y - mouth.line(t)) < 0.0008 + 0.0003 * t ? Material::mouth : Material::lips;
         }
     }
+    if (nearest.second == Material::shoes && p.y < 0.018) return Material::soles;
     return nearest.second;
 }
 

@@ -25,7 +25,7 @@ namespace {
 using namespace deixis;
 using namespace deixis::avatar_maker;
 
-constexpr std::size_t triangle_target = 30000;
+constexpr std::size_t triangle_target = 26000;
 
 glm::vec3 rounded(const Vec3& v, double step) {
     return {static_cast<float>(std::floor(v.x / step + 0.5) * step),
@@ -37,6 +37,18 @@ glm::vec3 roundedNormal(const Vec3& n) {
     return glm::vec3(glm::normalize(Vec3(coarse)));
 }
 
+/// Of each vertex, by the area of its triangles.
+std::vector<Vec3> meanNormals(const Mesh& mesh) {
+    std::vector<Vec3> normals(mesh.positions.size(), Vec3(0.0));
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3& p = mesh.positions[t[0]];
+        const Vec3 cross = glm::cross(mesh.positions[t[1]] - p, mesh.positions[t[2]] - p);
+        for (const std::uint32_t v : t) normals[v] += cross;
+    }
+    for (Vec3& normal : normals) normal = glm::normalize(normal);
+    return normals;
+}
+
 bool nearEye(const Vec3& p) {
     return std::abs(std::abs(p.x) - 0.031) < 0.028 && std::abs(p.y - 1.622) < 0.018 && p.z > 0.05;
 }
@@ -44,8 +56,10 @@ bool nearEye(const Vec3& p) {
 /// Thin patches of colour need small triangles: the mouth and the brows; and so does the bend of the lids.
 double longestEdge(const Vec3& p) {
     const double x = std::abs(p.x);
+    const bool collar = x < 0.08 && p.y > 1.435 && p.y < 1.488;
     const bool mouth = x < 0.028 && p.y > 1.540 && p.y < 1.562 && p.z > 0.06;
-    const bool brow = x > 0.01 && x < 0.054 && p.y > 1.642 && p.y < 1.660 && p.z > 0.055;
+    const bool brow = x > 0.01 && x < 0.054 && p.y > 1.646 && p.y < 1.664 && p.z > 0.055;
+    if (collar) return 0.0065;
     if (mouth) return 0.0012;
     if (nearEye(p) || (x < 0.034 && p.y > 1.534 && p.y < 1.568 && p.z > 0.06)) return 0.0032;
     return brow ? 0.0022 : 1.0;
@@ -55,13 +69,8 @@ double longestEdge(const Vec3& p) {
 class Output {
   public:
     void addBody(const PaintedMesh& body) {
-        std::vector<Vec3> faceted(body.mesh.positions.size(), Vec3(0.0));
-        for (const Triangle& t : body.mesh.triangles) {
-            const Vec3& p = body.mesh.positions[t[0]];
-            const Vec3 cross = glm::cross(body.mesh.positions[t[1]] - p, body.mesh.positions[t[2]] - p);
-            for (const std::uint32_t v : t) faceted[v] += cross;
-        }
-        std::vector<std::set<Material>> materials_at(faceted.size());
+        const std::vector<Vec3> mean = meanNormals(body.mesh);
+        std::vector<std::set<Material>> materials_at(mean.size());
         for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t)
             for (const std::uint32_t v : body.mesh.triangles[t]) materials_at[v].insert(body.materials[t]);
         std::map<std::pair<std::uint32_t, Material>, std::uint32_t> index_of;
@@ -78,8 +87,7 @@ class Output {
                         on_border
                             ? fieldNormal([&](const Vec3& q) { return materialDistance(q, material); }, p)
                             : surfaceNormal(p);
-                    const Vec3 mean = glm::normalize(faceted[v]);
-                    addVertex(p, glm::dot(mean, exact) > (on_border ? 0.2 : 0.75) ? exact : mean,
+                    addVertex(p, glm::dot(mean[v], exact) > (on_border ? 0.2 : 0.75) ? exact : mean[v],
                               materialColour(material), skinWeightsAt(p));
                 }
                 indices_.push_back(at->second);
@@ -91,13 +99,14 @@ class Output {
         SkinWeights weights;
         weights.joints[0] = static_cast<std::uint8_t>(bone);
         weights.weights[0] = 1.0F;
+        const std::vector<Vec3> normals = meanNormals(part.mesh);
         std::map<std::tuple<std::uint32_t, float, float, float>, std::uint32_t> index_of;
         for (std::size_t t = 0; t < part.mesh.triangles.size(); ++t)
             for (const std::uint32_t v : part.mesh.triangles[t]) {
                 const glm::vec3& colour = part.colours[t];
                 const auto [at, is_new] = index_of.try_emplace({v, colour.r, colour.g, colour.b}, size());
                 const Vec3& p = part.mesh.positions[v];
-                if (is_new) addVertex(centre + p, glm::normalize(p), colour, weights);
+                if (is_new) addVertex(centre + p, normals[v], colour, weights);
                 indices_.push_back(at->second);
             }
     }
