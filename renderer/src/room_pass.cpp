@@ -1,6 +1,9 @@
 #include "room_pass.hpp"
 
+#include <fmt/format.h>
+
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
 
 #include "frame.hpp"
@@ -100,10 +103,12 @@ void main() {
 }
 )";
 
-const std::string_view room_size_glsl = R"(
-const vec3 room_low = vec3(-4.0, 0.0, -3.5);
-const vec3 room_high = vec3(4.0, 3.0, 5.5);
-)";
+std::string roomSizeGlsl() {
+    const auto constant = [](const char* name, const glm::vec3& v) {
+        return fmt::format("const vec3 {} = vec3({:.3f}, {:.3f}, {:.3f});\n", name, v.x, v.y, v.z);
+    };
+    return constant("room_low", room_low) + constant("room_high", room_high);
+}
 
 struct Corner {
     glm::vec3 position, normal;
@@ -147,9 +152,9 @@ constexpr GLsizei face_vertices = 6;
 RoomPass::RoomPass()
     : floor_program_(
           gl::drawProgram("floor", {frame_glsl, room_vertex_glsl},
-                          {frame_glsl, shadow_glsl, lighting_glsl, room_size_glsl, floor_fragment_glsl})),
+                          {frame_glsl, shadow_glsl, lighting_glsl, roomSizeGlsl(), floor_fragment_glsl})),
       wall_program_(gl::drawProgram("wall", {frame_glsl, room_vertex_glsl},
-                                    {frame_glsl, lighting_glsl, room_size_glsl, wall_fragment_glsl})),
+                                    {frame_glsl, lighting_glsl, roomSizeGlsl(), wall_fragment_glsl})),
       vertices_(gl::vertexArray()) {
     const std::vector<Corner> corners = roomCorners();
     corners_ = gl::fixedBuffer(std::span<const Corner>(corners));

@@ -24,21 +24,24 @@ struct Image {
 [[nodiscard]] Result<void> writePng(const std::filesystem::path& path, const Image& image);
 
 struct Quality {
-    int samples = 4;  ///< MSAA
-    int shadow_resolution = 2048;
-    double board_pixels_per_metre = 1400.0;
+    int samples = 4;                         ///< MSAA; lowered to what the driver has, 1: none
+    int shadow_resolution = 1024;            ///< over 2.8 m around the avatar
+    double board_pixels_per_metre = 1400.0;  ///< lowered where the board would pass 2048 pixels
 };
 
 class Renderer {
   public:
-    /// Fails (with the driver's own words) where the current context is not OpenGL 4.5 or newer.
+    /// Fails (with the driver's own words) where the current context is not OpenGL 4.5 or newer, and where
+    /// the board's font files are missing.
     [[nodiscard]] static Result<Renderer> create(const assets::Avatar& avatar, const Quality& quality);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
     /// Draws into framebuffer `framebuffer` (0: the window) of the given size in pixels, resolved and in
-    /// sRGB.
+    /// sRGB. The framebuffer needs no samples of its own and may, but need not, be sRGB-capable: it gets the
+    /// same bytes as capture(). It stays bound, with blending, depth test and sRGB conversion off. Throws
+    /// std::invalid_argument where Scene::avatar_joints does not fit the avatar.
     void draw(const Scene& scene, int width, int height, unsigned int framebuffer = 0);
 
     /// Draws off screen and reads back.
