@@ -127,17 +127,23 @@ Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space, std::uin
 }
 
 Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions) {
-    const auto problem = [&](std::string message) { return fail(space.fit_manifest, std::move(message)); };
+    constexpr double farthest_m = 20.0;
+    const auto problem = [&](std::string message, std::string mend = {}) {
+        return fail(space.fit_manifest, std::move(message), std::move(mend));
+    };
     if (positions.empty()) return problem("found no targets, expected at least one to fit the ranges to");
     bool first = true;
     for (const Vec3& position : positions) {
         const double radius_m = std::hypot(position.x, position.z);
         const double azimuth_deg = degreesFromRadians(std::atan2(position.x, position.z));
-        if (!std::isfinite(radius_m) || !(radius_m > 0.0) || !(position.y >= space.ball_diameter_m / 2))
+        const bool sensible = radius_m > 0.0 && radius_m <= farthest_m &&
+                              position.y >= space.ball_diameter_m / 2 && position.y <= farthest_m;
+        if (!sensible)  // not-a-number is none of these
             return problem(
-                fmt::format("found a target at {} m, expected one off the avatar's axis and at "
-                            "least {} m high, half a ball's diameter",
-                            csvPosition(position), space.ball_diameter_m / 2));
+                fmt::format("found a target at {} m, expected one off the avatar's axis, within {} "
+                            "m of it, and at least {} m high, half a ball's diameter",
+                            csvPosition(position), farthest_m, space.ball_diameter_m / 2),
+                "Positions in a manifest are in metres");
         const auto widen = [&](Range& range, double value) {
             range =
                 first ? Range{value, value} : Range{std::min(range.low, value), std::max(range.high, value)};

@@ -216,6 +216,9 @@ TEST_SUITE("studies/targets") {
         CHECK_FALSE(fitTargetSpace(space, {{0.0, 1.0, 0.0}}).has_value());
         CHECK_FALSE(fitTargetSpace(space, {{1.0, 0.04, 1.0}}).has_value());
         CHECK_FALSE(fitTargetSpace(space, {{1.0, std::nan(""), 1.0}}).has_value());
+        const Result<TargetSpace> centimetres = fitTargetSpace(space, {{50.0, 120.0, 180.0}});
+        REQUIRE_FALSE(centimetres.has_value());
+        CHECK(centimetres.error().text().find("metres") != std::string::npos);
     }
 
     TEST_CASE("The CSV has the promised header and one row of ten fields a target, that read back exactly.") {

@@ -30,8 +30,8 @@ struct TargetItem {
 [[nodiscard]] Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space, std::uint64_t seed);
 
 /// `space` with its three ranges replaced by those of `positions` (the targets of a manifest's clips): least
-/// and greatest height, azimuth and radius. Fails where there are none, or where one lies on the avatar's
-/// axis or so low that a ball there would stick in the floor.
+/// and greatest height, azimuth and radius. Fails where there are none, or where one
+/// lies on the avatar's axis, farther than 20 m, or so low that a ball there would stick in the floor.
 [[nodiscard]] Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions);
 
 /// "target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z" (as many d as there are distractors) and a row each.
