@@ -36,10 +36,11 @@ std::string pText(double p) {
 }
 
 std::string scoreText(const std::string& measure, double value) {
-    const char* const sign = value < 0.0 ? "&#8722;" : "";
-    const double size = std::abs(value);
-    return measure == "naturalness" ? fmt::format("{}{:.2f}", sign, size)
-                                    : fmt::format("{}{:.1f}&#160;%", sign, 100.0 * size);
+    const bool rating = measure == "naturalness";
+    const std::string digits =
+        rating ? fmt::format("{:.2f}", std::abs(value)) : fmt::format("{:.1f}", 100.0 * std::abs(value));
+    const bool zero = digits.find_first_not_of("0.") == std::string::npos;
+    return (value < 0.0 && !zero ? "&#8722;" : "") + digits + (rating ? "" : "&#160;%");
 }
 
 namespace {

@@ -111,7 +111,9 @@ TEST_SUITE("results/analysis") {
         // Proportions and deviations as printed there, two decimals each.
         const std::pair<double, double> printed[] = {
             {0.84, 0.37}, {0.5, 0.5}, {0.39, 0.49}, {0.96, 0.20}, {0.95, 0.22}};
-        for (const auto& [proportion, deviation] : printed) {
+        for (const auto& [p, sd] : printed) {
+            const double proportion = p;  // clang 14 lets no lambda use a structured binding
+            const double deviation = sd;
             CAPTURE(proportion);
             TableMaker made;
             for (int trial = 0; trial < 400; ++trial)

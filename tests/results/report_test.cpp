@@ -107,6 +107,7 @@ TEST_SUITE("results/report") {
                        });
         const auto stopped = pageOf(folder / "b.sqlite", "stopped").text;
         CHECK(contains(stopped, "240 of 240 planned ratings and 442 of 480 planned choices"));
+        CHECK_FALSE(contains(stopped, "\u22120.0\u00a0%"));
         CHECK(contains(stopped, "11 to 12 of 12 participants enter"));
     }
 }
