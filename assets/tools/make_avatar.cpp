@@ -25,7 +25,7 @@ namespace {
 using namespace deixis;
 using namespace deixis::avatar_maker;
 
-constexpr std::size_t triangle_target = 26000;
+constexpr std::size_t triangle_target = 16000;
 
 glm::vec3 rounded(const Vec3& v, double step) {
     return {static_cast<float>(std::floor(v.x / step + 0.5) * step),

@@ -7,7 +7,7 @@ namespace deixis::renderer {
 namespace {
 
 // sRGB. Off-white on dark slate: in a headset dark cards glare less and light strokes stay sharp.
-constexpr ImU32 card_colour = IM_COL32(0x1D, 0x27, 0x30, 250);
+constexpr ImU32 card_colour = IM_COL32(0x1D, 0x27, 0x30, 255);
 constexpr ImU32 card_edge = IM_COL32(0x5A, 0x6B, 0x7A, 150);
 constexpr ImU32 text_colour = IM_COL32(0xF4, 0xF1, 0xEA, 255);
 constexpr ImU32 faint_colour = IM_COL32(0xA9, 0xB4, 0xBC, 255);
@@ -71,7 +71,7 @@ class Layout {
         return inButton(button, size_m, true, button.caption.empty() ? 0.5 : 0.40, &button.label);
     }
     [[nodiscard]] Placed caption(const BoardButton& button) const {
-        return inButton(button, std::min(0.21 * button.box.height, 0.026), false, 0.77, &button.caption);
+        return inButton(button, std::min(0.21 * button.box.height, 0.035), false, 0.77, &button.caption);
     }
 
     /// The font at which the text fits its box, or the smallest allowed. Measured with its own font.

@@ -10,14 +10,14 @@ namespace {
 
 constexpr double margin_m = 0.07;
 constexpr double gap_m = 0.04;
-constexpr double title_size_m = 0.06;
-constexpr double body_size_m = 0.042;
+constexpr double title_size_m = 0.066;
+constexpr double body_size_m = 0.046;
 constexpr double question_size_m = 0.05;
 constexpr double button_height_m = 0.13;
 constexpr double button_gap_m = 0.03;
 constexpr double progress_height_m = 0.03;
 constexpr double line_spacing = 1.15;  // leaves room for fonts that run a little wider than estimated
-constexpr double average_character_em = 0.5;
+constexpr double average_character_em = 0.48;
 
 constexpr double message_distance_m = 1.5;
 constexpr double message_below_eyes_m = 0.12;
@@ -153,7 +153,7 @@ int estimateLines(std::string_view text, double size_m, double width_m) {
 
 Panel messagePanel(const std::string& title, const std::string& body, const std::string& emphasis,
                    const std::vector<ButtonSpec>& buttons, double progress) {
-    constexpr double comfortable_height_m = 0.95;
+    constexpr double comfortable_height_m = 1.0;
     Panel panel;
     for (const double width_m : {1.1, 1.3, 1.5}) {
         panel = messageAtWidth(width_m, title, body, emphasis, buttons, progress);
@@ -167,7 +167,7 @@ Panel ratingPanel(const std::string& question, const std::vector<std::string>& l
     constexpr double scale_button_height_m = 0.17;  // a number and two lines of caption
     const auto count = static_cast<double>(labels.size());
     Panel panel;
-    panel.width_m = std::max(1.3, 2.0 * margin_m + count * (0.14 + button_gap_m) - button_gap_m);
+    panel.width_m = std::max(1.55, 2.0 * margin_m + count * (0.14 + button_gap_m) - button_gap_m);
     const double inner = panel.width_m - 2.0 * margin_m;
     const double width = std::min(0.3, (inner - (count - 1.0) * button_gap_m) / count);
     double x = (panel.width_m - count * width - (count - 1.0) * button_gap_m) / 2.0;

@@ -15,16 +15,16 @@ std::string studyWithManifest() {
 // A folder with that study and clips of `direct` for its targets, as a lab would make them.
 void makeLabFolder(const Scratch& scratch) {
     spill(scratch / "study.toml", studyWithManifest());
-    const auto targets = deixis("targets " + (scratch / "study.toml") + " --no-picture");
+    const auto targets = program("targets " + (scratch / "study.toml") + " --no-picture");
     REQUIRE(targets.status == 0);
     spill(scratch / "targets.csv", targets.out);
-    const auto made = deixis("generate direct --targets " + (scratch / "targets.csv") + " --out " + (scratch / "clips"));
+    const auto made = program("generate direct --targets " + (scratch / "targets.csv") + " --out " + (scratch / "clips"));
     INFO(made.err);
     REQUIRE(made.status == 0);
 }
 
 Finished runIn(const Scratch& scratch) {
-    return deixis("simulate " + (scratch / "study.toml") + " --participants 2 --db " + (scratch / "out.sqlite"));
+    return program("simulate " + (scratch / "study.toml") + " --participants 2 --db " + (scratch / "out.sqlite"));
 }
 
 }  // namespace
@@ -34,32 +34,32 @@ TEST_SUITE("app/bad-input") {
         for (const std::string arguments : {"", "no-such-command", "run", "targets", "generate direct",
                                             "plan pointing2023", "report", "simulate pointing2023 --db x -n 3"}) {
             INFO(arguments);
-            const auto finished = deixis(arguments);
+            const auto finished = program(arguments);
             CHECK(finished.status == 2);
             CHECK_FALSE(finished.err.empty());
         }
-        CHECK(deixis("--help").status == 0);
-        CHECK(deixis("run --help").status == 0);
-        CHECK(deixis("--version").status == 0);
+        CHECK(program("--help").status == 0);
+        CHECK(program("run --help").status == 0);
+        CHECK(program("--version").status == 0);
     }
 
     TEST_CASE("a study that is not there, does not parse or has an unknown key names file, line and key") {
         const Scratch scratch;
-        CHECK_FAILS_SAYING(deixis("plan " + (scratch / "none.toml") + " --participant P01"), "none.toml",
+        CHECK_FAILS_SAYING(program("plan " + (scratch / "none.toml") + " --participant P01"), "none.toml",
                            "No such file");
         spill(scratch / "broken.toml", "[study\nname=1");
-        CHECK_FAILS_SAYING(deixis("plan " + (scratch / "broken.toml") + " --participant P01"), "broken.toml:1");
+        CHECK_FAILS_SAYING(program("plan " + (scratch / "broken.toml") + " --participant P01"), "broken.toml:1");
         spill(scratch / "unknown.toml", replaced(shippedStudy(), "max_replays", "max_replay"));
-        CHECK_FAILS_SAYING(deixis("plan " + (scratch / "unknown.toml") + " --participant P01"), "unknown.toml:",
+        CHECK_FAILS_SAYING(program("plan " + (scratch / "unknown.toml") + " --participant P01"), "unknown.toml:",
                            "max_replay", "max_replays");
-        CHECK_FAILS_SAYING(deixis("plan pointing2023 --participant 'no spaces'"), "no spaces");
+        CHECK_FAILS_SAYING(program("plan pointing2023 --participant 'no spaces'"), "no spaces");
     }
 
     TEST_CASE("ranges in which no distractor can lie fail after a bounded search") {
         const Scratch scratch;
         spill(scratch / "study.toml", replaced(shippedStudy(), "distractor_distance_m = [0.20, 0.40]",
                                                "distractor_distance_m = [8.0, 9.0]"));
-        CHECK_FAILS_SAYING(deixis("targets " + (scratch / "study.toml") + " --no-picture"), "study.toml", "8");
+        CHECK_FAILS_SAYING(program("targets " + (scratch / "study.toml") + " --no-picture"), "study.toml", "8");
     }
 
     TEST_CASE("a lab's own clips take a system's place, and what is wrong with them is named") {
@@ -73,12 +73,12 @@ TEST_SUITE("app/bad-input") {
         const auto again = [&] {
             fs::remove(scratch / "out.sqlite");
             // Two participants may miss T001: ask for its clip by leaving only what the test breaks.
-            return deixis("run " + (scratch / "study.toml") + " --station simulated --participant P01 --db " +
+            return program("run " + (scratch / "study.toml") + " --station simulated --participant P01 --db " +
                           (scratch / "out.sqlite"));
         };
         // The first target that P01 meets with this system.
         const auto plan = nlohmann::json::parse(
-            deixis("plan " + (scratch / "study.toml") + " --participant P01 --json").out);
+            program("plan " + (scratch / "study.toml") + " --participant P01 --json").out);
         std::string target;
         for (const auto& trial : plan["trials"])
             if (trial["system"] == "direct" && target.empty()) target = trial["target_id"];
@@ -135,13 +135,13 @@ TEST_SUITE("app/bad-input") {
     TEST_CASE("an unknown system and a bad list of targets are named") {
         const Scratch scratch;
         spill(scratch / "t.csv", "target_id,x,y,z\nT001,0.5,1.0,2.0\n");
-        CHECK_FAILS_SAYING(deixis("generate moglow --targets " + (scratch / "t.csv") + " --out " + (scratch / "o")),
+        CHECK_FAILS_SAYING(program("generate moglow --targets " + (scratch / "t.csv") + " --out " + (scratch / "o")),
                            "moglow", "drifting");
         spill(scratch / "bad.csv", "target_id,x,y,z\nT001,0.5,one,2.0\n");
-        CHECK_FAILS_SAYING(deixis("generate direct --targets " + (scratch / "bad.csv") + " --out " + (scratch / "o")),
+        CHECK_FAILS_SAYING(program("generate direct --targets " + (scratch / "bad.csv") + " --out " + (scratch / "o")),
                            "bad.csv:2", "one");
         spill(scratch / "short.csv", "target_id,x,y\nT001,0.5,1.0\n");
-        CHECK_FAILS_SAYING(deixis("generate direct --targets " + (scratch / "short.csv") + " --out " + (scratch / "o")),
+        CHECK_FAILS_SAYING(program("generate direct --targets " + (scratch / "short.csv") + " --out " + (scratch / "o")),
                            "short.csv", "z");
         CHECK_FALSE(fs::exists(scratch / "o/manifest.csv"));
     }
@@ -150,7 +150,7 @@ TEST_SUITE("app/bad-input") {
         const Scratch scratch;
         const std::string database = scratch / "study.sqlite";
         const auto run = [&] {
-            return deixis("run pointing2023 --station simulated --participant P01 --db " + database);
+            return program("run pointing2023 --station simulated --participant P01 --db " + database);
         };
         SUBCASE("not a database") {
             spill(database, "These are my notes, not a database. They are long enough to be read as a header.");
@@ -159,31 +159,31 @@ TEST_SUITE("app/bad-input") {
             CHECK(slurp(database) == before);
         }
         SUBCASE("from a newer version") {
-            REQUIRE(deixis("simulate pointing2023 --participants 1 --db " + database).status == 0);
+            REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
             REQUIRE(shell("sqlite3 " + database + " 'pragma user_version = 999'").status == 0);
             CHECK_FAILS_SAYING(run(), "study.sqlite", "999", "newer");
-            CHECK_FAILS_SAYING(deixis("report " + database + " -o " + (scratch / "r.html")), "study.sqlite", "999");
+            CHECK_FAILS_SAYING(program("report " + database + " -o " + (scratch / "r.html")), "study.sqlite", "999");
             CHECK_FALSE(fs::exists(scratch / "r.html"));
         }
         SUBCASE("locked") {
-            REQUIRE(deixis("simulate pointing2023 --participants 1 --db " + database).status == 0);
+            REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
             SQLite::Database holder(database, SQLite::OPEN_READWRITE);
             holder.exec("pragma locking_mode = exclusive; begin exclusive; create table t (x); ");
             CHECK_FAILS_SAYING(run(), "study.sqlite", "lock");
         }
         SUBCASE("in a folder that cannot be written") {
-            CHECK_FAILS_SAYING(deixis("run pointing2023 --station simulated --participant P01 --db /proc/study.sqlite"),
+            CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --participant P01 --db /proc/study.sqlite"),
                                "/proc/study.sqlite");
         }
         SUBCASE("of another study") {
-            REQUIRE(deixis("simulate pointing2023 --participants 1 --db " + database).status == 0);
+            REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
             spill(scratch / "other.toml", replaced(shippedStudy(), "seed = 2023", "seed = 2024"));
             CHECK_FAILS_SAYING(
-                deixis("run " + (scratch / "other.toml") + " --station simulated --participant P09 --db " + database),
+                program("run " + (scratch / "other.toml") + " --station simulated --participant P09 --db " + database),
                 "study.sqlite", "another study");
         }
         SUBCASE("missing, for a report") {
-            CHECK_FAILS_SAYING(deixis("report " + (scratch / "none.sqlite") + " -o " + (scratch / "r.html")),
+            CHECK_FAILS_SAYING(program("report " + (scratch / "none.sqlite") + " -o " + (scratch / "r.html")),
                                "none.sqlite");
             CHECK_FALSE(fs::exists(scratch / "none.sqlite"));
         }
@@ -192,9 +192,9 @@ TEST_SUITE("app/bad-input") {
     TEST_CASE("clip files that are no clips are refused") {
         const Scratch scratch;
         spill(scratch / "empty.bvh", "");
-        CHECK_FAILS_SAYING(deixis("clips joints " + (scratch / "empty.bvh") + " --csv"), "empty.bvh");
+        CHECK_FAILS_SAYING(program("clips joints " + (scratch / "empty.bvh") + " --csv"), "empty.bvh");
         spill(scratch / "noise.bvh", "HIERARCHY\nROOT a\n{\n OFFSET 0 0\n");
-        CHECK_FAILS_SAYING(deixis("clips joints " + (scratch / "noise.bvh") + " --csv"), "noise.bvh:");
-        CHECK_FAILS_SAYING(deixis("clips joints " + (scratch / "none.bvh") + " --csv"), "none.bvh", "No such file");
+        CHECK_FAILS_SAYING(program("clips joints " + (scratch / "noise.bvh") + " --csv"), "noise.bvh:");
+        CHECK_FAILS_SAYING(program("clips joints " + (scratch / "none.bvh") + " --csv"), "none.bvh", "No such file");
     }
 }

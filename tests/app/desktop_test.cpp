@@ -70,18 +70,18 @@ TEST_SUITE("app/desktop") {
 
     TEST_CASE("without a display the desktop station says so and starts nothing else") {
         const Scratch scratch;
-        CHECK_FAILS_SAYING(deixis("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
+        CHECK_FAILS_SAYING(program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
                                   "env -u DISPLAY -u WAYLAND_DISPLAY"),
                            "display", "simulated");
     }
 
     TEST_CASE("a driver without OpenGL 4.5 is named with the version that it has") {
         const Scratch scratch;
-        CHECK_FAILS_SAYING(deixis("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite"),
+        CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite"),
                                   "env MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
                            "4.5");
         const Display display;
-        CHECK_FAILS_SAYING(deixis("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
+        CHECK_FAILS_SAYING(program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
                                   Display::environment() + " MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
                            "4.5");
     }

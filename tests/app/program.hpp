@@ -74,7 +74,7 @@ inline Finished shell(const std::string& command) {
 }
 
 /// `deixis ARGUMENTS`; `before` stands in front of the program, such as "env -u DISPLAY".
-inline Finished deixis(const std::string& arguments, const std::string& before = "") {
+inline Finished program(const std::string& arguments, const std::string& before = "") {
     return shell(before + " " + DEIXIS_PROGRAM + " " + arguments);
 }
 

@@ -49,7 +49,7 @@ TEST_SUITE("app/session") {
         CHECK(kills == 3);
         const int kept = answerCount(database);
         CHECK(kept >= 40);
-        const auto last = deixis("run pointing2023 --station simulated --participant P07 --db " + database);
+        const auto last = program("run pointing2023 --station simulated --participant P07 --db " + database);
         INFO(last.err);
         REQUIRE(last.status == 0);
         CHECK(answerCount(database) == 60);
@@ -60,12 +60,12 @@ TEST_SUITE("app/session") {
     TEST_CASE("a participant who has finished is not asked again") {
         const Scratch scratch;
         const std::string run = "run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite");
-        const auto first = deixis(run);
+        const auto first = program(run);
         INFO(first.err);
         REQUIRE(first.status == 0);
         CHECK(first.out.find("database: " + (scratch / "s.sqlite")) != std::string::npos);
         CHECK(first.out.find("report:   " + (scratch / "s.html")) != std::string::npos);
-        const auto again = deixis(run);
+        const auto again = program(run);
         CHECK(again.status == 0);
         CHECK(again.out.find("answered every trial already") != std::string::npos);
         CHECK(answerCount(scratch / "s.sqlite") == 60);
@@ -77,15 +77,15 @@ TEST_SUITE("app/session") {
         const std::string run = "run pointing2023 --station simulated --db " + database + " --participant ";
         Background first(std::string(DEIXIS_PROGRAM) + " " + run + "P01 >/dev/null 2>&1");
         REQUIRE(eventually(60.0, [&] { return answerCount(database) >= 1; }));
-        CHECK_FAILS_SAYING(deixis(run + "P01"), "P01", "study.sqlite");
+        CHECK_FAILS_SAYING(program(run + "P01"), "P01", "study.sqlite");
         CHECK(first.running());
     }
 
     TEST_CASE("the simulated participant answers the same drawn or not, here or in a whole study") {
         const Scratch scratch;
-        REQUIRE(deixis("run pointing2023 --station simulated --participant S002 --db " + (scratch / "one.sqlite"))
+        REQUIRE(program("run pointing2023 --station simulated --participant S002 --db " + (scratch / "one.sqlite"))
                     .status == 0);
-        REQUIRE(deixis("simulate pointing2023 --participants 2 --db " + (scratch / "many.sqlite")).status == 0);
+        REQUIRE(program("simulate pointing2023 --participants 2 --db " + (scratch / "many.sqlite")).status == 0);
         const std::string query =
             "select trial_index, rating, chosen_place from responses where participant = 'S002' order by 1";
         CHECK(rows(scratch / "one.sqlite", query) == rows(scratch / "many.sqlite", query));

@@ -29,7 +29,7 @@ std::vector<std::vector<std::string>> table(const std::string& csv) {
 TEST_SUITE("app/shapes") {
     TEST_CASE("targets prints 100 targets with two distractors 20 to 40 cm away, and draws them") {
         const Scratch scratch;
-        const auto finished = deixis("targets pointing2023 --picture " + (scratch / "fig1.svg"));
+        const auto finished = program("targets pointing2023 --picture " + (scratch / "fig1.svg"));
         REQUIRE(finished.status == 0);
         CHECK(finished.out.rfind("target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z\n", 0) == 0);
         const auto rows = table(finished.out);
@@ -48,11 +48,11 @@ TEST_SUITE("app/shapes") {
             CHECK(radius <= 2.2 + 1e-4);
         }
         CHECK(slurp(scratch / "fig1.svg").find("<svg") != std::string::npos);
-        CHECK(deixis("targets pointing2023 --no-picture").out == finished.out);
+        CHECK(program("targets pointing2023 --no-picture").out == finished.out);
     }
 
     TEST_CASE("plan prints every trial in order with stage, system, target and layout") {
-        const auto finished = deixis("plan pointing2023 --participant P07 --json");
+        const auto finished = program("plan pointing2023 --participant P07 --json");
         REQUIRE(finished.status == 0);
         const json plan = json::parse(finished.out);
         int ratings = 0;
@@ -74,9 +74,9 @@ TEST_SUITE("app/shapes") {
         CHECK(ratings == 20);
         CHECK(choices == 40);
         CHECK(across == 20);
-        CHECK(deixis("plan pointing2023 --participant P07 --json").out == finished.out);
-        CHECK(deixis("plan pointing2023 --participant P08 --json").out != finished.out);
-        const auto people = deixis("plan pointing2023 --participant P07");
+        CHECK(program("plan pointing2023 --participant P07 --json").out == finished.out);
+        CHECK(program("plan pointing2023 --participant P08 --json").out != finished.out);
+        const auto people = program("plan pointing2023 --participant P07");
         CHECK(people.status == 0);
         CHECK(std::count(people.out.begin(), people.out.end(), '\n') >= 60);
     }
@@ -84,7 +84,7 @@ TEST_SUITE("app/shapes") {
     TEST_CASE("clips joints prints the golden walk's positions in metres") {
         const auto walk = sharedData("bvh/bvhtoolbox_walk01/walk01.bvh");
         DEIXIS_SKIP_WITHOUT(walk);
-        const auto finished = deixis("clips joints " + walk.string() + " --csv");
+        const auto finished = program("clips joints " + walk.string() + " --csv");
         REQUIRE(finished.status == 0);
         CHECK(finished.out.rfind("frame,time,Hips.x,Hips.y,Hips.z,", 0) == 0);
         const auto ours = table(finished.out);
@@ -111,19 +111,19 @@ TEST_SUITE("app/shapes") {
         spill(scratch / "t.csv", "target_id,x,y,z\nA,1.2,1.0,1.6\nB,-1.0,0.4,1.8\n");
         for (const std::string system : {"demonstration-nn", "direct", "stiff", "drifting"}) {
             const std::string command = "generate " + system + " --targets " + (scratch / "t.csv") + " --out ";
-            REQUIRE(deixis(command + (scratch / system)).status == 0);
+            REQUIRE(program(command + (scratch / system)).status == 0);
             const auto rows = table(slurp(scratch / (system + "/manifest.csv")));
             REQUIRE(rows.size() == 3);
             CHECK(rows[0] == splitRow("clip,system,target_id,target_x,target_y,target_z,hand,onset,peak,hold,end,fps,seed"));
             for (std::size_t i = 1; i < 3; ++i) {
                 CHECK(rows[i][1] == system);
-                const auto frames = table(deixis("clips joints " + (scratch / (system + "/" + rows[i][0])) + " --csv").out);
+                const auto frames = table(program("clips joints " + (scratch / (system + "/" + rows[i][0])) + " --csv").out);
                 CHECK(frames.size() > 60);
                 CHECK(std::stod(frames[2][1]) == doctest::Approx(1.0 / 30.0).epsilon(1e-4));
                 CHECK(std::stoul(rows[i][10]) < frames.size() - 1);
             }
             // The same seed gives the same bytes; a generator's clip does not depend on the others in the list.
-            REQUIRE(deixis(command + (scratch / "again")).status == 0);
+            REQUIRE(program(command + (scratch / "again")).status == 0);
             CHECK(slurp(scratch / (system + "/" + rows[1][0])) == slurp(scratch / ("again/" + rows[1][0])));
         }
     }

@@ -22,12 +22,12 @@ std::string answers(const std::string& database) {
 TEST_SUITE("app/simulate") {
     TEST_CASE("39 simulated participants give 2,340 answers and a report that ranks the systems as they were made") {
         const Scratch scratch;
-        const auto run = deixis("simulate pointing2023 --participants 39 --db " + (scratch / "study.sqlite"));
+        const auto run = program("simulate pointing2023 --participants 39 --db " + (scratch / "study.sqlite"));
         INFO(run.err);
         REQUIRE(run.status == 0);
         CHECK(run.out.find("2340 answers") != std::string::npos);
 
-        const auto report = deixis("report " + (scratch / "study.sqlite") + " -o " + (scratch / "report.html") +
+        const auto report = program("report " + (scratch / "study.sqlite") + " -o " + (scratch / "report.html") +
                                    " --json " + (scratch / "analysis.json"));
         INFO(report.err);
         REQUIRE(report.status == 0);
@@ -75,9 +75,9 @@ TEST_SUITE("app/simulate") {
     TEST_CASE("the same study gives the same answers, report and numbers again") {
         const Scratch scratch;
         for (const std::string name : {"a", "b"}) {
-            REQUIRE(deixis("simulate pointing2023 --participants 3 --db " + (scratch / (name + "/study.sqlite")))
+            REQUIRE(program("simulate pointing2023 --participants 3 --db " + (scratch / (name + "/study.sqlite")))
                         .status == 0);
-            REQUIRE(deixis("report " + (scratch / (name + "/study.sqlite")) + " -o " +
+            REQUIRE(program("report " + (scratch / (name + "/study.sqlite")) + " -o " +
                            (scratch / (name + "/report.html")) + " --json " + (scratch / (name + "/analysis.json")))
                         .status == 0);
         }
@@ -91,7 +91,7 @@ TEST_SUITE("app/simulate") {
     TEST_CASE("a simulation never touches a database that is there") {
         const Scratch scratch;
         spill(scratch / "study.sqlite", "precious");
-        CHECK_FAILS_SAYING(deixis("simulate pointing2023 --participants 1 --db " + (scratch / "study.sqlite")),
+        CHECK_FAILS_SAYING(program("simulate pointing2023 --participants 1 --db " + (scratch / "study.sqlite")),
                            "study.sqlite", "exists already");
         CHECK(slurp(scratch / "study.sqlite") == "precious");
     }

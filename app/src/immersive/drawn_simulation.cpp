@@ -13,7 +13,7 @@ namespace deixis::app {
 
 namespace {
 
-constexpr double draw_period_s = 0.1;  // of virtual time, besides key moments
+constexpr double draw_period_s = 0.5;  // of virtual time, besides key moments: a software renderer must keep up
 constexpr WindowSize picture_size{1280, 720};
 
 // Order matters: the renderer goes before its context.
@@ -32,7 +32,7 @@ void takePicture(renderer::Renderer& renderer, const renderer::Scene& scene, Win
 
 Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar, const std::string& size,
                             const Screenshots& screenshots) {
-    WindowSize view_size{640, 360};
+    WindowSize view_size{480, 270};
     WindowSize pictured_size = picture_size;
     if (!size.empty()) {
         const auto parsed = parseWindowSize(size);
@@ -41,7 +41,10 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
     }
     auto context = renderer::OffscreenContext::create();
     if (!context) return tl::unexpected(context.error());
-    auto made = renderer::Renderer::create(avatar, {});
+    // Nobody looks at the frames, but the pictures are for people: several samples only for them.
+    renderer::Quality quality;
+    quality.samples = screenshots.empty() ? 1 : quality.samples;
+    auto made = renderer::Renderer::create(avatar, quality);
     if (!made) return tl::unexpected(made.error());
     const auto view = std::make_shared<OffscreenView>(OffscreenView{std::move(*context), std::move(*made)});
 
@@ -50,6 +53,7 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
     station.attachViewer(std::move(details), [view, view_size, pictured_size, wanted = screenshots, next_s = 0.0](
                                                  const studies::PresentedFrame& frame,
                                                  const studies::InputFrame& input) mutable {
+        if (frame.number <= 1) return;  // the participant has not been placed yet
         const auto picture = wanted.find(frame.state);
         const bool due = frame.key_moment || input.time_s >= next_s;
         if (!due && picture == wanted.end()) return;
