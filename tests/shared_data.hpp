@@ -15,8 +15,8 @@ inline std::filesystem::path sharedData(const std::string& relative) {
 }  // namespace deixis::tests
 
 /// Leaves the test case, saying so, where the file is absent.
-#define DEIXIS_SKIP_WITHOUT(file)                                          \
-    if (!std::filesystem::exists(file)) {                                  \
-        MESSAGE("skipped: ", std::string(file), " is not here");           \
-        return;                                                            \
+#define DEIXIS_SKIP_WITHOUT(file)                                \
+    if (!std::filesystem::exists(file)) {                        \
+        MESSAGE("skipped: ", std::string(file), " is not here"); \
+        return;                                                  \
     }

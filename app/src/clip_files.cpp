@@ -12,7 +12,8 @@ namespace deixis::app {
 
 namespace {
 
-// For each joint of the avatar, the clip's joint of the same name; empty where the clip is on another skeleton.
+// For each joint of the avatar, the clip's joint of the same name; empty where the clip is on another
+// skeleton.
 std::vector<int> sameSkeletonOrder(const motion::Skeleton& clip, const motion::Skeleton& avatar) {
     if (clip.size() != avatar.size()) return {};
     std::vector<int> order;
@@ -39,13 +40,14 @@ Result<ClipFile> readClipFile(const std::filesystem::path& path, const assets::B
     }
     auto bvh = assets::readBvh(path, options);
     if (!bvh) return tl::unexpected(bvh.error());
-    std::string description = fmt::format("BVH, unit {}, {} joints, {} frames at {:.4g} fps", bvh->unit,
-                                          bvh->clip.skeleton.size(), bvh->clip.frameCount(),
-                                          bvh->clip.framesPerSecond());
+    std::string description =
+        fmt::format("BVH, unit {}, {} joints, {} frames at {:.4g} fps", bvh->unit, bvh->clip.skeleton.size(),
+                    bvh->clip.frameCount(), bvh->clip.framesPerSecond());
     return ClipFile{std::move(bvh->clip), std::move(description)};
 }
 
-Result<motion::Clip> clipOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar, const std::string& name) {
+Result<motion::Clip> clipOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar,
+                                  const std::string& name) {
     const std::vector<int> order = sameSkeletonOrder(clip.skeleton, avatar.skeleton);
     if (order.empty()) {
         auto retargeted =

@@ -17,10 +17,11 @@ struct ClipFile {
 };
 
 /// BVH (.bvh, .bvh.gz) or Kinect v2 joint positions (.csv).
-[[nodiscard]] Result<ClipFile> readClipFile(const std::filesystem::path& path, const assets::BvhOptions& options);
+[[nodiscard]] Result<ClipFile> readClipFile(const std::filesystem::path& path,
+                                            const assets::BvhOptions& options);
 
-/// The clip on the avatar's skeleton: its joints put in the avatar's order where it was made for this avatar (same
-/// names and bone lengths), else retargeted. `name` stands for the clip in errors.
+/// The clip on the avatar's skeleton: its joints put in the avatar's order where it was made for this avatar
+/// (same names and bone lengths), else retargeted. `name` stands for the clip in errors.
 [[nodiscard]] Result<motion::Clip> clipOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar,
                                                 const std::string& name);
 

@@ -32,14 +32,16 @@ Result<void> printJoints(const Options& options) {
         fmt::print("{}\n", file->description);
         for (const auto& joint : clip.skeleton.joints)
             fmt::print("{}{}\n", joint.name,
-                       joint.parent < 0 ? std::string()
-                                        : "  <- " + clip.skeleton.joints[static_cast<std::size_t>(joint.parent)].name);
+                       joint.parent < 0
+                           ? std::string()
+                           : "  <- " + clip.skeleton.joints[static_cast<std::size_t>(joint.parent)].name);
         return {};
     }
     std::string row = "frame,time";
     for (const auto& joint : clip.skeleton.joints) {
         fmt::format_to(std::back_inserter(row), ",{0}.x,{0}.y,{0}.z", joint.name);
-        if (joint.end_site) fmt::format_to(std::back_inserter(row), ",{0}_End.x,{0}_End.y,{0}_End.z", joint.name);
+        if (joint.end_site)
+            fmt::format_to(std::back_inserter(row), ",{0}_End.x,{0}_End.y,{0}_End.z", joint.name);
     }
     fmt::print("{}\n", row);
     std::vector<Pose> world;
@@ -62,7 +64,8 @@ void addClipsCommand(CLI::App& cli, Command& chosen) {
     CLI::App* clips = cli.add_subcommand("clips", "Look into clip files");
     clips->require_subcommand(1);
     auto options = std::make_shared<Options>();
-    CLI::App* joints = clips->add_subcommand("joints", "The joints of a clip; with --csv their world positions");
+    CLI::App* joints =
+        clips->add_subcommand("joints", "The joints of a clip; with --csv their world positions");
     joints->add_option("FILE", options->file, "BVH file (also .bvh.gz) or Kinect v2 CSV")->required();
     joints->add_flag("--csv", options->csv, "World positions of every joint in every frame, metres");
     joints->add_option("--metres-per-unit", options->metres_per_unit, "Length of a BVH unit [detected]")

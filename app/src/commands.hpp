@@ -1,5 +1,5 @@
-// The commands of the program. Each `add...Command` declares a subcommand and its options; when the command line
-// names it, `chosen` becomes what is to be done.
+// The commands of the program. Each `add...Command` declares a subcommand and its options; when the command
+// line names it, `chosen` becomes what is to be done.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -41,15 +41,19 @@ Result<void> generate(const Options& options) {
 
 void addGenerateCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = cli.add_subcommand("generate", "Make a built-in system's clips for a list of targets");
+    CLI::App* command =
+        cli.add_subcommand("generate", "Make a built-in system's clips for a list of targets");
     command
         ->add_option("SYSTEM", options->system,
                      fmt::format("One of {}", fmt::join(motion::generatorNames(), ", ")))
         ->required();
-    command->add_option("--targets", options->targets, "CSV with target_id,x,y,z, such as 'deixis targets' prints")
+    command
+        ->add_option("--targets", options->targets,
+                     "CSV with target_id,x,y,z, such as 'deixis targets' prints")
         ->required();
     command->add_option("--out", options->folder, "Folder for the clips and their manifest")->required();
-    command->add_option("--seed", options->seed, "Seed of what varies from clip to clip")->capture_default_str();
+    command->add_option("--seed", options->seed, "Seed of what varies from clip to clip")
+        ->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
 }
 

@@ -9,7 +9,8 @@
 namespace deixis::app {
 
 Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& generator,
-                                                       const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
+                                                       const std::vector<assets::ListedTarget>& targets,
+                                                       std::uint64_t seed,
                                                        const std::filesystem::path& folder) {
     std::vector<assets::ManifestRow> rows;
     for (const auto& [id, position] : targets) {

@@ -1,5 +1,5 @@
-// The program. Each command lives in a file of its own; this one names them and turns what went wrong into one line
-// and an exit status: 0 done, 1 failed, 2 wrong usage.
+// The program. Each command lives in a file of its own; this one names them and turns what went wrong into
+// one line and an exit status: 0 done, 1 failed, 2 wrong usage.
 #include <fmt/format.h>
 
 #include <cstdio>

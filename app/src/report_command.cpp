@@ -34,7 +34,8 @@ Result<void> writeReport(const std::string& database, const std::string& page, c
 
 void addReportCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<Options>();
-    CLI::App* command = cli.add_subcommand("report", "Analyse a database: an HTML page, and the numbers as JSON");
+    CLI::App* command =
+        cli.add_subcommand("report", "Analyse a database: an HTML page, and the numbers as JSON");
     command->add_option("DB", options->database, "Database of a study")->required();
     command->add_option("-o,--output", options->page, "HTML page to write")->default_val("report.html");
     command->add_option("--json", options->json, "JSON file to write");

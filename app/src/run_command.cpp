@@ -66,12 +66,13 @@ Result<Screenshots> parseScreenshots(const std::vector<std::string>& options) {
 
 // What the session came to, and where it lies.
 Result<void> reportSession(const Options& options, const std::string& participant, int left) {
-    const std::string page =
-        options.report.empty() ? fs::path(options.database).replace_extension(".html").string() : options.report;
+    const std::string page = options.report.empty()
+                                 ? fs::path(options.database).replace_extension(".html").string()
+                                 : options.report;
     const auto written = writeReport(options.database, page, "");
     if (left > 0)
-        fmt::print("{} has {} trials left; the same command with --participant {} goes on there\n", participant, left,
-                   participant);
+        fmt::print("{} has {} trials left; the same command with --participant {} goes on there\n",
+                   participant, left, participant);
     fmt::print("database: {}\n", fs::absolute(options.database).lexically_normal().string());
     if (!written) {
         fmt::print("report:   none yet ({})\n", written.error().text());
@@ -136,14 +137,16 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = cli.add_subcommand("run", "Run one participant's session; resumes where it was left");
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
-    command->add_option("--participant", options->participant, "Pseudonymous id [the next free of P01, P02, ...]");
+    command->add_option("--participant", options->participant,
+                        "Pseudonymous id [the next free of P01, P02, ...]");
     command
         ->add_option("--station", options->station.kind,
                      "desktop: a window and a person; simulated: a simulated participant, drawn off screen")
         ->capture_default_str();
     command->add_option("--db", options->database, "Database to add to [STUDY.sqlite]");
     command->add_option("--report", options->report, "HTML report to write [beside the database]");
-    command->add_option("--stimuli", options->stimuli, "Folder for the built-in systems' clips [beside the database]");
+    command->add_option("--stimuli", options->stimuli,
+                        "Folder for the built-in systems' clips [beside the database]");
     command->add_option("--size", options->station.size, "Window or picture size, such as 1280x720");
     command->add_flag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
     command

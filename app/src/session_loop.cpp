@@ -2,7 +2,8 @@
 
 namespace deixis::app {
 
-studies::Moment runSession(studies::SessionRunner& session, studies::Station& station, const Recorder& record) {
+studies::Moment runSession(studies::SessionRunner& session, studies::Station& station,
+                           const Recorder& record) {
     studies::Moment last{};
     while (!session.finished() && !session.quit()) {
         const studies::InputFrame input = station.beginFrame();

@@ -12,6 +12,7 @@ namespace deixis::app {
 using Recorder = std::function<void(const studies::SessionEvent&)>;
 
 /// Runs until the session has finished or was ended. Returns the last frame's time.
-studies::Moment runSession(studies::SessionRunner& session, studies::Station& station, const Recorder& record);
+studies::Moment runSession(studies::SessionRunner& session, studies::Station& station,
+                           const Recorder& record);
 
 }  // namespace deixis::app

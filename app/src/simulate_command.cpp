@@ -6,9 +6,9 @@
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
+#include "motion/reference_humanoid.hpp"
 #include "session_loop.hpp"
 #include "simulated_setup.hpp"
-#include "motion/reference_humanoid.hpp"
 #include "stimuli.hpp"
 #include "studies/plan.hpp"
 #include "studies/simulated_participant.hpp"
@@ -67,7 +67,8 @@ Result<void> simulate(const Options& options) {
             studies::SimulatedStation station(*parameters, avatar->skeleton, simulatedSeed(plan));
             studies::SessionRunner session(setup->study, plan, *stimuli, avatar->skeleton, idle, {});
             const auto records = stimuli->records(plan);
-            store->beginSession({plan.participant, station.info(), programVersion(), avatar->content_hash, 0.0});
+            store->beginSession(
+                {plan.participant, station.info(), programVersion(), avatar->content_hash, 0.0});
             const studies::Moment end = runSession(session, station, [&](const studies::SessionEvent& event) {
                 if (std::holds_alternative<studies::Response>(event)) ++answers;
                 store->record(event, plan, records);
@@ -79,7 +80,8 @@ Result<void> simulate(const Options& options) {
     fs::rename(partial, options.database, code);
     if (code) return fail(options.database, "cannot be written: " + code.message());
     for (const char* suffix : {"-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
-    fmt::print("{} simulated participants, {} answers: {}\n", options.participants, answers, options.database);
+    fmt::print("{} simulated participants, {} answers: {}\n", options.participants, answers,
+               options.database);
     return {};
 }
 
@@ -94,7 +96,8 @@ void addSimulateCommand(CLI::App& cli, Command& chosen) {
         ->check(CLI::Range(1, 9999))
         ->capture_default_str();
     command->add_option("--db", options->database, "Database to make; must not exist")->required();
-    command->add_option("--stimuli", options->stimuli, "Folder for the built-in systems' clips [beside the database]");
+    command->add_option("--stimuli", options->stimuli,
+                        "Folder for the built-in systems' clips [beside the database]");
     command->add_option("--parameters", options->parameters, "Simulated participants' parameters (TOML)")
         ->default_val(assets::dataFile("simulated_participant.toml").string());
     command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });

@@ -15,8 +15,10 @@ namespace {
 
 #ifdef DEIXIS_IMMERSIVE
 
-Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& request, const studies::Study& study,
-                                                      const studies::StudyPlan& plan, const assets::Avatar& avatar) {
+Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& request,
+                                                      const studies::Study& study,
+                                                      const studies::StudyPlan& plan,
+                                                      const assets::Avatar& avatar) {
     if (!request.screenshots.empty())
         return fail("--screenshot", "pictures of a session are taken with --station simulated");
     DesktopOptions options;
@@ -51,11 +53,14 @@ Result<void> drawSimulation(studies::SimulatedStation&, const assets::Avatar&, c
 
 }  // namespace
 
-Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request, const studies::Study& study,
-                                                      const studies::StudyPlan& plan, const assets::Avatar& avatar) {
+Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request,
+                                                      const studies::Study& study,
+                                                      const studies::StudyPlan& plan,
+                                                      const assets::Avatar& avatar) {
     if (request.kind == "desktop") return openDesktop(request, study, plan, avatar);
     if (request.kind != "simulated")
-        return fail("--station", fmt::format("unknown station '{}'; expected desktop or simulated", request.kind));
+        return fail("--station",
+                    fmt::format("unknown station '{}'; expected desktop or simulated", request.kind));
     const auto parameters = studies::loadSimulatedParameters(request.simulated_parameters);
     if (!parameters) return tl::unexpected(parameters.error());
     auto station =

@@ -20,14 +20,14 @@ using Screenshots = std::map<std::string, std::string>;
 
 struct StationRequest {
     std::string kind = "desktop";  ///< "desktop" or "simulated"
-    std::string size;              ///< "WIDTHxHEIGHT" of the window or of what the simulated participant sees; or empty
+    std::string size;  ///< "WIDTHxHEIGHT" of the window or of what the simulated participant sees; or empty
     bool fullscreen = false;
     std::string simulated_parameters;
-    Screenshots screenshots;       ///< simulated station only
+    Screenshots screenshots;  ///< simulated station only
 };
 
-/// Opens the station. The simulated one draws each key moment and several frames a second through the same renderer
-/// as the desktop, off screen, where the program was built with it.
+/// Opens the station. The simulated one draws each key moment and several frames a second through the same
+/// renderer as the desktop, off screen, where the program was built with it.
 [[nodiscard]] Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request,
                                                                     const studies::Study& study,
                                                                     const studies::StudyPlan& plan,

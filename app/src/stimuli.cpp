@@ -22,16 +22,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The manifest of a built-in system's clips, made now where it is not there yet. Once made, the clips stay as they
-// are: a later version of the program must not change what a running study shows.
+// The manifest of a built-in system's clips, made now where it is not there yet. Once made, the clips stay as
+// they are: a later version of the program must not change what a running study shows.
 Result<fs::path> builtInManifest(const studies::SystemSource& system, const StudySetup& setup,
                                  const assets::Avatar& avatar, const fs::path& folder) {
     const fs::path parameters_file = assets::dataFile("demonstrations.toml");
     const auto parameter_bytes = readFile(parameters_file);
     if (!parameter_bytes) return tl::unexpected(parameter_bytes.error());
-    const std::string key = sha256Hex(fmt::format("{}\n{}\n{}\n{}\n{}", system.generator, setup.study.seed,
-                                                  studies::targetsCsv(setup.targets), *parameter_bytes,
-                                                  avatar.content_hash));
+    const std::string key =
+        sha256Hex(fmt::format("{}\n{}\n{}\n{}\n{}", system.generator, setup.study.seed,
+                              studies::targetsCsv(setup.targets), *parameter_bytes, avatar.content_hash));
     const fs::path clips = folder / fmt::format("{}-{}", system.generator, key.substr(0, 12));
     const fs::path manifest = clips / "manifest.csv";
     std::error_code code;
@@ -52,15 +52,16 @@ Result<void> checkRow(const assets::Manifest& manifest, const assets::ManifestRo
                       const motion::Clip& clip) {
     const std::string where = manifest.file.string() + ": clip " + row.clip;
     if (glm::length(row.target - target) > 0.001)
-        return fail(where,
-                    fmt::format("was made for the target ({:.4f}, {:.4f}, {:.4f}), but the study's {} is at ({:.4f}, "
-                                "{:.4f}, {:.4f})",
-                                row.target.x, row.target.y, row.target.z, row.target_id, target.x, target.y,
-                                target.z),
-                    "Make the clips for the targets that 'deixis targets' prints for this study");
+        return fail(
+            where,
+            fmt::format("was made for the target ({:.4f}, {:.4f}, {:.4f}), but the study's {} is at ({:.4f}, "
+                        "{:.4f}, {:.4f})",
+                        row.target.x, row.target.y, row.target.z, row.target_id, target.x, target.y,
+                        target.z),
+            "Make the clips for the targets that 'deixis targets' prints for this study");
     if (row.end_frame >= clip.frameCount())
-        return fail(where, fmt::format("end frame {} lies outside the clip, which has frames 0 to {}", row.end_frame,
-                                       clip.frameCount() - 1));
+        return fail(where, fmt::format("end frame {} lies outside the clip, which has frames 0 to {}",
+                                       row.end_frame, clip.frameCount() - 1));
     if (std::abs(row.fps - clip.framesPerSecond()) > 0.01 * row.fps)
         return fail(where, fmt::format("fps is {:g}, but the clip has {:.4g} frames per second", row.fps,
                                        clip.framesPerSecond()));
@@ -87,8 +88,8 @@ Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
                                           [&](const auto& r) { return r.target_id == trial->target_id; });
             if (row == manifest->rows.end())
                 return fail(manifest_file->string(),
-                            fmt::format("has no clip for target {}, which the system '{}' needs", trial->target_id,
-                                        system.name));
+                            fmt::format("has no clip for target {}, which the system '{}' needs",
+                                        trial->target_id, system.name));
             const fs::path file = manifest_file->parent_path() / row->clip;
             const auto bytes = readFile(file);
             if (!bytes) return tl::unexpected(bytes.error());
@@ -128,9 +129,13 @@ const StimulusLibrary::Stimulus& StimulusLibrary::find(const studies::Trial& tri
     return found->second;
 }
 
-const motion::Clip& StimulusLibrary::clip(const studies::Trial& trial) const { return find(trial).clip; }
+const motion::Clip& StimulusLibrary::clip(const studies::Trial& trial) const {
+    return find(trial).clip;
+}
 
-const results::ClipRecord& StimulusLibrary::record(const studies::Trial& trial) const { return find(trial).record; }
+const results::ClipRecord& StimulusLibrary::record(const studies::Trial& trial) const {
+    return find(trial).record;
+}
 
 std::vector<results::ClipRecord> StimulusLibrary::records(const studies::StudyPlan& plan) const {
     std::vector<results::ClipRecord> out;

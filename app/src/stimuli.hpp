@@ -15,12 +15,14 @@
 
 namespace deixis::app {
 
-/// Clips by system and target, on the avatar's skeleton, each with the file that it was read from and its hash.
+/// Clips by system and target, on the avatar's skeleton, each with the file that it was read from and its
+/// hash.
 class StimulusLibrary : public studies::ClipSource {
   public:
-    /// Loads the clips of the given trials. Clips of built-in systems are kept as BVH files with a manifest under
-    /// `folder`, in a folder named after what they depend on, and made there where they are missing. A clip that is
-    /// missing, does not parse, or whose manifest row does not fit it is an error that names the file.
+    /// Loads the clips of the given trials. Clips of built-in systems are kept as BVH files with a manifest
+    /// under `folder`, in a folder named after what they depend on, and made there where they are missing. A
+    /// clip that is missing, does not parse, or whose manifest row does not fit it is an error that names the
+    /// file.
     [[nodiscard]] static Result<StimulusLibrary> load(const StudySetup& setup,
                                                       const std::vector<const studies::Trial*>& trials,
                                                       const assets::Avatar& avatar,

@@ -33,12 +33,14 @@ Result<StudySetup> loadStudySetup(const std::string& name) {
     auto targets = studies::sampleTargets(study->targets, study->seed);
     if (!targets) {
         Error error = targets.error();
-        if (error.where.empty()) error.where = study->file.string();
+        error.where = study->file.string() + ": " + error.where;
         return tl::unexpected(error);
     }
     return StudySetup{std::move(*study), std::move(*targets)};
 }
 
-Result<assets::Avatar> loadShippedAvatar() { return assets::loadAvatar(assets::dataFile("avatar.glb")); }
+Result<assets::Avatar> loadShippedAvatar() {
+    return assets::loadAvatar(assets::dataFile("avatar.glb"));
+}
 
 }  // namespace deixis::app

@@ -2,6 +2,8 @@
 
 namespace deixis::app {
 
-std::string programVersion() { return "deixis " DEIXIS_VERSION; }
+std::string programVersion() {
+    return "deixis " DEIXIS_VERSION;
+}
 
 }  // namespace deixis::app

@@ -44,8 +44,9 @@ void addViewCommand(CLI::App& cli, Command& chosen) {
         ->check(CLI::PositiveNumber);
     command->add_option("--size", options->view.size, "Window or picture size")->capture_default_str();
     command->add_option("--screenshot", options->view.screenshot, "Write a PNG and open no window");
-    command->add_option("--time", options->view.times_s,
-                        "Time in seconds at which the clip starts or the picture is taken; several make a strip");
+    command->add_option(
+        "--time", options->view.times_s,
+        "Time in seconds at which the clip starts or the picture is taken; several make a strip");
     command->add_option("--from", options->view.from, "front, left, right, back or three-quarter")
         ->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return view(*options); }; });

@@ -20,8 +20,8 @@ constexpr std::array<std::string_view, 4> column_names{"target_id", "x", "y", "z
 
 bool usableInFileNames(const std::string& id) {
     const auto allowed = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-               c == '.';
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-' || c == '.';
     };
     return !id.empty() && id.front() != '.' && id.size() <= 64 && std::all_of(id.begin(), id.end(), allowed);
 }
@@ -49,15 +49,17 @@ Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const s
         const CsvRecord& record = (*records)[r];
         const std::string where = fmt::format("{}:{}", name, record.line);
         if (record.fields.size() != header.size())
-            return fail(where, fmt::format("found {} fields, expected {} as in the header", record.fields.size(),
-                                           header.size()));
+            return fail(where, fmt::format("found {} fields, expected {} as in the header",
+                                           record.fields.size(), header.size()));
         ListedTarget target;
         target.id = record.fields[places[0]];
         if (!usableInFileNames(target.id))
-            return fail(where + ": target_id",
-                        fmt::format("found '{}', expected up to 64 letters, digits, '_', '-' or '.'", target.id));
+            return fail(
+                where + ": target_id",
+                fmt::format("found '{}', expected up to 64 letters, digits, '_', '-' or '.'", target.id));
         if (!ids.insert(target.id).second)
-            return fail(where + ": target_id", fmt::format("'{}' was given before; ids must differ", target.id));
+            return fail(where + ": target_id",
+                        fmt::format("'{}' was given before; ids must differ", target.id));
         for (int axis = 0; axis < 3; ++axis) {
             const auto column = static_cast<std::size_t>(axis) + 1;
             const std::string& cell = record.fields[places[column]];

@@ -66,14 +66,10 @@ std::string readName(TomlTable& table, std::string_view key) {
     return name;
 }
 
-/// A path written relative to the study file, as one that can be opened from anywhere.
+/// A path written relative to the study file, as one that can be opened from anywhere. Whether the file is
+/// there is for whoever opens it: the targets of a study are printed before the clips for them can be made.
 std::string readPath(TomlTable& table, std::string_view key, const fs::path& folder) {
-    const fs::path path = (folder / table.text(key)).lexically_normal();
-    std::error_code code;
-    if (!fs::is_regular_file(path, code))
-        table.problem(key, fmt::format("there is no file {}", path.string()),
-                      "Paths are relative to the folder of the study file");
-    return path.string();
+    return (folder / table.text(key)).lexically_normal().string();
 }
 
 Range readRange(TomlTable& table, std::string_view key, double low, double high) {

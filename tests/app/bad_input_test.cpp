@@ -18,21 +18,24 @@ void makeLabFolder(const Scratch& scratch) {
     const auto targets = program("targets " + (scratch / "study.toml") + " --no-picture");
     REQUIRE(targets.status == 0);
     spill(scratch / "targets.csv", targets.out);
-    const auto made = program("generate direct --targets " + (scratch / "targets.csv") + " --out " + (scratch / "clips"));
+    const auto made =
+        program("generate direct --targets " + (scratch / "targets.csv") + " --out " + (scratch / "clips"));
     INFO(made.err);
     REQUIRE(made.status == 0);
 }
 
 Finished runIn(const Scratch& scratch) {
-    return program("simulate " + (scratch / "study.toml") + " --participants 2 --db " + (scratch / "out.sqlite"));
+    return program("simulate " + (scratch / "study.toml") + " --participants 2 --db " +
+                   (scratch / "out.sqlite"));
 }
 
 }  // namespace
 
 TEST_SUITE("app/bad-input") {
     TEST_CASE("wrong usage ends with status 2 and says what was expected") {
-        for (const std::string arguments : {"", "no-such-command", "run", "targets", "generate direct",
-                                            "plan pointing2023", "report", "simulate pointing2023 --db x -n 3"}) {
+        for (const std::string arguments :
+             {"", "no-such-command", "run", "targets", "generate direct", "plan pointing2023", "report",
+              "simulate pointing2023 --db x -n 3"}) {
             INFO(arguments);
             const auto finished = program(arguments);
             CHECK(finished.status == 2);
@@ -48,10 +51,11 @@ TEST_SUITE("app/bad-input") {
         CHECK_FAILS_SAYING(program("plan " + (scratch / "none.toml") + " --participant P01"), "none.toml",
                            "No such file");
         spill(scratch / "broken.toml", "[study\nname=1");
-        CHECK_FAILS_SAYING(program("plan " + (scratch / "broken.toml") + " --participant P01"), "broken.toml:1");
+        CHECK_FAILS_SAYING(program("plan " + (scratch / "broken.toml") + " --participant P01"),
+                           "broken.toml:1");
         spill(scratch / "unknown.toml", replaced(shippedStudy(), "max_replays", "max_replay"));
-        CHECK_FAILS_SAYING(program("plan " + (scratch / "unknown.toml") + " --participant P01"), "unknown.toml:",
-                           "max_replay", "max_replays");
+        CHECK_FAILS_SAYING(program("plan " + (scratch / "unknown.toml") + " --participant P01"),
+                           "unknown.toml:", "max_replay", "max_replays");
         CHECK_FAILS_SAYING(program("plan pointing2023 --participant 'no spaces'"), "no spaces");
     }
 
@@ -59,7 +63,8 @@ TEST_SUITE("app/bad-input") {
         const Scratch scratch;
         spill(scratch / "study.toml", replaced(shippedStudy(), "distractor_distance_m = [0.20, 0.40]",
                                                "distractor_distance_m = [8.0, 9.0]"));
-        CHECK_FAILS_SAYING(program("targets " + (scratch / "study.toml") + " --no-picture"), "study.toml", "8");
+        CHECK_FAILS_SAYING(program("targets " + (scratch / "study.toml") + " --no-picture"), "study.toml",
+                           "8");
     }
 
     TEST_CASE("a lab's own clips take a system's place, and what is wrong with them is named") {
@@ -73,8 +78,8 @@ TEST_SUITE("app/bad-input") {
         const auto again = [&] {
             fs::remove(scratch / "out.sqlite");
             // Two participants may miss T001: ask for its clip by leaving only what the test breaks.
-            return program("run " + (scratch / "study.toml") + " --station simulated --participant P01 --db " +
-                          (scratch / "out.sqlite"));
+            return program("run " + (scratch / "study.toml") +
+                           " --station simulated --participant P01 --db " + (scratch / "out.sqlite"));
         };
         // The first target that P01 meets with this system.
         const auto plan = nlohmann::json::parse(
@@ -135,14 +140,17 @@ TEST_SUITE("app/bad-input") {
     TEST_CASE("an unknown system and a bad list of targets are named") {
         const Scratch scratch;
         spill(scratch / "t.csv", "target_id,x,y,z\nT001,0.5,1.0,2.0\n");
-        CHECK_FAILS_SAYING(program("generate moglow --targets " + (scratch / "t.csv") + " --out " + (scratch / "o")),
-                           "moglow", "drifting");
+        CHECK_FAILS_SAYING(
+            program("generate moglow --targets " + (scratch / "t.csv") + " --out " + (scratch / "o")),
+            "moglow", "drifting");
         spill(scratch / "bad.csv", "target_id,x,y,z\nT001,0.5,one,2.0\n");
-        CHECK_FAILS_SAYING(program("generate direct --targets " + (scratch / "bad.csv") + " --out " + (scratch / "o")),
-                           "bad.csv:2", "one");
+        CHECK_FAILS_SAYING(
+            program("generate direct --targets " + (scratch / "bad.csv") + " --out " + (scratch / "o")),
+            "bad.csv:2", "one");
         spill(scratch / "short.csv", "target_id,x,y\nT001,0.5,1.0\n");
-        CHECK_FAILS_SAYING(program("generate direct --targets " + (scratch / "short.csv") + " --out " + (scratch / "o")),
-                           "short.csv", "z");
+        CHECK_FAILS_SAYING(
+            program("generate direct --targets " + (scratch / "short.csv") + " --out " + (scratch / "o")),
+            "short.csv", "z");
         CHECK_FALSE(fs::exists(scratch / "o/manifest.csv"));
     }
 
@@ -153,7 +161,8 @@ TEST_SUITE("app/bad-input") {
             return program("run pointing2023 --station simulated --participant P01 --db " + database);
         };
         SUBCASE("not a database") {
-            spill(database, "These are my notes, not a database. They are long enough to be read as a header.");
+            spill(database,
+                  "These are my notes, not a database. They are long enough to be read as a header.");
             const std::string before = slurp(database);
             CHECK_FAILS_SAYING(run(), "study.sqlite");
             CHECK(slurp(database) == before);
@@ -162,7 +171,8 @@ TEST_SUITE("app/bad-input") {
             REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
             REQUIRE(shell("sqlite3 " + database + " 'pragma user_version = 999'").status == 0);
             CHECK_FAILS_SAYING(run(), "study.sqlite", "999", "newer");
-            CHECK_FAILS_SAYING(program("report " + database + " -o " + (scratch / "r.html")), "study.sqlite", "999");
+            CHECK_FAILS_SAYING(program("report " + database + " -o " + (scratch / "r.html")), "study.sqlite",
+                               "999");
             CHECK_FALSE(fs::exists(scratch / "r.html"));
         }
         SUBCASE("locked") {
@@ -172,15 +182,16 @@ TEST_SUITE("app/bad-input") {
             CHECK_FAILS_SAYING(run(), "study.sqlite", "lock");
         }
         SUBCASE("in a folder that cannot be written") {
-            CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --participant P01 --db /proc/study.sqlite"),
-                               "/proc/study.sqlite");
+            CHECK_FAILS_SAYING(
+                program("run pointing2023 --station simulated --participant P01 --db /proc/study.sqlite"),
+                "/proc/study.sqlite");
         }
         SUBCASE("of another study") {
             REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
             spill(scratch / "other.toml", replaced(shippedStudy(), "seed = 2023", "seed = 2024"));
-            CHECK_FAILS_SAYING(
-                program("run " + (scratch / "other.toml") + " --station simulated --participant P09 --db " + database),
-                "study.sqlite", "another study");
+            CHECK_FAILS_SAYING(program("run " + (scratch / "other.toml") +
+                                       " --station simulated --participant P09 --db " + database),
+                               "study.sqlite", "holds study", "another database");
         }
         SUBCASE("missing, for a report") {
             CHECK_FAILS_SAYING(program("report " + (scratch / "none.sqlite") + " -o " + (scratch / "r.html")),
@@ -195,6 +206,7 @@ TEST_SUITE("app/bad-input") {
         CHECK_FAILS_SAYING(program("clips joints " + (scratch / "empty.bvh") + " --csv"), "empty.bvh");
         spill(scratch / "noise.bvh", "HIERARCHY\nROOT a\n{\n OFFSET 0 0\n");
         CHECK_FAILS_SAYING(program("clips joints " + (scratch / "noise.bvh") + " --csv"), "noise.bvh:");
-        CHECK_FAILS_SAYING(program("clips joints " + (scratch / "none.bvh") + " --csv"), "none.bvh", "No such file");
+        CHECK_FAILS_SAYING(program("clips joints " + (scratch / "none.bvh") + " --csv"), "none.bvh",
+                           "No such file");
     }
 }

@@ -10,8 +10,11 @@ namespace {
 // An X server of its own for one test.
 class Display {
   public:
-    Display() : server_("Xvfb :" + std::to_string(number()) + " -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1") {
-        REQUIRE(eventually(20.0, [&] { return shell(environment() + " xdotool getdisplaygeometry").status == 0; }));
+    Display()
+        : server_("Xvfb :" + std::to_string(number()) +
+                  " -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1") {
+        REQUIRE(eventually(20.0,
+                           [&] { return shell(environment() + " xdotool getdisplaygeometry").status == 0; }));
     }
     [[nodiscard]] static std::string environment() { return "env DISPLAY=:" + std::to_string(number()); }
 
@@ -43,7 +46,8 @@ TEST_SUITE("app/desktop") {
                            " run pointing2023 --participant P01 --size 480x320 --db " + database + " >" +
                            (scratch / "out") + " 2>&1");
         const std::string window = Display::environment() + " xdotool search --onlyvisible --name P01";
-        const bool opened = eventually(120.0, [&] { return shell(window).status == 0 || !session.running(); });
+        const bool opened =
+            eventually(120.0, [&] { return shell(window).status == 0 || !session.running(); });
         INFO(slurp(scratch / "out"));
         REQUIRE(opened);
         REQUIRE(session.running());
@@ -60,29 +64,32 @@ TEST_SUITE("app/desktop") {
         INFO(slurp(scratch / "out"));
         REQUIRE(rated);
         CHECK(count(database, "select count(*) from responses where rating = 4 and input = 'key'") >= 3);
-        CHECK(count(database, "select count(*) from sessions where station = 'desktop' and synthetic = 0") == 1);
+        CHECK(count(database, "select count(*) from sessions where station = 'desktop' and synthetic = 0") ==
+              1);
         press("Escape");
-        CHECK(eventually(20.0, [&] {
-            return count(database, "select count(*) from events where kind = 'pause'") >= 1;
-        }));
+        CHECK(eventually(
+            20.0, [&] { return count(database, "select count(*) from events where kind = 'pause'") >= 1; }));
         session.kill(SIGTERM);
     }
 
     TEST_CASE("without a display the desktop station says so and starts nothing else") {
         const Scratch scratch;
-        CHECK_FAILS_SAYING(program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
-                                  "env -u DISPLAY -u WAYLAND_DISPLAY"),
-                           "display", "simulated");
+        CHECK_FAILS_SAYING(
+            program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
+                    "env -u DISPLAY -u WAYLAND_DISPLAY"),
+            "display", "simulated");
     }
 
     TEST_CASE("a driver without OpenGL 4.5 is named with the version that it has") {
         const Scratch scratch;
-        CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite"),
-                                  "env MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
-                           "4.5");
+        CHECK_FAILS_SAYING(
+            program("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite"),
+                    "env MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
+            "4.5");
         const Display display;
-        CHECK_FAILS_SAYING(program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
-                                  Display::environment() + " MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
-                           "4.5");
+        CHECK_FAILS_SAYING(
+            program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
+                    Display::environment() + " MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
+            "4.5");
     }
 }

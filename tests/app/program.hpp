@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 #include <sys/wait.h>
 
+#include <unistd.h>
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -14,7 +15,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 namespace deixis::tests {
@@ -22,7 +22,7 @@ namespace deixis::tests {
 namespace fs = std::filesystem;
 
 struct Finished {
-    int status = -1;   ///< exit status; 128 + signal where a signal ended it
+    int status = -1;  ///< exit status; 128 + signal where a signal ended it
     std::string out;
     std::string err;
 };
@@ -137,19 +137,21 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return text.replace(at, from.size(), to);
 }
 
-inline std::string shippedStudy() { return slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies/pointing2023.toml"); }
+inline std::string shippedStudy() {
+    return slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies/pointing2023.toml");
+}
 
 }  // namespace deixis::tests
 
 /// The program must fail with status 1 and say each of the words, in one line that starts "deixis: error:".
-#define CHECK_FAILS_SAYING(finished, ...)                                             \
-    do {                                                                              \
-        const auto& f_ = (finished);                                                  \
-        INFO("stderr: " << f_.err);                                                   \
-        CHECK(f_.status == 1);                                                        \
-        CHECK(f_.err.rfind("deixis: error: ", 0) == 0);                               \
-        for (const std::string& word_ : std::vector<std::string>{__VA_ARGS__}) {      \
-            INFO("expected word: " << word_);                                         \
-            CHECK(f_.err.find(word_) != std::string::npos);                           \
-        }                                                                             \
+#define CHECK_FAILS_SAYING(finished, ...)                                        \
+    do {                                                                         \
+        const auto& f_ = (finished);                                             \
+        INFO("stderr: " << f_.err);                                              \
+        CHECK(f_.status == 1);                                                   \
+        CHECK(f_.err.rfind("deixis: error: ", 0) == 0);                          \
+        for (const std::string& word_ : std::vector<std::string>{__VA_ARGS__}) { \
+            INFO("expected word: " << word_);                                    \
+            CHECK(f_.err.find(word_) != std::string::npos);                      \
+        }                                                                        \
     } while (false)

@@ -36,7 +36,8 @@ TEST_SUITE("app/session") {
             eventually(120.0, [&] { return answerCount(database) >= wanted || !session.running(); });
             session.kill(SIGKILL);
             const std::string now =
-                rows(database, "select trial_index, rating, chosen_place, answered_time_s from responses order by 1");
+                rows(database,
+                     "select trial_index, rating, chosen_place, answered_time_s from responses order by 1");
             // What was answered before stands unchanged.
             for (std::size_t at = 0; at < before.size();) {
                 const std::size_t end = before.find('\n', at) + 1;
@@ -54,12 +55,15 @@ TEST_SUITE("app/session") {
         REQUIRE(last.status == 0);
         CHECK(answerCount(database) == 60);
         CHECK(rows(database, "select count(distinct trial_index) from responses") == "60\n");
-        CHECK(rows(database, "select count(*) from responses where correct is not null and chosen_place >= 0") == "40\n");
+        CHECK(rows(database,
+                   "select count(*) from responses where correct is not null and chosen_place >= 0") ==
+              "40\n");
     }
 
     TEST_CASE("a participant who has finished is not asked again") {
         const Scratch scratch;
-        const std::string run = "run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite");
+        const std::string run =
+            "run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite");
         const auto first = program(run);
         INFO(first.err);
         REQUIRE(first.status == 0);
@@ -83,9 +87,11 @@ TEST_SUITE("app/session") {
 
     TEST_CASE("the simulated participant answers the same drawn or not, here or in a whole study") {
         const Scratch scratch;
-        REQUIRE(program("run pointing2023 --station simulated --participant S002 --db " + (scratch / "one.sqlite"))
+        REQUIRE(program("run pointing2023 --station simulated --participant S002 --db " +
+                        (scratch / "one.sqlite"))
                     .status == 0);
-        REQUIRE(program("simulate pointing2023 --participants 2 --db " + (scratch / "many.sqlite")).status == 0);
+        REQUIRE(program("simulate pointing2023 --participants 2 --db " + (scratch / "many.sqlite")).status ==
+                0);
         const std::string query =
             "select trial_index, rating, chosen_place from responses where participant = 'S002' order by 1";
         CHECK(rows(scratch / "one.sqlite", query) == rows(scratch / "many.sqlite", query));

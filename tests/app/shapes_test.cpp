@@ -99,7 +99,8 @@ TEST_SUITE("app/shapes") {
             const auto index = static_cast<std::size_t>(found - ours[0].begin());
             for (std::size_t row = 1; row < golden.size(); ++row) {
                 const double centimetres = std::stod(golden[row][column]);
-                REQUIRE(std::abs(100.0 * std::stod(ours[row][index]) - centimetres) < 1.5e-4);  // printed to 1e-6 m
+                REQUIRE(std::abs(100.0 * std::stod(ours[row][index]) - centimetres) <
+                        1.5e-4);  // printed to 1e-6 m
                 ++compared;
             }
         }
@@ -110,19 +111,24 @@ TEST_SUITE("app/shapes") {
         const Scratch scratch;
         spill(scratch / "t.csv", "target_id,x,y,z\nA,1.2,1.0,1.6\nB,-1.0,0.4,1.8\n");
         for (const std::string system : {"demonstration-nn", "direct", "stiff", "drifting"}) {
-            const std::string command = "generate " + system + " --targets " + (scratch / "t.csv") + " --out ";
+            const std::string command =
+                "generate " + system + " --targets " + (scratch / "t.csv") + " --out ";
             REQUIRE(program(command + (scratch / system)).status == 0);
             const auto rows = table(slurp(scratch / (system + "/manifest.csv")));
             REQUIRE(rows.size() == 3);
-            CHECK(rows[0] == splitRow("clip,system,target_id,target_x,target_y,target_z,hand,onset,peak,hold,end,fps,seed"));
+            CHECK(rows[0] ==
+                  splitRow(
+                      "clip,system,target_id,target_x,target_y,target_z,hand,onset,peak,hold,end,fps,seed"));
             for (std::size_t i = 1; i < 3; ++i) {
                 CHECK(rows[i][1] == system);
-                const auto frames = table(program("clips joints " + (scratch / (system + "/" + rows[i][0])) + " --csv").out);
+                const auto frames =
+                    table(program("clips joints " + (scratch / (system + "/" + rows[i][0])) + " --csv").out);
                 CHECK(frames.size() > 60);
                 CHECK(std::stod(frames[2][1]) == doctest::Approx(1.0 / 30.0).epsilon(1e-4));
                 CHECK(std::stoul(rows[i][10]) < frames.size() - 1);
             }
-            // The same seed gives the same bytes; a generator's clip does not depend on the others in the list.
+            // The same seed gives the same bytes; a generator's clip does not depend on the others in the
+            // list.
             REQUIRE(program(command + (scratch / "again")).status == 0);
             CHECK(slurp(scratch / (system + "/" + rows[1][0])) == slurp(scratch / ("again/" + rows[1][0])));
         }

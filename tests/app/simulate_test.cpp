@@ -12,7 +12,8 @@ namespace {
 
 std::string answers(const std::string& database) {
     return shell("sqlite3 -readonly " + database +
-                 " 'select participant, trial_index, rating, chosen_place, correct, round(response_time_s, 6) from "
+                 " 'select participant, trial_index, rating, chosen_place, correct, round(response_time_s, "
+                 "6) from "
                  "responses order by participant, trial_index'")
         .out;
 }
@@ -20,15 +21,18 @@ std::string answers(const std::string& database) {
 }  // namespace
 
 TEST_SUITE("app/simulate") {
-    TEST_CASE("39 simulated participants give 2,340 answers and a report that ranks the systems as they were made") {
+    TEST_CASE(
+        "39 simulated participants give 2,340 answers and a report that ranks the systems as they were "
+        "made") {
         const Scratch scratch;
-        const auto run = program("simulate pointing2023 --participants 39 --db " + (scratch / "study.sqlite"));
+        const auto run =
+            program("simulate pointing2023 --participants 39 --db " + (scratch / "study.sqlite"));
         INFO(run.err);
         REQUIRE(run.status == 0);
         CHECK(run.out.find("2340 answers") != std::string::npos);
 
-        const auto report = program("report " + (scratch / "study.sqlite") + " -o " + (scratch / "report.html") +
-                                   " --json " + (scratch / "analysis.json"));
+        const auto report = program("report " + (scratch / "study.sqlite") + " -o " +
+                                    (scratch / "report.html") + " --json " + (scratch / "analysis.json"));
         INFO(report.err);
         REQUIRE(report.status == 0);
         const json analysis = json::parse(slurp(scratch / "analysis.json"));
@@ -75,10 +79,12 @@ TEST_SUITE("app/simulate") {
     TEST_CASE("the same study gives the same answers, report and numbers again") {
         const Scratch scratch;
         for (const std::string name : {"a", "b"}) {
-            REQUIRE(program("simulate pointing2023 --participants 3 --db " + (scratch / (name + "/study.sqlite")))
-                        .status == 0);
+            REQUIRE(
+                program("simulate pointing2023 --participants 3 --db " + (scratch / (name + "/study.sqlite")))
+                    .status == 0);
             REQUIRE(program("report " + (scratch / (name + "/study.sqlite")) + " -o " +
-                           (scratch / (name + "/report.html")) + " --json " + (scratch / (name + "/analysis.json")))
+                            (scratch / (name + "/report.html")) + " --json " +
+                            (scratch / (name + "/analysis.json")))
                         .status == 0);
         }
         const std::string first = answers(scratch / "a/study.sqlite");
@@ -91,8 +97,9 @@ TEST_SUITE("app/simulate") {
     TEST_CASE("a simulation never touches a database that is there") {
         const Scratch scratch;
         spill(scratch / "study.sqlite", "precious");
-        CHECK_FAILS_SAYING(program("simulate pointing2023 --participants 1 --db " + (scratch / "study.sqlite")),
-                           "study.sqlite", "exists already");
+        CHECK_FAILS_SAYING(
+            program("simulate pointing2023 --participants 1 --db " + (scratch / "study.sqlite")),
+            "study.sqlite", "exists already");
         CHECK(slurp(scratch / "study.sqlite") == "precious");
     }
 }

@@ -49,7 +49,8 @@ Result<Orbit> orbitFrom(const std::string& name) {
             orbit.azimuth_rad = radiansFromDegrees(view.azimuth_deg);
             return orbit;
         }
-    return fail("--from", fmt::format("unknown view '{}'; expected front, left, right, back or three-quarter", name));
+    return fail("--from",
+                fmt::format("unknown view '{}'; expected front, left, right, back or three-quarter", name));
 }
 
 // The clip at a time, seen by an orbiting camera that goes along with the hips.
@@ -61,14 +62,23 @@ class ClipScene {
         motion::sample(clip_, time_s, pose_);
         renderer::Scene scene;
         motion::worldPose(avatar_.skeleton, pose_, scene.avatar_joints);
-        const int hips = std::max(0, avatar_.humanoid[motion::Bone::hips]);
-        scene.camera.stage_from_eye =
-            orbit.stageFromEye(scene.avatar_joints[static_cast<std::size_t>(hips)].position);
+        const auto hips = static_cast<std::size_t>(std::max(0, avatar_.humanoid[motion::Bone::hips]));
+        keepInRoom(scene.avatar_joints, hips);
+        scene.camera.stage_from_eye = orbit.stageFromEye(scene.avatar_joints[hips].position);
         scene.camera.vertical_fov_rad = radiansFromDegrees(42.0);
         return scene;
     }
 
   private:
+    // Who walks farther than this goes on on the spot: the room is small.
+    static void keepInRoom(std::vector<Pose>& joints, std::size_t hips) {
+        constexpr double farthest_m = 1.0;
+        const Vec3 away(joints[hips].position.x, 0.0, joints[hips].position.z);
+        const double distance_m = glm::length(away);
+        if (distance_m <= farthest_m) return;
+        for (Pose& joint : joints) joint.position -= away * (1.0 - farthest_m / distance_m);
+    }
+
     const motion::Clip& clip_;
     const assets::Avatar& avatar_;
     motion::LocalPose pose_;
@@ -86,7 +96,8 @@ Result<void> picture(ClipScene& clip_scene, const assets::Avatar& avatar, const 
     strip.height = size.height;
     strip.rgb.resize(static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height) * 3);
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const renderer::Image one = renderer->capture(clip_scene.at(times[i], orbit), size.width, size.height);
+        const renderer::Image one =
+            renderer->capture(clip_scene.at(times[i], orbit), size.width, size.height);
         const auto row = static_cast<std::size_t>(size.width) * 3;
         for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
             std::copy_n(one.rgb.begin() + static_cast<std::ptrdiff_t>(y * row), row,
@@ -127,7 +138,8 @@ class Transport {
     float speed = 1.0F;
 
     /// Advances, and draws the bar over the picture; turns and zooms the orbit by the mouse outside the bar.
-    void frame(const motion::Clip& clip, const std::string& title, const std::string& description, Orbit& orbit) {
+    void frame(const motion::Clip& clip, const std::string& title, const std::string& description,
+               Orbit& orbit) {
         ImGui::SetCurrentContext(context_);
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
@@ -139,8 +151,9 @@ class Transport {
         if (!io.WantCaptureMouse) {
             if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.0F)) {
                 orbit.azimuth_rad -= 0.006 * static_cast<double>(io.MouseDelta.x);
-                orbit.elevation_rad = std::clamp(orbit.elevation_rad + 0.006 * static_cast<double>(io.MouseDelta.y),
-                                                 radiansFromDegrees(-5.0), radiansFromDegrees(85.0));
+                orbit.elevation_rad =
+                    std::clamp(orbit.elevation_rad + 0.006 * static_cast<double>(io.MouseDelta.y),
+                               radiansFromDegrees(-5.0), radiansFromDegrees(85.0));
             }
             orbit.distance_m =
                 std::clamp(orbit.distance_m * std::pow(0.9, static_cast<double>(io.MouseWheel)), 0.4, 7.0);
@@ -155,11 +168,14 @@ class Transport {
         if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Space), false)) playing = !playing;
         const auto step = static_cast<float>(clip.frame_time_s);
         const auto end_s = static_cast<float>(clip.duration_s());
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow))) time_s = std::max(0.0F, time_s - step);
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow))) time_s = std::min(end_s, time_s + step);
+        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow)))
+            time_s = std::max(0.0F, time_s - step);
+        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow)))
+            time_s = std::min(end_s, time_s + step);
     }
 
-    void bar(const motion::Clip& clip, const std::string& title, const std::string& description, float end_s) {
+    void bar(const motion::Clip& clip, const std::string& title, const std::string& description,
+             float end_s) {
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
         const float margin = 16.0F;
         ImGui::SetNextWindowPos({margin, screen.y - margin}, ImGuiCond_Always, {0.0F, 1.0F});
@@ -167,17 +183,19 @@ class Transport {
         ImGui::SetNextWindowBgAlpha(0.82F);
         ImGui::Begin("transport", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
         ImGui::Text("%s   %s", title.c_str(), description.c_str());
-        if (ImGui::Button(playing ? "Pause" : "Play", {ImGui::GetFontSize() * 4.5F, 0.0F})) playing = !playing;
+        if (ImGui::Button(playing ? "Pause" : "Play", {ImGui::GetFontSize() * 4.5F, 0.0F}))
+            playing = !playing;
         ImGui::SameLine();
         ImGui::SetNextItemWidth(screen.x * 0.52F);
         const int frame = static_cast<int>(std::lround(static_cast<double>(time_s) / clip.frame_time_s));
-        const std::string label =
-            fmt::format("%.2f s   frame {} of {}", std::min(frame, clip.frameCount() - 1) + 1, clip.frameCount());
+        const std::string label = fmt::format("%.2f s   frame {} of {}",
+                                              std::min(frame, clip.frameCount() - 1) + 1, clip.frameCount());
         if (ImGui::SliderFloat("##time", &time_s, 0.0F, end_s, label.c_str())) playing = false;
         ImGui::SameLine();
         ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 3.6F);
         ImGui::SliderFloat("speed", &speed, 0.1F, 2.0F, "%.2fx");
-        ImGui::TextDisabled("Space: play or pause   Arrows: one frame   Drag: turn   Wheel: zoom   Esc: close");
+        ImGui::TextDisabled(
+            "Space: play or pause   Arrows: one frame   Drag: turn   Wheel: zoom   Esc: close");
         ImGui::End();
     }
 
@@ -185,8 +203,8 @@ class Transport {
 };
 
 Result<void> window(ClipScene& clip_scene, const motion::Clip& clip, const std::string& name,
-                    const std::string& description, const assets::Avatar& avatar, Orbit orbit, WindowSize size,
-                    const ViewOptions& options) {
+                    const std::string& description, const assets::Avatar& avatar, Orbit orbit,
+                    WindowSize size, const ViewOptions& options) {
     const std::string title = std::filesystem::path(name).filename().string();
     auto opened = GlWindow::open("Deixis - " + title, size, false);
     if (!opened) return tl::unexpected(opened.error());

@@ -20,7 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double look_rad_per_pixel = radiansFromDegrees(0.07);
 constexpr double max_pitch_rad = radiansFromDegrees(80.0);
-constexpr double resting_pitch_rad = radiansFromDegrees(-6.0);  // a standing person's gaze rests a little down
+constexpr double resting_pitch_rad =
+    radiansFromDegrees(-6.0);  // a standing person's gaze rests a little down
 constexpr double max_lean_m = 0.25;
 constexpr double lean_speed_per_s = 4.0;
 const Vec3 eye_to_hand{0.20, -0.28, -0.20};  // in the head's frame turned upright
@@ -44,7 +45,7 @@ struct DesktopStation::State {
     double cursor_x = 0.0, cursor_y = 0.0;
     bool cursor_known = false;
 
-    studies::InputFrame pending{};     // what has happened since the last frame
+    studies::InputFrame pending{};        // what has happened since the last frame
     studies::PresentedFrame presented{};  // what is on the screen
     int windowed_x = 0, windowed_y = 0;
     WindowSize windowed{};
@@ -74,7 +75,8 @@ void DesktopStation::State::onKey(int key) {
 void DesktopStation::State::onCursor(double x, double y) {
     if (cursor_known) {
         yaw_rad -= (x - cursor_x) * look_rad_per_pixel;
-        pitch_rad = std::clamp(pitch_rad - (y - cursor_y) * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
+        pitch_rad =
+            std::clamp(pitch_rad - (y - cursor_y) * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
     }
     cursor_x = x;
     cursor_y = y;
@@ -84,7 +86,8 @@ void DesktopStation::State::onCursor(double x, double y) {
 void DesktopStation::State::toggleFullscreen() {
     GLFWwindow* w = window->handle();
     if (glfwGetWindowMonitor(w) != nullptr) {
-        glfwSetWindowMonitor(w, nullptr, windowed_x, windowed_y, windowed.width, windowed.height, GLFW_DONT_CARE);
+        glfwSetWindowMonitor(w, nullptr, windowed_x, windowed_y, windowed.width, windowed.height,
+                             GLFW_DONT_CARE);
         return;
     }
     GLFWmonitor* monitor = glfwGetPrimaryMonitor();
@@ -127,8 +130,8 @@ Ray DesktopStation::State::handRay(const Pose& stage_from_head) const {
         if (towards > 1e-6) {
             const double hit = glm::dot(gaze.origin - board.position, normal) / towards;
             const Vec3 on_board = transformPoint(inverse(board), gaze.origin + hit * gaze.direction);
-            const bool inside = on_board.x >= 0.0 && on_board.x <= presented.panel->width_m && on_board.y >= 0.0 &&
-                                on_board.y <= presented.panel->height_m;
+            const bool inside = on_board.x >= 0.0 && on_board.x <= presented.panel->width_m &&
+                                on_board.y >= 0.0 && on_board.y <= presented.panel->height_m;
             if (hit > 0.0 && inside) distance = std::min(distance, hit);
         }
     }
@@ -176,7 +179,8 @@ Result<std::unique_ptr<DesktopStation>> DesktopStation::open(const assets::Avata
     state->period_s = 1.0 / state->window->refreshRate_hz();
     state->windowed = options.size;
     state->utc_offset_s =
-        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count() - state->now_s();
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count() -
+        state->now_s();
     state->connectCallbacks();
     return std::unique_ptr<DesktopStation>(new DesktopStation(std::move(state)));
 }
@@ -191,7 +195,8 @@ studies::StationInfo DesktopStation::info() const {
 
 studies::InputFrame DesktopStation::beginFrame() {
     State& s = *state_;
-    // A driver that does not wait for the display (software, remote) would draw as fast as it can: pace it here.
+    // A driver that does not wait for the display (software, remote) would draw as fast as it can: pace it
+    // here.
     const double ready_s = s.last_swap_s + 0.9 * s.period_s;
     if (const double wait_s = ready_s - s.now_s(); wait_s > 0.0)
         std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));

@@ -1,7 +1,9 @@
-// The desktop station, mock-VR: a window, a first-person camera at standing eye height, a ray from the right hand.
+// The desktop station, mock-VR: a window, a first-person camera at standing eye height, a ray from the right
+// hand.
 //
-// Mouse: look around; the ray goes from the hand to what is in the middle of the view. Left button: select. 1-9:
-// rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc: pause. F11: full screen on and off.
+// Mouse: look around; the ray goes from the hand to what is in the middle of the view. Left button: select.
+// 1-9: rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc: pause. F11: full screen on
+// and off.
 #pragma once
 
 #include <memory>

@@ -13,7 +13,8 @@ namespace deixis::app {
 
 namespace {
 
-constexpr double draw_period_s = 0.5;  // of virtual time, besides key moments: a software renderer must keep up
+constexpr double draw_period_s =
+    0.5;  // of virtual time, besides key moments: a software renderer must keep up
 constexpr WindowSize picture_size{1280, 720};
 
 // Order matters: the renderer goes before its context.
@@ -30,8 +31,8 @@ void takePicture(renderer::Renderer& renderer, const renderer::Scene& scene, Win
 
 }  // namespace
 
-Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar, const std::string& size,
-                            const Screenshots& screenshots) {
+Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar,
+                            const std::string& size, const Screenshots& screenshots) {
     WindowSize view_size{480, 270};
     WindowSize pictured_size = picture_size;
     if (!size.empty()) {
@@ -48,25 +49,26 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
     if (!made) return tl::unexpected(made.error());
     const auto view = std::make_shared<OffscreenView>(OffscreenView{std::move(*context), std::move(*made)});
 
-    std::string details = fmt::format("off screen, {}x{} pixels, drawn {:g} times a second of virtual time, {}",
-                                      view_size.width, view_size.height, 1.0 / draw_period_s, view->renderer.driver());
-    station.attachViewer(std::move(details), [view, view_size, pictured_size, wanted = screenshots, next_s = 0.0](
-                                                 const studies::PresentedFrame& frame,
-                                                 const studies::InputFrame& input) mutable {
-        if (frame.number <= 1) return;  // the participant has not been placed yet
-        const auto picture = wanted.find(frame.state);
-        const bool due = frame.key_moment || input.time_s >= next_s;
-        if (!due && picture == wanted.end()) return;
-        const renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
-        if (due) {
-            (void)view->renderer.capture(scene, view_size.width, view_size.height);
-            next_s = input.time_s + draw_period_s;
-        }
-        if (picture != wanted.end()) {
-            takePicture(view->renderer, scene, pictured_size, picture->second);
-            wanted.erase(picture);
-        }
-    });
+    std::string details =
+        fmt::format("off screen, {}x{} pixels, drawn {:g} times a second of virtual time, {}",
+                    view_size.width, view_size.height, 1.0 / draw_period_s, view->renderer.driver());
+    station.attachViewer(std::move(details),
+                         [view, view_size, pictured_size, wanted = screenshots, next_s = 0.0](
+                             const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
+                             if (frame.number <= 1) return;  // the participant has not been placed yet
+                             const auto picture = wanted.find(frame.state);
+                             const bool due = frame.key_moment || input.time_s >= next_s;
+                             if (!due && picture == wanted.end()) return;
+                             const renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
+                             if (due) {
+                                 (void)view->renderer.capture(scene, view_size.width, view_size.height);
+                                 next_s = input.time_s + draw_period_s;
+                             }
+                             if (picture != wanted.end()) {
+                                 takePicture(view->renderer, scene, pictured_size, picture->second);
+                                 wanted.erase(picture);
+                             }
+                         });
     return {};
 }
 

@@ -10,8 +10,8 @@
 
 namespace deixis::app {
 
-/// Attaches a renderer without a window to the station. `size` is "WIDTHxHEIGHT" or empty. Pictures are taken of the
-/// first frame that is in the named state, a moment after it began so that what fades has settled.
+/// Attaches a renderer without a window to the station. `size` is "WIDTHxHEIGHT" or empty. Pictures are taken
+/// of the first frame that is in the named state, a moment after it began so that what fades has settled.
 [[nodiscard]] Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar,
                                           const std::string& size, const Screenshots& screenshots);
 

@@ -27,7 +27,9 @@ renderer::Ball ballFromView(const studies::BallView& view) {
     return ball;
 }
 
-renderer::BoardRect rectFrom(const studies::PanelRect& r) { return {r.x, r.y, r.width, r.height}; }
+renderer::BoardRect rectFrom(const studies::PanelRect& r) {
+    return {r.x, r.y, r.width, r.height};
+}
 
 renderer::Board boardFromPanel(const studies::Panel& panel) {
     renderer::Board board;

@@ -26,9 +26,12 @@ Result<WindowSize> parseWindowSize(const std::string& text) {
         const auto width = std::from_chars(text.data(), text.data() + cross, size.width);
         const auto height = std::from_chars(text.data() + cross + 1, end, size.height);
         const bool whole = width.ptr == text.data() + cross && height.ptr == end;
-        if (whole && size.width >= 64 && size.width <= 8192 && size.height >= 64 && size.height <= 8192) return size;
+        if (whole && size.width >= 64 && size.width <= 8192 && size.height >= 64 && size.height <= 8192)
+            return size;
     }
-    return fail("--size", fmt::format("'{}' is no size; expected WIDTHxHEIGHT, each 64 to 8192, such as 1280x720", text));
+    return fail(
+        "--size",
+        fmt::format("'{}' is no size; expected WIDTHxHEIGHT, each 64 to 8192, such as 1280x720", text));
 }
 
 Result<std::unique_ptr<GlWindow>> GlWindow::open(const std::string& title, WindowSize size, bool fullscreen) {

@@ -12,14 +12,16 @@
 namespace deixis::assets {
 
 struct ListedTarget {
-    std::string id;      ///< letters, digits, '_', '-' and '.', not starting with '.': it becomes part of file names
+    std::string
+        id;  ///< letters, digits, '_', '-' and '.', not starting with '.': it becomes part of file names
     Vec3 position{0.0};  ///< metres, in the avatar's frame
 };
 
-/// Reads the columns target_id, x, y and z; others are passed over. At least one target, ids unique. Errors name file,
-/// line and column.
+/// Reads the columns target_id, x, y and z; others are passed over. At least one target, ids unique. Errors
+/// name file, line and column.
 [[nodiscard]] Result<std::vector<ListedTarget>> readTargetList(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.
-[[nodiscard]] Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const std::string& name);
+[[nodiscard]] Result<std::vector<ListedTarget>> parseTargetList(std::string_view text,
+                                                                const std::string& name);
 
 }  // namespace deixis::assets
