@@ -17,12 +17,12 @@ constexpr double button_height_m = 0.13;
 constexpr double button_gap_m = 0.03;
 constexpr double progress_height_m = 0.03;
 constexpr double line_spacing = 1.15;  // leaves room for fonts that run a little wider than estimated
-constexpr double average_character_em = 0.48;
+constexpr double average_character_em = 0.45;
 
-constexpr double message_distance_m = 1.5;
+constexpr double message_distance_m = 1.3;
 constexpr double message_below_eyes_m = 0.12;
-constexpr double lectern_distance_m = 1.42;
-constexpr double lectern_below_eyes_m = 0.46;
+constexpr double lectern_distance_m = 1.3;
+constexpr double lectern_below_eyes_m = 0.47;
 constexpr double lectern_tilt_rad = radiansFromDegrees(18.0);
 constexpr double desk_distance_m = 1.1;
 constexpr double desk_below_eyes_m = 0.72;

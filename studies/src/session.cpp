@@ -368,7 +368,8 @@ struct SessionRunner::State {
         } else {
             stepPhase(input);
         }
-        if (!paused) poser.write(view.frame.avatar_joints);
+        // A pause freezes the avatar as it is; but it must be there, also where the first frame is paused.
+        if (!paused || view.frame.avatar_joints.empty()) poser.write(view.frame.avatar_joints);
     }
 
     void stepPhase(const InputFrame& input) {

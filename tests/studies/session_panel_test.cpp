@@ -68,7 +68,7 @@ TEST_SUITE("studies/session_panel") {
             CHECK(body.box.width * body.box.height >= area_m2);
             const Vec3 eye = driver.frame.stage_from_viewer.position + Vec3(0.0, 1.65, 0.0);
             const double distance_m = glm::length(centreOf(panel) - eye);
-            CHECK(distance_m >= 1.4);
+            CHECK(distance_m >= 1.2);
             CHECK(distance_m <= 1.6);
             const Vec3 towards_reader = panel.stage_from_panel.orientation * Vec3(0.0, 0.0, 1.0);
             CHECK(glm::dot(towards_reader, glm::normalize(eye - centreOf(panel))) > 0.95);

@@ -65,6 +65,17 @@ TEST_SUITE("studies/session_pause") {
         CHECK(played_s == doctest::Approx(1.0).epsilon(0.04));
     }
 
+    TEST_CASE("a session whose very first frame is paused shows the avatar and goes on") {
+        Driver driver(1, 1.0, false);
+        driver.start();
+        driver.step(pauseFor("focus lost"));
+        CHECK(driver.frame.avatar_joints.size() > 0);
+        REQUIRE(hasButton(driver.frame, button_id::resume));
+        driver.wait(1.0);
+        driver.press(button_id::resume);
+        CHECK(driver.frame.state == "welcome");
+    }
+
     TEST_CASE("a pause while the answer is open is taken off the response time and shows no clip again") {
         for (const bool game : {false, true}) {
             CAPTURE(game);

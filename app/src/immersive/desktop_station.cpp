@@ -43,7 +43,6 @@ struct DesktopStation::State {
     double pitch_rad = resting_pitch_rad;
     Vec3 lean_m{0.0};
     double cursor_x = 0.0, cursor_y = 0.0;
-    bool cursor_known = false;
 
     studies::InputFrame pending{};        // what has happened since the last frame
     studies::PresentedFrame presented{};  // what is on the screen
@@ -73,14 +72,10 @@ void DesktopStation::State::onKey(int key) {
 }
 
 void DesktopStation::State::onCursor(double x, double y) {
-    if (cursor_known) {
-        yaw_rad -= (x - cursor_x) * look_rad_per_pixel;
-        pitch_rad =
-            std::clamp(pitch_rad - (y - cursor_y) * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
-    }
+    yaw_rad -= (x - cursor_x) * look_rad_per_pixel;
+    pitch_rad = std::clamp(pitch_rad - (y - cursor_y) * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
     cursor_x = x;
     cursor_y = y;
-    cursor_known = true;
 }
 
 void DesktopStation::State::toggleFullscreen() {
@@ -161,6 +156,7 @@ void DesktopStation::State::connectCallbacks() {
     });
     glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
     if (glfwRawMouseMotionSupported() == GLFW_TRUE) glfwSetInputMode(w, GLFW_RAW_MOUSE_MOTION, GLFW_TRUE);
+    glfwGetCursorPos(w, &cursor_x, &cursor_y);
 }
 
 DesktopStation::DesktopStation(std::unique_ptr<State> state) : state_(std::move(state)) {}
