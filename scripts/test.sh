@@ -6,11 +6,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/install.sh tests
-[ -d build/gltf_validator/node_modules ] || {
-    mkdir -p build/gltf_validator
-    cp tests/assets/gltf_validator/package*.json build/gltf_validator/
-    npm ci --silent --prefix build/gltf_validator
-}
+[ -d tests/assets/gltf_validator/node_modules ] || npm ci --silent --prefix tests/assets/gltf_validator
 
 mkdir -p build/test-logs
 counts=()
