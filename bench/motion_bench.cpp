@@ -1,0 +1,53 @@
+// Playing a clip, and making one.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "inputs.hpp"
+
+namespace {
+
+using namespace deixis;
+
+void sampleAndPlace(benchmark::State& state) {
+    const motion::Clip clip = bench::pointingClip();
+    motion::LocalPose pose;
+    std::vector<Pose> world;
+    double time_s = 0.0;
+    for (auto _ : state) {
+        time_s = std::fmod(time_s + bench::frame_time_s, clip.duration_s());
+        motion::sample(clip, time_s, pose);
+        motion::worldPose(clip.skeleton, pose, world);
+        benchmark::DoNotOptimize(world.data());
+        benchmark::ClobberMemory();
+    }
+}
+BENCHMARK(sampleAndPlace)->Name("clip/sample_and_forward_kinematics")->Unit(benchmark::kMicrosecond);
+
+/// `playing_s` is how long the clips take to watch.
+void generate(benchmark::State& state, const std::string& system) {
+    const auto generator = bench::valueOf(
+        motion::makeGenerator(system, motion::referenceHumanoid(), motion::DemonstrationParameters{}));
+    std::uint64_t seed = 0;
+    double playing_s = 0.0;
+    for (auto _ : state) {
+        ++seed;
+        const double azimuth = radiansFromDegrees(static_cast<double>(seed % 17) * 10.0 - 80.0);
+        const Vec3 target{2.0 * std::sin(azimuth), 0.2 + 0.15 * static_cast<double>(seed % 13),
+                          2.0 * std::cos(azimuth)};
+        const motion::GeneratedClip made = generator->generate({"T001", target, seed});
+        playing_s += made.clip.duration_s();
+        benchmark::DoNotOptimize(made.clip.frames.data());
+    }
+    state.counters["playing_s"] = benchmark::Counter(playing_s, benchmark::Counter::kAvgIterations);
+}
+BENCHMARK_CAPTURE(generate, nn, "demonstration-nn")
+    ->Name("generate/demonstration-nn")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, direct, "direct")->Name("generate/direct")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, stiff, "stiff")->Name("generate/stiff")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, drifting, "drifting")->Name("generate/drifting")->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,53 @@
+// Drawing a frame of the game off screen and reading it back.
+#include <benchmark/benchmark.h>
+
+#include "immersive/frame_scene.hpp"
+#include "inputs.hpp"
+#include "renderer/renderer.hpp"
+#include "study_setup.hpp"
+
+namespace {
+
+using namespace deixis;
+
+/// The most that a session shows: avatar, balls, ray and board, while a choice is open.
+renderer::Scene gameScene() {
+    bench::Participant participant;
+    participant.toAnswer();
+    while (participant.frame.balls.empty()) {
+        participant.answerSomehow(0);
+        participant.toAnswer();
+    }
+    participant.step(participant.pointing(participant.frame.balls.front().centre, false));
+    const studies::PresentedFrame& frame = participant.frame;
+    Pose stage_from_eye = frame.stage_from_viewer;
+    stage_from_eye.position.y += 1.65;
+    return app::sceneFromFrame(frame, stage_from_eye);
+}
+
+/// Arguments: width, height, samples.
+void capture(benchmark::State& state) {
+    const auto context = renderer::OffscreenContext::create();
+    if (!context) return state.SkipWithError(context.error().text().c_str());
+    const assets::Avatar avatar = bench::valueOf(app::loadShippedAvatar());
+    renderer::Quality quality;
+    quality.samples = static_cast<int>(state.range(2));
+    renderer::Renderer drawing = bench::valueOf(renderer::Renderer::create(avatar, quality));
+    const renderer::Scene scene = gameScene();
+    const auto width = static_cast<int>(state.range(0));
+    const auto height = static_cast<int>(state.range(1));
+    benchmark::DoNotOptimize(drawing.capture(scene, width, height).rgb.data());  // paints the board
+    for (auto _ : state) benchmark::DoNotOptimize(drawing.capture(scene, width, height).rgb.data());
+    state.SetLabel(drawing.driver());
+}
+BENCHMARK(capture)
+    ->Name("renderer/capture")
+    ->Args({640, 360, 1})
+    ->Args({640, 360, 4})
+    ->Args({1280, 720, 1})
+    ->Args({1280, 720, 4})
+    ->ArgNames({"width", "height", "samples"})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
