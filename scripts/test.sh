@@ -28,7 +28,10 @@ presets=("$@")
 }
 status=0
 for preset in "${presets[@]}"; do run_preset "$preset" || status=1; done
-if [ $# -eq 0 ]; then scripts/lint.sh || status=1; fi
+if [ $# -eq 0 ]; then
+    scripts/compare_builds.sh build/dev/deixis build/offline/deixis || status=1
+    scripts/lint.sh || status=1
+fi
 
 echo
 printf '%s\n' "${counts[@]}"

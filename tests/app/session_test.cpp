@@ -1,6 +1,8 @@
 // One participant's session: resumed, interrupted, twice at once.
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <algorithm>
+
 #include "program.hpp"
 
 using namespace deixis::tests;
@@ -35,9 +37,9 @@ TEST_SUITE("app/session") {
             Background session(std::string(DEIXIS_PROGRAM) + " " + command);
             eventually(120.0, [&] { return answerCount(database) >= wanted || !session.running(); });
             session.kill(SIGKILL);
-            const std::string now =
-                rows(database,
-                     "select trial_index, rating, chosen_place, answered_time_s from responses order by 1");
+            const std::string now = rows(
+                database, "select trial_index, rating, chosen_place, answered_s from responses order by 1");
+            REQUIRE(std::count(now.begin(), now.end(), '\n') >= wanted);
             // What was answered before stands unchanged.
             for (std::size_t at = 0; at < before.size();) {
                 const std::size_t end = before.find('\n', at) + 1;
