@@ -10,11 +10,11 @@ namespace {
 
 using namespace deixis;
 
-/// The most that a session shows: avatar, balls, ray and board, while a choice is open.
+/// The avatar across from the viewer, three balls, and the ray on one of them.
 renderer::Scene gameScene() {
     bench::Participant participant;
     participant.toAnswer();
-    while (participant.frame.balls.empty()) {
+    while (participant.frame.balls.empty() || participant.frame.viewer_place != "across") {
         participant.answerSomehow(0);
         participant.toAnswer();
     }
