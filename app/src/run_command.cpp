@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "assets/data_paths.hpp"
@@ -53,8 +54,8 @@ int unanswered(const studies::StudyPlan& plan, const std::set<int>& answered) {
 }
 
 // STATE=FILE ...
-Result<Screenshots> parseScreenshots(const std::vector<std::string>& options) {
-    Screenshots out;
+Result<std::map<std::string, std::string>> parseScreenshots(const std::vector<std::string>& options) {
+    std::map<std::string, std::string> out;
     for (const std::string& option : options) {
         const auto equals = option.find('=');
         if (equals == std::string::npos || equals == 0 || equals + 1 == option.size())
@@ -87,7 +88,7 @@ Result<void> run(Options options) {
     if (!setup) return tl::unexpected(setup.error());
     auto screenshots = parseScreenshots(options.screenshots);
     if (!screenshots) return tl::unexpected(screenshots.error());
-    options.station.screenshots = std::move(*screenshots);
+    options.station.screenshots->wanted = std::move(*screenshots);
     if (options.database.empty()) options.database = setup->study.name + ".sqlite";
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
@@ -128,7 +129,14 @@ Result<void> run(Options options) {
     runSession(session, **station,
                [&](const studies::SessionEvent& event) { store->record(event, *plan, records); });
     store->endSession(session.quit() ? "quit" : "finished", utcNow_s());
-    return reportSession(options, participant, unanswered(*plan, store->answeredTrials(participant)));
+    auto reported =
+        reportSession(options, participant, unanswered(*plan, store->answeredTrials(participant)));
+    const Screenshots& pictures = *options.station.screenshots;
+    if (reported && !pictures.wanted.empty())
+        return fail("--screenshot",
+                    fmt::format("the session was never in the state '{}'; it was in {}",
+                                pictures.wanted.begin()->first, fmt::join(pictures.met, ", ")));
+    return reported;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& requ
                                                       const studies::Study& study,
                                                       const studies::StudyPlan& plan,
                                                       const assets::Avatar& avatar) {
-    if (!request.screenshots.empty())
+    if (!request.screenshots->wanted.empty())
         return fail("--screenshot", "pictures of a session are taken with --station simulated");
     DesktopOptions options;
     options.title = study.title + " - " + plan.participant;
@@ -44,12 +44,37 @@ Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest&, con
 }
 
 Result<void> drawSimulation(studies::SimulatedStation&, const assets::Avatar&, const std::string&,
-                            const Screenshots& screenshots) {
-    if (screenshots.empty()) return {};
+                            const std::shared_ptr<Screenshots>& screenshots) {
+    if (screenshots->wanted.empty()) return {};
     return fail("--screenshot", "this program was built without drawing (DEIXIS_IMMERSIVE=OFF)");
 }
 
 #endif
+
+// A participant who pauses once, in the midst of the first clip: for a picture of that state.
+class PausingStation : public studies::Station {
+  public:
+    explicit PausingStation(std::unique_ptr<studies::Station> station) : station_(std::move(station)) {}
+    [[nodiscard]] studies::StationInfo info() const override { return station_->info(); }
+    [[nodiscard]] studies::InputFrame beginFrame() override {
+        studies::InputFrame input = station_->beginFrame();
+        if (pointing_ && !paused_) {
+            paused_ = true;
+            input.pause = true;
+            input.pause_reason = "for a picture";
+        }
+        return input;
+    }
+    studies::FrameReport present(const studies::PresentedFrame& frame) override {
+        pointing_ = frame.state.starts_with("pointing");
+        return station_->present(frame);
+    }
+
+  private:
+    std::unique_ptr<studies::Station> station_;
+    bool pointing_ = false;
+    bool paused_ = false;
+};
 
 }  // namespace
 
@@ -67,6 +92,8 @@ Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& requ
         std::make_unique<studies::SimulatedStation>(*parameters, avatar.skeleton, simulatedSeed(plan));
     if (auto drawn = drawSimulation(*station, avatar, request.size, request.screenshots); !drawn)
         return tl::unexpected(drawn.error());
+    if (request.screenshots->wanted.contains("paused"))
+        return std::make_unique<PausingStation>(std::move(station));
     return station;
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,18 @@
 
 namespace deixis::app {
 
-/// Pictures wanted of states of a session: state name -> PNG file.
-using Screenshots = std::map<std::string, std::string>;
+/// Pictures of states of a session (PresentedFrame::state).
+struct Screenshots {
+    std::map<std::string, std::string> wanted;  ///< state -> PNG file; taken ones are removed
+    std::set<std::string> met;                  ///< the states that came
+};
 
 struct StationRequest {
     std::string kind = "desktop";  ///< "desktop" or "simulated"
     std::string size;  ///< "WIDTHxHEIGHT" of the window or of what the simulated participant sees; or empty
     bool fullscreen = false;
     std::string simulated_parameters;
-    Screenshots screenshots;  ///< simulated station only
+    std::shared_ptr<Screenshots> screenshots = std::make_shared<Screenshots>();  ///< simulated only
 };
 
 /// Opens the station. The simulated one draws each key moment and several frames a second through the same

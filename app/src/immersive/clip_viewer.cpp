@@ -33,10 +33,10 @@ constexpr std::array<NamedView, 5> named_views{
 struct Orbit {
     double azimuth_rad = 0.0;
     double elevation_rad = radiansFromDegrees(8.0);
-    double distance_m = 3.2;
+    double distance_m = 3.4;
 
     [[nodiscard]] Pose stageFromEye(const Vec3& hips) const {
-        const Vec3 middle(hips.x, 0.95, hips.z);
+        const Vec3 middle(hips.x, 0.83, hips.z);
         const Quat turn = yawRotation(azimuth_rad) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
         return {middle + turn * Vec3(0, 0, distance_m), turn};
     }
@@ -106,6 +106,25 @@ Result<void> picture(ClipScene& clip_scene, const assets::Avatar& avatar, const 
     return renderer::writePng(options.screenshot, strip);
 }
 
+// Keys that went down since they were last asked for: a press shorter than a frame counts too.
+struct PressedKeys {
+    bool toggle = false;
+    bool close = false;
+    int steps = 0;
+
+    void connect(GLFWwindow* window) {
+        glfwSetWindowUserPointer(window, this);
+        glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) {
+            if (action == GLFW_RELEASE) return;
+            auto* keys = static_cast<PressedKeys*>(glfwGetWindowUserPointer(from));
+            if (key == GLFW_KEY_SPACE && action == GLFW_PRESS) keys->toggle = !keys->toggle;
+            if (key == GLFW_KEY_ESCAPE) keys->close = true;
+            if (key == GLFW_KEY_LEFT) --keys->steps;
+            if (key == GLFW_KEY_RIGHT) ++keys->steps;
+        });
+    }
+};
+
 // The window's own text library context, with the transport bar.
 class Transport {
   public:
@@ -139,7 +158,7 @@ class Transport {
 
     /// Advances, and draws the bar over the picture; turns and zooms the orbit by the mouse outside the bar.
     void frame(const motion::Clip& clip, const std::string& title, const std::string& description,
-               Orbit& orbit) {
+               const PressedKeys& keys, Orbit& orbit) {
         ImGui::SetCurrentContext(context_);
         ImGui_ImplOpenGL3_NewFrame();
         ImGui_ImplGlfw_NewFrame();
@@ -147,7 +166,11 @@ class Transport {
         const ImGuiIO& io = ImGui::GetIO();
         const auto end_s = static_cast<float>(clip.duration_s());
         if (playing && end_s > 0.0F) time_s = std::fmod(time_s + speed * io.DeltaTime, end_s);
-        handleKeys(clip);
+        if (keys.toggle) playing = !playing;
+        if (keys.steps != 0) {
+            playing = false;
+            time_s = std::clamp(time_s + static_cast<float>(keys.steps * clip.frame_time_s), 0.0F, end_s);
+        }
         if (!io.WantCaptureMouse) {
             if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.0F)) {
                 orbit.azimuth_rad -= 0.006 * static_cast<double>(io.MouseDelta.x);
@@ -164,16 +187,6 @@ class Transport {
     }
 
   private:
-    void handleKeys(const motion::Clip& clip) {
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Space), false)) playing = !playing;
-        const auto step = static_cast<float>(clip.frame_time_s);
-        const auto end_s = static_cast<float>(clip.duration_s());
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_LeftArrow)))
-            time_s = std::max(0.0F, time_s - step);
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_RightArrow)))
-            time_s = std::min(end_s, time_s + step);
-    }
-
     void bar(const motion::Clip& clip, const std::string& title, const std::string& description,
              float end_s) {
         const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -211,11 +224,15 @@ Result<void> window(ClipScene& clip_scene, const motion::Clip& clip, const std::
     const GlWindow& gl_window = **opened;
     auto renderer = renderer::Renderer::create(avatar, {});
     if (!renderer) return tl::unexpected(renderer.error());
+    PressedKeys keys;
+    keys.connect(gl_window.handle());  // before the text library, which passes on to what stands there
     Transport transport(gl_window.handle());
     if (!options.times_s.empty()) transport.time_s = static_cast<float>(options.times_s.front());
     while (glfwWindowShouldClose(gl_window.handle()) == GLFW_FALSE) {
         glfwPollEvents();
-        if (glfwGetKey(gl_window.handle(), GLFW_KEY_ESCAPE) == GLFW_PRESS) break;
+        const PressedKeys pressed{keys.toggle, keys.close, keys.steps};
+        keys = {};
+        if (pressed.close) break;
         const WindowSize now = gl_window.framebufferSize();
         if (now.width == 0 || now.height == 0) {
             glfwWaitEventsTimeout(0.1);
@@ -224,7 +241,7 @@ Result<void> window(ClipScene& clip_scene, const motion::Clip& clip, const std::
         renderer->draw(clip_scene.at(static_cast<double>(transport.time_s), orbit), now.width, now.height);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, now.width, now.height);
-        transport.frame(clip, title, description, orbit);
+        transport.frame(clip, title, description, pressed, orbit);
         glfwSwapBuffers(gl_window.handle());
     }
     return {};

@@ -32,7 +32,7 @@ void takePicture(renderer::Renderer& renderer, const renderer::Scene& scene, Win
 }  // namespace
 
 Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar,
-                            const std::string& size, const Screenshots& screenshots) {
+                            const std::string& size, const std::shared_ptr<Screenshots>& screenshots) {
     WindowSize view_size{480, 270};
     WindowSize pictured_size = picture_size;
     if (!size.empty()) {
@@ -44,7 +44,7 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
     if (!context) return tl::unexpected(context.error());
     // Nobody looks at the frames, but the pictures are for people: several samples only for them.
     renderer::Quality quality;
-    quality.samples = screenshots.empty() ? 1 : quality.samples;
+    quality.samples = screenshots->wanted.empty() ? 1 : quality.samples;
     auto made = renderer::Renderer::create(avatar, quality);
     if (!made) return tl::unexpected(made.error());
     const auto view = std::make_shared<OffscreenView>(OffscreenView{std::move(*context), std::move(*made)});
@@ -53,9 +53,11 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
         fmt::format("off screen, {}x{} pixels, drawn {:g} times a second of virtual time, {}",
                     view_size.width, view_size.height, 1.0 / draw_period_s, view->renderer.driver());
     station.attachViewer(std::move(details),
-                         [view, view_size, pictured_size, wanted = screenshots, next_s = 0.0](
+                         [view, view_size, pictured_size, screenshots, next_s = 0.0](
                              const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
                              if (frame.number <= 1) return;  // the participant has not been placed yet
+                             screenshots->met.insert(frame.state);
+                             auto& wanted = screenshots->wanted;
                              const auto picture = wanted.find(frame.state);
                              const bool due = frame.key_moment || input.time_s >= next_s;
                              if (!due && picture == wanted.end()) return;

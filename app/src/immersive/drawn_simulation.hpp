@@ -1,6 +1,7 @@
 // Drawing what a simulated participant sees: the same scene and renderer as the desktop's, off screen.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "assets/avatar.hpp"
@@ -10,9 +11,10 @@
 
 namespace deixis::app {
 
-/// Attaches a renderer without a window to the station. `size` is "WIDTHxHEIGHT" or empty. Pictures are taken
-/// of the first frame that is in the named state, a moment after it began so that what fades has settled.
+/// Attaches a renderer without a window to the station. `size` is "WIDTHxHEIGHT" or empty. A picture is taken
+/// of the first frame in each state that `screenshots` wants.
 [[nodiscard]] Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar,
-                                          const std::string& size, const Screenshots& screenshots);
+                                          const std::string& size,
+                                          const std::shared_ptr<Screenshots>& screenshots);
 
 }  // namespace deixis::app
