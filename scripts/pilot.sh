@@ -9,6 +9,7 @@ scripts/install.sh
 [ -f build/release/build.ninja ] || cmake --preset release -Wno-dev >/dev/null
 cmake --build --preset release --target deixis | { grep -v 'no work to do' || true; }
 
+name=pointing2023
 station=()
 if [[ " $* " != *" --station"* ]]; then
     if [ -n "${DISPLAY:-}" ]; then
@@ -16,10 +17,15 @@ if [[ " $* " != *" --station"* ]]; then
     else
         echo "No display: the simulated participant does the session, drawn off screen."
         station=(--station simulated)
+        name=pointing2023-simulated # never mixed with what people answered
     fi
 fi
 database=()
-[[ " $* " == *" --db"* ]] || database=(--db "$PWD/pilot/pointing2023.sqlite")
+if [[ " $* " != *" --db"* ]]; then
+    [[ " $* " != *" simulated"* ]] || name=pointing2023-simulated
+    mkdir -p pilot
+    database=(--db "$PWD/pilot/$name.sqlite")
+fi
 program=$PWD/build/release/deixis
 cd "$here" # paths among the arguments are the caller's
 exec "$program" run pointing2023 "${station[@]}" "${database[@]}" "$@"

@@ -12,6 +12,17 @@ Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& 
                                                        const std::vector<assets::ListedTarget>& targets,
                                                        std::uint64_t seed,
                                                        const std::filesystem::path& folder) {
+    std::error_code code;
+    if (const auto manifest = folder / "manifest.csv"; std::filesystem::exists(manifest, code)) {
+        const auto before = assets::readManifest(manifest);
+        if (!before) return tl::unexpected(before.error());
+        for (const auto& row : before->rows)
+            if (row.system != generator.name())
+                return fail(manifest.string(),
+                            fmt::format("lists clips of the system '{}'; those of {} would take their place",
+                                        row.system, generator.name()),
+                            "Give each system a folder of its own");
+    }
     std::vector<assets::ManifestRow> rows;
     for (const auto& [id, position] : targets) {
         const std::uint64_t clip_seed = deriveSeed(seed, id);

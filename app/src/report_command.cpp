@@ -1,6 +1,8 @@
 // deixis report: the analysis of a database as a page and as JSON.
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <fstream>
 #include <memory>
 
 #include "commands.hpp"
@@ -19,9 +21,24 @@ struct Options {
     std::string json;
 };
 
+// A slip of the names must not cost a study: no report is written over a database.
+Result<void> checkOutput(const std::string& file) {
+    std::error_code code;
+    if (file.empty() || !std::filesystem::is_regular_file(file, code)) return {};
+    std::ifstream in(file, std::ios::binary);
+    std::string start(15, '\0');
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (start == "SQLite format 3")
+        return fail(file, "is a database; a report is not written over it", "Name another file");
+    return {};
+}
+
 }  // namespace
 
 Result<void> writeReport(const std::string& database, const std::string& page, const std::string& json) {
+    for (const std::string& file : {page, json})
+        if (auto checked = checkOutput(file); !checked) return checked;
+    if (!page.empty() && page == json) return fail(page, "was named for both the page and the JSON");
     const auto table = results::loadResponses(database);
     if (!table) return tl::unexpected(table.error());
     const auto analysis = results::analyse(*table);

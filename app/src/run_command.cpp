@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
@@ -76,6 +78,7 @@ Result<void> reportSession(const Options& options, const std::string& participan
                    participant, left, participant);
     fmt::print("database: {}\n", fs::absolute(options.database).lexically_normal().string());
     if (!written) {
+        if (!options.report.empty()) return written;
         fmt::print("report:   none yet ({})\n", written.error().text());
         return {};
     }
@@ -97,11 +100,13 @@ Result<void> run(Options options) {
     if (!store) return tl::unexpected(store.error());
     const std::string participant =
         options.participant.empty() ? nextParticipant(*store) : options.participant;
-    const auto plan = studies::buildPlan(setup->study, setup->targets, participant);
+    auto plan = studies::buildPlan(setup->study, setup->targets, participant);
     if (!plan) return tl::unexpected(plan.error());
     const auto lock = results::ParticipantLock::take(options.database, participant);
     if (!lock) return tl::unexpected(lock.error());
-    if (auto stored = store->storePlan(setup->study, *plan); !stored) return stored;
+    // Who has begun goes on with the stored plan, whatever a newer program would draw.
+    if (auto stored = store->plan(participant); stored && stored->study_hash == setup->study.hash)
+        plan = std::move(*stored);
 
     const std::set<int> answered = store->answeredTrials(participant);
     if (unanswered(*plan, answered) == 0) {
@@ -119,15 +124,33 @@ Result<void> run(Options options) {
     const auto station = openStation(options.station, setup->study, *plan, *avatar);
     if (!station) return tl::unexpected(station.error());
     const studies::StationInfo info = (*station)->info();
+    if (store->hasSession(participant, !info.synthetic))
+        return fail(options.database,
+                    fmt::format("the answers of {} were begun by a {}; they are not mixed with a {}'s",
+                                participant, info.synthetic ? "person" : "simulated participant",
+                                info.synthetic ? "simulated participant" : "person"),
+                    "Name another participant with --participant, or another database with --db");
+    // Nothing is kept of a participant before all that the session needs is there.
+    if (auto stored = store->storePlan(setup->study, *plan); !stored) return stored;
     fmt::print("participant {}: {} station ({}){}\n", participant, info.kind, info.details,
                answered.empty() ? "" : fmt::format(", {} answers kept from before", answered.size()));
+    if (!info.controls.empty()) fmt::print("{}\n", info.controls);
+    std::fflush(stdout);
 
     const motion::LocalPose idle = motion::relaxedPose(avatar->skeleton);
     const auto records = stimuli->records(*plan);
     studies::SessionRunner session(setup->study, *plan, *stimuli, avatar->skeleton, idle, answered);
     store->beginSession({participant, info, programVersion(), avatar->content_hash, utcNow_s()});
-    runSession(session, **station,
-               [&](const studies::SessionEvent& event) { store->record(event, *plan, records); });
+    runSession(session, **station, [&](const studies::SessionEvent& event) {
+        try {
+            store->record(event, *plan, records);
+        } catch (const std::exception& error) {
+            throw std::runtime_error(
+                fmt::format("{}: {}. All earlier answers are kept; the same command with "
+                            "--participant {} goes on after them",
+                            options.database, error.what(), participant));
+        }
+    });
     store->endSession(session.quit() ? "quit" : "finished", utcNow_s());
     auto reported =
         reportSession(options, participant, unanswered(*plan, store->answeredTrials(participant)));
@@ -150,6 +173,7 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     command
         ->add_option("--station", options->station.kind,
                      "desktop: a window and a person; simulated: a simulated participant, drawn off screen")
+        ->check(CLI::IsMember({"desktop", "simulated"}))
         ->capture_default_str();
     command->add_option("--db", options->database, "Database to add to [STUDY.sqlite]");
     command->add_option("--report", options->report, "HTML report to write [beside the database]");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <future>
 #include <glm/geometric.hpp>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -48,9 +49,38 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, const Stud
     return manifest;
 }
 
-Result<void> checkRow(const assets::Manifest& manifest, const assets::ManifestRow& row, const Vec3& target,
-                      const motion::Clip& clip) {
+using RowsByTarget = std::map<std::string, const assets::ManifestRow*>;
+
+// The rows of one of the study's systems: those that carry its name, or all where the manifest is of one
+// system only.
+Result<RowsByTarget> rowsOfSystem(const assets::Manifest& manifest, const studies::SystemSource& system) {
+    std::set<std::string> names;
+    for (const auto& row : manifest.rows) names.insert(row.system);
+    if (!names.contains(system.name) && names.size() > 1)
+        return fail(manifest.file.string(),
+                    fmt::format("has clips of the systems {}, but none named '{}' as the study does",
+                                fmt::join(names, ", "), system.name));
+    RowsByTarget rows;
+    for (const auto& row : manifest.rows) {
+        if (names.size() > 1 && row.system != system.name) continue;
+        if (!rows.emplace(row.target_id, &row).second)
+            return fail(manifest.file.string(),
+                        fmt::format("has two clips of system '{}' for target {}", row.system, row.target_id));
+    }
+    return rows;
+}
+
+// The clip for a target: its row and its file are there, and it was made for where the study's target is.
+Result<void> checkTarget(const assets::Manifest& manifest, const RowsByTarget& rows,
+                         const studies::SystemSource& system, const studies::TargetItem& item) {
+    const auto found = rows.find(item.id);
+    if (found == rows.end())
+        return fail(
+            manifest.file.string(),
+            fmt::format("has no clip for target {}, which the system '{}' needs", item.id, system.name));
+    const assets::ManifestRow& row = *found->second;
     const std::string where = manifest.file.string() + ": clip " + row.clip;
+    const Vec3& target = item.target;
     if (glm::length(row.target - target) > 0.001)
         return fail(
             where,
@@ -59,6 +89,15 @@ Result<void> checkRow(const assets::Manifest& manifest, const assets::ManifestRo
                         row.target.x, row.target.y, row.target.z, row.target_id, target.x, target.y,
                         target.z),
             "Make the clips for the targets that 'deixis targets' prints for this study");
+    std::error_code code;
+    if (!fs::is_regular_file(manifest.file.parent_path() / row.clip, code))
+        return fail(where, "No such file", "Clips are looked for beside their manifest");
+    return {};
+}
+
+Result<void> checkFrames(const assets::Manifest& manifest, const assets::ManifestRow& row,
+                         const motion::Clip& clip) {
+    const std::string where = manifest.file.string() + ": clip " + row.clip;
     if (row.end_frame >= clip.frameCount())
         return fail(where, fmt::format("end frame {} lies outside the clip, which has frames 0 to {}",
                                        row.end_frame, clip.frameCount() - 1));
@@ -81,21 +120,22 @@ Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
         if (!manifest_file) return tl::unexpected(manifest_file.error());
         const auto manifest = assets::readManifest(*manifest_file);
         if (!manifest) return tl::unexpected(manifest.error());
+        const auto rows = rowsOfSystem(*manifest, system);
+        if (!rows) return tl::unexpected(rows.error());
+        // What any participant may meet must be there before the first one starts.
+        for (const auto& item : setup.targets)
+            if (auto checked = checkTarget(*manifest, *rows, system, item); !checked)
+                return tl::unexpected(checked.error());
         Part part;
         for (const studies::Trial* trial : trials) {
             if (trial->system != system.name || part.contains({trial->system, trial->target_id})) continue;
-            const auto row = std::find_if(manifest->rows.begin(), manifest->rows.end(),
-                                          [&](const auto& r) { return r.target_id == trial->target_id; });
-            if (row == manifest->rows.end())
-                return fail(manifest_file->string(),
-                            fmt::format("has no clip for target {}, which the system '{}' needs",
-                                        trial->target_id, system.name));
+            const assets::ManifestRow* row = rows->at(trial->target_id);
             const fs::path file = manifest_file->parent_path() / row->clip;
             const auto bytes = readFile(file);
             if (!bytes) return tl::unexpected(bytes.error());
             const auto read = readClipFile(file, {});
             if (!read) return tl::unexpected(read.error());
-            if (auto checked = checkRow(*manifest, *row, trial->target, read->clip); !checked)
+            if (auto checked = checkFrames(*manifest, *row, read->clip); !checked)
                 return tl::unexpected(checked.error());
             auto on_avatar = clipOnAvatar(read->clip, avatar, file.string());
             if (!on_avatar) return tl::unexpected(on_avatar.error());

@@ -1,9 +1,13 @@
 #include "study_setup.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 
 #include "assets/data_paths.hpp"
 #include "assets/manifest.hpp"
+#include "motion/generator.hpp"
 
 namespace deixis::app {
 
@@ -21,6 +25,13 @@ std::filesystem::path studyPath(const std::string& name) {
 Result<StudySetup> loadStudySetup(const std::string& name) {
     auto study = studies::loadStudy(studyPath(name));
     if (!study) return tl::unexpected(study.error());
+    const auto& known = motion::generatorNames();
+    for (const auto& system : study->systems)
+        if (!system.generator.empty() &&
+            std::find(known.begin(), known.end(), system.generator) == known.end())
+            return fail(
+                fmt::format("{}: systems.{}.generator", study->file.string(), system.name),
+                fmt::format("found \"{}\", expected one of {}", system.generator, fmt::join(known, ", ")));
     if (!study->targets.fit_manifest.empty()) {
         const auto manifest = assets::readManifest(study->targets.fit_manifest);
         if (!manifest) return tl::unexpected(manifest.error());

@@ -284,6 +284,17 @@ std::vector<std::string> Store::participants() const {
     return ids;
 }
 
+bool Store::hasSession(const std::string& participant, bool synthetic) const {
+    SQLite::Statement& query =
+        impl_->prepared("SELECT count(*) FROM sessions WHERE participant = ? AND synthetic = ?");
+    query.bind(1, participant);
+    query.bind(2, synthetic ? 1 : 0);
+    query.executeStep();
+    const bool has = query.getColumn(0).getInt() > 0;
+    query.reset();
+    return has;
+}
+
 long long Store::beginSession(const SessionInfo& session) {
     impl_->transaction([&] {
         SQLite::Statement& insert = impl_->prepared(

@@ -274,8 +274,9 @@ struct SessionRunner::State {
             response.correct = correct;
             response.onset = playback.onset();
             response.motion_end = playback.motionEnd();
-            response.answered = now;
-            response.response_time_s = now.time_s - playback.motionEnd().time_s - paused_s;
+            const double read_s = input.input_time_s.value_or(now.time_s);
+            response.answered = {read_s, now.utc_s + read_s - now.time_s};
+            response.response_time_s = read_s - playback.motionEnd().time_s - paused_s;
             response.paused_s = paused_s;
             response.replays = replays;
             response.pauses = pauses;
@@ -341,6 +342,7 @@ struct SessionRunner::State {
                 startLeadIn(study.inter_trial_s);
                 break;
             case Phase::answering:
+                ++pauses;
                 paused_s += length_s;
                 openAnswer(input);
                 break;

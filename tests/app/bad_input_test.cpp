@@ -137,6 +137,53 @@ TEST_SUITE("app/bad-input") {
         }
     }
 
+    TEST_CASE("a manifest of several systems gives each system its own clips, or is refused") {
+        const Scratch scratch;
+        const auto targets = program("targets pointing2023 --no-picture");
+        spill(scratch / "targets.csv", targets.out);
+        for (const std::string system : {"direct", "drifting"})
+            REQUIRE(program("generate " + system + " --targets " + (scratch / "targets.csv") + " --out " +
+                            (scratch / ("clips/" + system)))
+                        .status == 0);
+        std::string both;
+        for (const std::string system : {"drifting", "direct"}) {
+            std::string rows = slurp(scratch / ("clips/" + system + "/manifest.csv"));
+            if (!both.empty()) rows.erase(0, rows.find('\n') + 1);
+            for (auto at = rows.find(system + "_"); at != std::string::npos;
+                 at = rows.find("\n" + system + "_", at))
+                rows.insert(rows[at] == '\n' ? at + 1 : at, system + "/"), at += system.size() + 2;
+            both += rows;
+        }
+        spill(scratch / "clips/both.csv", both);
+        const std::string study =
+            replaced(replaced(shippedStudy(), "generator = \"direct\"", "manifest = \"clips/both.csv\""),
+                     "generator = \"drifting\"", "manifest = \"clips/both.csv\"");
+        spill(scratch / "study.toml", study);
+        const auto good = runIn(scratch);
+        INFO(good.err);
+        REQUIRE(good.status == 0);
+        const auto wrong =
+            shell("sqlite3 -readonly " + (scratch / "out.sqlite") +
+                  " \"select count(*) from responses_flat where system in ('direct', 'drifting') and "
+                  "clip_file not like '%/' || system || '_T%'\"");
+        CHECK(wrong.out == "0\n");
+        fs::remove(scratch / "out.sqlite");
+        spill(scratch / "study.toml", replaced(study, "name = \"drifting\"", "name = \"mine\""));
+        CHECK_FAILS_SAYING(runIn(scratch), "both.csv", "direct, drifting", "mine");
+    }
+
+    TEST_CASE("a report is never written over a database") {
+        const Scratch scratch;
+        const std::string database = scratch / "study.sqlite";
+        REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
+        const std::string before = slurp(database);
+        CHECK_FAILS_SAYING(program("report " + database + " -o " + database), "study.sqlite", "database");
+        CHECK_FAILS_SAYING(
+            program("report " + database + " -o " + (scratch / "r.html") + " --json " + database),
+            "study.sqlite", "database");
+        CHECK(slurp(database) == before);
+    }
+
     TEST_CASE("an unknown system and a bad list of targets are named") {
         const Scratch scratch;
         spill(scratch / "t.csv", "target_id,x,y,z\nT001,0.5,1.0,2.0\n");

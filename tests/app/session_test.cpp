@@ -87,6 +87,20 @@ TEST_SUITE("app/session") {
         CHECK(first.running());
     }
 
+    TEST_CASE("a simulated participant does not go on with a person's session") {
+        const Scratch scratch;
+        const std::string database = scratch / "study.sqlite";
+        REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
+        REQUIRE(shell("sqlite3 " + database +
+                      " 'update sessions set synthetic = 0; delete from responses where trial_index > 20'")
+                    .status == 0);
+        const int before = answerCount(database);
+        CHECK_FAILS_SAYING(
+            program("run pointing2023 --station simulated --participant S001 --db " + database), "S001",
+            "person", "not mixed");
+        CHECK(answerCount(database) == before);
+    }
+
     TEST_CASE("the simulated participant answers the same drawn or not, here or in a whole study") {
         const Scratch scratch;
         REQUIRE(program("run pointing2023 --station simulated --participant S002 --db " +

@@ -129,8 +129,9 @@ TEST_SUITE("app/shapes") {
             }
             // The same seed gives the same bytes; a generator's clip does not depend on the others in the
             // list.
-            REQUIRE(program(command + (scratch / "again")).status == 0);
-            CHECK(slurp(scratch / (system + "/" + rows[1][0])) == slurp(scratch / ("again/" + rows[1][0])));
+            REQUIRE(program(command + (scratch / (system + "-again"))).status == 0);
+            CHECK(slurp(scratch / (system + "/" + rows[1][0])) ==
+                  slurp(scratch / (system + "-again/" + rows[1][0])));
         }
     }
 }

@@ -105,7 +105,7 @@ TEST_SUITE("studies/session_pause") {
             CHECK(response.response_time_s ==
                   doctest::Approx(response.answered.time_s - response.motion_end.time_s - away_s));
             CHECK(response.response_time_s < 2.0);
-            CHECK(response.pauses == 0);
+            CHECK(response.pauses == 1);
             CHECK(driver.count("stimulus_onset") == 1);
         }
     }

@@ -26,6 +26,26 @@ constexpr double max_lean_m = 0.25;
 constexpr double lean_speed_per_s = 4.0;
 const Vec3 eye_to_hand{0.20, -0.28, -0.20};  // in the head's frame turned upright
 constexpr double farthest_aim_m = 8.0;
+constexpr double click_after_focus_s = 0.3;
+const char* const controls_text =
+    "Mouse: look and aim.  Left button: select.  Enter: continue.  1-9: rate.  Esc: pause.";
+
+// A line under what the board says; the rest of it stays where it is in the world.
+void addControls(renderer::Board& board) {
+    constexpr double line_m = 0.036;
+    constexpr double added_m = 2.2 * line_m;
+    for (auto& text : board.texts) text.box.y += added_m;
+    for (auto& button : board.buttons) button.box.y += added_m;
+    board.stage_from_board.position -= board.stage_from_board.orientation * Vec3(0.0, added_m, 0.0);
+    board.height_m += added_m;
+    renderer::BoardText line;
+    line.box = {0.02, 0.6 * line_m, board.width_m - 0.04, line_m};
+    line.text = controls_text;
+    line.size_m = line_m;
+    line.centred = true;
+    line.faint = true;
+    board.texts.push_back(line);
+}
 
 }  // namespace
 
@@ -38,6 +58,8 @@ struct DesktopStation::State {
     double period_s = 1.0 / 60.0;
     double last_time_s = 0.0;
     double last_swap_s = 0.0;
+    double last_begin_s = 0.0;
+    double focused_at_s = 0.0;
 
     double yaw_rad = 0.0;  // to the left of the viewer's heading
     double pitch_rad = resting_pitch_rad;
@@ -55,6 +77,7 @@ struct DesktopStation::State {
     void onCursor(double x, double y);
     void toggleFullscreen();
     void updateLean(double elapsed_s);
+    void lookAtTask(const studies::PresentedFrame& frame);
     [[nodiscard]] Pose head() const;
     [[nodiscard]] Ray handRay(const Pose& stage_from_head) const;
     void connectCallbacks();
@@ -104,19 +127,41 @@ void DesktopStation::State::updateLean(double elapsed_s) {
     lean_m += (wanted - lean_m) * std::min(1.0, lean_speed_per_s * elapsed_s);
 }
 
+// Turns the view to where a person who has just been placed here would turn: straight ahead, or to the middle
+// between the avatar and the balls, so that neither is missed on a flat screen.
+void DesktopStation::State::lookAtTask(const studies::PresentedFrame& frame) {
+    yaw_rad = 0.0;
+    pitch_rad = resting_pitch_rad;
+    if (frame.balls.empty()) return;
+    const auto yawTo = [&](const Vec3& point) {
+        const Vec3 seen = transformPoint(inverse(frame.stage_from_viewer), point);
+        return std::atan2(-seen.x, -seen.z);
+    };
+    Vec3 middle{0.0};
+    for (const auto& ball : frame.balls) middle += ball.centre / static_cast<double>(frame.balls.size());
+    yaw_rad = 0.5 * (yawTo(Vec3(0.0)) + yawTo(middle));
+}
+
 Pose DesktopStation::State::head() const {
     const Quat yaw = yawRotation(yaw_rad);
     const Quat pitch = glm::angleAxis(pitch_rad, Vec3(1, 0, 0));
-    return presented.stage_from_viewer * Pose{Vec3(0.0, options.eye_height_m, 0.0) + lean_m, yaw * pitch};
+    return presented.stage_from_viewer *
+           Pose{Vec3(0.0, options.eye_height_m, 0.0) + yaw * lean_m, yaw * pitch};
 }
 
 // From the hand to the first thing in the middle of the view: what the person looks at is what the ray meets.
 Ray DesktopStation::State::handRay(const Pose& stage_from_head) const {
     const Ray gaze{stage_from_head.position, stage_from_head.orientation * Vec3(0, 0, -1)};
+    // Where the gaze passes the balls by, the ray ends at the depth of the nearest one to it: beside it, as
+    // the gaze does, and not at another one behind.
     double distance = farthest_aim_m;
+    double least_angle_rad = pi / 4.0;
     for (const auto& ball : presented.balls) {
+        const double angle_rad = angleBetween(gaze.direction, ball.centre - gaze.origin);
+        if (angle_rad >= least_angle_rad) continue;
+        least_angle_rad = angle_rad;
         const double hit = distanceToSphere(gaze, ball.centre, ball.radius_m);
-        if (hit > 0.0) distance = std::min(distance, hit);
+        distance = hit > 0.0 ? hit : glm::dot(gaze.direction, ball.centre - gaze.origin);
     }
     if (presented.panel) {
         const Pose& board = presented.panel->stage_from_panel;
@@ -145,12 +190,17 @@ void DesktopStation::State::connectCallbacks() {
         static_cast<State*>(glfwGetWindowUserPointer(from))->onCursor(x, y);
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int button, int action, int) {
-        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS)
-            static_cast<State*>(glfwGetWindowUserPointer(from))->pending.select = true;
+        auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
+        // The click that brings the window back is no answer.
+        const bool meant = state->now_s() - state->focused_at_s > click_after_focus_s;
+        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS && meant) state->pending.select = true;
     });
     glfwSetWindowFocusCallback(w, [](GLFWwindow* from, int focused) {
-        if (focused == GLFW_TRUE) return;
         auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
+        if (focused == GLFW_TRUE) {
+            state->focused_at_s = state->now_s();
+            return;
+        }
         state->pending.pause = true;
         state->pending.pause_reason = "focus lost";
     });
@@ -186,19 +236,23 @@ studies::StationInfo DesktopStation::info() const {
     return {"desktop",
             fmt::format("{}x{} pixels, {:.0f} Hz, {}", size.width, size.height, 1.0 / state_->period_s,
                         state_->renderer->driver()),
-            false};
+            false, controls_text};
 }
 
 studies::InputFrame DesktopStation::beginFrame() {
     State& s = *state_;
     // A driver that does not wait for the display (software, remote) would draw as fast as it can: pace it
     // here.
-    const double ready_s = s.last_swap_s + 0.9 * s.period_s;
+    // From begin to begin, so that drawing and waiting for the display share one period.
+    const double ready_s = s.last_begin_s + 0.9 * s.period_s;
     if (const double wait_s = ready_s - s.now_s(); wait_s > 0.0)
         std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
     glfwPollEvents();
     studies::InputFrame input = std::exchange(s.pending, {});
-    input.time_s = std::max(s.last_time_s, s.now_s() + s.period_s);
+    s.last_begin_s = s.now_s();
+    input.input_time_s = s.last_begin_s;
+    // Swapping returns when the display has taken the frame: at the next refresh at the earliest.
+    input.time_s = std::max({s.last_time_s, s.last_begin_s, s.last_swap_s + s.period_s});
     input.utc_s = input.time_s + s.utc_offset_s;
     s.updateLean(input.time_s - s.last_time_s);
     s.last_time_s = input.time_s;
@@ -210,10 +264,10 @@ studies::InputFrame DesktopStation::beginFrame() {
 
 studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
     State& s = *state_;
-    if (frame.viewer_place != s.presented.viewer_place) {
-        s.yaw_rad = 0.0;
-        s.pitch_rad = resting_pitch_rad;
-    }
+    const bool new_balls =
+        !frame.balls.empty() &&
+        (s.presented.balls.empty() || frame.balls.front().centre != s.presented.balls.front().centre);
+    if (frame.viewer_place != s.presented.viewer_place || new_balls) s.lookAtTask(frame);
     if (frame.status != s.presented.status)
         glfwSetWindowTitle(s.window->handle(), (s.options.title + " - " + frame.status).c_str());
     s.presented = frame;
@@ -221,7 +275,10 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
     const bool visible = size.width > 0 && size.height > 0 &&
                          glfwGetWindowAttrib(s.window->handle(), GLFW_ICONIFIED) == GLFW_FALSE;
     if (visible) {
-        s.renderer->draw(sceneFromFrame(frame, s.head()), size.width, size.height);
+        renderer::Scene scene = sceneFromFrame(frame, s.head());
+        if (scene.board && (frame.state.starts_with("welcome") || frame.state == "paused"))
+            addControls(*scene.board);
+        s.renderer->draw(scene, size.width, size.height);
         glfwSwapBuffers(s.window->handle());
     }
     s.last_swap_s = s.now_s();

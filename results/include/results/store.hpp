@@ -52,6 +52,8 @@ class Store {
     [[nodiscard]] Result<void> storePlan(const studies::Study& study, const studies::StudyPlan& plan);
     [[nodiscard]] std::set<int> answeredTrials(const std::string& participant) const;
     [[nodiscard]] std::vector<std::string> participants() const;
+    /// Whether the participant has had a session with a simulated participant (`synthetic`) or with a person.
+    [[nodiscard]] bool hasSession(const std::string& participant, bool synthetic) const;
 
     /// Starts a session; later records belong to it. Returns its id.
     long long beginSession(const SessionInfo& session);

@@ -29,7 +29,7 @@ struct Response {
     double response_time_s = 0.0;  ///< answered - motion_end, less paused time
     double paused_s = 0.0;         ///< how long the session was paused while this answer was open
     int replays = 0;
-    int pauses = 0;          ///< the trial was interrupted this often and its clip shown again from the start
+    int pauses = 0;          ///< interruptions: during the clip, which then started over, or while choosing
     std::string input;       ///< "ray", "key"
     Pose stage_from_head{};  ///< at the answer
     std::optional<Ray> pointer{};  ///< at the answer

@@ -16,8 +16,10 @@ namespace deixis::studies {
 
 /// What the person did since the last frame, and the time at which the frame now begun will be shown.
 struct InputFrame {
-    double time_s = 0.0;         ///< predicted display time on the station's monotonic clock; never goes back
-    double utc_s = 0.0;          ///< the same moment as UTC seconds since 1970 (simulated stations: virtual)
+    double time_s = 0.0;  ///< predicted display time on the station's monotonic clock; never goes back
+    double utc_s = 0.0;   ///< the same moment as UTC seconds since 1970 (simulated stations: virtual)
+    /// When the input was read, on the same clock; none: at time_s. An answer is given at this time.
+    std::optional<double> input_time_s;
     Pose stage_from_head{};      ///< -z looks forward, +y up
     std::optional<Ray> pointer;  ///< hand or mouse ray in the stage's frame; none while it is not tracked
     bool select = false;         ///< the select button went down
@@ -115,6 +117,7 @@ struct StationInfo {
     std::string kind;        ///< "desktop", "headset" or "simulated"
     std::string details;     ///< device, driver, display and refresh rate in words
     bool synthetic = false;  ///< no person answers here
+    std::string controls{};  ///< how to take part, one line; empty where there is nothing to tell
 };
 
 class Station {
