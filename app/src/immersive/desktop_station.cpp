@@ -264,10 +264,9 @@ studies::InputFrame DesktopStation::beginFrame() {
 
 studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
     State& s = *state_;
-    const bool new_balls =
-        !frame.balls.empty() &&
-        (s.presented.balls.empty() || frame.balls.front().centre != s.presented.balls.front().centre);
-    if (frame.viewer_place != s.presented.viewer_place || new_balls) s.lookAtTask(frame);
+    const bool new_trial = frame.state.starts_with("waiting") && !s.presented.state.starts_with("waiting");
+    if (frame.viewer_place != s.presented.viewer_place || (new_trial && !frame.balls.empty()))
+        s.lookAtTask(frame);
     if (frame.status != s.presented.status)
         glfwSetWindowTitle(s.window->handle(), (s.options.title + " - " + frame.status).c_str());
     s.presented = frame;
