@@ -3,6 +3,7 @@
 add_library(deixis_options INTERFACE)
 target_compile_options(deixis_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> # GCC 12 warns falsely on "text" + std::string (GCC bug 105651)
     -ffp-contract=off) # the same arithmetic on every compiler and processor: plans and clips must not depend on it
 if(DEIXIS_WERROR)
     target_compile_options(deixis_options INTERFACE -Werror)

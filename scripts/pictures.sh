@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Makes the README's pictures with the program itself: docs/images/*.png. The report is printed by Chromium.
+# Makes the README pictures with the program itself: docs/images/*. The report is pictured by Chromium.
+#   scripts/pictures.sh [PROGRAM]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-program=build/release/deixis
+program=${1:-build/release/deixis}
 [ -x "$program" ] || { echo "pictures.sh: build the release preset first (scripts/pilot.sh)" >&2; exit 1; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -11,7 +12,7 @@ mkdir -p docs/images
 "$program" run pointing2023 --station simulated --participant P01 --db "$scratch/one.sqlite" --size 1280x720 \
     --screenshot rating=docs/images/naturalness.png \
     --screenshot aiming-across=docs/images/across.png \
-    --screenshot aiming-side-by-side=docs/images/side-by-side.png
+    --screenshot pointing-side-by-side=docs/images/side-by-side.png
 "$program" simulate pointing2023 --participants 39 --db "$scratch/study.sqlite"
 "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
 "$program" targets pointing2023 --picture docs/images/targets.svg >/dev/null

@@ -1,0 +1,57 @@
+// The documents keep to what is there: links lead somewhere, commands exist.
+#include <regex>
+#include <set>
+
+#include "program.hpp"
+
+using namespace deixis::tests;
+
+namespace {
+
+std::vector<fs::path> documents() {
+    std::vector<fs::path> files{fs::path(DEIXIS_SOURCE_DIR) / "README.md"};
+    for (const auto& entry : fs::directory_iterator(fs::path(DEIXIS_SOURCE_DIR) / "docs"))
+        if (entry.path().extension() == ".md") files.push_back(entry.path());
+    return files;
+}
+
+}  // namespace
+
+TEST_SUITE("app/documents") {
+    TEST_CASE("every relative link and picture leads to a file") {
+        const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
+        int links = 0;
+        for (const fs::path& file : documents()) {
+            const std::string text = slurp(file);
+            for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at) {
+                INFO(file.string() << " -> " << (*at)[1].str());
+                CHECK(fs::exists(file.parent_path() / (*at)[1].str()));
+                ++links;
+            }
+        }
+        CHECK(links > 15);
+    }
+
+    TEST_CASE(
+        "every command that a document names is one of the program, with the options that it is given") {
+        const std::regex command(R"((?:^|[`\n ])deixis ([a-z]+)((?: [^`\n]*)?))");
+        const std::regex option(R"( (--[a-z-]+))");
+        std::set<std::string> seen;
+        for (const fs::path& file : documents()) {
+            const std::string text = slurp(file);
+            for (std::sregex_iterator at(text.begin(), text.end(), command), end; at != end; ++at) {
+                std::string name = (*at)[1];
+                if (name == "clips") name = "clips joints";
+                const std::string rest = (*at)[2];
+                INFO(file.string() << ": deixis " << (*at)[1].str() << rest);
+                const auto help = program(name + " --help");
+                CHECK(help.status == 0);
+                seen.insert(name);
+                for (std::sregex_iterator o(rest.begin(), rest.end(), option); o != end; ++o)
+                    CHECK(help.out.find((*o)[1].str()) != std::string::npos);
+            }
+        }
+        for (const std::string name : {"run", "simulate", "report", "plan", "targets", "generate", "view"})
+            CHECK(seen.count(name) == 1);
+    }
+}
