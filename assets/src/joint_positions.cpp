@@ -47,12 +47,12 @@ struct Track {
         return position[i - 1] + (position[i] - position[i - 1]) * part;
     }
 
-    /// Mean of the moments around t, weighted 1 2 3 2 1 at half frames.
+    /// Mean of the moments around t, weighted 1 2 3 2 1, three quarters of a frame apart.
     [[nodiscard]] Vec3 smoothAt(double t) const {
         constexpr std::array<double, 5> weight{1.0, 2.0, 3.0, 2.0, 1.0};
         Vec3 sum(0.0);
-        for (int k = -2; k <= 2; ++k)
-            sum += weight[static_cast<std::size_t>(k + 2)] / 9.0 * at(t + k * 0.75 * frame_time_s);
+        for (std::size_t i = 0; i < 5; ++i)
+            sum += weight[i] / 9.0 * at(t + (static_cast<double>(i) - 2.0) * 0.75 * frame_time_s);
         return sum;
     }
 };

@@ -160,7 +160,7 @@ SkinWeights skinWeightsAt(const Vec3& p) {
     constexpr int whole = 1024;
     int left_over = whole;
     for (std::size_t i = 4; i-- > 0;) {
-        int share = i == 0 ? left_over : static_cast<int>(value[order[i]] / sum * whole + 0.5);
+        int share = i == 0 ? left_over : static_cast<int>(std::lround(value[order[i]] / sum * whole));
         left_over -= share;
         out.weights[i] = static_cast<float>(share) / static_cast<float>(whole);
         out.joints[i] = share > 0 ? static_cast<std::uint8_t>(order[i]) : std::uint8_t{0};

@@ -119,7 +119,7 @@ AvatarRest avatarRest(const Skeleton& skeleton, const HumanoidMap& map) {
     auto shape = shapeOf(skeleton, map, world);
     const auto axes = standingAxes(shape);
     const double leg = legLength(shape);
-    return {skeleton, map, std::move(world), std::move(shape), axes, leg};
+    return {skeleton, map, std::move(world), shape, axes, leg};
 }
 
 Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const BoneSet& driven, Ground ground,

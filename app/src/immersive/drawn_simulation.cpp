@@ -50,8 +50,8 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
     const auto view = std::make_shared<OffscreenView>(OffscreenView{std::move(*context), std::move(*made)});
 
     std::string details =
-        fmt::format("off screen, {}x{} pixels, drawn {:g} times a second of virtual time, {}",
-                    view_size.width, view_size.height, 1.0 / draw_period_s, view->renderer.driver());
+        fmt::format("off screen, {}x{} pixels, drawn at key moments and every {:g} s of virtual time, {}",
+                    view_size.width, view_size.height, draw_period_s, view->renderer.driver());
     station.attachViewer(std::move(details),
                          [view, view_size, pictured_size, screenshots, next_s = 0.0](
                              const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
