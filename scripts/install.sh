@@ -9,7 +9,7 @@ packages=(
     libglm-dev libfmt-dev libexpected-dev libssl-dev zlib1g-dev libpng-dev
     libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
     libsqlitecpp-dev libsqlite3-dev libboost-dev libboost-math-dev
-    libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev
+    libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev libx11-dev
     libopenxr-dev fonts-open-sans doctest-dev
 )
 if [ "${1:-}" = tests ]; then

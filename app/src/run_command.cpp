@@ -12,6 +12,7 @@
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "recorders.hpp"
 #include "report.hpp"
 #include "results/store.hpp"
 #include "session_loop.hpp"
@@ -141,16 +142,14 @@ Result<void> run(Options options) {
     const auto records = stimuli->records(*plan);
     studies::SessionRunner session(setup->study, *plan, *stimuli, avatar->skeleton, idle, answered);
     store->beginSession({participant, info, programVersion(), avatar->content_hash, utcNow_s()});
-    runSession(session, **station, [&](const studies::SessionEvent& event) {
-        try {
-            store->record(event, *plan, records);
-        } catch (const std::exception& error) {
-            throw std::runtime_error(
-                fmt::format("{}: {}. All earlier answers are kept; the same command with "
-                            "--participant {} goes on after them",
-                            options.database, error.what(), participant));
-        }
-    });
+    DirectRecorder recorder(*store, *plan, records);
+    try {
+        runSession(session, **station, recorder);
+    } catch (const std::exception& error) {
+        throw std::runtime_error(fmt::format(
+            "{}: {}. All earlier answers are kept; the same command with --participant {} goes on after them",
+            options.database, error.what(), participant));
+    }
     store->endSession(session.quit() ? "quit" : "finished", utcNow_s());
     auto reported =
         reportSession(options, participant, unanswered(*plan, store->answeredTrials(participant)));

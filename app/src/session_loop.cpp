@@ -2,16 +2,18 @@
 
 namespace deixis::app {
 
-studies::Moment runSession(studies::SessionRunner& session, studies::Station& station,
-                           const Recorder& record) {
+studies::Moment runSession(studies::SessionRunner& session, studies::Station& station, Recorder& recorder) {
     studies::Moment last{};
     while (!session.finished() && !session.quit()) {
-        const studies::InputFrame input = station.beginFrame();
+        studies::InputFrame input = station.beginFrame();
+        input.answers_kept = recorder.answersKept();
         last = {input.time_s, input.utc_s};
         const studies::SessionStep step = session.step(input);
-        for (const auto& event : step.events) record(event);
+        for (const auto& event : step.events) recorder.record(event);
         const studies::FrameReport report = station.present(step.frame);
-        for (const auto& event : session.shown(report)) record(event);
+        recorder.presented(input, step.frame);
+        if (report.tracking) recorder.sample(*report.tracking, session.trialUnderWay());
+        for (const auto& event : session.shown(report)) recorder.record(event);
     }
     return last;
 }

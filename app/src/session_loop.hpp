@@ -1,18 +1,25 @@
 // The main loop of a session: station -> session -> station, and what happened to whoever keeps it.
 #pragma once
 
-#include <functional>
-
 #include "studies/session.hpp"
 #include "studies/station.hpp"
 
 namespace deixis::app {
 
-/// Keeps one event; called in the order of happening. An answer must be durable when it returns.
-using Recorder = std::function<void(const studies::SessionEvent&)>;
+/// Keeps what happens.
+class Recorder {
+  public:
+    virtual ~Recorder() = default;
+    /// Called in the order of happening.
+    virtual void record(const studies::SessionEvent& event) = 0;
+    virtual void sample(const studies::TrackingSample& sample, int trial_index) = 0;
+    /// Whether every answer given so far is on the disk; the next trial does not begin before.
+    [[nodiscard]] virtual bool answersKept() const = 0;
+    /// Told of every frame as it was presented.
+    virtual void presented(const studies::InputFrame&, const studies::PresentedFrame&) {}
+};
 
 /// Runs until the session has finished or was ended. Returns the last frame's time.
-studies::Moment runSession(studies::SessionRunner& session, studies::Station& station,
-                           const Recorder& record);
+studies::Moment runSession(studies::SessionRunner& session, studies::Station& station, Recorder& recorder);
 
 }  // namespace deixis::app

@@ -7,6 +7,7 @@
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "recorders.hpp"
 #include "session_loop.hpp"
 #include "simulated_setup.hpp"
 #include "stimuli.hpp"
@@ -69,10 +70,9 @@ Result<void> simulate(const Options& options) {
             const auto records = stimuli->records(plan);
             store->beginSession(
                 {plan.participant, station.info(), programVersion(), avatar->content_hash, 0.0});
-            const studies::Moment end = runSession(session, station, [&](const studies::SessionEvent& event) {
-                if (std::holds_alternative<studies::Response>(event)) ++answers;
-                store->record(event, plan, records);
-            });
+            DirectRecorder recorder(*store, plan, records);
+            const studies::Moment end = runSession(session, station, recorder);
+            answers += recorder.answers();
             store->endSession("finished", end.utc_s);
         }
         store->commit();

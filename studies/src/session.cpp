@@ -434,6 +434,12 @@ std::vector<SessionEvent> SessionRunner::shown(const FrameReport& report) {
     return std::exchange(state_->events, {});
 }
 
+int SessionRunner::trialUnderWay() const {
+    const State& s = *state_;
+    if (!s.started || s.phase == Phase::over || s.item().trial == nullptr) return -1;
+    return s.trial().index;
+}
+
 bool SessionRunner::finished() const {
     return state_->finished;
 }

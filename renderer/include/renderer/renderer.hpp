@@ -11,6 +11,7 @@
 #include "assets/avatar.hpp"
 #include "core/error.hpp"
 #include "renderer/scene.hpp"
+#include "renderer/stereo.hpp"
 
 namespace deixis::renderer {
 
@@ -46,6 +47,30 @@ class Renderer {
 
     /// Draws off screen and reads back.
     [[nodiscard]] Image capture(const Scene& scene, int width, int height);
+
+    /// Draws both eyes (Scene::camera gives only near and far) into `target`, resolved, in sRGB. Skinning,
+    /// the shadow map and culling are done once for both. Where the scene has a board it is left out as a
+    /// hole: alpha 0 where the board would be seen, 1 elsewhere, colours premultiplied, so that the board can
+    /// be shown beneath this layer as a sharp layer of its own, rightly covered by whatever stands before it.
+    /// `mode` two_passes is always there, multiview where hasMultiview(). GL state afterwards as after
+    /// draw().
+    void drawStereo(const Scene& scene, const Eyes& eyes, const StereoTarget& target, StereoMode mode);
+    [[nodiscard]] bool hasMultiview() const;
+    /// What drawStereo need not draw, by eye. Kept until set again.
+    void setHiddenArea(const std::array<HiddenArea, 2>& areas);
+
+    /// The size in pixels of the board's picture.
+    [[nodiscard]] std::array<int, 2> boardSize(const Board& board) const;
+    /// Paints the board where its content has changed, and copies it into the texture (sRGB8_ALPHA8, at least
+    /// of boardSize(), its first row the board's foot), from its lower left corner on. The picture covers
+    /// boardExtent(), a little more than the board.
+    void copyBoard(const Board& board, unsigned int texture);
+    /// The lower left and upper right corner of the board's picture on the board, metres.
+    [[nodiscard]] BoardRect boardExtent(const Board& board) const;
+
+    /// What the left eye saw last, its board filled in, into framebuffer `framebuffer` of this size, the
+    /// picture kept in shape and cut at the longer sides. Black before the first drawStereo().
+    void drawMirror(const Scene& scene, const Eye& left, int width, int height, unsigned int framebuffer = 0);
 
     [[nodiscard]] std::string driver() const;  ///< GL_RENDERER and GL_VERSION
     [[nodiscard]] int boardPaints() const;     ///< how often a board's content was painted anew

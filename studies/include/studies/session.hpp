@@ -62,6 +62,9 @@ class SessionRunner {
     /// shown. Returns the events that follow from it.
     [[nodiscard]] std::vector<SessionEvent> shown(const FrameReport& report);
 
+    /// Index of the trial under way, from its pause before the clip until its answer has been confirmed; -1
+    /// between trials.
+    [[nodiscard]] int trialUnderWay() const;
     [[nodiscard]] bool finished() const;  ///< the last page was left; nothing more to show
     [[nodiscard]] bool quit() const;      ///< ended before its end; the rest can be resumed
 

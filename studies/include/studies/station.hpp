@@ -5,14 +5,23 @@
 // session says, and reports whether the frame was really shown.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/pose.hpp"
 
 namespace deixis::studies {
+
+/// Something that a station has to say for the record; kept as an event of the session.
+struct StationNote {
+    std::string kind;  ///< "xr_state", "recentre", "placement", "input_profile", "pointing_hand", ...
+    std::string detail;
+    double time_s = 0.0;  ///< on the station's clock
+};
 
 /// What the person did since the last frame, and the time at which the frame now begun will be shown.
 struct InputFrame {
@@ -23,11 +32,20 @@ struct InputFrame {
     Pose stage_from_head{};      ///< -z looks forward, +y up
     std::optional<Ray> pointer;  ///< hand or mouse ray in the stage's frame; none while it is not tracked
     bool select = false;         ///< the select button went down
+    /// When it went down, on the same clock, where the device tells; none: at input_time_s.
+    std::optional<double> select_time_s;
     std::optional<int> digit;    ///< a number key went down: 1..9
     bool confirm = false;        ///< Enter or Space went down
     bool pause = false;          ///< Esc went down, or focus or tracking was lost
     std::string pause_reason{};  ///< "escape", "focus lost", "tracking lost", ...
     bool quit = false;           ///< the window was closed or the operator ends the session
+    std::string quit_reason{};   ///< empty: "quit"
+    /// How far the person stands from the layout's place, along the floor; 0 where the station keeps it
+    /// there.
+    double off_place_m = 0.0;
+    /// Whether every answer given so far is on the disk. The next trial waits for it.
+    bool answers_kept = true;
+    std::vector<StationNote> notes{};
 };
 
 struct Rgb {
@@ -98,6 +116,10 @@ struct PresentedFrame {
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
     bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
     std::string status;        ///< one line for the operator, such as "game 12/40"
+    /// One calm sentence to the participant beside all else ("Please step back onto your place."); empty:
+    /// none.
+    std::string notice;
+    bool tick = false;  ///< the ray has just met a ball or a button: a light haptic tick
     /// What the session is doing, for screenshots and tests. Pages: "welcome", "welcome-back",
     /// "instructions", "practice", "begin", "break", "goodbye". Ratings: "waiting", "playing", "pointing"
     /// (the clip's second half), "rating", "rated". Game, each with "-" and the layout: "waiting-across",
@@ -106,11 +128,45 @@ struct PresentedFrame {
     std::string state;
 };
 
+/// A tracked pose in the stage's frame, with what the device says of it.
+struct TrackedPose {
+    Pose stage_from_device{};
+    bool position_valid = false;
+    bool orientation_valid = false;
+    bool tracked = false;  ///< measured now, not held or guessed from before
+    [[nodiscard]] bool valid() const { return position_valid && orientation_valid; }
+};
+
+enum class Hand : unsigned char { left, right };
+
+/// One joint of a tracked hand, in the order of XR_EXT_hand_tracking (palm, wrist, thumb, ... 26 in all).
+struct HandJoint {
+    TrackedPose pose{};
+    double radius_m = 0.0;
+};
+
+/// What was measured during one frame. All times are on the station's clock; poses hold at display_time_s.
+struct TrackingSample {
+    std::uint64_t frame = 0;      ///< PresentedFrame::number
+    double display_time_s = 0.0;  ///< predicted
+    double begun_s = 0.0;         ///< when the station was let begin the frame
+    double submitted_s = 0.0;     ///< when the frame had been handed over
+    int dropped_frames = 0;       ///< display periods that passed without a new frame since the one before
+    bool rendered = true;         ///< false: the frame had no picture, the device did not want one
+    TrackedPose head{};
+    std::array<TrackedPose, 2> aim{};   ///< by Hand
+    std::array<TrackedPose, 2> grip{};  ///< by Hand
+    std::optional<TrackedPose> gaze;    ///< -z looks forward; none: not asked for, or not offered
+    std::array<std::vector<HandJoint>, 2> joints{};  ///< by Hand; empty: not asked for, offered or seen
+    double off_place_m = 0.0;                        ///< as InputFrame::off_place_m
+};
+
 /// What became of a presented frame.
 struct FrameReport {
     std::uint64_t number = 0;
     bool shown = false;
-    double display_time_s = 0.0;  ///< when it was (or is predicted to have been) shown
+    double display_time_s = 0.0;               ///< when it was (or is predicted to have been) shown
+    std::optional<TrackingSample> tracking{};  ///< none where nothing is tracked
 };
 
 struct StationInfo {
@@ -118,6 +174,9 @@ struct StationInfo {
     std::string details;     ///< device, driver, display and refresh rate in words
     bool synthetic = false;  ///< no person answers here
     std::string controls{};  ///< how to take part, one line; empty where there is nothing to tell
+    /// Name and value, for the record: "runtime", "runtime_version", "system", "refresh_rate_hz", "ipd_m",
+    /// ...
+    std::vector<std::pair<std::string, std::string>> properties{};
 };
 
 class Station {

@@ -72,6 +72,23 @@ struct GameStage {
     std::string practice_instructions{};
 };
 
+/// How the avatar meets the eyes of a participant in a headset, see placementFor().
+enum class EyeLevel : unsigned char { measured, raise, scale };
+
+/// What becomes of a trial in which the session was interrupted before its answer (a pause, a headset taken
+/// off, tracking lost): it starts over from its clip, or goes on where it was. A clip that was interrupted
+/// always starts over.
+enum class AfterInterruption : unsigned char { resume, repeat };
+
+/// [headset]: what only concerns participants in a headset.
+struct HeadsetOptions {
+    EyeLevel eye_level = EyeLevel::measured;
+    double assumed_eye_height_m = 1.65;  ///< where the runtime knows no floor; the operator is told
+    double place_tolerance_m = 0.30;     ///< farther from the layout's place the participant is asked back
+    bool record_gaze = false;            ///< where the runtime offers it
+    bool record_hands = false;           ///< joints of tracked hands, where the runtime offers them
+};
+
 struct Study {
     std::string name;
     std::string title;
@@ -89,6 +106,8 @@ struct Study {
     std::vector<SystemSource> systems;
     RatingStage rating{};
     GameStage game{};
+    AfterInterruption after_interruption = AfterInterruption::resume;
+    HeadsetOptions headset{};
 
     std::filesystem::path file{};  ///< where it was read from
     std::string hash{};            ///< SHA-256 of the file's bytes

@@ -1,0 +1,49 @@
+// Keeps what happens in a session without ever holding up a frame: events and tracking samples are handed
+// over in microseconds and written by a thread of their own.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "results/store.hpp"
+#include "studies/events.hpp"
+#include "studies/station.hpp"
+
+namespace deixis::results {
+
+struct RecordingOptions {
+    /// Samples that may wait to be written: at 90 Hz about 45 s. Further ones are counted as missing.
+    std::size_t most_waiting_samples = 4096;
+    /// For tests: each transaction takes this much longer.
+    double delay_s = 0.0;
+};
+
+/// While it lives only it uses the store. All calls come from one thread.
+class RecordingThread {
+  public:
+    /// The store's session must have begun. `store` must outlive it.
+    RecordingThread(Store& store, const studies::StudyPlan& plan, std::vector<ClipRecord> clips_by_trial,
+                    RecordingOptions options);
+    /// Writes what still waits, then ends. Failures are lost here: call finish() first.
+    ~RecordingThread();
+    RecordingThread(const RecordingThread&) = delete;
+    RecordingThread& operator=(const RecordingThread&) = delete;
+
+    /// Hands an event over; events are never dropped. Answers go to the disk at once, before waiting samples.
+    /// Throws what the thread has met since the last call (a full disk, a lock that is not given back).
+    void record(studies::SessionEvent event);
+    /// Hands a sample over, or counts it as missing in this trial where too many wait. `trial_index` -1: none
+    /// under way.
+    void sample(studies::TrackingSample sample, int trial_index);
+    /// Whether every event handed over is on the disk.
+    [[nodiscard]] bool allKept() const;
+    /// Waits until all is written, samples too; then writes the trials' tallies. Throws as record() does.
+    void finish();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace deixis::results
