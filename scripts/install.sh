@@ -2,6 +2,7 @@
 # Installs the Debian packages that are missing, and says which; does nothing where all are there.
 #   scripts/install.sh          what building and running needs
 #   scripts/install.sh tests    and what the tests and checks need
+#   scripts/install.sh list     prints what building and running needs, and installs nothing
 set -euo pipefail
 
 packages=(
@@ -13,8 +14,12 @@ packages=(
     libopenxr-dev fonts-open-sans doctest-dev
 )
 if [ "${1:-}" = tests ]; then
-    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool sqlite3 libxml2-utils libbenchmark-dev)
+    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool sqlite3 libxml2-utils libbenchmark-dev debootstrap)
     command -v npm >/dev/null || packages+=(nodejs npm)
+fi
+if [ "${1:-}" = list ]; then
+    printf '%s\n' "${packages[@]}"
+    exit 0
 fi
 
 missing=()
