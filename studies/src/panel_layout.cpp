@@ -27,6 +27,7 @@ constexpr double lectern_tilt_rad = radiansFromDegrees(18.0);
 constexpr double desk_distance_m = 1.1;
 constexpr double desk_below_eyes_m = 0.72;
 constexpr double desk_tilt_rad = radiansFromDegrees(32.0);
+constexpr double avatar_reach_m = 0.38;  // half its width with the arms hanging, and a little air
 
 int codePoints(std::string_view text) {
     return static_cast<int>(std::count_if(
@@ -110,13 +111,27 @@ void addQuestionRow(Panel& panel, double foot_m, const std::string& question,
     panel.height_m = foot_m + row_height + margin_m;
 }
 
+/// How far to the left (radians) a panel must stand so that an avatar nearer than it does not cover it: where
+/// the viewer stands at the avatar's shoulder. 0 where the avatar is farther away than the panel.
+double bearingBesideAvatar(const Panel& panel, const Pose& stage_from_viewer, double distance_m) {
+    const Vec3 avatar = transformPoint(inverse(stage_from_viewer), Vec3(0.0));
+    const double away_m = std::hypot(avatar.x, avatar.z);
+    if (away_m > distance_m + avatar_reach_m) return 0.0;
+    const double avatar_bearing = std::atan2(-avatar.x, -avatar.z);
+    const double apart =
+        std::asin(std::min(1.0, avatar_reach_m / away_m)) + std::atan(panel.width_m / 2.0 / distance_m);
+    if (std::abs(avatar_bearing) >= apart) return 0.0;
+    return avatar_bearing > 0.0 ? avatar_bearing - apart : avatar_bearing + apart;
+}
+
 /// The panel's centre at `distance_m` before the viewer and `height_m` above the floor, its top leaning away.
 Pose stand(const Panel& panel, const Pose& stage_from_viewer, double distance_m, double height_m,
            double tilt_rad) {
     const Quat tilt(std::cos(tilt_rad / 2.0), -std::sin(tilt_rad / 2.0), 0.0, 0.0);
-    const Pose viewer_from_centre{{0.0, height_m, -distance_m}, tilt};
+    const Pose turned{Vec3(0.0), yawRotation(bearingBesideAvatar(panel, stage_from_viewer, distance_m))};
+    const Pose turned_from_centre{{0.0, height_m, -distance_m}, tilt};
     const Pose centre_from_corner{{-panel.width_m / 2.0, -panel.height_m / 2.0, 0.0}, no_rotation};
-    return stage_from_viewer * viewer_from_centre * centre_from_corner;
+    return stage_from_viewer * turned * turned_from_centre * centre_from_corner;
 }
 
 bool inside(const PanelRect& box, double x, double y) {

@@ -32,7 +32,8 @@ struct ButtonSpec {
 /// The question and a button beside it.
 [[nodiscard]] Panel questionPanel(const std::string& question, const ButtonSpec& button);
 
-/// Upright, 1.5 m before the viewer, its centre a little below the eyes.
+/// All three turn aside as far as an avatar that stands nearer than the panel would cover it.
+/// Upright, 1.3 m before the viewer, its centre a little below the eyes.
 [[nodiscard]] Pose messagePose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
 /// Low before the viewer and tilted up like a lectern: under the avatar's chest as seen from the viewer's

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "session_fixture.hpp"
@@ -73,6 +74,32 @@ TEST_SUITE("studies/session_panel") {
             const Vec3 towards_reader = panel.stage_from_panel.orientation * Vec3(0.0, 0.0, 1.0);
             CHECK(glm::dot(towards_reader, glm::normalize(eye - centreOf(panel))) > 0.95);
         }
+    }
+
+    TEST_CASE("a page is never covered by the avatar, also where the participant stands at its shoulder") {
+        for (const double x_m : {-0.9, -0.6, 0.6, 0.9})
+            for (const double z_m : {-1.2, -0.95, -0.3, 0.0, 2.0, 3.4})
+                for (const double heading_deg : {-15.0, 0.0, 15.0, 165.0, 180.0}) {
+                    CAPTURE(x_m);
+                    CAPTURE(z_m);
+                    CAPTURE(heading_deg);
+                    Driver driver(1);
+                    driver.study.layouts.front() = {"across", x_m, z_m, heading_deg};
+                    driver.start();
+                    driver.step();
+                    REQUIRE(driver.frame.panel.has_value());
+                    const Panel& panel = *driver.frame.panel;
+                    // The avatar is an upright post at the origin: no line of sight to the page meets it.
+                    const Vec3 eye(x_m, 0.0, z_m);
+                    for (const double u : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+                        Vec3 seen = transformPoint(panel.stage_from_panel, {u * panel.width_m, 0.3, 0.0});
+                        seen.y = 0.0;
+                        const Vec3 along = seen - eye;
+                        const double nearest =
+                            std::clamp(-glm::dot(eye, along) / glm::dot(along, along), 0.0, 1.0);
+                        CHECK(glm::length(eye + nearest * along) > 0.25);
+                    }
+                }
     }
 
     TEST_CASE("the rating panel leaves the avatar's face and chest free and faces the eyes") {

@@ -30,6 +30,12 @@ constexpr double click_after_focus_s = 0.3;
 const char* const controls_text =
     "Mouse: look and aim.  Left button: select.  Enter: continue.  1-9: rate.  Esc: pause.";
 
+// Whether a page or the pause panel is there: a board to be read first, not one beside a task.
+bool pageOpen(const studies::PresentedFrame& frame) {
+    const auto starts = [&](const char* word) { return frame.state.starts_with(word); };
+    return frame.panel && !starts("rat") && !starts("choosing") && !starts("aiming") && !starts("chosen");
+}
+
 // A line under what the board says; the rest of it stays where it is in the world.
 void addControls(renderer::Board& board) {
     constexpr double line_m = 0.036;
@@ -127,16 +133,21 @@ void DesktopStation::State::updateLean(double elapsed_s) {
     lean_m += (wanted - lean_m) * std::min(1.0, lean_speed_per_s * elapsed_s);
 }
 
-// Turns the view to where a person who has just been placed here would turn: straight ahead, or to the middle
-// between the avatar and the balls, so that neither is missed on a flat screen.
+// Turns the view to where a person who has just been placed here would turn: to the board, straight ahead, or
+// to the middle between the avatar and the balls, so that none is missed on a flat screen.
 void DesktopStation::State::lookAtTask(const studies::PresentedFrame& frame) {
     yaw_rad = 0.0;
     pitch_rad = resting_pitch_rad;
-    if (frame.balls.empty()) return;
     const auto yawTo = [&](const Vec3& point) {
         const Vec3 seen = transformPoint(inverse(frame.stage_from_viewer), point);
         return std::atan2(-seen.x, -seen.z);
     };
+    if (frame.panel) {
+        const Vec3 middle(0.5 * frame.panel->width_m, 0.5 * frame.panel->height_m, 0.0);
+        yaw_rad = yawTo(transformPoint(frame.panel->stage_from_panel, middle));
+        return;
+    }
+    if (frame.balls.empty()) return;
     Vec3 middle{0.0};
     for (const auto& ball : frame.balls) middle += ball.centre / static_cast<double>(frame.balls.size());
     yaw_rad = 0.5 * (yawTo(Vec3(0.0)) + yawTo(middle));
@@ -265,7 +276,8 @@ studies::InputFrame DesktopStation::beginFrame() {
 studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
     State& s = *state_;
     const bool new_trial = frame.state.starts_with("waiting") && !s.presented.state.starts_with("waiting");
-    if (frame.viewer_place != s.presented.viewer_place || (new_trial && !frame.balls.empty()))
+    const bool new_page = frame.panel && pageOpen(frame) && !pageOpen(s.presented);
+    if (frame.viewer_place != s.presented.viewer_place || new_page || (new_trial && !frame.balls.empty()))
         s.lookAtTask(frame);
     if (frame.status != s.presented.status)
         glfwSetWindowTitle(s.window->handle(), (s.options.title + " - " + frame.status).c_str());
