@@ -26,7 +26,9 @@ struct Section {
 /// The whole vocabulary: what is not here is an unknown key, and the loader cannot read what is not here.
 const std::vector<Section>& vocabulary() {
     static const std::vector<Section> sections{
-        {"study", {"name", "title", "description", "reference", "seed", "eye_height_m", "inter_trial_s"}},
+        {"study",
+         {"name", "title", "description", "reference", "seed", "eye_height_m", "inter_trial_s",
+          "after_interruption"}},
         {"texts", {"welcome", "break", "goodbye"}},
         {"targets",
          {"count", "height_m", "arc_deg", "radius_m", "fit_manifest", "ball_diameter_m", "distractors",
@@ -39,6 +41,8 @@ const std::vector<Section>& vocabulary() {
         {"game",
          {"items", "practice", "break_every", "max_replays", "layouts", "question", "instructions",
           "practice_instructions"}},
+        {"headset",
+         {"eye_level", "assumed_eye_height_m", "place_tolerance_m", "record_gaze", "record_hands"}},
         {"analysis", {"alpha"}},
     };
     return sections;
@@ -83,6 +87,13 @@ int readCount(TomlTable& table, std::string_view key, int low, int high,
     return static_cast<int>(table.whole(key, low, high, fallback));
 }
 
+/// One of the names of an enumeration's values, which stand in its order.
+template <typename Value, std::size_t count>
+Value readChoice(TomlTable& table, std::string_view key, const std::string_view (&names)[count],
+                 Value fallback) {
+    return static_cast<Value>(table.choice(key, names, static_cast<std::size_t>(fallback)));
+}
+
 void readStudySection(TomlTable& table, Study& study) {
     study.name = readName(table, "name");
     study.title = table.text("title");
@@ -91,6 +102,9 @@ void readStudySection(TomlTable& table, Study& study) {
     study.seed = static_cast<std::uint64_t>(table.whole("seed", 0, std::numeric_limits<std::int64_t>::max()));
     study.eye_height_m = table.number("eye_height_m", 0.5, 2.5, study.eye_height_m);
     study.inter_trial_s = table.number("inter_trial_s", 0.0, 60.0, study.inter_trial_s);
+    constexpr std::string_view after_interruption[] = {"resume", "repeat"};
+    study.after_interruption =
+        readChoice(table, "after_interruption", after_interruption, study.after_interruption);
 }
 
 void readTargets(TomlTable& table, const fs::path& folder, TargetSpace& space) {
@@ -202,6 +216,16 @@ void readGame(TomlTable& table, Study& study) {
     }
 }
 
+void readHeadset(TomlTable& table, HeadsetOptions& headset) {
+    constexpr std::string_view eye_levels[] = {"measured", "raise", "scale"};
+    headset.eye_level = readChoice(table, "eye_level", eye_levels, headset.eye_level);
+    headset.assumed_eye_height_m =
+        table.number("assumed_eye_height_m", 0.5, 2.5, headset.assumed_eye_height_m);
+    headset.place_tolerance_m = table.number("place_tolerance_m", 0.1, 5.0, headset.place_tolerance_m);
+    headset.record_gaze = table.flag("record_gaze", headset.record_gaze);
+    headset.record_hands = table.flag("record_hands", headset.record_hands);
+}
+
 /// Items of the two stages and practice trials all have targets of their own.
 void checkEnoughTargets(TomlTable& targets, const Study& study) {
     const int practice = study.rating.practice + study.game.practice;
@@ -238,6 +262,8 @@ void readAll(const toml::table& file, const fs::path& folder, TomlProblems& prob
     readNaturalness(naturalness, study);
     TomlTable game = section("game");
     readGame(game, study);
+    TomlTable headset = section("headset", false);
+    readHeadset(headset, study.headset);
     TomlTable analysis = section("analysis", false);
     study.alpha = analysis.number("alpha", 1e-6, 0.5, study.alpha);
     checkEnoughTargets(targets, study);

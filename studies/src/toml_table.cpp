@@ -195,6 +195,28 @@ double TomlTable::number(std::string_view key, double low, double high, std::opt
     return *value;
 }
 
+bool TomlTable::flag(std::string_view key, bool fallback) {
+    constexpr std::string_view expected = "true or false";
+    const toml::node* node = find(key, false, expected);
+    if (node == nullptr) return fallback;
+    if (!node->is_boolean()) wrongType(key, *node, expected);
+    return node->value<bool>().value_or(fallback);
+}
+
+std::size_t TomlTable::choice(std::string_view key, std::span<const std::string_view> names,
+                              std::size_t fallback) {
+    const std::string expected = fmt::format("one of \"{}\"", fmt::join(names, "\", \""));
+    const toml::node* node = find(key, false, expected);
+    if (node == nullptr) return fallback;
+    const std::optional<std::string_view> found = node->value_exact<std::string_view>();
+    const auto place = found ? std::find(names.begin(), names.end(), *found) : names.end();
+    if (place == names.end()) {
+        wrongType(key, *node, expected);
+        return fallback;
+    }
+    return static_cast<std::size_t>(place - names.begin());
+}
+
 std::pair<double, double> TomlTable::pair(std::string_view key, double low, double high) {
     const std::string expected = fmt::format("a list [a, b] of two numbers from {} to {}", low, high);
     const toml::node* node = find(key, true, expected);

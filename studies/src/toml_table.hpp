@@ -47,6 +47,10 @@ class TomlTable {
                                      std::optional<std::int64_t> fallback = {});
     [[nodiscard]] double number(std::string_view key, double low, double high,
                                 std::optional<double> fallback = {});
+    [[nodiscard]] bool flag(std::string_view key, bool fallback);
+    /// The place in `names` of the text found.
+    [[nodiscard]] std::size_t choice(std::string_view key, std::span<const std::string_view> names,
+                                     std::size_t fallback);
     /// A list [a, b] of two numbers within the limits.
     [[nodiscard]] std::pair<double, double> pair(std::string_view key, double low, double high);
 

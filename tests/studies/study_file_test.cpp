@@ -128,6 +128,34 @@ TEST_SUITE("studies/study_file") {
         CHECK(study->rating.practice == 0);
         CHECK(study->game.break_every == 0);
         CHECK(study->game.max_replays == 0);
+        CHECK(study->after_interruption == AfterInterruption::resume);
+        CHECK(study->headset.eye_level == EyeLevel::measured);
+        CHECK(study->headset.assumed_eye_height_m == 1.65);
+        CHECK(study->headset.place_tolerance_m == 0.3);
+        CHECK_FALSE(study->headset.record_gaze);
+        CHECK_FALSE(study->headset.record_hands);
+    }
+
+    TEST_CASE("What a file says of headsets and interruptions is what the study holds.") {
+        const Folder folder;
+        std::string text = edited("[analysis]",
+                                  "[headset]\neye_level = \"scale\"\nassumed_eye_height_m = 1.2\n"
+                                  "place_tolerance_m = 0.45\nrecord_gaze = true\nrecord_hands = true\n"
+                                  "[analysis]");
+        text.replace(text.find("seed = 7"), 8, "seed = 7\nafter_interruption = \"repeat\"");
+        const Result<Study> study = loadStudy(folder.write(text));
+        if (!study) FAIL(study.error().text());
+        CHECK(study->after_interruption == AfterInterruption::repeat);
+        CHECK(study->headset.eye_level == EyeLevel::scale);
+        CHECK(study->headset.assumed_eye_height_m == 1.2);
+        CHECK(study->headset.place_tolerance_m == 0.45);
+        CHECK(study->headset.record_gaze);
+        CHECK(study->headset.record_hands);
+        const Result<Study> raised =
+            loadStudy(folder.write(edited("[analysis]", "[headset]\neye_level = \"raise\"\n[analysis]")));
+        REQUIRE(raised.has_value());
+        CHECK(raised->headset.eye_level == EyeLevel::raise);
+        CHECK(raised->headset.place_tolerance_m == 0.3);
     }
 
     TEST_CASE("Line ends inside a paragraph are spaces and a blank line starts a new one.") {
@@ -304,6 +332,47 @@ TEST_SUITE("studies/study_file") {
              "layouts = []",
              "game.layouts",
              {"a list of 0", "1 to 2 texts"}},
+            // What concerns a headset, and interruptions.
+            {"seed = 7",
+             "seed = 7\nafter_interruption = \"restart\"",
+             "after_interruption",
+             "study.after_interruption",
+             {"the text \"restart\"", "one of \"resume\", \"repeat\""}},
+            {"seed = 7",
+             "seed = 7\nafter_interruption = true",
+             "after_interruption",
+             "study.after_interruption",
+             {"found true", "one of"}},
+            {"[analysis]",
+             "[headset]\neye_level = \"lift\"\n[analysis]",
+             "eye_level",
+             "headset.eye_level",
+             {"the text \"lift\"", "\"measured\", \"raise\", \"scale\""}},
+            {"[analysis]",
+             "[headset]\nassumed_eye_height_m = 3\n[analysis]",
+             "assumed_eye_height_m",
+             "headset.assumed_eye_height_m",
+             {"3", "0.5 to 2.5"}},
+            {"[analysis]",
+             "[headset]\nplace_tolerance_m = 0\n[analysis]",
+             "place_tolerance_m",
+             "headset.place_tolerance_m",
+             {"0", "0.1 to 5"}},
+            {"[analysis]",
+             "[headset]\nrecord_gaze = 1\n[analysis]",
+             "record_gaze",
+             "headset.record_gaze",
+             {"the whole number 1", "true or false"}},
+            {"[analysis]",
+             "[headset]\nrecord_hands = \"yes\"\n[analysis]",
+             "record_hands",
+             "headset.record_hands",
+             {"the text \"yes\"", "true or false"}},
+            {"[analysis]",
+             "[headset]\nrecord_eyes = true\n[analysis]",
+             "record_eyes",
+             "headset.record_eyes",
+             {"unknown key", "Known here: eye_level, "}},
             {"viewer_m = [0, 3]",
              "viewer_m = [0, 0.1]",
              "viewer_m = [0, 0.1]",

@@ -16,8 +16,8 @@ struct Anchor {
     double eye_height_m = 0.0;    ///< of the head above the tracked floor when the anchor was set
 };
 
-/// From a head pose. Its heading is that of the looking direction laid on the floor; looking within 10 degrees
-/// of straight down, that of the top of the head, and of straight up, the opposite one.
+/// From a head pose. Its heading is that of the looking direction laid on the floor; looking within 10
+/// degrees of straight down, that of the top of the head, and of straight up, the opposite one.
 [[nodiscard]] Anchor anchorFromHead(const Pose& tracking_from_head);
 
 /// A turn about +y, a shift, and a uniform scale: stage point = scale * (turn * tracking point) + shift.
