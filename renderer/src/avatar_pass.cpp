@@ -82,7 +82,7 @@ void main() {
     stage_position = position;
     stage_normal = normal;
     albedo = colour;
-    gl_Position = clip_from_stage * vec4(position, 1.0);
+    gl_Position = this_view.clip_from_stage * vec4(position, 1.0);
 }
 )";
 
@@ -93,7 +93,7 @@ in vec3 albedo;
 out vec4 colour;
 void main() {
     vec3 n = normalize(stage_normal.xyz);
-    vec3 to_eye = normalize(eye.xyz - stage_position);
+    vec3 to_eye = normalize(this_view.eye.xyz - stage_position);
     float light = stage_normal.w;
     // The floor is near the feet and takes light from what faces it.
     float open = mix(0.72, 1.0, smoothstep(-0.9, 0.4, n.y + 0.5 * stage_position.y));
@@ -186,8 +186,7 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
       skin_program_(gl::computeProgram("skin", {skin_glsl})),
       light_program_(gl::computeProgram("light", {frame_glsl, shadow_glsl, light_glsl})),
       shadow_program_(gl::drawProgram("shadow", {frame_glsl, shadow_vertex_glsl}, {shadow_fragment_glsl})),
-      draw_program_(gl::drawProgram("avatar", {frame_glsl, draw_vertex_glsl},
-                                    {frame_glsl, lighting_glsl, draw_fragment_glsl})) {
+      draw_program_("avatar", {draw_vertex_glsl}, {frame_glsl, lighting_glsl, draw_fragment_glsl}) {
     if (joint_from_bind_.size() > most_joints)
         throw std::invalid_argument(fmt::format("the avatar has {} joints, at most {} can be drawn",
                                                 joint_from_bind_.size(), most_joints));
@@ -349,8 +348,8 @@ void AvatarPass::light() const {
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-void AvatarPass::draw() const {
-    glUseProgram(draw_program_.name());
+void AvatarPass::draw(Views views) {
+    draw_program_.use(views);
     glBindVertexArray(vertices_.name());
     glEnable(GL_CULL_FACE);
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);

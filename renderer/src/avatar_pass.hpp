@@ -25,7 +25,7 @@ class AvatarPass {
     /// Finds how much of the key light reaches each vertex, after drawShadow().
     void light() const;
     void bindShadow() const;
-    void draw() const;
+    void draw(Views views);
 
   private:
     motion::HumanoidMap humanoid_;
@@ -36,7 +36,8 @@ class AvatarPass {
     int index_count_ = 0;
     int caster_index_count_ = 0;  // these follow in the same buffer
     int shadow_resolution_ = 0;
-    gl::Program skin_program_, light_program_, shadow_program_, draw_program_;
+    gl::Program skin_program_, light_program_, shadow_program_;
+    ViewProgram draw_program_;
     gl::Buffer bind_vertices_, joints_, skinned_, colours_, indices_;
     gl::VertexArray vertices_;
     gl::Texture shadow_map_, shadow_depth_view_;

@@ -23,7 +23,7 @@ void main() {
     albedo = own_colour;
     glow = own_glow;
     light = avatarLight(stage_position, normal, 0.0) * ballLight(stage_position);
-    gl_Position = clip_from_stage * vec4(stage_position, 1.0);
+    gl_Position = this_view.clip_from_stage * vec4(stage_position, 1.0);
 }
 )";
 
@@ -36,7 +36,7 @@ in float light;
 out vec4 colour;
 void main() {
     vec3 n = normalize(stage_normal);
-    vec3 to_eye = normalize(eye.xyz - stage_position);
+    vec3 to_eye = normalize(this_view.eye.xyz - stage_position);
     colour = finish(lit(albedo, n, to_eye, light, 1.0, 0.11) + glow);
 }
 )";
@@ -44,16 +44,10 @@ void main() {
 constexpr int rings = 18;
 constexpr int segments = 32;
 
-struct Instance {
-    glm::vec4 place;
-    glm::vec3 colour, glow;
-};
-
 }  // namespace
 
 BallPass::BallPass()
-    : program_(gl::drawProgram("ball", {frame_glsl, shadow_glsl, vertex_glsl},
-                               {frame_glsl, lighting_glsl, fragment_glsl})),
+    : program_("ball", {frame_glsl, shadow_glsl, vertex_glsl}, {frame_glsl, lighting_glsl, fragment_glsl}),
       vertices_(gl::vertexArray()) {
     std::vector<glm::vec3> normals;
     std::vector<std::uint16_t> indices;
@@ -93,25 +87,28 @@ void BallPass::placeShadows(const std::vector<Ball>& balls, FrameBlock& block) {
     block.to_light.w = static_cast<float>(count);
 }
 
-void BallPass::draw(const std::vector<Ball>& balls) {
-    if (balls.empty()) return;
-    std::vector<Instance> instances;
-    instances.reserve(balls.size());
+void BallPass::place(const std::vector<Ball>& balls) {
+    placed_.clear();
     for (const Ball& ball : balls)
-        instances.push_back(
+        placed_.push_back(
             {glm::vec4(glm::vec3(ball.centre), static_cast<float>(ball.radius_m)), ball.colour, ball.glow});
-    const auto bytes = static_cast<GLsizeiptr>(instances.size() * sizeof(Instance));
+    if (placed_.empty()) return;
+    const auto bytes = static_cast<GLsizeiptr>(placed_.size() * sizeof(Instance));
     if (bytes > instance_capacity_) {
         instances_ = gl::dynamicBuffer(bytes);
         instance_capacity_ = bytes;
         glVertexArrayVertexBuffer(vertices_.name(), 1, instances_.name(), 0, sizeof(Instance));
     }
-    glNamedBufferSubData(instances_.name(), 0, bytes, instances.data());
-    glUseProgram(program_.name());
+    glNamedBufferSubData(instances_.name(), 0, bytes, placed_.data());
+}
+
+void BallPass::draw(Views views) {
+    if (placed_.empty()) return;
+    program_.use(views);
     glBindVertexArray(vertices_.name());
     glEnable(GL_CULL_FACE);
     glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr,
-                            static_cast<GLsizei>(instances.size()));
+                            static_cast<GLsizei>(placed_.size()));
     glDisable(GL_CULL_FACE);
 }
 

@@ -14,10 +14,17 @@ class BallPass {
     BallPass();
     /// Tells the block which balls cast shadows.
     static void placeShadows(const std::vector<Ball>& balls, FrameBlock& block);
-    void draw(const std::vector<Ball>& balls);
+    /// Tells draw() what to draw.
+    void place(const std::vector<Ball>& balls);
+    void draw(Views views);
 
   private:
-    gl::Program program_;
+    struct Instance {
+        glm::vec4 place;  // centre, radius
+        glm::vec3 colour, glow;
+    };
+    std::vector<Instance> placed_;
+    ViewProgram program_;
     gl::Buffer sphere_, indices_, instances_;
     GLsizeiptr instance_capacity_ = 0;
     GLsizei index_count_ = 0;

@@ -2,8 +2,6 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "frame.hpp"
-
 namespace deixis::renderer {
 namespace {
 
@@ -20,8 +18,8 @@ const float halo = 0.016;
 const float dot_halo = 0.024;
 
 void main() {
-    vec3 a = (eye_from_stage * vec4(origin, 1.0)).xyz;
-    vec3 b = (eye_from_stage * vec4(end, 1.0)).xyz;
+    vec3 a = (this_view.eye_from_stage * vec4(origin, 1.0)).xyz;
+    vec3 b = (this_view.eye_from_stage * vec4(end, 1.0)).xyz;
     vec3 direction = normalize(b - a);
     float length_m = distance(a, b);
     float start = 0.0;
@@ -36,7 +34,7 @@ void main() {
     vec3 p;
     if (gl_VertexID < 4) {
         p = corner.x < 0.0 ? a : b;
-        pixel = eye.w * max(-p.z, 0.05);
+        pixel = this_view.eye.w * max(-p.z, 0.05);
         core = 0.0032;
         vec3 side = cross(direction, normalize(p));
         side /= max(length(side), 1e-4);
@@ -45,7 +43,7 @@ void main() {
         across = vec2(corner.y * half_width, 0.0);
         along = corner.x < 0.0 ? start : length_m;
     } else {
-        pixel = eye.w * max(-b.z, 0.05);
+        pixel = this_view.eye.w * max(-b.z, 0.05);
         core = max(0.009, 2.0 * pixel);
         float half_width = max(dot_halo, core + 2.0 * pixel);
         p = b - normalize(b) * 0.012;  // before the surface that it lies on
@@ -53,7 +51,7 @@ void main() {
         across = corner * half_width;
         along = length_m;
     }
-    gl_Position = clip_from_eye * vec4(p, 1.0);
+    gl_Position = this_view.clip_from_eye * vec4(p, 1.0);
 }
 )";
 
@@ -80,15 +78,13 @@ void main() {
 
 }  // namespace
 
-BeamPass::BeamPass()
-    : program_(gl::drawProgram("beam", {frame_glsl, vertex_glsl}, {frame_glsl, fragment_glsl})),
-      no_vertices_(gl::vertexArray()) {}
+BeamPass::BeamPass() : program_("beam", {vertex_glsl}, {fragment_glsl}), no_vertices_(gl::vertexArray()) {}
 
-void BeamPass::draw(const Beam& beam) const {
+void BeamPass::draw(const Beam& beam, Views views) {
     if (!(beam.length_m > 1e-3)) return;
     const glm::vec3 origin(beam.ray.origin);
     const glm::vec3 end(beam.ray.origin + beam.ray.direction * beam.length_m);
-    glUseProgram(program_.name());
+    program_.use(views);
     glUniform3fv(0, 1, glm::value_ptr(origin));
     glUniform3fv(1, 1, glm::value_ptr(end));
     glUniform3fv(2, 1, glm::value_ptr(beam.colour));

@@ -3,16 +3,17 @@
 
 #include "gl.hpp"
 #include "renderer/scene.hpp"
+#include "views.hpp"
 
 namespace deixis::renderer {
 
 class BeamPass {
   public:
     BeamPass();
-    void draw(const Beam& beam) const;
+    void draw(const Beam& beam, Views views);
 
   private:
-    gl::Program program_;
+    ViewProgram program_;
     gl::VertexArray no_vertices_;
 };
 

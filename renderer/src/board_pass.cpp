@@ -59,7 +59,7 @@ out vec2 card_uv;
 void main() {
     vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));
     card_uv = vec2(corner.x, 1.0 - corner.y);
-    gl_Position = clip_from_stage * stage_from_board * vec4(mix(rect.xy, rect.zw, corner), 0.0, 1.0);
+    gl_Position = this_view.clip_from_stage * stage_from_board * vec4(mix(rect.xy, rect.zw, corner), 0.0, 1.0);
 }
 )";
 
@@ -88,9 +88,10 @@ BoardPass::BoardPass(BoardFonts fonts, double pixels_per_metre)
     : fonts_(std::move(fonts)),
       wanted_pixels_per_metre_(pixels_per_metre),
       text_program_(gl::drawProgram("board text", {text_vertex_glsl}, {text_fragment_glsl})),
-      card_program_(gl::drawProgram("board", {frame_glsl, card_vertex_glsl}, {card_fragment_glsl})),
+      card_program_("board", {card_vertex_glsl}, {card_fragment_glsl}),
       text_vertices_(gl::vertexArray()),
-      no_vertices_(gl::vertexArray()) {
+      no_vertices_(gl::vertexArray()),
+      copy_target_(gl::framebuffer()) {
     const ContextScope scope(ImGui::GetCurrentContext());  // making one may change the current one
     context_.reset(ImGui::CreateContext(&fonts_.atlas()));
     ImGui::SetCurrentContext(context_.get());
@@ -113,12 +114,13 @@ void BoardPass::paint(const Board& board) {
     if (painted_ && sameContent(*painted_, board)) return;
     const ContextScope scope(context_.get());
     makeTexture(board);
-    if (requireBoardFonts(board, pixels_per_metre_, fonts_)) uploadFonts();
+    const bool fonts_are_new = requireBoardFonts(board, painted_at_.pixels_per_metre, fonts_);
+    if (fonts_are_new || font_texture_.name() == 0U) uploadFonts();  // plain shapes are drawn with it too
 
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(width_), static_cast<float>(height_));
+    io.DisplaySize = ImVec2(static_cast<float>(painted_at_.width), static_cast<float>(painted_at_.height));
     ImGui::NewFrame();
-    paintBoard(board, pixels_per_metre_, fonts_, *ImGui::GetBackgroundDrawList());
+    paintBoard(board, painted_at_.pixels_per_metre, fonts_, *ImGui::GetBackgroundDrawList());
     ImGui::Render();
     drawLists(*ImGui::GetDrawData());
     glGenerateTextureMipmap(card_.name());
@@ -126,18 +128,38 @@ void BoardPass::paint(const Board& board) {
     ++paints_;
 }
 
-void BoardPass::makeTexture(const Board& board) {
+BoardPass::Resolution BoardPass::resolution(const Board& board) const {
     const double larger_m = std::max({board.width_m, board.height_m, 0.01});
-    pixels_per_metre_ =
+    Resolution found;
+    found.pixels_per_metre =
         std::min(wanted_pixels_per_metre_, (most_texture_pixels - 2 * card_margin_px) / larger_m);
     const auto pixels = [&](double metres) {
-        return std::max(1, static_cast<int>(std::ceil(metres * pixels_per_metre_))) + 2 * card_margin_px;
+        return std::max(1, static_cast<int>(std::ceil(metres * found.pixels_per_metre))) + 2 * card_margin_px;
     };
-    const int width = pixels(board.width_m);
-    const int height = pixels(board.height_m);
-    if (width == width_ && height == height_) return;
-    width_ = width;
-    height_ = height;
+    found.width = pixels(board.width_m);
+    found.height = pixels(board.height_m);
+    return found;
+}
+
+BoardCorners BoardPass::corners(const Board& board) const {
+    const Resolution picture = resolution(board);
+    const double margin_m = card_margin_px / picture.pixels_per_metre;
+    // The texture ends on whole pixels: its lower edge may lie a part of one below the board's.
+    return {{-margin_m, board.height_m + margin_m - picture.height / picture.pixels_per_metre},
+            {picture.width / picture.pixels_per_metre - margin_m, board.height_m + margin_m}};
+}
+
+std::array<int, 2> BoardPass::size(const Board& board) const {
+    const Resolution picture = resolution(board);
+    return {picture.width, picture.height};
+}
+
+void BoardPass::makeTexture(const Board& board) {
+    const Resolution wanted = resolution(board);
+    const bool same_size = wanted.width == painted_at_.width && wanted.height == painted_at_.height;
+    painted_at_ = wanted;
+    if (same_size) return;
+    const auto [pixels_per_metre, width, height] = wanted;
     const int levels = 1 + static_cast<int>(std::log2(std::max(width, height)));
     card_ = gl::texture2d(GL_SRGB8_ALPHA8, width, height, levels);
     glTextureParameteri(card_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -166,13 +188,13 @@ void BoardPass::drawLists(const ImDrawData& data) {
     const std::array<GLfloat, 4> clear{0.0F, 0.0F, 0.0F, 0.0F};
     glClearNamedFramebufferfv(card_target_.name(), GL_COLOR, 0, clear.data());
     glBindFramebuffer(GL_FRAMEBUFFER, card_target_.name());
-    glViewport(0, 0, width_, height_);
+    glViewport(0, 0, painted_at_.width, painted_at_.height);
     glEnable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glUseProgram(text_program_.name());
-    glUniform2f(0, static_cast<float>(width_), static_cast<float>(height_));
+    glUniform2f(0, static_cast<float>(painted_at_.width), static_cast<float>(painted_at_.height));
     glBindTextureUnit(0, font_texture_.name());
     glBindVertexArray(text_vertices_.name());
     for (int i = 0; i < data.CmdListsCount; ++i) {
@@ -193,19 +215,27 @@ void BoardPass::drawLists(const ImDrawData& data) {
     glDisable(GL_BLEND);
 }
 
-void BoardPass::draw(const Board& board) const {
+void BoardPass::draw(const Board& board, Views views) {
     const glm::mat4 stage_from_board = matrixFromPose(board.stage_from_board);
-    const double margin_m = card_margin_px / pixels_per_metre_;
-    // The texture ends on whole pixels: its lower edge may lie a part of one below the board's.
-    const double shown_width_m = width_ / pixels_per_metre_ - margin_m;
-    const double low_m = board.height_m + margin_m - height_ / pixels_per_metre_;
-    glUseProgram(card_program_.name());
+    const BoardCorners rect = corners(board);
+    card_program_.use(views);
     glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(stage_from_board));
-    glUniform4f(1, static_cast<float>(-margin_m), static_cast<float>(low_m),
-                static_cast<float>(shown_width_m), static_cast<float>(board.height_m + margin_m));
+    glUniform4f(1, static_cast<float>(rect.low.x), static_cast<float>(rect.low.y),
+                static_cast<float>(rect.high.x), static_cast<float>(rect.high.y));
     glBindTextureUnit(0, card_.name());
     glBindVertexArray(no_vertices_.name());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void BoardPass::copyTo(GLuint texture) const {
+    const auto [pixels_per_metre, width, height] = painted_at_;
+    glNamedFramebufferTexture(copy_target_.name(), GL_COLOR_ATTACHMENT0, texture, 0);
+    gl::requireComplete(copy_target_, "board's copy");
+    // The card's first row is the board's top. With conversion off the bytes go over as they are.
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glBlitNamedFramebuffer(card_target_.name(), copy_target_.name(), 0, 0, width, height, 0, height, width, 0,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glNamedFramebufferTexture(copy_target_.name(), GL_COLOR_ATTACHMENT0, 0, 0);
 }
 
 }  // namespace deixis::renderer

@@ -18,11 +18,7 @@ glm::mat4 matrixFromPose(const Pose& pose) {
 
 const std::string_view frame_glsl = R"(
 layout(std140, binding = 0) uniform Frame {
-    mat4 clip_from_stage;
-    mat4 eye_from_stage;
-    mat4 clip_from_eye;
     mat4 shadow_from_stage;
-    vec4 eye;
     vec4 to_light;
     vec4 shadow;
     vec4 shadow_box;

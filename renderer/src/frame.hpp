@@ -1,4 +1,4 @@
-// What every pass needs of one frame: the uniform block, and the shader text that reads it and lights a
+// What every pass needs of one frame: the uniform blocks, and the shader text that reads it and lights a
 // surface with it.
 #pragma once
 
@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/pose.hpp"
+#include "views.hpp"
 
 namespace deixis::renderer {
 
@@ -20,16 +21,13 @@ constexpr glm::vec3 room_high{4.0F, 3.0F, 5.5F};
 
 /// Laid out as std140 has it; bound at uniform block 0.
 struct FrameBlock {
-    glm::mat4 clip_from_stage{1.0F};
-    glm::mat4 eye_from_stage{1.0F};
-    glm::mat4 clip_from_eye{1.0F};
     glm::mat4 shadow_from_stage{1.0F};  ///< to texture coordinates and depth, 0..1
-    glm::vec4 eye{0.0F};                ///< w: size of a pixel at 1 m, metres
     glm::vec4 to_light{0.0F};           ///< w: number of balls that cast a shadow
     glm::vec4 shadow{0.0F};      ///< x: texture units a metre; y: depth range, m; z: 1 where it is cast
     glm::vec4 shadow_box{0.0F};  ///< the caster's extent in texture coordinates: low u v, high u v
     std::array<glm::vec4, foot_count * 2UL> feet{};   ///< heel and toe of each foot; w: radius, 0 for none
     std::array<glm::vec4, max_shadow_balls> balls{};  ///< centre, radius
+    std::array<ViewBlock, 2> views{};                 ///< of this buffer, bound at view_block_binding
 };
 
 constexpr unsigned int frame_block_binding = 0;

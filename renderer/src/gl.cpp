@@ -102,6 +102,18 @@ Texture texture2d(GLenum format, int width, int height, int levels) {
     return Texture(name);
 }
 
+Texture sampledLayers(GLenum format, int width, int height, int layers, int samples) {
+    GLuint name = 0;
+    if (samples > 1) {
+        glCreateTextures(GL_TEXTURE_2D_MULTISAMPLE_ARRAY, 1, &name);
+        glTextureStorage3DMultisample(name, samples, format, width, height, layers, GL_TRUE);
+    } else {
+        glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
+        glTextureStorage3D(name, 1, format, width, height, layers);
+    }
+    return Texture(name);
+}
+
 Renderbuffer renderbuffer(GLenum format, int width, int height, int samples) {
     GLuint name = 0;
     glCreateRenderbuffers(1, &name);
@@ -148,6 +160,24 @@ void checkErrors(std::string_view what) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR && details.empty()) return;
     throw std::runtime_error(fmt::format("{}: {} {}", what, errorName(error), details));
+}
+
+bool noErrors() {
+#ifndef NDEBUG
+    reported_error.clear();
+#endif
+    return glGetError() == GL_NO_ERROR;
+}
+
+void resetDrawingState() {
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    for (GLuint unit = 0; unit < 2; ++unit) glBindSampler(unit, 0);
 }
 
 }  // namespace deixis::renderer::gl

@@ -79,6 +79,8 @@ template <typename T>
 [[nodiscard]] VertexArray vertexArray();
 [[nodiscard]] Framebuffer framebuffer();
 [[nodiscard]] Texture texture2d(GLenum format, int width, int height, int levels = 1);
+/// Multisampled layers; `samples` 1 gives plain ones.
+[[nodiscard]] Texture sampledLayers(GLenum format, int width, int height, int layers, int samples);
 /// `samples` 1 gives a plain renderbuffer.
 [[nodiscard]] Renderbuffer renderbuffer(GLenum format, int width, int height, int samples);
 
@@ -98,5 +100,11 @@ using Parts = std::initializer_list<std::string_view>;
 void watchErrors();
 /// Throws std::runtime_error with `what` and the error where a GL call failed since the last check.
 void checkErrors(std::string_view what);
+/// Whether every GL call since the last check went well.
+[[nodiscard]] bool noErrors();
+
+/// Scissor, stencil and depth test, culling and blending off, every channel written, triangles filled:
+/// whatever the program drew before for itself.
+void resetDrawingState();
 
 }  // namespace deixis::renderer::gl

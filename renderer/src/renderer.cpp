@@ -2,103 +2,69 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
-#include <optional>
+#include <array>
 #include <stdexcept>
 
-#include "avatar_pass.hpp"
-#include "ball_pass.hpp"
-#include "beam_pass.hpp"
-#include "board_pass.hpp"
-#include "frame.hpp"
 #include "gl.hpp"
 #include "gl_version.hpp"
-#include "room_pass.hpp"
+#include "hidden_area_pass.hpp"
+#include "mirror_pass.hpp"
+#include "scene_passes.hpp"
+#include "stereo_samples.hpp"
 #include "targets.hpp"
 
 namespace deixis::renderer {
 namespace {
 
-glm::mat4 perspective(const Camera& camera, int width, int height) {
-    return glm::mat4(glm::perspective(camera.vertical_fov_rad,
-                                      static_cast<double>(width) / static_cast<double>(height), camera.near_m,
-                                      camera.far_m));
+void requirePixels(int width, int height) {
+    if (width <= 0 || height <= 0)
+        throw std::invalid_argument(
+            fmt::format("a picture of {} x {} pixels cannot be drawn", width, height));
+}
+
+/// Nothing bound but the framebuffer.
+void leave(GLuint framebuffer) {
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 
 }  // namespace
 
 struct Renderer::Impl {
-    Impl(const assets::Avatar& avatar_model, const Quality& quality, BoardFonts fonts)
-        : avatar(avatar_model, quality.shadow_resolution),
-          board(std::move(fonts), quality.board_pixels_per_metre),
+    Impl(const assets::Avatar& avatar, const Quality& quality, BoardFonts fonts)
+        : passes(avatar, quality, std::move(fonts)),
           targets(quality.samples),
-          frame_buffer(gl::dynamicBuffer(sizeof(FrameBlock))) {}
+          stereo_samples(quality.samples) {}
 
     void render(const Scene& scene, int width, int height);
+    void drawEyes(const Scene& scene, Views views, std::size_t first_eye, int width, int height);
 
-    AvatarPass avatar;
-    RoomPass room;
-    BallPass balls;
-    BeamPass beam;
-    BoardPass board;
+    ScenePasses passes;
     Targets targets;
-    gl::Buffer frame_buffer;
+    StereoSamples stereo_samples;
+    HiddenAreaPass hidden_area;
+    MirrorPass mirror;
 };
 
 void Renderer::Impl::render(const Scene& scene, int width, int height) {
-    if (width <= 0 || height <= 0)
-        throw std::invalid_argument(
-            fmt::format("a picture of {} x {} pixels cannot be drawn", width, height));
-    FrameBlock block;
-    block.eye_from_stage = matrixFromPose(inverse(scene.camera.stage_from_eye));
-    block.clip_from_eye = perspective(scene.camera, width, height);
-    block.clip_from_stage = block.clip_from_eye * block.eye_from_stage;
-    const double pixel_at_1m = 2.0 * std::tan(0.5 * scene.camera.vertical_fov_rad) / height;
-    block.eye = glm::vec4(glm::vec3(scene.camera.stage_from_eye.position), static_cast<float>(pixel_at_1m));
-    block.to_light = glm::vec4(glm::vec3(directionToLight()), 0.0F);
-    BallPass::placeShadows(scene.balls, block);
-    if (scene.avatar_visible) {
-        avatar.skin(scene.avatar_joints);
-        avatar.placeShadow(scene.avatar_joints, block);
-        avatar.placeFeet(scene.avatar_joints, block);
-    }
-    glNamedBufferSubData(frame_buffer.name(), 0, sizeof(FrameBlock), &block);
-    glBindBufferBase(GL_UNIFORM_BUFFER, frame_block_binding, frame_buffer.name());
-
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_STENCIL_TEST);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    for (GLuint unit = 0; unit < 2; ++unit) glBindSampler(unit, 0);
-    if (scene.board) board.paint(*scene.board);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    if (scene.avatar_visible) {
-        avatar.drawShadow();
-        avatar.light();
-    }
-
+    requirePixels(width, height);
+    const std::array<ViewBlock, 1> view{viewBlock(scene.camera, width, height)};
+    passes.prepare(scene, view);
     targets.begin(width, height);
-    glEnable(GL_MULTISAMPLE);
-    avatar.bindShadow();
-    if (scene.avatar_visible) avatar.draw();
-    balls.draw(scene.balls);
-    room.draw();
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (scene.board) board.draw(*scene.board);
-    if (scene.beam) {
-        glDepthMask(GL_FALSE);
-        beam.draw(*scene.beam);
-        glDepthMask(GL_TRUE);
-    }
-    glDisable(GL_BLEND);
-    glDisable(GL_DEPTH_TEST);
+    passes.bindView(0);
+    passes.draw(scene, Views::one, BoardLook::picture);
     targets.resolve();
+}
+
+void Renderer::Impl::drawEyes(const Scene& scene, Views views, std::size_t first_eye, int width, int height) {
+    stereo_samples.begin(width, height, views);
+    if (views == Views::both)
+        passes.bindBothViews();
+    else
+        passes.bindView(first_eye);
+    hidden_area.draw(views);
+    passes.draw(scene, views, BoardLook::hole);
 }
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -119,9 +85,7 @@ Result<Renderer> Renderer::create(const assets::Avatar& avatar, const Quality& q
 void Renderer::draw(const Scene& scene, int width, int height, unsigned int framebuffer) {
     impl_->render(scene, width, height);
     impl_->targets.copyTo(framebuffer);
-    glBindVertexArray(0);
-    glUseProgram(0);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    leave(framebuffer);
     gl::checkErrors("drawing a frame");
 }
 
@@ -130,9 +94,7 @@ Image Renderer::capture(const Scene& scene, int width, int height) {
     const std::size_t row = static_cast<std::size_t>(width) * 3U;
     std::vector<std::uint8_t> upside_down(row * static_cast<std::size_t>(height));
     impl_->targets.read(upside_down.data());
-    glBindVertexArray(0);
-    glUseProgram(0);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    leave(0);
     gl::checkErrors("capturing a frame");
     Image image{width, height, {}};
     image.rgb.reserve(upside_down.size());
@@ -143,8 +105,65 @@ Image Renderer::capture(const Scene& scene, int width, int height) {
     return image;
 }
 
+void Renderer::drawStereo(const Scene& scene, const Eyes& eyes, const StereoTarget& target, StereoMode mode) {
+    requirePixels(target.width, target.height);
+    if (mode == StereoMode::multiview && !hasMultiview())
+        throw std::invalid_argument("multiview was asked for, which this driver has not");
+    std::array<ViewBlock, 2> views;
+    for (std::uint32_t side = 0; side < views.size(); ++side)
+        views[side] = viewBlock(eyes[side], side, scene.camera.near_m, scene.camera.far_m, target.height);
+    Impl& impl = *impl_;
+    impl.passes.prepare(scene, views);
+    if (mode == StereoMode::multiview) {
+        impl.drawEyes(scene, Views::both, 0, target.width, target.height);
+        for (const int eye : {0, 1}) impl.stereo_samples.resolve(target, eye);
+    } else {
+        // The left eye last: its samples stay for the mirror.
+        for (const int eye : {1, 0}) {
+            impl.drawEyes(scene, Views::one, static_cast<std::size_t>(eye), target.width, target.height);
+            impl.stereo_samples.resolve(target, eye);
+        }
+    }
+    leave(0);
+    gl::checkErrors("drawing both eyes");
+}
+
+bool Renderer::hasMultiview() const {
+    return impl_->stereo_samples.hasMultiview();
+}
+
+void Renderer::setHiddenArea(const std::array<HiddenArea, 2>& areas) {
+    impl_->hidden_area.set(areas);
+    gl::checkErrors("setting the hidden area");
+}
+
+std::array<int, 2> Renderer::boardSize(const Board& board) const {
+    return impl_->passes.board().size(board);
+}
+
+void Renderer::copyBoard(const Board& board, unsigned int texture) {
+    gl::resetDrawingState();
+    impl_->passes.board().paint(board);
+    impl_->passes.board().copyTo(texture);
+    leave(0);
+    gl::checkErrors("copying the board");
+}
+
+BoardRect Renderer::boardExtent(const Board& board) const {
+    const BoardCorners corners = impl_->passes.board().corners(board);
+    return {corners.low.x, corners.low.y, corners.high.x - corners.low.x, corners.high.y - corners.low.y};
+}
+
+void Renderer::drawMirror(const Scene& scene, const Eye& left, int width, int height,
+                          unsigned int framebuffer) {
+    requirePixels(width, height);
+    impl_->mirror.draw(impl_->stereo_samples, impl_->passes, scene, left, width, height, framebuffer);
+    leave(framebuffer);
+    gl::checkErrors("drawing the mirror");
+}
+
 int Renderer::boardPaints() const {
-    return impl_->board.paints();
+    return impl_->passes.board().paints();
 }
 
 std::string Renderer::driver() const {

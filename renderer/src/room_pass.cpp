@@ -19,7 +19,7 @@ flat out vec3 stage_normal;
 void main() {
     stage_position = position;
     stage_normal = normal;
-    gl_Position = clip_from_stage * vec4(position, 1.0);
+    gl_Position = this_view.clip_from_stage * vec4(position, 1.0);
 }
 )";
 
@@ -150,11 +150,10 @@ constexpr GLsizei face_vertices = 6;
 }  // namespace
 
 RoomPass::RoomPass()
-    : floor_program_(
-          gl::drawProgram("floor", {frame_glsl, room_vertex_glsl},
-                          {frame_glsl, shadow_glsl, lighting_glsl, roomSizeGlsl(), floor_fragment_glsl})),
-      wall_program_(gl::drawProgram("wall", {frame_glsl, room_vertex_glsl},
-                                    {frame_glsl, lighting_glsl, roomSizeGlsl(), wall_fragment_glsl})),
+    : floor_program_("floor", {room_vertex_glsl},
+                     {frame_glsl, shadow_glsl, lighting_glsl, roomSizeGlsl(), floor_fragment_glsl}),
+      wall_program_("wall", {room_vertex_glsl},
+                    {frame_glsl, lighting_glsl, roomSizeGlsl(), wall_fragment_glsl}),
       vertices_(gl::vertexArray()) {
     const std::vector<Corner> corners = roomCorners();
     corners_ = gl::fixedBuffer(std::span<const Corner>(corners));
@@ -168,11 +167,11 @@ RoomPass::RoomPass()
     }
 }
 
-void RoomPass::draw() const {
+void RoomPass::draw(Views views) {
     glBindVertexArray(vertices_.name());
-    glUseProgram(floor_program_.name());
+    floor_program_.use(views);
     glDrawArrays(GL_TRIANGLES, 0, face_vertices);
-    glUseProgram(wall_program_.name());
+    wall_program_.use(views);
     glDrawArrays(GL_TRIANGLES, face_vertices, 5 * face_vertices);
 }
 

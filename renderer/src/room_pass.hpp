@@ -2,16 +2,17 @@
 #pragma once
 
 #include "gl.hpp"
+#include "views.hpp"
 
 namespace deixis::renderer {
 
 class RoomPass {
   public:
     RoomPass();
-    void draw() const;
+    void draw(Views views);
 
   private:
-    gl::Program floor_program_, wall_program_;
+    ViewProgram floor_program_, wall_program_;
     gl::Buffer corners_;
     gl::VertexArray vertices_;
 };
