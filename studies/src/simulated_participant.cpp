@@ -16,8 +16,10 @@ namespace {
 
 constexpr double look_away_s = 0.3;   ///< after an answer: until then it does not watch the avatar
 constexpr double aim_s = 0.25;        ///< it aims so long before it presses
+constexpr double look_s = 0.5;        ///< it looks at what it means so long before it presses
 constexpr double head_turn_s = 0.15;  ///< time constant of its head
 const Vec3 hand_in_viewer{0.2, 1.15, -0.35};
+const Vec3 hanging_hand_in_viewer{0.25, 0.75, -0.05};
 
 /// What the frame asks of whoever sees it.
 enum class Situation : unsigned char { watching, page, rating, choosing };
@@ -133,7 +135,8 @@ struct SimulatedParticipant::State {
 
     Situation situation = Situation::watching;
     double situation_since_s = 0.0;
-    std::optional<Ray> aim;  ///< decided: at what it will press
+    std::optional<Ray> aim;  ///< decided: at what it will press,
+    Vec3 meant{0.0};         ///< which lies here
     double press_at_s = 0.0;
     bool aimed = false;  ///< the ray has been held out in an earlier frame
     Pose stage_from_viewer{};
@@ -169,16 +172,19 @@ struct SimulatedParticipant::State {
         aimed = false;
         press_at_s = time_s + reactionTime();
         switch (asked) {
-            case Situation::choosing:
-                aim = aimAtBall(frame, chosenPlace(frame));
+            case Situation::choosing: {
+                const std::size_t chosen = chosenPlace(frame);
+                aim = aimAtBall(frame, chosen);
+                meant = frame.balls[chosen].centre;
                 break;
+            }
             case Situation::rating:
-                aim = aimAtButton(frame, [wanted = rating(frame)](const PanelButton& button) {
+                decideOnButton(frame, [wanted = rating(frame)](const PanelButton& button) {
                     return button.label == std::to_string(wanted);
                 });
                 break;
             case Situation::page:
-                aim = aimAtButton(frame, [](const PanelButton& button) { return button.enabled; });
+                decideOnButton(frame, [](const PanelButton& button) { return button.enabled; });
                 break;
             case Situation::watching:
                 break;
@@ -186,11 +192,14 @@ struct SimulatedParticipant::State {
     }
 
     template <typename Wanted>
-    static std::optional<Ray> aimAtButton(const PresentedFrame& frame, const Wanted& wanted) {
+    void decideOnButton(const PresentedFrame& frame, const Wanted& wanted) {
         const Vec3 hand = transformPoint(frame.stage_from_viewer, hand_in_viewer);
-        for (const PanelButton& button : frame.panel->buttons)
-            if (wanted(button)) return Ray{hand, glm::normalize(buttonCentre(*frame.panel, button) - hand)};
-        return std::nullopt;
+        const auto& buttons = frame.panel->buttons;
+        const auto found = std::find_if(buttons.begin(), buttons.end(), wanted);
+        aim.reset();
+        if (found == buttons.end()) return;
+        meant = buttonCentre(*frame.panel, *found);
+        aim = Ray{hand, glm::normalize(meant - hand)};
     }
 
     std::size_t chosenPlace(const PresentedFrame& frame) {
@@ -226,14 +235,16 @@ struct SimulatedParticipant::State {
         return std::clamp(static_cast<int>(std::floor(value + 0.5)), 1, steps);
     }
 
-    /// Eyes on the panel, or between the avatar and the balls.
+    /// Eyes on what it is about to press, on the panel, or between the avatar and the balls.
     void lookAround(const PresentedFrame& frame, double time_s) {
         const Vec3 eyes = frame.stage_from_viewer.position + Vec3(0.0, parameters.eye_height_m, 0.0);
         const Vec3 ahead = frame.stage_from_viewer.orientation * Vec3(0.0, 0.0, -1.0);
         const Vec3 avatar =
             frame.avatar_joints[static_cast<std::size_t>(head)].position - Vec3(0.0, 0.25, 0.0);
         Vec3 goal = glm::normalize(avatar - eyes);
-        if (!frame.balls.empty()) {
+        if (aim && time_s >= press_at_s - look_s) {
+            goal = meant - eyes;
+        } else if (!frame.balls.empty()) {
             Vec3 middle(0.0);
             for (const BallView& ball : frame.balls)
                 middle += ball.centre / static_cast<double>(frame.balls.size());
@@ -259,7 +270,10 @@ struct SimulatedParticipant::State {
         input.utc_s = time_s;
         input.stage_from_head = {stage_from_viewer.position + Vec3(0.0, parameters.eye_height_m, 0.0),
                                  lookRotation(look)};
-        if (!aim || time_s < press_at_s - aim_s) return input;
+        if (!aim || time_s < press_at_s - aim_s) {
+            input.pointer = Ray{transformPoint(stage_from_viewer, hanging_hand_in_viewer), -up};
+            return input;
+        }
         input.pointer = aim;
         if (aimed && time_s >= press_at_s) {
             input.select = true;
