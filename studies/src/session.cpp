@@ -23,6 +23,7 @@ SessionRunner::State::State(const Study& study_in, const StudyPlan& plan, const 
       idle(idle_in),
       agenda(buildAgenda(study_in, plan, answered)),
       poser(avatar_in, idle_in),
+      place_guard(study_in.headset.place_tolerance_m),
       playback(poser, idle_in) {
     for (const Trial& trial : plan.trials) {
         if (trial.practice) continue;
@@ -39,12 +40,20 @@ bool SessionRunner::State::settled() const {
     return now.time_s - panel_since_s >= settle_s;
 }
 
+Moment SessionRunner::State::momentAt(double time_s) const {
+    return {time_s, now.utc_s + time_s - now.time_s};
+}
+
+bool SessionRunner::State::somethingToAimAt() const {
+    return paused || phase == Phase::page || (phase == Phase::answering && answer_open);
+}
+
 void SessionRunner::State::note(const char* kind, std::string detail) {
     noteAt(now, kind, std::move(detail));
 }
 
-void SessionRunner::State::noteAt(const Moment& at, const char* kind, std::string detail) {
-    events.push_back(Note{kind, trialIndex(), at, std::move(detail)});
+void SessionRunner::State::noteAt(const Moment& at, std::string kind, std::string detail) {
+    events.push_back(Note{std::move(kind), trialIndex(), at, std::move(detail)});
 }
 
 void SessionRunner::State::showState(const char* base) {
@@ -116,7 +125,7 @@ void SessionRunner::State::end(const char* status) {
     view.frame.state = "over";
 }
 
-void SessionRunner::State::endEarly(const char* reason) {
+void SessionRunner::State::endEarly(const std::string& reason) {
     note("quit", reason);
     quit = true;
     end("ended early");
@@ -125,10 +134,11 @@ void SessionRunner::State::endEarly(const char* reason) {
 void SessionRunner::State::step(const InputFrame& input) {
     view.beginFrame();
     now = {input.time_s, input.utc_s};
+    for (const StationNote& told : input.notes) noteAt(momentAt(told.time_s), told.kind, told.detail);
     if (phase == Phase::over) return;
     if (!started) begin(input);
     if (input.quit) {
-        endEarly("quit");
+        endEarly(input.quit_reason.empty() ? "quit" : input.quit_reason);
     } else if (paused) {
         stepPaused(input);
     } else if (input.pause) {
@@ -136,15 +146,17 @@ void SessionRunner::State::step(const InputFrame& input) {
     } else {
         stepPhase(input);
     }
+    guard(input);
     // A pause freezes the avatar as it is; but it must be there, also where the first frame is paused.
     if (!paused || view.frame.avatar_joints.empty()) poser.write(view.frame.avatar_joints);
 }
 
 void SessionRunner::State::stepPhase(const InputFrame& input) {
+    noteEarlySelect(input);
     switch (phase) {
         case Phase::page: {
             poser.advance(now.time_s);
-            const Aim met = view.aim(input.pointer, false);
+            const Aim met = view.aim(input.pointer, input.stage_from_head, false);
             if (settled() && (input.confirm || (input.select && met.button == button_id::go_on)))
                 leave(input);
             break;
@@ -166,9 +178,28 @@ void SessionRunner::State::stepPhase(const InputFrame& input) {
     }
 }
 
+void SessionRunner::State::guard(const InputFrame& input) {
+    if (phase == Phase::over) {
+        view.notice("");
+        return;
+    }
+    const int trial_to_mark = paused ? -1 : trialIndex();
+    const auto keep = [this](const std::optional<GuardNote>& asked) {
+        if (asked) note(asked->kind, asked->detail);
+    };
+    keep(place_guard.step(input.off_place_m, trial_to_mark));
+    keep(pointer_guard.step(input.pointer.has_value(), somethingToAimAt(), now.time_s, trial_to_mark));
+    if (pointer_guard.lost())
+        view.notice("Pick up a controller and press any button.");
+    else if (place_guard.off())
+        view.notice("Please step back onto your place.");
+    else
+        view.notice("");
+}
+
 void SessionRunner::State::shown(const FrameReport& report) {
     if (!report.shown || report.number > view.frame.number || paused) return;
-    const Moment at{report.display_time_s, now.utc_s + report.display_time_s - now.time_s};
+    const Moment at = momentAt(report.display_time_s);
     if (phase == Phase::playing) {
         const Shown first = playback.shown(report.number, at);
         if (first == Shown::onset)
@@ -177,8 +208,9 @@ void SessionRunner::State::shown(const FrameReport& report) {
             noteAt(at, "motion_end", "");
             phase = Phase::answering;
         }
-    } else if (phase == Phase::answering && answer_open && report.number >= answer_frame) {
+    } else if (phase == Phase::answering && answer_open && !answer_shown && report.number >= answer_frame) {
         answer_shown = true;
+        answer_shown_s = at.time_s;
     }
 }
 

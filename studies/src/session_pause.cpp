@@ -6,6 +6,33 @@
 
 namespace deixis::studies {
 
+namespace {
+
+struct PauseText {
+    std::string title;
+    std::string body;
+};
+
+/// What the participant reads, by the reason of the pause.
+PauseText pauseText(const std::string& reason) {
+    if (reason == "headset taken off")
+        return {"Welcome back",
+                "All has waited for you. Go on when the headset sits well and you are ready."};
+    if (reason == "tracking lost")
+        return {
+            "One moment",
+            "The headset has lost sight of the room. Stay where you are and look around slowly; go on when "
+            "the room stands still again."};
+    if (reason == "focus lost")
+        return {"Paused", "Something else has come to the front. Go on when you are ready."};
+    if (reason == "operator")
+        return {"Paused",
+                "The experimenter has paused the session. Please wait until you are asked to go on."};
+    return {"Paused", "Go on when you are ready."};
+}
+
+}  // namespace
+
 void SessionRunner::State::pause(const InputFrame& input) {
     const std::string reason = input.pause_reason.empty() ? "paused" : input.pause_reason;
     note("pause", reason);
@@ -15,16 +42,17 @@ void SessionRunner::State::pause(const InputFrame& input) {
     view.frame.ray.reset();
     view.lookAtBalls(BallLook::waiting);
     view.frame.status = item().status + ", paused: " + reason;
+    const PauseText text = pauseText(reason);
     openPanel(
-        messagePanel("Paused",
-                     "Go on when you are ready. If you end the session here, the answers given so far are "
-                     "kept and the rest can be done later.",
+        messagePanel(text.title,
+                     text.body + " If you end the session here, the answers given so far are kept and "
+                                 "the rest can be done later.",
                      "", {{"Resume", button_id::resume}, {"End session", button_id::end_session}}, -1.0),
         input, messagePose);
 }
 
 void SessionRunner::State::stepPaused(const InputFrame& input) {
-    const Aim met = view.aim(input.pointer, false);
+    const Aim met = view.aim(input.pointer, input.stage_from_head, false);
     if (!settled()) return;
     if (input.select && met.button == button_id::end_session)
         endEarly("ended on the pause panel");
@@ -47,19 +75,28 @@ void SessionRunner::State::resume(const InputFrame& input) {
             startLeadIn(playback.leadInLength_s());
             break;
         case Phase::playing:
-            ++pauses;
-            startLeadIn(study.inter_trial_s);
-            break;
         case Phase::answering:
             ++pauses;
-            paused_s += length_s;
-            openAnswer(input);
+            resumeTrial(input, length_s);
             break;
         case Phase::confirmed:
-            leave(input);
+            showState(game() ? "chosen" : "rated");
+            stepConfirmed(input);
             break;
         case Phase::over:
             break;
+    }
+}
+
+/// A clip that was interrupted starts over in any case.
+void SessionRunner::State::resumeTrial(const InputFrame& input, double away_s) {
+    const bool repeat = study.after_interruption == AfterInterruption::repeat;
+    if (repeat) note("trial_repeated");
+    if (repeat || phase == Phase::playing) {
+        startLeadIn(study.inter_trial_s);
+    } else {
+        paused_s += away_s;
+        openAnswer(input);
     }
 }
 

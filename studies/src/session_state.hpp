@@ -7,6 +7,7 @@
 
 #include "session_agenda.hpp"
 #include "session_avatar.hpp"
+#include "session_guards.hpp"
 #include "session_playback.hpp"
 #include "session_view.hpp"
 #include "studies/session.hpp"
@@ -18,7 +19,7 @@ enum class Phase : unsigned char {
     lead_in,    ///< the pause before a clip
     playing,    ///< from the clip's first frame until its last pose has been shown
     answering,  ///< the answer is open
-    confirmed,  ///< the answer given is shown for a moment
+    confirmed,  ///< the answer given is shown for a moment, and until it is kept
     over
 };
 
@@ -33,6 +34,8 @@ struct SessionRunner::State {
     std::vector<AgendaItem> agenda;
     AvatarPoser poser;  ///< moved by `playback` too
     SessionView view;
+    PlaceGuard place_guard;
+    PointerGuard pointer_guard;
     std::vector<SessionEvent> events;
 
     Phase phase = Phase::page;
@@ -52,11 +55,13 @@ struct SessionRunner::State {
     ClipPlayback playback;
     std::uint64_t answer_frame = 0;  ///< the first in which the answer was open
     bool answer_open = false;        ///< balls white or panel there, in a frame
-    bool answer_shown = false;       ///< and that frame was shown
+    bool answer_shown = false;       ///< and that frame was shown,
+    double answer_shown_s = 0.0;     ///< at this time
     bool aiming = false;             ///< the ray is on a ball
     double paused_s = 0.0;
     int pauses = 0;
     int replays = 0;
+    bool early_select = false;  ///< noted
 
     [[nodiscard]] const AgendaItem& item() const { return agenda[position]; }
     [[nodiscard]] const Trial& trial() const { return *item().trial; }
@@ -65,9 +70,13 @@ struct SessionRunner::State {
     [[nodiscard]] int trialIndex() const;
     /// A page takes no input at once: a double click must not skip it.
     [[nodiscard]] bool settled() const;
+    /// A time on the station's clock near the last input's, with its UTC.
+    [[nodiscard]] Moment momentAt(double time_s) const;
+    /// Whether the participant is to aim at something in the frame made last.
+    [[nodiscard]] bool somethingToAimAt() const;
 
     void note(const char* kind, std::string detail = {});
-    void noteAt(const Moment& at, const char* kind, std::string detail);
+    void noteAt(const Moment& at, std::string kind, std::string detail);
     /// In the game the place is part of the state's name.
     void showState(const char* base);
     void openPanel(Panel panel, const InputFrame& input, PanelPlace place);
@@ -79,7 +88,7 @@ struct SessionRunner::State {
     void openPage(const InputFrame& input);
     void leave(const InputFrame& input);
     void end(const char* status);
-    void endEarly(const char* reason);
+    void endEarly(const std::string& reason);
 
     // A trial.
     void enterTrial(bool moved);
@@ -88,17 +97,20 @@ struct SessionRunner::State {
     void stepPlaying();
     void openAnswer(const InputFrame& input);
     void stepAnswering(const InputFrame& input);
-    void answer(const InputFrame& input, const char* by, int rating, int place);
+    void answer(const InputFrame& input, double given_s, const char* by, int rating, int place);
     void stepConfirmed(const InputFrame& input);
+    void noteEarlySelect(const InputFrame& input);
 
     // Pauses.
     void pause(const InputFrame& input);
     void stepPaused(const InputFrame& input);
     void resume(const InputFrame& input);
+    void resumeTrial(const InputFrame& input, double away_s);
 
     // One frame.
     void step(const InputFrame& input);
     void stepPhase(const InputFrame& input);
+    void guard(const InputFrame& input);
     void shown(const FrameReport& report);
 };
 

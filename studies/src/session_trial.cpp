@@ -12,6 +12,15 @@ namespace {
 constexpr double orient_s = 0.6;    ///< added to the pause before a trial where the participant was moved
 constexpr double confirm_s = 0.35;  ///< how long the answer given is shown
 
+/// When an answer was given: keys are read with the frame, a press of select may be known more exactly.
+double keyTime(const InputFrame& input) {
+    return input.input_time_s.value_or(input.time_s);
+}
+
+double selectTime(const InputFrame& input) {
+    return input.select_time_s.value_or(keyTime(input));
+}
+
 }  // namespace
 
 void SessionRunner::State::enterTrial(bool moved) {
@@ -27,6 +36,7 @@ void SessionRunner::State::enterTrial(bool moved) {
             {trial().ball(static_cast<int>(place)), study.targets.ball_diameter_m / 2.0});
     pauses = 0;
     replays = 0;
+    early_select = false;
     startLeadIn(study.inter_trial_s + (moved ? orient_s : 0.0));
 }
 
@@ -70,7 +80,7 @@ void SessionRunner::State::openAnswer(const InputFrame& input) {
         openPanel(questionPanel(study.game.question, *replay), input, deskPose);
     else
         view.closePanel();
-    view.aim(input.pointer, game());
+    view.aim(input.pointer, input.stage_from_head, game());
 }
 
 void SessionRunner::State::stepAnswering(const InputFrame& input) {
@@ -78,27 +88,43 @@ void SessionRunner::State::stepAnswering(const InputFrame& input) {
         openAnswer(input);
         return;
     }
-    const Aim met = view.aim(input.pointer, game());
+    const Aim met = view.aim(input.pointer, input.stage_from_head, game());
     if (game() && (met.ball >= 0) != aiming) {
         aiming = met.ball >= 0;
         showState(aiming ? "aiming" : "choosing");
     }
     if (!answer_shown) return;
+    // What was pressed before the open answer could be seen is no answer to it.
+    const double select_s = selectTime(input);
+    const bool select = input.select && select_s >= answer_shown_s;
+    if (input.select && !select)
+        noteAt(momentAt(select_s), "early_select",
+               fmt::format("{:.3f} s before the answer was open", answer_shown_s - select_s));
     const int steps = static_cast<int>(study.rating.labels.size());
-    if (input.select && met.button == button_id::replay) {
+    if (select && met.button == button_id::replay) {
         ++replays;
         note("replay");
         startLeadIn(study.inter_trial_s);
-    } else if (input.select && met.button >= button_id::first_rating) {
-        answer(input, "ray", met.button - button_id::first_rating + 1, -1);
-    } else if (input.select && met.ball >= 0) {
-        answer(input, "ray", 0, met.ball);
-    } else if (!game() && input.digit && *input.digit >= 1 && *input.digit <= steps) {
-        answer(input, "key", *input.digit, -1);
+    } else if (select && met.button >= button_id::first_rating) {
+        answer(input, select_s, "ray", met.button - button_id::first_rating + 1, -1);
+    } else if (select && met.ball >= 0) {
+        answer(input, select_s, "ray", 0, met.ball);
+    } else if (!game() && input.digit && *input.digit >= 1 && *input.digit <= steps &&
+               keyTime(input) >= answer_shown_s) {
+        answer(input, keyTime(input), "key", *input.digit, -1);
     }
 }
 
-void SessionRunner::State::answer(const InputFrame& input, const char* by, int rating, int place) {
+void SessionRunner::State::noteEarlySelect(const InputFrame& input) {
+    const bool before_answer =
+        phase == Phase::lead_in || phase == Phase::playing || (phase == Phase::answering && !answer_shown);
+    if (!input.select || !before_answer || early_select) return;
+    early_select = true;
+    noteAt(momentAt(selectTime(input)), "early_select", view.frame.state);
+}
+
+void SessionRunner::State::answer(const InputFrame& input, double given_s, const char* by, int rating,
+                                  int place) {
     const bool correct = place >= 0 && place == trial().targetPlace();
     if (trial().practice) {
         note("practice_answer", rating > 0
@@ -112,9 +138,8 @@ void SessionRunner::State::answer(const InputFrame& input, const char* by, int r
         response.correct = correct;
         response.onset = playback.onset();
         response.motion_end = playback.motionEnd();
-        const double read_s = input.input_time_s.value_or(now.time_s);
-        response.answered = {read_s, now.utc_s + read_s - now.time_s};
-        response.response_time_s = read_s - playback.motionEnd().time_s - paused_s;
+        response.answered = momentAt(given_s);
+        response.response_time_s = given_s - playback.motionEnd().time_s - paused_s;
         response.paused_s = paused_s;
         response.replays = replays;
         response.pauses = pauses;
@@ -134,7 +159,7 @@ void SessionRunner::State::answer(const InputFrame& input, const char* by, int r
 }
 
 void SessionRunner::State::stepConfirmed(const InputFrame& input) {
-    if (now.time_s - confirmed_since_s >= confirm_s) leave(input);
+    if (now.time_s - confirmed_since_s >= confirm_s && input.answers_kept) leave(input);
 }
 
 }  // namespace deixis::studies

@@ -1,17 +1,24 @@
 #include "session_view.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 
 namespace deixis::studies {
 
 namespace {
 
-constexpr double ray_length_m = 5.0;  // of a ray that meets nothing
+constexpr double ray_length_m = 5.0;                    // of a ray that meets nothing
+constexpr double sight_rad = radiansFromDegrees(60.0);  // off the looking direction: farther, nothing is seen
 
 double distanceToFloor(const Ray& ray) {
     if (ray.direction.y >= 0.0 || ray.origin.y <= 0.0) return ray_length_m;
     return std::min(ray_length_m, -ray.origin.y / ray.direction.y);
+}
+
+bool sees(const Pose& stage_from_head, const Vec3& point) {
+    const Vec3 looking = stage_from_head.orientation * Vec3(0.0, 0.0, -1.0);
+    return angleBetween(looking, point - stage_from_head.position) <= sight_rad;
 }
 
 }  // namespace
@@ -19,6 +26,8 @@ double distanceToFloor(const Ray& ray) {
 void SessionView::beginFrame() {
     ++frame.number;
     frame.key_moment = false;
+    frame.tick = false;
+    met_before_ = std::exchange(met_, {});
 }
 
 bool SessionView::place(const Layout& layout) {
@@ -35,6 +44,7 @@ void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace stand) 
     panel.stage_from_panel = stand(panel, frame.stage_from_viewer, eye_height_m);
     frame.panel = std::move(panel);
     frame.key_moment = true;
+    met_ = {};  // its buttons are others, also where their ids are the same
 }
 
 void SessionView::closePanel() {
@@ -51,7 +61,7 @@ void SessionView::lookAtBalls(BallLook all, int place, BallLook one) {
     }
 }
 
-Aim SessionView::aim(const std::optional<Ray>& pointer, bool at_balls) {
+Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_head, bool at_balls) {
     Aim met;
     int button = -1;
     frame.ray.reset();
@@ -71,6 +81,10 @@ Aim SessionView::aim(const std::optional<Ray>& pointer, bool at_balls) {
             button = -1;
         }
         frame.ray = RayView{*pointer, length_m};
+        if (!sees(stage_from_head, pointer->origin + length_m * pointer->direction)) {
+            met.ball = -1;
+            button = -1;
+        }
     }
     for (std::size_t i = 0; frame.panel && i < frame.panel->buttons.size(); ++i) {
         PanelButton& one = frame.panel->buttons[i];
@@ -80,6 +94,8 @@ Aim SessionView::aim(const std::optional<Ray>& pointer, bool at_balls) {
         if (hovered) met.button = one.id;
     }
     if (at_balls) lookAtBalls(BallLook::selectable, met.ball, BallLook::hovered);
+    met_ = met;
+    frame.tick = met != Aim{} && met != met_before_;
     return met;
 }
 
@@ -91,6 +107,12 @@ void SessionView::confirmButton(int id) {
         one.enabled = false;
         one.hovered = one.id == id;
     }
+}
+
+void SessionView::notice(std::string_view sentence) {
+    if (frame.notice == sentence) return;
+    frame.notice = sentence;
+    frame.key_moment = true;
 }
 
 }  // namespace deixis::studies

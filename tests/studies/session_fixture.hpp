@@ -140,7 +140,12 @@ struct Driver {
     double time_s = 100.0;
     double frame_time_s = 1.0 / 60.0;
     double display_delay_s = 0.0;
-    PresentedFrame frame;  ///< the last one
+    double place_offset_m = 0.0;         ///< how far off the place the participant stands
+    bool holds_pointer = true;           ///< without one, a step that aims at nothing has no ray
+    bool kept = true;                    ///< whether the answers given are on the disk
+    std::optional<Quat> looking;         ///< of the head; none: along the ray, or straight ahead
+    std::optional<double> select_ago_s;  ///< how long before the frame select went down; none: not told
+    PresentedFrame frame;                ///< the last one
     std::vector<Response> responses;
     std::vector<Note> notes;
 
@@ -160,6 +165,16 @@ struct Driver {
         input.time_s = time_s;
         input.utc_s = time_s + 1.0e9;
         input.stage_from_head.position = frame.stage_from_viewer.position + Vec3(0.0, 1.65, 0.0);
+        input.stage_from_head.orientation = frame.stage_from_viewer.orientation;
+        if (input.pointer)
+            input.stage_from_head.orientation =
+                rotationBetween(Vec3(0.0, 0.0, -1.0), input.pointer->direction);
+        else if (holds_pointer)
+            input.pointer = Ray{input.stage_from_head.position - Vec3(0.0, 0.7, 0.0), -up};
+        if (looking) input.stage_from_head.orientation = *looking;
+        if (select_ago_s) input.select_time_s = time_s - *select_ago_s;
+        input.off_place_m = place_offset_m;
+        input.answers_kept = kept;
         const SessionStep step = session->step(input);
         frame = step.frame;
         keep(step.events);

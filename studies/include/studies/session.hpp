@@ -40,8 +40,16 @@ constexpr int first_rating = 101;  ///< the button "1"; the others follow
 ///
 /// A trial: a pause in which the avatar stands at ease (longer where the participant has been moved), the
 /// clip, then the answer. The clip's time is the display time since its first frame was shown. Its last pose
-/// is held while the answer is open; an answer counts only when the frame that opened it has been shown. A
-/// pause during the clip starts it over; a pause while the answer is open is taken off the response time.
+/// is held while the answer is open. An answer counts only when the frame that opened it has been shown, and
+/// only where select (or the key) went down after that; it is dated by that moment. Nothing can be hovered or
+/// selected that lies more than 60 degrees off the looking direction. The answer given is shown for a moment
+/// and until it is kept (InputFrame::answers_kept).
+///
+/// A pause during the clip starts it over; a pause while the answer is open is taken off the response time,
+/// or starts the trial over where the study wants it repeated (Study::after_interruption).
+///
+/// A participant who strays from the place, or has had no pointer for 2 s with something to aim at, is told
+/// so (PresentedFrame::notice), and the trial is marked by notes.
 class SessionRunner {
   public:
     /// `answered` holds the indices of trials already answered in an earlier session of the participant: they
