@@ -17,7 +17,8 @@ struct HandButton {
 };
 
 /// The hand used last carries the ray. A press of the other hand's button takes the ray over and selects
-/// nothing; presses of both in one frame select nothing either: nobody can tell which was meant.
+/// nothing; presses of both in one frame select nothing either: nobody can tell which was meant. A button
+/// that is down when its device wakes, or when the program gets its input back, has to be let go first.
 class PointingHand {
   public:
     struct Press {
@@ -31,6 +32,8 @@ class PointingHand {
 
   private:
     studies::Hand hand_ = studies::Hand::right;
+    studies::Hand used_last_ = studies::Hand::right;
+    std::array<bool, 2> was_active_{};  ///< in the frame before, by studies::Hand
 };
 
 }  // namespace deixis::app

@@ -28,6 +28,14 @@ struct XrFailure : std::runtime_error {
 /// Throws XrFailure naming the call where it failed; success codes other than XR_SUCCESS are returned.
 XrResult check(XrResult result, const char* call);
 
+/// An OpenXR structure of that type, all else zero.
+template <typename Structure>
+[[nodiscard]] Structure typed(XrStructureType type) {
+    Structure structure{};
+    structure.type = type;
+    return structure;
+}
+
 class XrRuntime {
   public:
     /// Fails with what a person can do about it: no runtime installed or running, no headset connected, a
@@ -61,6 +69,8 @@ class XrRuntime {
 
   private:
     XrRuntime() = default;
+    [[nodiscard]] Result<void> findSystem();
+
     XrInstance instance_ = XR_NULL_HANDLE;
     XrSystemId system_ = XR_NULL_SYSTEM_ID;
     std::set<std::string> extensions_;
