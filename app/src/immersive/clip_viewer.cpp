@@ -4,9 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
-#include <imgui/backends/imgui_impl_glfw.h>
-#include <imgui/backends/imgui_impl_opengl3.h>
-#include <imgui/imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -15,8 +12,8 @@
 #include <glm/geometric.hpp>
 
 #include "gl_window.hpp"
-#include "renderer/fonts.hpp"
 #include "renderer/renderer.hpp"
+#include "window_gui.hpp"
 
 namespace deixis::app {
 
@@ -125,32 +122,10 @@ struct PressedKeys {
     }
 };
 
-// The window's own text library context, with the transport bar.
+// The transport bar over the picture.
 class Transport {
   public:
-    explicit Transport(GLFWwindow* window) : context_(ImGui::CreateContext()) {
-        ImGui::SetCurrentContext(context_);
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        float scale_x = 1.0F;
-        float scale_y = 1.0F;
-        glfwGetWindowContentScale(window, &scale_x, &scale_y);
-        io.Fonts->AddFontFromFileTTF(renderer::regularFontFile().c_str(), 17.0F * scale_x);
-        ImGui::StyleColorsDark();
-        ImGui::GetStyle().ScaleAllSizes(scale_x);
-        ImGui::GetStyle().WindowRounding = 8.0F;
-        ImGui::GetStyle().FrameRounding = 4.0F;
-        ImGui_ImplGlfw_InitForOpenGL(window, true);
-        ImGui_ImplOpenGL3_Init("#version 450 core");
-    }
-    ~Transport() {
-        ImGui::SetCurrentContext(context_);
-        ImGui_ImplOpenGL3_Shutdown();
-        ImGui_ImplGlfw_Shutdown();
-        ImGui::DestroyContext(context_);
-    }
-    Transport(const Transport&) = delete;
-    Transport& operator=(const Transport&) = delete;
+    explicit Transport(GLFWwindow* window) : gui_(window) {}
 
     bool playing = true;
     float time_s = 0.0F;
@@ -159,10 +134,7 @@ class Transport {
     /// Advances, and draws the bar over the picture; turns and zooms the orbit by the mouse outside the bar.
     void frame(const motion::Clip& clip, const std::string& title, const std::string& description,
                const PressedKeys& keys, Orbit& orbit) {
-        ImGui::SetCurrentContext(context_);
-        ImGui_ImplOpenGL3_NewFrame();
-        ImGui_ImplGlfw_NewFrame();
-        ImGui::NewFrame();
+        gui_.beginFrame();
         const ImGuiIO& io = ImGui::GetIO();
         const auto end_s = static_cast<float>(clip.duration_s());
         if (playing && end_s > 0.0F) time_s = std::fmod(time_s + speed * io.DeltaTime, end_s);
@@ -182,8 +154,7 @@ class Transport {
                 std::clamp(orbit.distance_m * std::pow(0.9, static_cast<double>(io.MouseWheel)), 0.4, 7.0);
         }
         bar(clip, title, description, end_s);
-        ImGui::Render();
-        ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+        gui_.endFrame();
     }
 
   private:
@@ -212,7 +183,7 @@ class Transport {
         ImGui::End();
     }
 
-    ImGuiContext* context_;
+    WindowGui gui_;
 };
 
 Result<void> window(ClipScene& clip_scene, const motion::Clip& clip, const std::string& name,

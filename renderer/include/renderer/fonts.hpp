@@ -1,11 +1,12 @@
-// The font that boards are drawn with, for windows that draw text of their own.
+// The fonts that boards are drawn with, for windows that draw text of their own.
 #pragma once
 
 #include <string>
 
 namespace deixis::renderer {
 
-/// Path of the regular face (TrueType), as found when the program was built.
+/// Paths of the faces (TrueType), as found when the program was built.
 [[nodiscard]] std::string regularFontFile();
+[[nodiscard]] std::string boldFontFile();
 
 }  // namespace deixis::renderer

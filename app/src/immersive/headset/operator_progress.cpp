@@ -1,0 +1,153 @@
+#include "operator_progress.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace deixis::app {
+
+namespace {
+
+constexpr double answer_within_s = 4.0;
+constexpr double double_click_s = 0.4;
+
+using Words = std::pair<std::string_view, std::string_view>;
+
+constexpr std::array<Words, 11> state_words{{
+    {"welcome", "Reads the welcome"},
+    {"welcome-back", "Reads the welcome back"},
+    {"instructions", "Reads the instructions"},
+    {"practice", "Reads about the practice"},
+    {"begin", "Reads that it counts from here on"},
+    {"break", "Takes a break"},
+    {"goodbye", "Reads the thanks"},
+    {"rating", "Rates the clip"},
+    {"rated", "Has rated the clip"},
+    {"paused", "Paused"},
+    {"over", "The session is over"},
+}};
+
+// With a layout behind, in the game.
+constexpr std::array<Words, 6> trial_words{{
+    {"waiting", "Waits for the clip"},
+    {"playing", "Watches the clip"},
+    {"pointing", "Watches the avatar point"},
+    {"choosing", "Chooses a ball"},
+    {"aiming", "Aims at a ball"},
+    {"chosen", "Has chosen a ball"},
+}};
+
+struct NamedHeadsetState {
+    std::string_view name;
+    std::string_view words;
+    bool in_use;
+};
+constexpr std::array<NamedHeadsetState, 9> headset_words{{
+    {"unknown", "Starting", false},
+    {"idle", "Waiting for the headset", false},
+    {"ready", "Starting", false},
+    {"synchronized", "Not worn, or hidden by another program", false},
+    {"visible", "Seen, but a system menu takes the input", false},
+    {"focused", "In use", true},
+    {"stopping", "Stopping", false},
+    {"loss pending", "The runtime is closing", false},
+    {"exiting", "Ended by the runtime", false},
+}};
+
+std::string capitalised(std::string_view text) {
+    std::string out(text);
+    if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+    return out;
+}
+
+// Reads "n/m" in which n is at most m.
+std::optional<std::pair<int, int>> count(std::string_view word) {
+    const std::size_t slash = word.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    std::pair<int, int> read{0, 0};
+    const char* middle = word.data() + slash;
+    const char* end = word.data() + word.size();
+    const auto first = std::from_chars(word.data(), middle, read.first);
+    const auto second = std::from_chars(middle + 1, end, read.second);
+    if (first.ec != std::errc() || second.ec != std::errc()) return std::nullopt;
+    if (first.ptr != middle || second.ptr != end) return std::nullopt;
+    if (read.first < 1 || read.first > read.second) return std::nullopt;
+    return read;
+}
+
+}  // namespace
+
+std::optional<double> StudyProgress::done() const {
+    if (trials == 0) return std::nullopt;
+    return static_cast<double>(trial - 1) / trials;
+}
+
+StudyProgress studyProgress(std::string_view status) {
+    StudyProgress progress;
+    const std::size_t comma = status.find(", ");
+    const std::string_view course = status.substr(0, comma);
+    if (comma != std::string_view::npos) progress.remark = capitalised(status.substr(comma + 2));
+    const std::size_t gap = course.rfind(' ');
+    if (gap != std::string_view::npos)
+        if (const auto counted = count(course.substr(gap + 1))) {
+            progress.stage = capitalised(course.substr(0, gap));
+            progress.trial = counted->first;
+            progress.trials = counted->second;
+            return progress;
+        }
+    progress.stage = capitalised(course);
+    return progress;
+}
+
+std::string stateInWords(std::string_view state) {
+    for (const auto& [name, words] : state_words)
+        if (state == name) return std::string(words);
+    for (const auto& [name, words] : trial_words) {
+        if (state == name) return std::string(words);
+        if (state.starts_with(name) && state[name.size()] == '-')
+            return fmt::format("{} ({})", words, state.substr(name.size() + 1));
+    }
+    return std::string(state);
+}
+
+HeadsetWords headsetInWords(std::string_view state) {
+    for (const NamedHeadsetState& known : headset_words)
+        if (state == known.name) return {std::string(known.words), known.in_use};
+    return {capitalised(state), false};
+}
+
+std::string distanceInWords(double metres) {
+    const double centimetres = std::round(metres * 100.0);
+    if (centimetres < 100.0) return fmt::format("{:.0f} cm", centimetres);
+    return fmt::format("{:.2f} m", metres);
+}
+
+std::string elapsedInWords(double seconds) {
+    const auto whole = static_cast<long long>(std::floor(std::max(0.0, seconds)));
+    const long long hours = whole / 3600;
+    const long long minutes = whole / 60 % 60;
+    if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
+    return fmt::format("{}:{:02}", minutes, whole % 60);
+}
+
+bool AskTwice::ask(double now_s) {
+    if (!left(now_s)) {
+        asked_s_ = now_s;
+        return false;
+    }
+    if (now_s - *asked_s_ < double_click_s) return false;
+    asked_s_.reset();
+    return true;
+}
+
+std::optional<double> AskTwice::left(double now_s) const {
+    if (!asked_s_ || now_s - *asked_s_ > answer_within_s) return std::nullopt;
+    return 1.0 - (now_s - *asked_s_) / answer_within_s;
+}
+
+}  // namespace deixis::app
