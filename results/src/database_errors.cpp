@@ -37,7 +37,7 @@ Result<Identity> identify(SQLite::Database& database, const std::filesystem::pat
     const int id = database.execAndGet("PRAGMA application_id").getInt();
     const int version = database.execAndGet("PRAGMA user_version").getInt();
     const int tables = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt();
-    if (id == 0 && version == 0 && tables == 0) return Identity{true};
+    if (id == 0 && version == 0 && tables == 0) return Identity{};
     if (id != application_id)
         return fail(path.string(), "found a SQLite database of another program, expected one made by deixis",
                     "Name another file");
@@ -46,11 +46,11 @@ Result<Identity> identify(SQLite::Database& database, const std::filesystem::pat
                     fmt::format("found database version {}, but this program knows versions up to {}",
                                 version, schema_version),
                     "Use the newer deixis that made it");
-    if (version != schema_version)
+    if (version < 1)
         return fail(path.string(),
-                    fmt::format("found database version {}, expected {}", version, schema_version),
+                    fmt::format("found database version {}, expected 1 to {}", version, schema_version),
                     "Name another file");
-    return Identity{false};
+    return Identity{version};
 }
 
 }  // namespace deixis::results

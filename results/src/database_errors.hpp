@@ -12,11 +12,11 @@ namespace deixis::results {
 /// The error that a failing SQLite call on the named file stands for.
 [[nodiscard]] Error describe(const std::filesystem::path& path, const SQLite::Exception& problem);
 
-/// Whether the open database is one of ours and of a version that this program knows. `empty` tells a file
-/// without any tables, which is nobody's yet.
+/// What the open database says of itself.
 struct Identity {
-    bool empty = false;
+    int version = 0;  ///< of its schema; 0: a file without any tables, which is nobody's yet
 };
+/// Errors: another program's database, or a version newer than this program knows.
 [[nodiscard]] Result<Identity> identify(SQLite::Database& database, const std::filesystem::path& path);
 
 }  // namespace deixis::results

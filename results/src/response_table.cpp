@@ -99,7 +99,7 @@ void readRows(SQLite::Database& database, ResponseTable& table) {
 Result<ResponseTable> load(const fs::path& path, SQLite::Database&& database) {
     const auto whose = identify(database, path);
     if (!whose) return tl::unexpected(whose.error());
-    if (whose->empty || database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
+    if (whose->version == 0 || database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
         return fail(path.string(), "the database holds no study yet", "Run a session with it first");
     database.exec("BEGIN");  // one moment of the database, should somebody be writing
     ResponseTable table;

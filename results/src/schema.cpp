@@ -2,7 +2,9 @@
 
 namespace deixis::results {
 
-const char* const schema_sql = R"sql(
+namespace {
+
+constexpr const char* version_1 = R"sql(
 CREATE TABLE study (
     id           INTEGER PRIMARY KEY CHECK (id = 1), -- one study a database
     name         TEXT NOT NULL,
@@ -124,10 +126,81 @@ CREATE TABLE events (
 ) STRICT;
 
 CREATE INDEX events_of_session ON events (session);
+)sql";
+
+constexpr const char* version_2 = R"sql(
+CREATE TABLE session_properties (
+    session INTEGER NOT NULL REFERENCES sessions (id),
+    name    TEXT NOT NULL,
+    value   TEXT NOT NULL,
+    PRIMARY KEY (session, name)
+) STRICT, WITHOUT ROWID;
+
+-- With a row number of its own, not WITHOUT ROWID: rows this long are then written in less space and time.
+CREATE TABLE tracking (
+    session        INTEGER NOT NULL REFERENCES sessions (id),
+    frame          INTEGER NOT NULL,
+    trial_index    INTEGER,
+    display_time_s REAL NOT NULL,
+    begun_s        REAL NOT NULL,
+    submitted_s    REAL NOT NULL,
+    dropped_frames INTEGER NOT NULL,
+    rendered       INTEGER NOT NULL CHECK (rendered IN (0, 1)),
+    off_place_m    REAL NOT NULL,
+    head_validity INTEGER NOT NULL,
+    head_x_m REAL, head_y_m REAL, head_z_m REAL, head_qw REAL, head_qx REAL, head_qy REAL, head_qz REAL,
+    left_aim_validity INTEGER NOT NULL,
+    left_aim_x_m REAL, left_aim_y_m REAL, left_aim_z_m REAL,
+    left_aim_qw REAL, left_aim_qx REAL, left_aim_qy REAL, left_aim_qz REAL,
+    right_aim_validity INTEGER NOT NULL,
+    right_aim_x_m REAL, right_aim_y_m REAL, right_aim_z_m REAL,
+    right_aim_qw REAL, right_aim_qx REAL, right_aim_qy REAL, right_aim_qz REAL,
+    left_grip_validity INTEGER NOT NULL,
+    left_grip_x_m REAL, left_grip_y_m REAL, left_grip_z_m REAL,
+    left_grip_qw REAL, left_grip_qx REAL, left_grip_qy REAL, left_grip_qz REAL,
+    right_grip_validity INTEGER NOT NULL,
+    right_grip_x_m REAL, right_grip_y_m REAL, right_grip_z_m REAL,
+    right_grip_qw REAL, right_grip_qx REAL, right_grip_qy REAL, right_grip_qz REAL,
+    gaze_validity INTEGER,
+    gaze_x_m REAL, gaze_y_m REAL, gaze_z_m REAL, gaze_qw REAL, gaze_qx REAL, gaze_qy REAL, gaze_qz REAL,
+    UNIQUE (session, frame)
+) STRICT;
+
+CREATE TABLE hand_joints (
+    session INTEGER NOT NULL REFERENCES sessions (id),
+    frame   INTEGER NOT NULL,
+    hand    TEXT NOT NULL CHECK (hand IN ('left', 'right')),
+    joints  BLOB NOT NULL,
+    flags   BLOB NOT NULL,
+    UNIQUE (session, frame, hand),
+    CHECK (length(joints) = 32 * length(flags))
+) STRICT;
+
+CREATE TABLE trial_tracking (
+    session               INTEGER NOT NULL REFERENCES sessions (id),
+    trial_index           INTEGER NOT NULL,
+    frames                INTEGER NOT NULL,
+    dropped_frames        INTEGER NOT NULL,
+    samples_missing       INTEGER NOT NULL,
+    max_off_place_m       REAL NOT NULL,
+    head_untracked_frames INTEGER NOT NULL,
+    first_display_time_s  REAL NOT NULL,
+    last_display_time_s   REAL NOT NULL,
+    PRIMARY KEY (session, trial_index)
+) STRICT, WITHOUT ROWID;
+
+ALTER TABLE responses ADD COLUMN paused_s REAL NOT NULL DEFAULT 0.0;
+-- Version 1 kept it only as what the response time lacks.
+UPDATE responses SET paused_s = max(0.0, round(answered_s - motion_end_s - response_time_s, 6));
+)sql";
+
+constexpr const char* newest_views = R"sql(
+DROP VIEW IF EXISTS responses_flat;
 
 CREATE VIEW responses_flat AS
 SELECT r.participant, r.trial_index, t.stage, t.practice, t.system, t.layout, t.target_id,
-       r.rating, r.chosen_place, t.target_place, r.correct, r.response_time_s, r.replays, r.pauses, r.input,
+       r.rating, r.chosen_place, t.target_place, r.correct, r.response_time_s, r.replays, r.pauses, r.paused_s,
+       r.input, k.dropped_frames, k.samples_missing, k.max_off_place_m,
        r.clip_file, r.clip_hash,
        t.target_x_m, t.target_y_m, t.target_z_m, t.distractors, t.balls,
        l.viewer_x_m, l.viewer_z_m, l.heading_deg,
@@ -140,7 +213,18 @@ SELECT r.participant, r.trial_index, t.stage, t.practice, t.system, t.layout, t.
   JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index
   JOIN sessions AS s ON s.id = r.session
   JOIN layouts AS l ON l.name = t.layout
+  LEFT JOIN trial_tracking AS k ON k.session = r.session AND k.trial_index = r.trial_index
  ORDER BY r.participant, r.trial_index;
 )sql";
+
+}  // namespace
+
+std::vector<const char*> schemaSteps(int from_version) {
+    std::vector<const char*> steps;
+    if (from_version < 1) steps.push_back(version_1);
+    if (from_version < 2) steps.push_back(version_2);
+    if (from_version < schema_version) steps.push_back(newest_views);
+    return steps;
+}
 
 }  // namespace deixis::results

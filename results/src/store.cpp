@@ -12,6 +12,7 @@
 #include "core/hash.hpp"
 #include "database_errors.hpp"
 #include "schema.hpp"
+#include "tracking_rows.hpp"
 
 namespace deixis::results {
 
@@ -53,6 +54,7 @@ struct Store::Impl {
     Durability durability;
     SQLite::Database database;
     std::map<std::string, SQLite::Statement> statements;  ///< prepared once, by their SQL
+    std::optional<TrackingRows> tracking;                 ///< from the first frames on
     long long session = 0;
     std::string session_participant;
 
@@ -64,7 +66,7 @@ struct Store::Impl {
     SQLite::Statement& prepared(const char* sql) {
         const auto [found, _] = statements.try_emplace(sql, database, sql);
         SQLite::Statement& statement = found->second;
-        statement.reset();
+        statement.tryReset();  // what it failed with before was thrown then
         statement.clearBindings();
         return statement;
     }
@@ -88,6 +90,24 @@ struct Store::Impl {
             if (inTransaction()) database.tryExec("ROLLBACK");
             throw;
         }
+    }
+
+    /// The same without waiting for the disk: it outlives the process, and a power cut from the next waited
+    /// for transaction on.
+    template <typename Writes>
+    void unwaitedTransaction(const Writes& writes) {
+        if (durability == Durability::whole_run) {
+            transaction(writes);
+            return;
+        }
+        database.exec("PRAGMA synchronous = NORMAL");
+        try {
+            transaction(writes);
+        } catch (...) {
+            database.tryExec("PRAGMA synchronous = FULL");
+            throw;
+        }
+        database.exec("PRAGMA synchronous = FULL");
     }
 
     Result<void> prepareFile();
@@ -117,8 +137,8 @@ Result<void> Store::Impl::prepareFile() {
         const auto whose = identify(database, path);
         if (!whose) {
             outcome = tl::unexpected(whose.error());
-        } else if (whose->empty) {
-            database.exec(schema_sql);
+        } else if (whose->version < schema_version) {
+            for (const char* step : schemaSteps(whose->version)) database.exec(step);
             database.exec(fmt::format("PRAGMA application_id = {}", application_id));
             database.exec(fmt::format("PRAGMA user_version = {}", schema_version));
         }
@@ -296,6 +316,7 @@ bool Store::hasSession(const std::string& participant, bool synthetic) const {
 }
 
 long long Store::beginSession(const SessionInfo& session) {
+    std::int64_t id = 0;
     impl_->transaction([&] {
         SQLite::Statement& insert = impl_->prepared(
             "INSERT INTO sessions (participant, station, station_details, synthetic, program_version, "
@@ -309,8 +330,16 @@ long long Store::beginSession(const SessionInfo& session) {
         insert.bind(6, session.avatar_hash);
         insert.bind(7, session.started_utc_s);
         insert.exec();
+        id = impl_->database.getLastInsertRowid();
+        for (const auto& [name, value] : session.station.properties) {
+            SQLite::Statement& property = impl_->prepared("INSERT INTO session_properties VALUES (?, ?, ?)");
+            property.bind(1, id);
+            property.bind(2, name);
+            property.bind(3, value);
+            property.exec();
+        }
     });
-    impl_->session = impl_->database.getLastInsertRowid();
+    impl_->session = id;
     impl_->session_participant = session.participant;
     return impl_->session;
 }
@@ -326,15 +355,16 @@ void Store::record(const studies::SessionEvent& event, const studies::StudyPlan&
         return;
     }
     const auto& note = std::get<studies::Note>(event);
-    if (impl_->durability == Durability::whole_run) {
-        impl_->transaction([&] { impl_->insertNote(note); });
-        return;
-    }
-    // A note outlives the process at once, and a power cut from the next answer on: the disk is not waited
-    // for here, so that a frame is not lost to it.
-    impl_->database.exec("PRAGMA synchronous = NORMAL");
-    impl_->transaction([&] { impl_->insertNote(note); });
-    impl_->database.exec("PRAGMA synchronous = FULL");
+    impl_->unwaitedTransaction([&] { impl_->insertNote(note); });
+}
+
+void Store::recordTracking(std::span<const TrackedFrame> frames, std::span<const TrialTracking> trials) {
+    if (impl_->session == 0) throw std::logic_error("Store::recordTracking: no session was begun");
+    if (!impl_->tracking) impl_->tracking.emplace(impl_->database);
+    impl_->unwaitedTransaction([&] {
+        for (const TrackedFrame& frame : frames) impl_->tracking->insert(impl_->session, frame);
+        for (const TrialTracking& trial : trials) impl_->tracking->insert(impl_->session, trial);
+    });
 }
 
 void Store::Impl::insertResponse(const studies::Response& response, const studies::StudyPlan& plan,
@@ -344,12 +374,10 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
     const ClipRecord& clip = clips_by_trial.at(index);
     SQLite::Statement& insert = prepared(
         "INSERT INTO responses (participant, trial_index, session, clip_file, clip_hash, rating, "
-        "chosen_place, "
-        "correct, onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, "
-        "response_time_s, replays, pauses, input, head_x_m, head_y_m, head_z_m, head_qw, head_qx, head_qy, "
-        "head_qz, ray_x_m, ray_y_m, ray_z_m, ray_dx, ray_dy, ray_dz) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?, ?, "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "chosen_place, correct, onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, "
+        "answered_utc_s, response_time_s, replays, pauses, input, head_x_m, head_y_m, head_z_m, head_qw, "
+        "head_qx, head_qy, head_qz, ray_x_m, ray_y_m, ray_z_m, ray_dx, ray_dy, ray_dz, paused_s) VALUES "
+        "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     insert.bind(1, plan.participant);
     insert.bind(2, response.trial_index);
     insert.bind(3, static_cast<std::int64_t>(session));
@@ -381,6 +409,7 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
         bindPoint(insert, 26, response.pointer->origin);
         bindPoint(insert, 29, response.pointer->direction);
     }
+    insert.bind(32, response.paused_s);
     insert.exec();
 }
 

@@ -116,6 +116,17 @@ inline results::SessionInfo session(const std::string& participant, bool synthet
             1.7e9};
 }
 
+/// A frame in which only the head is tracked.
+inline studies::TrackingSample frame(std::uint64_t number) {
+    studies::TrackingSample out;
+    out.frame = number;
+    out.display_time_s = static_cast<double>(number) / 90.0;
+    out.begun_s = out.display_time_s - 0.030;
+    out.submitted_s = out.display_time_s - 0.020;
+    out.head = {{{0.0, 1.65, 2.0}, no_rotation}, true, true, true};
+    return out;
+}
+
 /// Opens or throws.
 inline results::Store open(const std::filesystem::path& path,
                            results::Durability how = results::Durability::each_answer) {

@@ -49,6 +49,7 @@ TEST_SUITE("results/store") {
             store.record(response, plan, fixtures::clips(plan));
             auto choice = fixtures::answer(plan.trials[4], 0);
             choice.pauses = 2;
+            choice.paused_s = 7.5;
             store.record(choice, plan, fixtures::clips(plan));
             store.endSession("quit", 1.7e9 + 99.0);
         }
@@ -76,6 +77,8 @@ TEST_SUITE("results/store") {
         CHECK(row.getColumn("target_place").getInt() == 1);
         CHECK(row.getColumn("correct").getInt() == 0);
         CHECK(row.getColumn("pauses").getInt() == 2);
+        CHECK(row.getColumn("paused_s").getDouble() == 7.5);
+        CHECK(row.getColumn("dropped_frames").isNull());  // nothing was tracked
         CHECK(row.getColumn("target_y_m").getDouble() == 1.25);
         CHECK(row.getColumn("distractors").getString() == "[[0.3,1.5,0.5],[-0.3,1,0.5]]");
         // Shown in the order 2, 0, 1: the second distractor, the target, the first distractor.
@@ -144,11 +147,11 @@ TEST_SUITE("results/store") {
         store.beginSession(fixtures::session("P01", false));
         store.record(first, plan, fixtures::clips(plan));
         CHECK_THROWS_AS(store.record(second, plan, fixtures::clips(plan)), SQLite::Exception);
+        // A refused answer leaves the store usable.
+        store.record(fixtures::answer(plan.trials[2], 1), plan, fixtures::clips(plan));
         store.endSession("quit", 1.7e9 + 9.0);
         store.beginSession(fixtures::session("P01", false));
         CHECK_THROWS_AS(store.record(second, plan, fixtures::clips(plan)), SQLite::Exception);
-        // A refused answer leaves the store usable.
-        store.record(fixtures::answer(plan.trials[2], 1), plan, fixtures::clips(plan));
         CHECK(store.answeredTrials("P01") == std::set<int>{1, 2});
         CHECK(store.answeredTrials("P02").empty());
         SQLite::Database reader((folder / "a.sqlite").string());
@@ -286,7 +289,7 @@ TEST_SUITE("results/store opening") {
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
         const auto message = refusal(folder / "a.sqlite");
         CHECK(contains(message, "version 7"));
-        CHECK(contains(message, "up to 1"));
+        CHECK(contains(message, "up to 2"));
     }
 
     TEST_CASE("A database locked by another program is refused") {

@@ -19,26 +19,27 @@ struct RecordingOptions {
     double delay_s = 0.0;
 };
 
-/// While it lives only it uses the store. All calls come from one thread.
+/// While it lives only it uses the store. All calls come from one thread. The first failure (a full disk, a
+/// lock that is not given back) ends the writing; from then on record(), sample(), allKept() and finish()
+/// throw it.
 class RecordingThread {
   public:
     /// The store's session must have begun. `store` must outlive it.
     RecordingThread(Store& store, const studies::StudyPlan& plan, std::vector<ClipRecord> clips_by_trial,
                     RecordingOptions options);
-    /// Writes what still waits, then ends. Failures are lost here: call finish() first.
+    /// Does what finish() does, then ends. Failures are lost here: call finish() first.
     ~RecordingThread();
     RecordingThread(const RecordingThread&) = delete;
     RecordingThread& operator=(const RecordingThread&) = delete;
 
     /// Hands an event over; events are never dropped. Answers go to the disk at once, before waiting samples.
-    /// Throws what the thread has met since the last call (a full disk, a lock that is not given back).
     void record(studies::SessionEvent event);
     /// Hands a sample over, or counts it as missing in this trial where too many wait. `trial_index` -1: none
     /// under way.
     void sample(studies::TrackingSample sample, int trial_index);
-    /// Whether every event handed over is on the disk.
+    /// Whether every event handed over is kept as Store::record() says: answers are on the disk.
     [[nodiscard]] bool allKept() const;
-    /// Waits until all is written, samples too; then writes the trials' tallies. Throws as record() does.
+    /// Waits until all is written, samples and the tally of the trial under way too.
     void finish();
 
   private:

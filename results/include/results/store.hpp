@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,24 @@ struct SessionInfo {
     double started_utc_s = 0.0;
 };
 
+/// A tracking sample, and the trial that was under way.
+struct TrackedFrame {
+    studies::TrackingSample sample;
+    int trial_index = -1;  ///< -1: none
+};
+
+/// What the tracking of one trial came to, the missing samples included.
+struct TrialTracking {
+    int trial_index = 0;
+    long long frames = 0;
+    long long dropped_frames = 0;
+    long long samples_missing = 0;  ///< of `frames`: measured, but not kept
+    double max_off_place_m = 0.0;
+    long long head_untracked_frames = 0;  ///< of `frames`: the head was not measured
+    double first_display_time_s = 0.0;
+    double last_display_time_s = 0.0;
+};
+
 enum class Durability : unsigned char {
     each_answer,  ///< synchronous=FULL: an answer is on the disk before the next trial starts
     whole_run,    ///< one transaction for all (simulations, which can be run again)
@@ -40,7 +59,8 @@ enum class Durability : unsigned char {
 
 class Store {
   public:
-    /// Opens or creates. Errors: not a database, newer user_version, locked, read-only folder or file.
+    /// Opens or creates; a database of an older version is brought to the newest one, with all that it holds.
+    /// Errors: not a database, newer user_version, locked, read-only folder or file.
     [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
@@ -55,11 +75,16 @@ class Store {
     /// Whether the participant has had a session with a simulated participant (`synthetic`) or with a person.
     [[nodiscard]] bool hasSession(const std::string& participant, bool synthetic) const;
 
-    /// Starts a session; later records belong to it. Returns its id.
+    /// Starts a session; later records belong to it. Returns its id. The station's properties must have
+    /// different names.
     long long beginSession(const SessionInfo& session);
     /// Keeps an event. A response is one transaction with all that it holds, durable on return.
     void record(const studies::SessionEvent& event, const studies::StudyPlan& plan,
                 const std::vector<ClipRecord>& clips_by_trial);
+    /// Keeps frames of the session, each number once, and tallies of trials that are over (added to those of
+    /// the same trial kept before), in one transaction. The disk is not waited for: a power cut may take what
+    /// was written since the last response.
+    void recordTracking(std::span<const TrackedFrame> frames, std::span<const TrialTracking> trials);
     void endSession(const std::string& outcome, double ended_utc_s);  ///< "finished" or "quit"
     /// Commits a whole_run store. Nothing is kept of it without this call.
     void commit();
