@@ -76,6 +76,47 @@ TEST_SUITE("studies/simulated_participant") {
         }
     }
 
+    TEST_CASE(
+        "it always holds a pointer, looks at what it presses, and is never early, lost or off its place") {
+        for (const char* const rated_from : {"across", "side-by-side"}) {
+            CAPTURE(rated_from);
+            Driver driver(3);
+            driver.study.layouts[1] = {"side-by-side", -0.6, -0.95, 15.0};
+            for (Trial& trial : driver.plan.trials)
+                if (trial.stage == StageKind::naturalness) trial.layout = rated_from;
+            int presses = 0;
+            for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+                CAPTURE(seed);
+                SimulatedStation station({}, driver.avatar, seed);
+                SessionRunner session(driver.study, driver.plan, driver.clips, driver.avatar, driver.idle,
+                                      {});
+                std::optional<RayView> shown_ray;
+                for (int i = 0; i < 20000 && !session.finished(); ++i) {
+                    const InputFrame input = station.beginFrame();
+                    REQUIRE(input.pointer.has_value());
+                    if (input.select) {
+                        ++presses;
+                        REQUIRE(shown_ray.has_value());
+                        const Vec3 met =
+                            shown_ray->ray.origin + shown_ray->length_m * shown_ray->ray.direction;
+                        const Vec3 looking = input.stage_from_head.orientation * Vec3(0.0, 0.0, -1.0);
+                        CHECK(angleBetween(looking, met - input.stage_from_head.position) <
+                              radiansFromDegrees(15.0));
+                    }
+                    const SessionStep step = session.step(input);
+                    driver.keep(step.events);
+                    CHECK(step.frame.notice.empty());
+                    shown_ray = step.frame.ray;
+                    driver.keep(session.shown(station.present(step.frame)));
+                }
+                CHECK(session.finished());
+            }
+            CHECK(presses >= 5 * 14);
+            for (const char* const kind : {"early_select", "pointer_lost", "off_place", "pause"})
+                CHECK(driver.count(kind) == 0);
+        }
+    }
+
     TEST_CASE("the same seed gives the same answers at the same times, another seed others") {
         const Driver driver(4);
         const Answers first = simulate(driver, driver.plan, 11);
