@@ -7,6 +7,7 @@
 #ifdef DEIXIS_IMMERSIVE
 #include "immersive/desktop_station.hpp"
 #include "immersive/drawn_simulation.hpp"
+#include "immersive/headset/headset_station.hpp"
 #endif
 
 namespace deixis::app {
@@ -35,11 +36,38 @@ Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& requ
     return std::move(*station);
 }
 
+Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest& request,
+                                                      const studies::Study& study,
+                                                      const studies::StudyPlan& plan,
+                                                      const assets::Avatar& avatar) {
+    if (!request.screenshots->wanted.empty())
+        return fail("--screenshot", "pictures of a session are taken with --station simulated");
+    HeadsetStationOptions options;
+    options.participant = plan.participant;
+    options.title = study.title + " - " + plan.participant;
+    options.resolution_scale = request.resolution_scale;
+    options.study = study.headset;
+    if (!request.size.empty()) {
+        const auto size = parseWindowSize(request.size);
+        if (!size) return tl::unexpected(size.error());
+        options.window_size = *size;
+    }
+    auto station = HeadsetStation::open(avatar, options);
+    if (!station) return tl::unexpected(station.error());
+    return std::move(*station);
+}
+
 #else
 
 Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest&, const studies::Study&,
                                                       const studies::StudyPlan&, const assets::Avatar&) {
     return fail("--station", "this program was built without windows (DEIXIS_IMMERSIVE=OFF)",
+                "Use --station simulated, or build with DEIXIS_IMMERSIVE=ON");
+}
+
+Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest&, const studies::Study&,
+                                                      const studies::StudyPlan&, const assets::Avatar&) {
+    return fail("--station", "this program was built without a headset (DEIXIS_IMMERSIVE=OFF)",
                 "Use --station simulated, or build with DEIXIS_IMMERSIVE=ON");
 }
 
@@ -83,9 +111,10 @@ Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& requ
                                                       const studies::StudyPlan& plan,
                                                       const assets::Avatar& avatar) {
     if (request.kind == "desktop") return openDesktop(request, study, plan, avatar);
+    if (request.kind == "headset") return openHeadset(request, study, plan, avatar);
     if (request.kind != "simulated")
-        return fail("--station",
-                    fmt::format("unknown station '{}'; expected desktop or simulated", request.kind));
+        return fail("--station", fmt::format("unknown station '{}'; expected desktop, headset or simulated",
+                                             request.kind));
     const auto parameters = studies::loadSimulatedParameters(request.simulated_parameters);
     if (!parameters) return tl::unexpected(parameters.error());
     auto station =

@@ -23,9 +23,10 @@ struct Screenshots {
 };
 
 struct StationRequest {
-    std::string kind = "desktop";  ///< "desktop" or "simulated"
+    std::string kind = "desktop";  ///< "desktop", "headset" or "simulated"
     std::string size;  ///< "WIDTHxHEIGHT" of the window or of what the simulated participant sees; or empty
     bool fullscreen = false;
+    double resolution_scale = 1.0;  ///< headset: of the size that the runtime recommends
     std::string simulated_parameters;
     std::shared_ptr<Screenshots> screenshots = std::make_shared<Screenshots>();  ///< simulated only
 };

@@ -12,11 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/error.hpp"
 #include "core/pose.hpp"
 
 namespace deixis::studies {
 
-/// Something that a station has to say for the record; kept as an event of the session.
+/// Something that a station has to say for the record; kept as a Note of the session at its own time, with
+/// the trial under way.
 struct StationNote {
     std::string kind;  ///< "xr_state", "recentre", "placement", "input_profile", "pointing_hand", ...
     std::string detail;
@@ -27,21 +29,24 @@ struct StationNote {
 struct InputFrame {
     double time_s = 0.0;  ///< predicted display time on the station's monotonic clock; never goes back
     double utc_s = 0.0;   ///< the same moment as UTC seconds since 1970 (simulated stations: virtual)
-    /// When the input was read, on the same clock; none: at time_s. An answer is given at this time.
+    /// When the input was read, on the same clock; none: at time_s. An answer by key is given at this time.
     std::optional<double> input_time_s;
     Pose stage_from_head{};      ///< -z looks forward, +y up
     std::optional<Ray> pointer;  ///< hand or mouse ray in the stage's frame; none while it is not tracked
     bool select = false;         ///< the select button went down
-    /// When it went down, on the same clock, where the device tells; none: at input_time_s.
+    /// When it went down, on the same clock, where the device tells; none: at input_time_s. An answer by ray
+    /// is given at this time, unless the open answer was not yet shown then.
     std::optional<double> select_time_s;
-    std::optional<int> digit;    ///< a number key went down: 1..9
-    bool confirm = false;        ///< Enter or Space went down
-    bool pause = false;          ///< Esc went down, or focus or tracking was lost
-    std::string pause_reason{};  ///< "escape", "focus lost", "tracking lost", ...
-    bool quit = false;           ///< the window was closed or the operator ends the session
-    std::string quit_reason{};   ///< empty: "quit"
+    std::optional<int> digit;  ///< a number key went down: 1..9
+    bool confirm = false;      ///< Enter or Space went down
+    bool pause = false;        ///< Esc went down, or focus or tracking was lost
+    /// "escape", "focus lost", "headset taken off", "tracking lost", "operator", "menu", ...: decides what
+    /// the participant reads.
+    std::string pause_reason{};
+    bool quit = false;          ///< the window was closed or the operator ends the session
+    std::string quit_reason{};  ///< empty: "quit"
     /// How far the person stands from the layout's place, along the floor; 0 where the station keeps it
-    /// there.
+    /// there. Beyond HeadsetOptions::place_tolerance_m the person is asked back.
     double off_place_m = 0.0;
     /// Whether every answer given so far is on the disk. The next trial waits for it.
     bool answers_kept = true;
@@ -187,6 +192,8 @@ class Station {
     [[nodiscard]] virtual InputFrame beginFrame() = 0;
     /// Shows it. Called exactly once for each begun frame.
     virtual FrameReport present(const PresentedFrame& frame) = 0;
+    /// Why the station itself ended the session (a runtime that went away); none: it did not.
+    [[nodiscard]] virtual std::optional<Error> failure() const { return std::nullopt; }
 };
 
 }  // namespace deixis::studies

@@ -1,0 +1,139 @@
+#include "headset_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace deixis::app {
+
+namespace {
+
+constexpr double notice_distance_m = 1.1;
+constexpr double notice_below_eyes_m = 0.22;
+constexpr double notice_follows_rad = radiansFromDegrees(45.0);
+
+renderer::Board noticeBoard(const std::string& text) {
+    constexpr double line_m = 0.045;
+    renderer::Board board;
+    board.width_m = std::clamp(0.024 * static_cast<double>(text.size()) + 0.16, 0.5, 1.2);
+    board.height_m = 3.2 * line_m;
+    renderer::BoardText line;
+    line.box = {0.04, line_m, board.width_m - 0.08, 1.2 * line_m};
+    line.text = text;
+    line.size_m = line_m;
+    line.centred = true;
+    board.texts.push_back(line);
+    return board;
+}
+
+// Upright before the head, a little below the eyes.
+Pose noticePose(const renderer::Board& board, const Pose& tracking_from_head) {
+    const Pose stand = studies::anchorFromHead(tracking_from_head).tracking_from_anchor;
+    const Vec3 corner(-board.width_m / 2.0,
+                      tracking_from_head.position.y - notice_below_eyes_m - board.height_m / 2.0,
+                      -notice_distance_m);
+    return stand * Pose{corner, no_rotation};
+}
+
+bool sameContent(const renderer::Board& a, const renderer::Board& b) {
+    return a.width_m == b.width_m && a.height_m == b.height_m && a.texts == b.texts &&
+           a.buttons == b.buttons && a.progress == b.progress;
+}
+
+}  // namespace
+
+HeadsetPicture::HeadsetPicture(renderer::Renderer renderer, XrSessionLoop& session)
+    : renderer_(std::move(renderer)),
+      session_(session),
+      mode_(renderer_.hasMultiview() ? renderer::StereoMode::multiview : renderer::StereoMode::two_passes) {}
+
+Result<std::unique_ptr<HeadsetPicture>> HeadsetPicture::create(const assets::Avatar& avatar,
+                                                               XrSessionLoop& session) {
+    auto made = renderer::Renderer::create(avatar, {});
+    if (!made) return tl::unexpected(made.error());
+    std::unique_ptr<HeadsetPicture> picture(new HeadsetPicture(std::move(*made), session));
+    picture->updateHiddenArea();
+    return picture;
+}
+
+void HeadsetPicture::updateHiddenArea() {
+    renderer_.setHiddenArea(session_.hiddenArea());
+}
+
+XrBoardLayer HeadsetPicture::layerOf(const renderer::Board& board, Shown& shown,
+                                     const studies::Placement& placement) {
+    if (!shown.painted || !sameContent(shown.board, board)) {
+        const auto [width, height] = renderer_.boardSize(board);
+        if (!shown.chain || shown.chain.size().width < width || shown.chain.size().height < height)
+            shown.chain = session_.boardPicture(std::max(width, shown.chain.size().width),
+                                                std::max(height, shown.chain.size().height));
+        const unsigned int texture = shown.chain.acquire();
+        renderer_.copyBoard(board, texture);
+        shown.chain.release();
+        shown.board = board;
+        shown.painted = true;
+        shown.width = width;
+        shown.height = height;
+    }
+    const renderer::BoardRect extent = renderer_.boardExtent(board);
+    const Pose board_from_centre{{extent.x + extent.width / 2.0, extent.y + extent.height / 2.0, 0.0},
+                                 no_rotation};
+    XrBoardLayer layer;
+    layer.picture = &shown.chain;
+    layer.width = shown.width;
+    layer.height = shown.height;
+    layer.tracking_from_centre = placement.toTracking(board.stage_from_board * board_from_centre);
+    layer.width_m = extent.width / placement.scale;
+    layer.height_m = extent.height / placement.scale;
+    return layer;
+}
+
+void HeadsetPicture::setNotice(const std::string& text, const Pose& tracking_from_head) {
+    if (text.empty()) {
+        notice_.reset();
+        return;
+    }
+    if (!notice_ || notice_->texts.front().text != text) {
+        notice_ = noticeBoard(text);
+        notice_->stage_from_board = noticePose(*notice_, tracking_from_head);
+    }
+    const Vec3 middle =
+        transformPoint(notice_->stage_from_board, {notice_->width_m / 2.0, notice_->height_m / 2.0, 0.0});
+    const Vec3 looking = tracking_from_head.orientation * Vec3(0, 0, -1);
+    if (angleBetween(looking, middle - tracking_from_head.position) > notice_follows_rad)
+        notice_->stage_from_board = noticePose(*notice_, tracking_from_head);
+}
+
+XrLayers HeadsetPicture::draw(const renderer::Scene& scene, const XrEyes& eyes,
+                              const studies::Placement& placement) {
+    XrLayers layers;
+    // Boards first: a painter that has just painted the notice paints the page anew for the holes.
+    if (notice_) layers.above = layerOf(*notice_, notice_picture_, {});
+    if (scene.board) layers.beneath = layerOf(*scene.board, page_, placement);
+    renderer::Eyes views;
+    for (std::size_t i = 0; i < 2; ++i)
+        views[i] = {placement.toStage(eyes.tracking_from_eye[i]), eyes.fov[i]};
+    left_ = views[0];
+
+    renderer::StereoTarget target;
+    target.width = session_.colour().size().width;
+    target.height = session_.colour().size().height;
+    target.colour = session_.colour().acquire();
+    if (session_.depth()) target.depth = session_.depth().acquire();
+    renderer_.drawStereo(scene, views, target, mode_);
+    session_.colour().release();
+    if (session_.depth()) session_.depth().release();
+
+    layers.eyes = eyes;
+    layers.has_depth = static_cast<bool>(session_.depth());
+    layers.near_m = scene.camera.near_m / placement.scale;
+    layers.far_m = scene.camera.far_m / placement.scale;
+    return layers;
+}
+
+void HeadsetPicture::drawMirror(const renderer::Scene& scene, int width, int height) {
+    renderer_.drawMirror(scene, left_, width, height);
+}
+
+}  // namespace deixis::app

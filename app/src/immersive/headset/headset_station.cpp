@@ -1,0 +1,472 @@
+#include "headset_station.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <utility>
+
+#include "../frame_scene.hpp"
+#include "headset_picture.hpp"
+#include "motion/skeleton.hpp"
+#include "operator_window.hpp"
+#include "participant_place.hpp"
+#include "pointing_hand.hpp"
+#include "xr_input.hpp"
+#include "xr_runtime.hpp"
+#include "xr_session.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+constexpr double recentre_hold_s = 1.0;
+constexpr double tracking_lost_s = 0.25;  ///< a shorter loss is a blink of the cameras
+constexpr double idle_wait_s = 0.02;      ///< between polls while the session does not run
+constexpr double first_frame_s = 3.0;     ///< how long opening waits for the first frame's facts
+constexpr double ipd_changed_m = 0.0005;
+
+double utcNow_s() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+double avatarEyeHeight(const assets::Avatar& avatar) {
+    std::vector<Pose> joints;
+    motion::worldPose(avatar.skeleton, motion::restPose(avatar.skeleton), joints);
+    double sum_m = 0.0;
+    for (const motion::Bone eye : {motion::Bone::leftEye, motion::Bone::rightEye}) {
+        const int joint = avatar.humanoid[eye];
+        if (joint < 0) return 1.65;
+        sum_m += joints[static_cast<std::size_t>(joint)].position.y;
+    }
+    return sum_m / 2.0;
+}
+
+const char* nameOf(studies::Hand hand) {
+    return hand == studies::Hand::left ? "left" : "right";
+}
+
+}  // namespace
+
+struct HeadsetStation::State {
+    State(HeadsetStationOptions options_in, XrRuntime runtime_in, double avatar_eye_height_m)
+        : options(std::move(options_in)),
+          runtime(std::move(runtime_in)),
+          place(options.study.eye_level, avatar_eye_height_m) {}
+
+    // In the order in which they are made; they go the other way round.
+    HeadsetStationOptions options;
+    XrRuntime runtime;
+    std::unique_ptr<GlWindow> window;
+    std::unique_ptr<OperatorWindow> operator_window;
+    std::unique_ptr<XrSessionLoop> session;
+    std::unique_ptr<XrInput> input;
+    std::unique_ptr<HeadsetPicture> picture;
+
+    ParticipantPlace place;
+    PointingHand pointing_hand;
+    double utc_offset_s = 0.0;
+    double refresh_rate_hz = 0.0;
+    double ipd_m = 0.0;
+    bool joined = false;  ///< somebody has worn the headset, tracked and in focus
+    std::optional<Error> lost;
+
+    // The frame under way.
+    std::optional<XrFrame> frame;
+    XrInputState device{};
+    studies::TrackedPose head{};  ///< in the tracking space
+    studies::Placement placement{};
+    double off_place_m = 0.0;
+
+    // From frame to frame.
+    std::vector<studies::StationNote> notes;
+    std::optional<XrTime> recentre_at;
+    std::optional<double> recentre_held_since_s;
+    std::optional<double> head_lost_since_s;
+    Pose last_stage_from_head{};
+    double last_time_s = 0.0;
+    double last_begun_s = 0.0;
+    double frames_per_s = 0.0;
+    int dropped = 0;
+    bool has_picture = false;
+    OperatorRequest asked{};
+    studies::PresentedFrame presented{};
+
+    void note(std::string kind, std::string detail) {
+        notes.push_back({std::move(kind), std::move(detail), session->now_s()});
+    }
+    void lose(const XrFailure& failure);
+    void handleWindow();
+    bool handleRuntime();
+    void beginXrFrame();
+    void updateRecentre();
+    void waitUntilWorn();
+    void noteProfiles();
+    void noteEyes(const XrEyes& eyes);
+    [[nodiscard]] std::string pauseReason();
+    void readInput(studies::InputFrame& input);
+    bool drawFrame(const studies::PresentedFrame& shown_frame);
+    [[nodiscard]] studies::TrackingSample sample(std::uint64_t number) const;
+    [[nodiscard]] OperatorView operatorView() const;
+    void showOperator();
+};
+
+// Nothing more can be asked of the runtime: the session ends, and says why.
+void HeadsetStation::State::lose(const XrFailure& failure) {
+    if (!failure.lost()) throw failure;
+    note("xr_state", fmt::format("lost: {}", failure.what()));
+    frame.reset();
+    lost = Error{
+        "headset", fmt::format("the connection to the OpenXR runtime was lost ({})", failure.what()),
+        "Start the runtime again, then run the same command: it goes on at the trial that was under way"};
+}
+
+void HeadsetStation::State::handleWindow() {
+    const OperatorRequest now = operator_window->poll();
+    asked.pause = asked.pause || now.pause;
+    asked.recentre = asked.recentre || now.recentre;
+    asked.end = asked.end || now.end;
+    if (std::exchange(asked.recentre, false)) place.recentre("operator");
+}
+
+// False where the runtime wants the session to end for good.
+bool HeadsetStation::State::handleRuntime() {
+    XrHappenings happenings = session->poll();
+    for (auto& one : happenings.notes) notes.push_back(std::move(one));
+    if (happenings.recentred_at) recentre_at = happenings.recentred_at;
+    if (happenings.hidden_area) picture->updateHiddenArea();
+    if (happenings.profiles) noteProfiles();
+    return !happenings.leave;
+}
+
+void HeadsetStation::State::noteProfiles() {
+    const auto profiles = input->profiles();
+    for (const studies::Hand hand : {studies::Hand::left, studies::Hand::right}) {
+        const std::string& profile = profiles[static_cast<std::size_t>(hand)];
+        note("input_profile", fmt::format("{} hand: {}", nameOf(hand), profile.empty() ? "none" : profile));
+    }
+}
+
+void HeadsetStation::State::noteEyes(const XrEyes& eyes) {
+    const Vec3 apart = eyes.tracking_from_eye[1].position - eyes.tracking_from_eye[0].position;
+    const double now_m = std::sqrt(apart.x * apart.x + apart.y * apart.y + apart.z * apart.z);
+    if (std::abs(now_m - ipd_m) <= ipd_changed_m) return;
+    ipd_m = now_m;
+    note("ipd", fmt::format("{:.4f} m", ipd_m));
+}
+
+// Begins the runtime's next frame, where its session runs, and reads what is tracked at its display time.
+void HeadsetStation::State::beginXrFrame() {
+    frame = session->begin();
+    if (!frame) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(idle_wait_s));
+        device = {};
+        head = {};
+        return;
+    }
+    dropped += frame->dropped;
+    if (last_begun_s > 0.0) {
+        const double rate = 1.0 / std::max(1e-4, frame->begun_s - last_begun_s);
+        frames_per_s += (rate - frames_per_s) * (frames_per_s > 0.0 ? 0.05 : 1.0);
+    }
+    last_begun_s = frame->begun_s;
+    device = input->read(session->tracking(), frame->display_time,
+                         [this](XrTime time) { return session->stationSeconds(time); });
+    head = session->locateHead(*frame);
+    updateRecentre();
+    placement = place.placement();
+    off_place_m = head.valid() ? place.offPlace_m(head.stage_from_device) : 0.0;
+}
+
+void HeadsetStation::State::updateRecentre() {
+    if (recentre_at && frame->display_time >= *recentre_at) {
+        place.recentre("runtime");
+        recentre_at.reset();
+    }
+    if (!device.recentre_held) {
+        recentre_held_since_s.reset();
+    } else if (!recentre_held_since_s) {
+        recentre_held_since_s = frame->begun_s;
+    } else if (frame->begun_s - *recentre_held_since_s >= recentre_hold_s) {
+        place.recentre("button");
+        recentre_held_since_s = frame->begun_s + 1e9;  // once for each hold
+    }
+    // Nobody's place is taken while nobody wears it.
+    const bool worn = session->lifecycle().focused() && head.valid();
+    place.update(worn ? std::optional<Pose>(head.stage_from_device) : std::nullopt, frame->begun_s);
+}
+
+// Until somebody wears the headset, tracked and in focus; frames without a picture meanwhile, as the runtime
+// wants them before it gives the focus.
+void HeadsetStation::State::waitUntilWorn() {
+    while (!joined && !asked.end) {
+        handleWindow();
+        if (!handleRuntime()) asked.end = true;
+        beginXrFrame();
+        if (frame) session->end(*frame, {});
+        joined = session->lifecycle().focused() && place.known();
+        showOperator();
+    }
+    if (joined) noteProfiles();
+}
+
+std::string HeadsetStation::State::pauseReason() {
+    const bool menu = std::exchange(device.menu, false);
+    if (std::exchange(asked.pause, false)) return "operator";
+    if (!session->lifecycle().visible()) return "headset taken off";
+    if (!session->lifecycle().focused()) return "focus lost";
+    if (head.valid()) {
+        head_lost_since_s.reset();
+    } else if (!head_lost_since_s) {
+        head_lost_since_s = session->now_s();
+    } else if (session->now_s() - *head_lost_since_s > tracking_lost_s) {
+        return "tracking lost";
+    }
+    return menu ? "menu" : "";
+}
+
+void HeadsetStation::State::readInput(studies::InputFrame& in) {
+    const double now_s = session->now_s();
+    in.time_s = std::max(last_time_s, frame ? frame->display_time_s : now_s);
+    last_time_s = in.time_s;
+    in.utc_s = in.time_s + utc_offset_s;
+    in.input_time_s = std::min(now_s, in.time_s);
+    if (head.valid()) last_stage_from_head = placement.toStage(head.stage_from_device);
+    in.stage_from_head = last_stage_from_head;
+    in.off_place_m = off_place_m;
+
+    const studies::Hand before = pointing_hand.hand();
+    const PointingHand::Press press = pointing_hand.update(device.select);
+    const studies::Hand hand = pointing_hand.hand();
+    if (hand != before) note("pointing_hand", nameOf(hand));
+    const studies::TrackedPose& aim = device.aim[static_cast<std::size_t>(hand)];
+    if (aim.valid()) {
+        const Pose& pose = aim.stage_from_device;
+        in.pointer = placement.toStage(Ray{pose.position, pose.orientation * Vec3(0, 0, -1)});
+        in.select = press.select;
+        in.select_time_s = press.time_s;
+    }
+    in.pause_reason = pauseReason();
+    in.pause = !in.pause_reason.empty();
+    if (asked.end) {
+        in.quit = true;
+        in.quit_reason = "ended by the experimenter";
+    }
+}
+
+bool HeadsetStation::State::drawFrame(const studies::PresentedFrame& shown_frame) {
+    XrLayers layers;
+    bool shown = false;
+    if (frame->should_render && session->lifecycle().visible()) {
+        // As late as can be: what was simulated above is fixed, the eyes still move.
+        if (const auto eyes = session->locateEyes(*frame)) {
+            noteEyes(*eyes);
+            picture->setNotice(shown_frame.notice, head.stage_from_device);
+            layers = picture->draw(sceneFromFrame(shown_frame, {}), *eyes, place.placement());
+            shown = true;
+            has_picture = true;
+        }
+    }
+    session->end(*frame, layers);
+    return shown;
+}
+
+studies::TrackingSample HeadsetStation::State::sample(std::uint64_t number) const {
+    const auto inStage = [&](studies::TrackedPose pose) {
+        pose.stage_from_device = placement.toStage(pose.stage_from_device);
+        return pose;
+    };
+    studies::TrackingSample out;
+    out.frame = number;
+    out.display_time_s = frame->display_time_s;
+    out.begun_s = frame->begun_s;
+    out.submitted_s = session->now_s();
+    out.dropped_frames = frame->dropped;
+    out.head = inStage(head);
+    for (std::size_t hand = 0; hand < 2; ++hand) {
+        out.aim[hand] = inStage(device.aim[hand]);
+        out.grip[hand] = inStage(device.grip[hand]);
+        out.joints[hand] = device.joints[hand];
+        for (auto& joint : out.joints[hand]) joint.pose = inStage(joint.pose);
+    }
+    if (device.gaze) out.gaze = inStage(*device.gaze);
+    out.off_place_m = off_place_m;
+    return out;
+}
+
+OperatorView HeadsetStation::State::operatorView() const {
+    OperatorView view;
+    view.participant = options.participant;
+    view.status = presented.status;
+    view.state = presented.state;
+    view.paused = presented.state == "paused";
+    view.headset = fmt::format("{}, {} {}", runtime.systemName(), runtime.name(), runtime.version());
+    view.headset_state = nameOf(session->lifecycle().state());
+    view.frames_per_s = frames_per_s;
+    view.dropped_frames = dropped;
+    view.head_tracked = head.tracked;
+    view.left_tracked = device.aim[0].tracked;
+    view.right_tracked = device.aim[1].tracked;
+    view.ray_hand = pointing_hand.hand() == studies::Hand::left ? 'L' : 'R';
+    view.off_place_m = off_place_m;
+    view.place_tolerance_m = options.study.place_tolerance_m;
+    view.elapsed_s = session->now_s();
+    if (!joined) view.warnings.emplace_back("Waiting for the participant to put the headset on.");
+    if (!session->knowsFloor())
+        view.warnings.push_back(fmt::format(
+            "The runtime knows no floor: the eyes are taken to be {:.2f} m above it. Set up the room in "
+            "the runtime for true heights.",
+            options.study.assumed_eye_height_m));
+    if (joined && !device.aim[0].valid() && !device.aim[1].valid())
+        view.warnings.emplace_back(
+            "No controller is awake: the participant cannot answer. Press any of its buttons.");
+    if (!presented.notice.empty())
+        view.warnings.push_back(fmt::format("The participant reads: \"{}\"", presented.notice));
+    return view;
+}
+
+void HeadsetStation::State::showOperator() {
+    if (!operator_window->due()) return;
+    const WindowSize mirror = operator_window->mirrorSize();
+    renderer::Scene scene;
+    if (has_picture) scene = sceneFromFrame(presented, {});
+    picture->drawMirror(scene, mirror.width, mirror.height);
+    operator_window->show(operatorView());
+}
+
+HeadsetStation::HeadsetStation(std::unique_ptr<State> state) : state_(std::move(state)) {}
+HeadsetStation::~HeadsetStation() = default;
+
+Result<std::unique_ptr<HeadsetStation>> HeadsetStation::open(const assets::Avatar& avatar,
+                                                             const HeadsetStationOptions& options) {
+    // The runtime first: without one no window flashes up.
+    auto runtime = XrRuntime::open();
+    if (!runtime) return tl::unexpected(runtime.error());
+    auto state = std::make_unique<State>(options, std::move(*runtime), avatarEyeHeight(avatar));
+    State& s = *state;
+    auto window = GlWindow::open(options.title, options.window_size, false);
+    if (!window) return tl::unexpected(window.error());
+    s.window = std::move(*window);
+    s.operator_window = std::make_unique<OperatorWindow>(*s.window);
+    auto session = XrSessionLoop::open(s.runtime, *s.window,
+                                       {options.resolution_scale, options.study.assumed_eye_height_m});
+    if (!session) return tl::unexpected(session.error());
+    s.session = std::move(*session);
+    s.input =
+        std::make_unique<XrInput>(s.runtime, s.session->handle(),
+                                  XrInputOptions{options.study.record_gaze, options.study.record_hands});
+    auto picture = HeadsetPicture::create(avatar, *s.session);
+    if (!picture) return tl::unexpected(picture.error());
+    s.picture = std::move(*picture);
+    s.utc_offset_s = utcNow_s() - s.session->now_s();
+
+    // A first frame tells the refresh rate and the eyes' distance, where somebody is there already.
+    try {
+        const double until_s = s.session->now_s() + first_frame_s;
+        while (s.session->now_s() < until_s && s.ipd_m == 0.0) {
+            s.handleWindow();
+            if (!s.handleRuntime()) break;
+            s.beginXrFrame();
+            if (!s.frame) continue;
+            if (const auto eyes = s.session->locateEyes(*s.frame)) s.noteEyes(*eyes);
+            s.session->end(*s.frame, {});
+        }
+    } catch (const XrFailure& failure) {
+        if (!failure.lost()) throw;
+        return fail("headset",
+                    fmt::format("the connection to the OpenXR runtime was lost ({})", failure.what()),
+                    "Start the runtime again, then try again");
+    }
+    if (s.runtime.has("XR_FB_display_refresh_rate"))
+        if (const auto rate =
+                s.runtime.function<PFN_xrGetDisplayRefreshRateFB>("xrGetDisplayRefreshRateFB")) {
+            float hz = 0.0F;
+            if (XR_SUCCEEDED(rate(s.session->handle(), &hz))) s.refresh_rate_hz = hz;
+        }
+    if (s.refresh_rate_hz <= 0.0 && s.session->period_s() > 0.0)
+        s.refresh_rate_hz = 1.0 / s.session->period_s();
+    return std::unique_ptr<HeadsetStation>(new HeadsetStation(std::move(state)));
+}
+
+studies::StationInfo HeadsetStation::info() const {
+    const State& s = *state_;
+    const XrSwapchainSize& size = s.session->colour().size();
+    const char* mode = s.picture->multiview() ? "one pass for both eyes" : "one pass for each eye";
+    studies::StationInfo info;
+    info.kind = "headset";
+    info.details = fmt::format("{}, {} {}, 2 x {}x{} pixels, {:.0f} Hz, {}, {}", s.runtime.systemName(),
+                               s.runtime.name(), s.runtime.version(), size.width, size.height,
+                               s.refresh_rate_hz, mode, s.picture->driver());
+    info.controls = "Trigger: select.  Menu button: pause.  Thumbstick held for a second: recentre.";
+    const auto yesNo = [](bool yes) { return std::string(yes ? "yes" : "no"); };
+    info.properties = {{"runtime", s.runtime.name()},
+                       {"runtime_version", s.runtime.version()},
+                       {"system", s.runtime.systemName()},
+                       {"refresh_rate_hz", fmt::format("{:.3f}", s.refresh_rate_hz)},
+                       {"ipd_m", s.ipd_m > 0.0 ? fmt::format("{:.4f}", s.ipd_m) : ""},
+                       {"eye_width_px", std::to_string(size.width)},
+                       {"eye_height_px", std::to_string(size.height)},
+                       {"space", s.session->spaceName()},
+                       {"stereo", s.picture->multiview() ? "multiview" : "two passes"},
+                       {"depth_layer", yesNo(static_cast<bool>(s.session->depth()))},
+                       {"visibility_mask", yesNo(s.runtime.has("XR_KHR_visibility_mask"))},
+                       {"eye_gaze", yesNo(s.options.study.record_gaze && s.runtime.tracksEyes())},
+                       {"hand_joints", yesNo(s.options.study.record_hands && s.runtime.tracksHands())},
+                       {"driver", s.picture->driver()}};
+    return info;
+}
+
+studies::InputFrame HeadsetStation::beginFrame() {
+    State& s = *state_;
+    studies::InputFrame input;
+    try {
+        if (!s.lost && !s.joined) s.waitUntilWorn();
+        if (!s.lost) {
+            s.handleWindow();
+            if (!s.handleRuntime()) {
+                input.quit = true;
+                input.quit_reason = "the headset's runtime ended the session";
+            }
+            s.beginXrFrame();
+        }
+    } catch (const XrFailure& failure) {
+        s.lose(failure);
+    }
+    s.readInput(input);
+    if (s.lost) {
+        input.quit = true;
+        input.quit_reason = "the connection to the headset's runtime was lost";
+    }
+    for (auto& note : s.place.takeNotes()) s.notes.push_back(std::move(note));
+    input.notes = std::exchange(s.notes, {});
+    return input;
+}
+
+studies::FrameReport HeadsetStation::present(const studies::PresentedFrame& frame) {
+    State& s = *state_;
+    studies::FrameReport report{frame.number};
+    report.display_time_s = s.last_time_s;
+    s.place.stand(frame.stage_from_viewer, s.session->now_s());
+    s.presented = frame;
+    try {
+        if (s.frame) {
+            report.shown = s.drawFrame(frame);
+            if (frame.tick) s.input->tick(s.pointing_hand.hand());
+            report.tracking = s.sample(frame.number);
+            report.tracking->rendered = report.shown;
+            s.frame.reset();
+        }
+    } catch (const XrFailure& failure) {
+        s.lose(failure);
+        report.shown = false;
+    }
+    if (!s.lost) s.showOperator();
+    return report;
+}
+
+std::optional<Error> HeadsetStation::failure() const {
+    return state_->lost;
+}
+
+}  // namespace deixis::app
