@@ -137,6 +137,10 @@ class Panel {
 
     void session() const {
         section("Session");
+        if (view_.status.empty()) {
+            write(gui_.regular(), look::text, "Not begun yet");
+            return;
+        }
         const StudyProgress progress = studyProgress(view_.status);
         write(gui_.bold(), look::text, progress.stage);
         if (const auto done = progress.done()) {
