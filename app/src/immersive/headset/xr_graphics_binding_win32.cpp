@@ -28,7 +28,8 @@ class Win32Binding : public XrGraphicsBinding {
 
   private:
     HWND window_;
-    XrGraphicsBindingOpenGLWin32KHR binding_{XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR};
+    XrGraphicsBindingOpenGLWin32KHR binding_ =
+        typed<XrGraphicsBindingOpenGLWin32KHR>(XR_TYPE_GRAPHICS_BINDING_OPENGL_WIN32_KHR);
 };
 
 }  // namespace

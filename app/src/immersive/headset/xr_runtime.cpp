@@ -33,18 +33,20 @@ std::string versionText(XrVersion version) {
                        XR_VERSION_PATCH(version));
 }
 
-tl::unexpected<Error> noRuntime(XrResult result, const char* call) {
-    const std::string found = fmt::format("{} says {}", call, nameOf(result));
+/// The loader could not even ask a runtime what it offers.
+tl::unexpected<Error> noRuntime(XrResult result) {
+    return fail(
+        "headset",
+        fmt::format("no OpenXR runtime is installed and active: "
+                    "xrEnumerateInstanceExtensionProperties says {}",
+                    nameOf(result)),
+        "Install one (SteamVR, Monado, WiVRn) and make it the active runtime; XR_RUNTIME_JSON, where it "
+        "is set, must name its manifest");
+}
+
+tl::unexpected<Error> noInstance(XrResult result) {
+    const std::string found = fmt::format("xrCreateInstance says {}", nameOf(result));
     switch (result) {
-        case XR_ERROR_RUNTIME_UNAVAILABLE:
-        case XR_ERROR_FILE_ACCESS_ERROR:
-        case XR_ERROR_FILE_CONTENTS_INVALID:
-        case XR_ERROR_INSTANCE_LOST:
-        case XR_ERROR_RUNTIME_FAILURE:
-        case XR_ERROR_INITIALIZATION_FAILED:
-            return fail("headset", "no OpenXR runtime could be used: " + found,
-                        "Install one (SteamVR, Monado, WiVRn), make it the active runtime, and start it (for "
-                        "Monado: monado-service) before this program");
         case XR_ERROR_API_VERSION_UNSUPPORTED:
             return fail("headset", "the OpenXR runtime does not know OpenXR 1.0: " + found,
                         "Update the runtime");
@@ -52,20 +54,20 @@ tl::unexpected<Error> noRuntime(XrResult result, const char* call) {
             return fail("headset", "an OpenXR API layer is not installed: " + found,
                         "Install it, or unset XR_ENABLE_API_LAYERS");
         default:
-            return fail("headset", "the OpenXR runtime could not be opened: " + found,
-                        "XR_LOADER_DEBUG=all shows what the OpenXR loader tries");
+            // Runtimes that are installed but not running differ in what they say.
+            return fail("headset", "the OpenXR runtime does not answer: " + found,
+                        "Start it (SteamVR, monado-service, WiVRn's server) before this program");
     }
 }
 
 Result<std::set<std::string>> offeredExtensions() {
-    constexpr const char* call = "xrEnumerateInstanceExtensionProperties";
     std::uint32_t count = 0;
     XrResult result = xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr);
-    if (XR_FAILED(result)) return noRuntime(result, call);
+    if (XR_FAILED(result)) return noRuntime(result);
     std::vector<XrExtensionProperties> properties(
         count, XrExtensionProperties{XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 0});
     result = xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data());
-    if (XR_FAILED(result)) return noRuntime(result, call);
+    if (XR_FAILED(result)) return noRuntime(result);
     std::set<std::string> names;
     for (const auto& property : properties) names.emplace(property.extensionName);
     return names;
@@ -110,7 +112,7 @@ Result<XrRuntime> XrRuntime::open() {
     const XrResult created = xrCreateInstance(&creation, &runtime.instance_);
     if (XR_FAILED(created)) {
         runtime.instance_ = XR_NULL_HANDLE;
-        return noRuntime(created, "xrCreateInstance");
+        return noInstance(created);
     }
 
     auto about = typed<XrInstanceProperties>(XR_TYPE_INSTANCE_PROPERTIES);
