@@ -1,10 +1,31 @@
 #include "recorders.hpp"
 
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
 namespace deixis::app {
 
 void DirectRecorder::record(const studies::SessionEvent& event) {
     if (std::holds_alternative<studies::Response>(event)) ++answers_;
     store_.record(event, plan_, clips_by_trial_);
+}
+
+Result<results::RecordingOptions> recordingOptions() {
+    results::RecordingOptions options;
+    const char* variable = std::getenv("DEIXIS_STORAGE_DELAY_S");
+    if (variable == nullptr) return options;
+    const std::string_view text(variable);
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), options.delay_s);
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size() || !std::isfinite(options.delay_s) ||
+        options.delay_s < 0.0)
+        return fail("DEIXIS_STORAGE_DELAY_S",
+                    fmt::format("'{}' was found; expected seconds, from 0 on", text),
+                    "Unset it: it is for tests");
+    return options;
 }
 
 }  // namespace deixis::app

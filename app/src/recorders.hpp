@@ -2,8 +2,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/error.hpp"
+#include "results/recording_thread.hpp"
 #include "results/store.hpp"
 #include "session_loop.hpp"
 
@@ -28,5 +31,32 @@ class DirectRecorder : public Recorder {
     const std::vector<results::ClipRecord>& clips_by_trial_;
     int answers_ = 0;
 };
+
+/// Hands everything to a thread that writes it, so that no frame waits for the disk: for people. What still
+/// waits when it is destroyed is written then. A failure of the thread is thrown by whichever call comes
+/// next.
+class BackgroundRecorder : public Recorder {
+  public:
+    /// `store` and `plan` must outlive it; the store's session must have begun. While it lives nobody else
+    /// uses the store.
+    BackgroundRecorder(results::Store& store, const studies::StudyPlan& plan,
+                       std::vector<results::ClipRecord> clips_by_trial,
+                       const results::RecordingOptions& options)
+        : thread_(store, plan, std::move(clips_by_trial), options) {}
+
+    void record(const studies::SessionEvent& event) override { thread_.record(event); }
+    void sample(const studies::TrackingSample& sample, int trial_index) override {
+        thread_.sample(sample, trial_index);
+    }
+    [[nodiscard]] bool answersKept() const override { return thread_.allKept(); }
+    void finish() override { thread_.finish(); }
+
+  private:
+    results::RecordingThread thread_;
+};
+
+/// The usual options, except where the environment variable DEIXIS_STORAGE_DELAY_S asks for a slow store
+/// (for tests). Error: it is not a number of seconds.
+[[nodiscard]] Result<results::RecordingOptions> recordingOptions();
 
 }  // namespace deixis::app

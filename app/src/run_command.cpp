@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "assets/data_paths.hpp"
@@ -20,6 +22,7 @@
 #include "stations.hpp"
 #include "stimuli.hpp"
 #include "study_setup.hpp"
+#include "trace.hpp"
 
 namespace deixis::app {
 
@@ -34,6 +37,7 @@ struct Options {
     std::string report;
     std::string stimuli;
     std::vector<std::string> screenshots;
+    std::string trace;
     StationRequest station;
 };
 
@@ -94,6 +98,8 @@ Result<void> run(Options options) {
     if (!screenshots) return tl::unexpected(screenshots.error());
     options.station.screenshots->wanted = std::move(*screenshots);
     if (options.database.empty()) options.database = setup->study.name + ".sqlite";
+    const auto recording = recordingOptions();
+    if (!recording) return tl::unexpected(recording.error());
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
 
@@ -122,6 +128,12 @@ Result<void> run(Options options) {
     const auto stimuli = StimulusLibrary::load(*setup, trials, *avatar, stimuli_folder);
     if (!stimuli) return tl::unexpected(stimuli.error());
 
+    std::optional<std::ofstream> trace_file;
+    if (!options.trace.empty()) {
+        auto opened = openTrace(options.trace);
+        if (!opened) return tl::unexpected(opened.error());
+        trace_file = std::move(*opened);
+    }
     const auto station = openStation(options.station, setup->study, *plan, *avatar);
     if (!station) return tl::unexpected(station.error());
     const studies::StationInfo info = (*station)->info();
@@ -142,9 +154,19 @@ Result<void> run(Options options) {
     const auto records = stimuli->records(*plan);
     studies::SessionRunner session(setup->study, *plan, *stimuli, avatar->skeleton, idle, answered);
     store->beginSession({participant, info, programVersion(), avatar->content_hash, utcNow_s()});
-    DirectRecorder recorder(*store, *plan, records);
     try {
-        runSession(session, **station, recorder);
+        // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before
+        // the store is used again.
+        std::unique_ptr<Recorder> recorder;
+        if (info.synthetic)
+            recorder = std::make_unique<DirectRecorder>(*store, *plan, records);
+        else
+            recorder = std::make_unique<BackgroundRecorder>(*store, *plan, records, *recording);
+        std::optional<Trace> trace;
+        if (trace_file) trace.emplace(std::move(*trace_file), session, *recorder);
+        Recorder& told = trace ? static_cast<Recorder&>(*trace) : *recorder;
+        runSession(session, **station, told);
+        told.finish();
     } catch (const std::exception& error) {
         throw std::runtime_error(fmt::format(
             "{}: {}. All earlier answers are kept; the same command with --participant {} goes on after them",
@@ -186,6 +208,9 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
         ->default_val(assets::dataFile("simulated_participant.toml").string());
     command->add_option("--screenshot", options->screenshots,
                         "STATE=FILE.png: a picture of a state of the simulated session; may be repeated");
+    command->add_option("--trace", options->trace,
+                        "File to which a JSON line is added for each change of what is presented, while the "
+                        "session runs");
     command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -15,6 +15,8 @@ class Recorder {
     virtual void sample(const studies::TrackingSample& sample, int trial_index) = 0;
     /// Whether every answer given so far is on the disk; the next trial does not begin before.
     [[nodiscard]] virtual bool answersKept() const = 0;
+    /// Called once, when the session is over: waits until all is kept.
+    virtual void finish() {}
     /// Told of every frame as it was presented.
     virtual void presented(const studies::InputFrame&, const studies::PresentedFrame&) {}
 };

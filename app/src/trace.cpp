@@ -1,0 +1,130 @@
+#include "trace.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace deixis::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Vec3& v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+Json json(const Pose& pose) {
+    const Quat& q = pose.orientation;
+    return Json::array({pose.position.x, pose.position.y, pose.position.z, q.w, q.x, q.y, q.z});
+}
+
+const char* name(studies::BallLook look) {
+    switch (look) {
+        case studies::BallLook::waiting:
+            return "waiting";
+        case studies::BallLook::selectable:
+            return "selectable";
+        case studies::BallLook::hovered:
+            return "hovered";
+        case studies::BallLook::chosen:
+            return "chosen";
+    }
+    throw std::logic_error("a ball with a look that has no name");
+}
+
+Json ballsJson(const std::vector<studies::BallView>& balls) {
+    Json out = Json::array();
+    for (const auto& ball : balls)
+        out.push_back(
+            {{"centre", json(ball.centre)}, {"radius_m", ball.radius_m}, {"look", name(ball.look)}});
+    return out;
+}
+
+Json buttonsJson(const studies::PresentedFrame& frame) {
+    Json out = Json::array();
+    if (!frame.panel) return out;
+    for (const auto& button : frame.panel->buttons) {
+        const Vec3 centre{button.box.x + button.box.width / 2.0, button.box.y + button.box.height / 2.0, 0.0};
+        out.push_back({{"id", button.id},
+                       {"label", button.label},
+                       {"enabled", button.enabled},
+                       {"hovered", button.hovered},
+                       {"centre", json(transformPoint(frame.panel->stage_from_panel, centre))}});
+    }
+    return out;
+}
+
+Json rayJson(const std::optional<studies::RayView>& ray) {
+    if (!ray) return nullptr;
+    return {{"origin", json(ray->ray.origin)},
+            {"direction", json(ray->ray.direction)},
+            {"length_m", ray->length_m}};
+}
+
+Json notesJson(const std::vector<studies::StationNote>& notes) {
+    Json out = Json::array();
+    for (const auto& note : notes) out.push_back({{"kind", note.kind}, {"detail", note.detail}});
+    return out;
+}
+
+bool sameButton(const studies::PanelButton& a, const studies::PanelButton& b) {
+    return a.id == b.id && a.enabled == b.enabled && a.hovered == b.hovered && a.label == b.label;
+}
+
+}  // namespace
+
+Result<std::ofstream> openTrace(const std::filesystem::path& path) {
+    std::ofstream file(path, std::ios::app | std::ios::binary);
+    if (!file) return fail(path.string(), "the trace cannot be opened for writing", "Name another file");
+    return file;
+}
+
+bool Trace::changed(const studies::PresentedFrame& frame) const {
+    if (!begun_ || frame.state != state_ || frame.viewer_place != place_ || frame.status != status_ ||
+        frame.notice != notice_ || frame.panel.has_value() != panel_)
+        return true;
+    if (frame.panel && !std::equal(frame.panel->buttons.begin(), frame.panel->buttons.end(), buttons_.begin(),
+                                   buttons_.end(), sameButton))
+        return true;
+    return !std::equal(
+        frame.balls.begin(), frame.balls.end(), looks_.begin(), looks_.end(),
+        [](const studies::BallView& ball, studies::BallLook look) { return ball.look == look; });
+}
+
+void Trace::remember(const studies::PresentedFrame& frame) {
+    begun_ = true;
+    state_ = frame.state;
+    place_ = frame.viewer_place;
+    status_ = frame.status;
+    notice_ = frame.notice;
+    panel_ = frame.panel.has_value();
+    buttons_ = frame.panel ? frame.panel->buttons : std::vector<studies::PanelButton>();
+    looks_.clear();
+    for (const auto& ball : frame.balls) looks_.push_back(ball.look);
+}
+
+void Trace::presented(const studies::InputFrame& input, const studies::PresentedFrame& frame) {
+    kept_by_.presented(input, frame);
+    if (input.notes.empty() && !changed(frame)) return;
+    remember(frame);
+    const Json line{{"time_s", input.time_s},
+                    {"utc_s", input.utc_s},
+                    {"frame", frame.number},
+                    {"state", frame.state},
+                    {"status", frame.status},
+                    {"place", frame.viewer_place},
+                    {"notice", frame.notice},
+                    {"trial", session_.trialUnderWay()},
+                    {"stage_from_viewer", json(frame.stage_from_viewer)},
+                    {"balls", ballsJson(frame.balls)},
+                    {"buttons", buttonsJson(frame)},
+                    {"ray", rayJson(frame.ray)},
+                    {"head", json(input.stage_from_head)},
+                    {"notes", notesJson(input.notes)}};
+    // A device's name may be in any encoding.
+    file_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n' << std::flush;
+    if (!file_) throw std::runtime_error("the trace cannot be written");
+}
+
+}  // namespace deixis::app

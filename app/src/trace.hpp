@@ -1,0 +1,50 @@
+// A session told line by line while it runs, for test rigs and second screens.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "session_loop.hpp"
+
+namespace deixis::app {
+
+/// The file, open for adding to it. Error: it cannot be opened.
+[[nodiscard]] Result<std::ofstream> openTrace(const std::filesystem::path& path);
+
+/// Adds a JSON line to a file whenever what is presented changes in kind (state, place, status, notice, panel
+/// and its buttons, looks of the balls) or the station notes something; each line tells all of it, and is
+/// flushed. Everything else it leaves to another recorder. docs/database.md describes the lines.
+class Trace : public Recorder {
+  public:
+    /// `session` and `kept_by` must outlive it.
+    Trace(std::ofstream file, const studies::SessionRunner& session, Recorder& kept_by)
+        : file_(std::move(file)), session_(session), kept_by_(kept_by) {}
+
+    void record(const studies::SessionEvent& event) override { kept_by_.record(event); }
+    void sample(const studies::TrackingSample& sample, int trial_index) override {
+        kept_by_.sample(sample, trial_index);
+    }
+    [[nodiscard]] bool answersKept() const override { return kept_by_.answersKept(); }
+    void finish() override { kept_by_.finish(); }
+    /// Throws where the file cannot be written to.
+    void presented(const studies::InputFrame& input, const studies::PresentedFrame& frame) override;
+
+  private:
+    [[nodiscard]] bool changed(const studies::PresentedFrame& frame) const;
+    void remember(const studies::PresentedFrame& frame);
+
+    std::ofstream file_;
+    const studies::SessionRunner& session_;
+    Recorder& kept_by_;
+    // As last told.
+    bool begun_ = false;
+    std::string state_, place_, status_, notice_;
+    bool panel_ = false;
+    std::vector<studies::PanelButton> buttons_;
+    std::vector<studies::BallLook> looks_;
+};
+
+}  // namespace deixis::app
