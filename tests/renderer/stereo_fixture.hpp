@@ -87,11 +87,24 @@ class StereoTextures {
     renderer::StereoTarget target_;
 };
 
-/// The ways of drawing that the driver has; says so where it is only one.
-inline std::vector<renderer::StereoMode> stereoModes(const renderer::Renderer& drawing) {
-    if (drawing.hasMultiview()) return {renderer::StereoMode::two_passes, renderer::StereoMode::multiview};
-    MESSAGE("multiview is skipped: not to be had from ", drawing.driver());
-    return {renderer::StereoMode::two_passes};
+/// Calls `test` for every way of drawing that the driver has: with four samples and with one, in two passes
+/// and with multiview (which some drivers have for one sample only). Says where that is left out.
+template <typename Test>
+void inEachWay(const Test& test) {
+    for (const int samples : {4, 1}) {
+        Gl gl(samples);
+        CAPTURE(samples);
+        for (const renderer::StereoMode mode :
+             {renderer::StereoMode::two_passes, renderer::StereoMode::multiview}) {
+            const bool multiview = mode == renderer::StereoMode::multiview;
+            if (multiview && !gl.renderer->hasMultiview()) {
+                MESSAGE("skipped: no multiview with samples ", samples, " from ", gl.renderer->driver());
+                continue;
+            }
+            CAPTURE(multiview);
+            test(*gl.renderer, mode);
+        }
+    }
 }
 
 /// A texture for the board's copy, x from the left, y from the foot.
@@ -161,10 +174,6 @@ class Window {
     GLuint pixels_ = 0;
 };
 
-inline const char* nameOf(renderer::StereoMode mode) {
-    return mode == renderer::StereoMode::multiview ? "multiview" : "two passes";
-}
-
 /// The view of a symmetric camera for pictures of this shape.
 inline renderer::EyeFov fovOf(const renderer::Camera& camera, int width, int height) {
     const double up_rad = 0.5 * camera.vertical_fov_rad;
@@ -211,6 +220,18 @@ inline glm::dvec2 middleOfGreen(const EyePicture& picture) {
 /// A ball that middleOfGreen() finds.
 inline renderer::Ball greenBall(const Vec3& centre, double radius_m) {
     return {centre, radius_m, glm::vec3(0.0F), {0.0F, 0.6F, 0.0F}};
+}
+
+/// Avatar, balls and beam.
+inline renderer::Scene fullScene() {
+    renderer::Scene scene = emptyScene();
+    scene.avatar_visible = true;
+    scene.avatar_joints = postPose();
+    scene.balls = {{{0.5, 1.3, 0.4}, 0.1, glm::vec3(0.9F), {}},
+                   {{-0.4, 1.1, 0.9}, 0.08, glm::vec3(0.02F), {}}};
+    scene.beam =
+        renderer::Beam{{{0.3, 1.2, 2.4}, glm::normalize(Vec3(0.2, 0.1, -2.0))}, 1.9, {1.0F, 0.1F, 0.05F}};
+    return scene;
 }
 
 struct Difference {

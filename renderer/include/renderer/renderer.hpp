@@ -55,6 +55,8 @@ class Renderer {
     /// `mode` two_passes is always there, multiview where hasMultiview(). GL state afterwards as after
     /// draw().
     void drawStereo(const Scene& scene, const Eyes& eyes, const StereoTarget& target, StereoMode mode);
+    /// Whether the driver draws into two layers in one pass, with as many samples as Quality asks for
+    /// (several take GL_EXT_multiview_texture_multisample too).
     [[nodiscard]] bool hasMultiview() const;
     /// What drawStereo need not draw, by eye. Kept until set again.
     void setHiddenArea(const std::array<HiddenArea, 2>& areas);
