@@ -1,0 +1,65 @@
+"""Pictures of what the lenses would show: the runtime's real compositor in an X window."""
+
+import subprocess
+
+import checks
+from checks import require
+from participant import Choices
+from processes import until
+from scenarios import begin, require_clean_end, require_valid
+
+WANTED = (
+    ["welcome", "instructions", "practice", "break", "goodbye", "playing", "pointing", "rating"]
+    + [f"{state}-{layout}" for state in ("waiting", "playing", "pointing", "choosing", "aiming", "chosen")
+       for layout in ("across", "side-by-side")]
+)
+
+
+def pictures(settings):
+    """A picture of every state, taken from the compositor's window."""
+    settings.pictures.mkdir(parents=True, exist_ok=True)
+    for old in settings.pictures.glob("*.png"):
+        old.unlink()
+    with settings.rig("pictures", compositor="xcb", screen="2600x1500") as rig:
+        database = rig.folder / "short.sqlite"
+        rig_window = []
+
+        def compositor_window():
+            if not rig_window:
+                rig_window.extend(until("the compositor's window", lambda: rig.windows("Monado|OpenXR")))
+            return rig_window[0]
+
+        person, trace = begin(rig, database)
+        # The experimenter's window must not lie over the other.
+        for window in rig.windows("P01"):
+            subprocess.run(["xdotool", "windowmove", str(window), "1300", "0"], env=rig.environment, check=True)
+        taken = set()
+
+        def take(state):
+            if state in taken:
+                return
+            taken.add(state)
+            subprocess.run(
+                ["import", "-window", str(compositor_window()), str(settings.pictures / f"{state}.png")],
+                env=rig.environment, check=True,
+            )
+
+        def watch(line):
+            if line["state"] in WANTED and line["state"] not in taken:
+                trace.settle(0.3)
+                if trace.now["state"] == line["state"]:
+                    take(line["state"])
+
+        person.before_press = lambda trace: watch(trace.now)
+        person.take_part(trace, Choices(), watch=watch)
+        require_clean_end(rig, 60.0)
+        checks.check_exactly_given(database, person.given)
+        missing = [state for state in WANTED if state not in taken]
+        require(not missing, f"no picture was taken of {missing}")
+        for picture in settings.pictures.glob("*.png"):
+            colours = subprocess.run(
+                ["identify", "-format", "%k", str(picture)], capture_output=True, text=True, check=True
+            )
+            require(int(colours.stdout) > 100, f"{picture} shows next to nothing")
+        require_valid(rig)
+        return f"{len(taken)} pictures in {settings.pictures}"
