@@ -1,5 +1,6 @@
 // The frames of an OpenXR session: wait, begin, locate, end; and the clock that they share with the station.
 #define XR_USE_TIMESPEC
+#include <epoxy/gl.h>
 #include <time.h>
 
 #include <openxr/openxr.h>
@@ -169,6 +170,9 @@ void XrSessionLoop::end(const XrFrame& frame, const XrLayers& layers) {
     info.layers = list.data();
     frame_open_ = false;
     const XrResult ended = xrEndFrame(session_, &info);
+    // Some runtimes leave OpenGL errors of their own behind, which are not the renderer's.
+    while (glGetError() != GL_NO_ERROR) {
+    }
     if (XR_FAILED(ended)) lost_ = true;
     check(ended, "xrEndFrame");
 }

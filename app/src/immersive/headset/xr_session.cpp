@@ -176,8 +176,10 @@ std::array<renderer::HiddenArea, 2> XrSessionLoop::hiddenArea() const {
 
 void XrSessionLoop::enter(XrSessionState state, XrTime time, XrHappenings& happenings) {
     const XrDuty duty = lifecycle_.enter(state);
+    // Some runtimes give no time with their events.
+    const bool timed = station_zero_ns_ && time > 0;
     happenings.notes.push_back(
-        {"xr_state", std::string(nameOf(state)), station_zero_ns_ ? stationSeconds(time) : now_s()});
+        {"xr_state", std::string(nameOf(state)), timed ? stationSeconds(time) : now_s()});
     switch (duty) {
         case XrDuty::begin_session: {
             auto info = typed<XrSessionBeginInfo>(XR_TYPE_SESSION_BEGIN_INFO);
