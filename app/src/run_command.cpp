@@ -175,6 +175,7 @@ Result<void> run(Options options) {
     store->endSession(session.quit() ? "quit" : "finished", utcNow_s());
     auto reported =
         reportSession(options, participant, unanswered(*plan, store->answeredTrials(participant)));
+    if (const auto why = (*station)->failure()) return tl::unexpected(*why);
     const Screenshots& pictures = *options.station.screenshots;
     if (reported && !pictures.wanted.empty())
         return fail("--screenshot",
@@ -192,15 +193,22 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--participant", options->participant,
                         "Pseudonymous id [the next free of P01, P02, ...]");
     command
-        ->add_option("--station", options->station.kind,
-                     "desktop: a window and a person; simulated: a simulated participant, drawn off screen")
-        ->check(CLI::IsMember({"desktop", "simulated"}))
+        ->add_option(
+            "--station", options->station.kind,
+            "desktop: a window and a person; headset: a person in VR (OpenXR); simulated: a simulated "
+            "participant, drawn off screen")
+        ->check(CLI::IsMember({"desktop", "headset", "simulated"}))
         ->capture_default_str();
     command->add_option("--db", options->database, "Database to add to [STUDY.sqlite]");
     command->add_option("--report", options->report, "HTML report to write [beside the database]");
     command->add_option("--stimuli", options->stimuli,
                         "Folder for the built-in systems' clips [beside the database]");
     command->add_option("--size", options->station.size, "Window or picture size, such as 1280x720");
+    command
+        ->add_option("--resolution-scale", options->station.resolution_scale,
+                     "Of the picture size that the headset's runtime recommends (headset)")
+        ->check(CLI::Range(0.2, 3.0))
+        ->capture_default_str();
     command->add_flag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
     command
         ->add_option("--parameters", options->station.simulated_parameters,
