@@ -77,10 +77,11 @@ void StereoSamples::readLayer(int eye) {
 void StereoSamples::resolve(const StereoTarget& target, int eye) {
     readLayer(eye);
     // Attached anew in each frame: a swapchain has several textures, and a deleted one's name comes again.
-    attach(resolved_, GL_COLOR_ATTACHMENT0, target.colour, eye);
-    attach(resolved_, GL_DEPTH_ATTACHMENT, target.depth, target.depth != 0U ? eye : 0);
+    const auto side = static_cast<std::size_t>(eye);
+    glNamedFramebufferTexture(resolved_.name(), GL_COLOR_ATTACHMENT0, target.colour[side], 0);
+    glNamedFramebufferTexture(resolved_.name(), GL_DEPTH_ATTACHMENT, target.depth[side], 0);
     GLbitfield parts = GL_COLOR_BUFFER_BIT;
-    if (target.depth != 0U) parts |= GL_DEPTH_BUFFER_BIT;
+    if (target.depth[side] != 0U) parts |= GL_DEPTH_BUFFER_BIT;
     glEnable(GL_FRAMEBUFFER_SRGB);
     glBlitNamedFramebuffer(read_.name(), resolved_.name(), 0, 0, width_, height_, 0, 0, width_, height_,
                            parts, GL_NEAREST);

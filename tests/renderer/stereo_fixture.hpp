@@ -48,21 +48,19 @@ std::vector<T> flipped(const std::vector<T>& rows, std::size_t row_length) {
 /// The textures that a headset's runtime would lend. The context must outlive them.
 class StereoTextures {
   public:
-    StereoTextures(int width, int height) : target_{0, 0, width, height} {
-        const auto make = [&](GLenum format) {
-            GLuint name = 0;
-            glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
-            glTextureStorage3D(name, 1, format, width, height, 2);
-            return name;
-        };
-        target_.colour = make(GL_SRGB8_ALPHA8);
-        target_.depth = make(GL_DEPTH_COMPONENT32F);
+    StereoTextures(int width, int height) : target_{{}, {}, width, height} {
+        glCreateTextures(GL_TEXTURE_2D, 2, target_.colour.data());
+        glCreateTextures(GL_TEXTURE_2D, 2, target_.depth.data());
+        for (std::size_t eye = 0; eye < 2; ++eye) {
+            glTextureStorage2D(target_.colour[eye], 1, GL_SRGB8_ALPHA8, width, height);
+            glTextureStorage2D(target_.depth[eye], 1, GL_DEPTH_COMPONENT32F, width, height);
+        }
     }
     StereoTextures(const StereoTextures&) = delete;
     StereoTextures& operator=(const StereoTextures&) = delete;
     ~StereoTextures() {
-        glDeleteTextures(1, &target_.colour);
-        glDeleteTextures(1, &target_.depth);
+        glDeleteTextures(2, target_.colour.data());
+        glDeleteTextures(2, target_.depth.data());
     }
     [[nodiscard]] const renderer::StereoTarget& target() const { return target_; }
 
@@ -74,10 +72,11 @@ class StereoTextures {
         std::vector<std::uint8_t> rgba(pixels * 4);
         std::vector<float> depth(pixels);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glGetTextureSubImage(target_.colour, 0, 0, 0, eye, width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                             static_cast<GLsizei>(rgba.size()), rgba.data());
-        glGetTextureSubImage(target_.depth, 0, 0, 0, eye, width, height, 1, GL_DEPTH_COMPONENT, GL_FLOAT,
-                             static_cast<GLsizei>(pixels * sizeof(float)), depth.data());
+        const auto side = static_cast<std::size_t>(eye);
+        glGetTextureImage(target_.colour[side], 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                          static_cast<GLsizei>(rgba.size()), rgba.data());
+        glGetTextureImage(target_.depth[side], 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                          static_cast<GLsizei>(pixels * sizeof(float)), depth.data());
         REQUIRE(glGetError() == static_cast<GLenum>(GL_NO_ERROR));
         const auto row = static_cast<std::size_t>(width);
         return {width, height, flipped(rgba, row * 4), flipped(depth, row)};

@@ -130,7 +130,7 @@ TEST_SUITE("renderer/stereo") {
             const StereoTextures with(width, height);
             const StereoTextures without(width, height);
             StereoTarget colour_only = without.target();
-            colour_only.depth = 0;
+            colour_only.depth = {};
             drawing.drawStereo(scene, eyes, with.target(), mode);
             drawing.drawStereo(scene, eyes, colour_only, mode);
             CHECK(with.read(0).rgba == without.read(0).rgba);

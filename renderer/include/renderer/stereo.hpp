@@ -22,10 +22,11 @@ struct Eye {
 /// Left, then right.
 using Eyes = std::array<Eye, 2>;
 
-/// GL names of two-layer texture arrays of one size: layer 0 is the left eye's.
+/// GL names of 2D textures of one size, left and right: one for each eye, since not every runtime lends
+/// layers.
 struct StereoTarget {
-    unsigned int colour = 0;  ///< sRGB8_ALPHA8
-    unsigned int depth = 0;   ///< DEPTH_COMPONENT32F; 0: depth is not wanted
+    std::array<unsigned int, 2> colour{};  ///< sRGB8_ALPHA8
+    std::array<unsigned int, 2> depth{};   ///< DEPTH_COMPONENT32F; 0: depth is not wanted
     int width = 0;
     int height = 0;
 };

@@ -117,16 +117,21 @@ XrLayers HeadsetPicture::draw(const renderer::Scene& scene, const XrEyes& eyes,
     left_ = views[0];
 
     renderer::StereoTarget target;
-    target.width = session_.colour().size().width;
-    target.height = session_.colour().size().height;
-    target.colour = session_.colour().acquire();
-    if (session_.depth()) target.depth = session_.depth().acquire();
+    target.width = session_.eyeSize().width;
+    target.height = session_.eyeSize().height;
+    const bool depth = session_.hasDepth();
+    for (std::size_t i = 0; i < 2; ++i) {
+        target.colour[i] = session_.colour()[i].acquire();
+        if (depth) target.depth[i] = session_.depth()[i].acquire();
+    }
     renderer_.drawStereo(scene, views, target, mode_);
-    session_.colour().release();
-    if (session_.depth()) session_.depth().release();
+    for (std::size_t i = 0; i < 2; ++i) {
+        session_.colour()[i].release();
+        if (depth) session_.depth()[i].release();
+    }
 
     layers.eyes = eyes;
-    layers.has_depth = static_cast<bool>(session_.depth());
+    layers.has_depth = depth;
     layers.near_m = scene.camera.near_m / placement.scale;
     layers.far_m = scene.camera.far_m / placement.scale;
     return layers;

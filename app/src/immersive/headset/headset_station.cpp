@@ -391,7 +391,7 @@ Result<std::unique_ptr<HeadsetStation>> HeadsetStation::open(const assets::Avata
 
 studies::StationInfo HeadsetStation::info() const {
     const State& s = *state_;
-    const XrSwapchainSize& size = s.session->colour().size();
+    const XrSwapchainSize& size = s.session->eyeSize();
     const char* mode = s.picture->multiview() ? "one pass for both eyes" : "one pass for each eye";
     studies::StationInfo info;
     info.kind = "headset";
@@ -405,11 +405,10 @@ studies::StationInfo HeadsetStation::info() const {
                        {"system", s.runtime.systemName()},
                        {"refresh_rate_hz", fmt::format("{:.3f}", s.refresh_rate_hz)},
                        {"ipd_m", s.ipd_m > 0.0 ? fmt::format("{:.4f}", s.ipd_m) : ""},
-                       {"eye_width_px", std::to_string(size.width)},
-                       {"eye_height_px", std::to_string(size.height)},
+                       {"eye_picture_px", fmt::format("{}x{}", size.width, size.height)},
                        {"space", s.session->spaceName()},
                        {"stereo", s.picture->multiview() ? "multiview" : "two passes"},
-                       {"depth_layer", yesNo(static_cast<bool>(s.session->depth()))},
+                       {"depth_layer", yesNo(s.session->hasDepth())},
                        {"visibility_mask", yesNo(s.runtime.has("XR_KHR_visibility_mask"))},
                        {"eye_gaze", yesNo(s.options.study.record_gaze && s.runtime.tracksEyes())},
                        {"hand_joints", yesNo(s.options.study.record_hands && s.runtime.tracksHands())},

@@ -17,11 +17,10 @@ namespace {
 
 constexpr double ns_per_s = 1e9;
 
-XrSwapchainSubImage wholeImage(const XrGlSwapchain& chain, std::uint32_t layer) {
+XrSwapchainSubImage wholeImage(const XrGlSwapchain& chain) {
     XrSwapchainSubImage image{};
     image.swapchain = chain.handle();
     image.imageRect.extent = {chain.size().width, chain.size().height};
-    image.imageArrayIndex = layer;
     return image;
 }
 
@@ -142,10 +141,10 @@ void XrSessionLoop::end(const XrFrame& frame, const XrLayers& layers) {
             views[i] = typed<XrCompositionLayerProjectionView>(XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
             views[i].pose = layers.eyes->views[i].pose;
             views[i].fov = layers.eyes->views[i].fov;
-            views[i].subImage = wholeImage(colour_, i);
+            views[i].subImage = wholeImage(colour_[i]);
             if (!layers.has_depth) continue;
             depths[i] = typed<XrCompositionLayerDepthInfoKHR>(XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR);
-            depths[i].subImage = wholeImage(depth_, i);
+            depths[i].subImage = wholeImage(depth_[i]);
             depths[i].minDepth = 0.0F;
             depths[i].maxDepth = 1.0F;
             depths[i].nearZ = static_cast<float>(layers.near_m);

@@ -112,7 +112,6 @@ Result<void> XrSessionLoop::createSwapchains(double resolution_scale) {
         return static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most)));
     };
     XrSwapchainSize size;
-    size.layers = 2;
     for (const auto& view : views) {
         size.width = std::max(size.width, scaled(view.recommendedImageRectWidth, view.maxImageRectWidth));
         size.height = std::max(size.height, scaled(view.recommendedImageRectHeight, view.maxImageRectHeight));
@@ -120,18 +119,20 @@ Result<void> XrSessionLoop::createSwapchains(double resolution_scale) {
     const std::int64_t colour_format = firstOfferedFormat(session_, {gl_srgb8_alpha8});
     if (colour_format == 0)
         return fail("headset", "the runtime offers no sRGB pictures (GL_SRGB8_ALPHA8)", "Update the runtime");
-    colour_ = XrGlSwapchain(session_, colour_format, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, size);
+    for (auto& eye : colour_)
+        eye = XrGlSwapchain(session_, colour_format, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, size);
     if (runtime_.has("XR_KHR_composition_layer_depth")) {
         const std::int64_t depth_format = firstOfferedFormat(session_, {gl_depth_component32f});
-        if (depth_format != 0)
-            depth_ =
-                XrGlSwapchain(session_, depth_format, XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, size);
+        for (auto& eye : depth_)
+            if (depth_format != 0)
+                eye = XrGlSwapchain(session_, depth_format, XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT,
+                                    size);
     }
     return {};
 }
 
 XrGlSwapchain XrSessionLoop::boardPicture(int width, int height) const {
-    return {session_, gl_srgb8_alpha8, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, {width, height, 1}};
+    return {session_, gl_srgb8_alpha8, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, {width, height}};
 }
 
 void XrSessionLoop::chooseBlendMode() {

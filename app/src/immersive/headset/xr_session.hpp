@@ -95,8 +95,11 @@ class XrSessionLoop {
     /// Ends it. Called exactly once for each begun frame.
     void end(const XrFrame& frame, const XrLayers& layers);
 
-    [[nodiscard]] XrGlSwapchain& colour() { return colour_; }
-    [[nodiscard]] XrGlSwapchain& depth() { return depth_; }  ///< none where the runtime takes no depth
+    /// By eye, left first, all of one size. Depth: none where the runtime takes none.
+    [[nodiscard]] std::array<XrGlSwapchain, 2>& colour() { return colour_; }
+    [[nodiscard]] std::array<XrGlSwapchain, 2>& depth() { return depth_; }
+    [[nodiscard]] const XrSwapchainSize& eyeSize() const { return colour_[0].size(); }
+    [[nodiscard]] bool hasDepth() const { return static_cast<bool>(depth_[0]); }
     [[nodiscard]] XrGlSwapchain boardPicture(int width, int height) const;
     [[nodiscard]] std::array<renderer::HiddenArea, 2> hiddenArea() const;
 
@@ -126,7 +129,7 @@ class XrSessionLoop {
     XrReferenceSpaceType space_type_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
     std::string space_name_;
     XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
-    XrGlSwapchain colour_, depth_;
+    std::array<XrGlSwapchain, 2> colour_, depth_;
     XrSessionLifecycle lifecycle_;
     bool frame_open_ = false;
     bool lost_ = false;

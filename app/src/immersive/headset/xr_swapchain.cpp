@@ -20,7 +20,7 @@ XrGlSwapchain::XrGlSwapchain(XrSession session, std::int64_t format, XrSwapchain
     creation.width = static_cast<std::uint32_t>(size.width);
     creation.height = static_cast<std::uint32_t>(size.height);
     creation.faceCount = 1;
-    creation.arraySize = static_cast<std::uint32_t>(size.layers);
+    creation.arraySize = 1;
     creation.mipCount = 1;
     check(xrCreateSwapchain(session, &creation, &handle_), "xrCreateSwapchain");
     size_ = size;

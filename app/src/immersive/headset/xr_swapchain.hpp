@@ -11,7 +11,6 @@ namespace deixis::app {
 struct XrSwapchainSize {
     int width = 0;
     int height = 0;
-    int layers = 1;
 };
 
 class XrGlSwapchain {
