@@ -166,6 +166,8 @@ CREATE TABLE tracking (
     UNIQUE (session, frame)
 ) STRICT;
 
+CREATE INDEX tracking_of_trial ON tracking (session, trial_index);
+
 CREATE TABLE hand_joints (
     session INTEGER NOT NULL REFERENCES sessions (id),
     frame   INTEGER NOT NULL,
