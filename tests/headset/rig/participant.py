@@ -165,6 +165,7 @@ class Participant:
         self.press_until(
             trace, f"next page after '{state}'", lambda now: (now["state"], now["status"]) != (state, status)
         )
+        self.stand()
 
     def rate(self, trace, rating):
         trial = trace.now["trial"]
@@ -192,6 +193,8 @@ class Participant:
                 return
             if watch:
                 watch(line)
+                if trace.now is not line:
+                    continue  # the watcher took its time
             state = line["state"]
             if state in PAGES:
                 self.leave_page(trace)
@@ -201,12 +204,14 @@ class Participant:
             if state == "rating":
                 self._move(line["trial"])
                 self.rate(trace, choices.rating(line["trial"]))
-            elif state.startswith(("choosing", "aiming")):
+                continue
+            if state.startswith(("choosing", "aiming")):
                 self._move(line["trial"])
                 self.choose(trace, choices.place(line["trial"]))
-            elif state == "paused":
+                continue
+            if state == "paused":
                 raise AssertionError(f"paused unexpectedly: {trace.describe()}")
-            key = self._key(trace.now)
+            key = self._key(line)
             trace.wait(f"something after '{state}'", lambda now, key=key: self._key(now) != key, 40.0)
 
     @staticmethod

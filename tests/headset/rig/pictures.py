@@ -6,8 +6,9 @@ import checks
 from checks import require
 from participant import Choices
 from processes import until
-from scenarios import begin, require_clean_end, require_valid
+from scenarios import begin, changed_study, require_clean_end, require_valid
 
+SCREEN = "1920x1080"  # the compositor's window fills it
 WANTED = (
     ["welcome", "instructions", "practice", "break", "goodbye", "playing", "pointing", "rating"]
     + [f"{state}-{layout}" for state in ("waiting", "playing", "pointing", "choosing", "aiming", "chosen")
@@ -20,7 +21,7 @@ def pictures(settings):
     settings.pictures.mkdir(parents=True, exist_ok=True)
     for old in settings.pictures.glob("*.png"):
         old.unlink()
-    with settings.rig("pictures", compositor="xcb", screen="2600x1500") as rig:
+    with settings.rig("pictures", compositor="xcb", screen=SCREEN) as rig:
         database = rig.folder / "short.sqlite"
         rig_window = []
 
@@ -29,10 +30,14 @@ def pictures(settings):
                 rig_window.extend(until("the compositor's window", lambda: rig.windows("Monado|OpenXR")))
             return rig_window[0]
 
-        person, trace = begin(rig, database)
-        # The experimenter's window must not lie over the other.
+        study = changed_study(
+            rig, "pictured", ("items = 2", "items = 1"), ("items = 4", "items = 2"), ("break_every = 4", "break_every = 2")
+        )
+        # Drawn by the processor: at full resolution a frame would take a second. Text has its own resolution.
+        person, trace = begin(rig, database, "--resolution-scale", "0.4", study=study)
+        # The experimenter's window must not lie over the other: beside the screen.
         for window in rig.windows("P01"):
-            subprocess.run(["xdotool", "windowmove", str(window), "1300", "0"], env=rig.environment, check=True)
+            subprocess.run(["xdotool", "windowmove", str(window), SCREEN.split("x")[0], "0"], env=rig.environment, check=True)
         taken = set()
 
         def take(state):
@@ -45,10 +50,12 @@ def pictures(settings):
             )
 
         def watch(line):
-            if line["state"] in WANTED and line["state"] not in taken:
-                trace.settle(0.3)
-                if trace.now["state"] == line["state"]:
-                    take(line["state"])
+            state = line["state"]
+            if state not in WANTED or state in taken:
+                return
+            trace.settle(0.2 if state.startswith("chosen") else 0.5)  # until the compositor shows it
+            if trace.now["state"] == state or state.startswith("chosen"):
+                take(state)
 
         person.before_press = lambda trace: watch(trace.now)
         person.take_part(trace, Choices(), watch=watch)

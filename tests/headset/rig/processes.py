@@ -154,6 +154,7 @@ class Rig:
             environment["XRT_COMPOSITOR_NULL"] = "1"
         else:
             environment["XRT_COMPOSITOR_FORCE_XCB"] = "1"
+            environment["XRT_COMPOSITOR_XCB_FULLSCREEN"] = "1"
         if self._driver == "simulated":
             environment |= {"SIMULATED_ENABLE": "1", "SIMULATED_LEFT": "simple", "SIMULATED_RIGHT": "simple"}
         self.service = self._start(["monado-service"], f"service-{len(self._processes)}", environment)
