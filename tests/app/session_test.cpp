@@ -80,7 +80,13 @@ TEST_SUITE("app/session") {
     TEST_CASE("two runs of one participant at once are refused, another participant is not") {
         const Scratch scratch;
         const std::string database = scratch / "study.sqlite";
-        const std::string run = "run pointing2023 --station simulated --db " + database + " --participant ";
+        // Long, so that the first is still under way when the second comes.
+        std::string study = replaced(shippedStudy(), "count = 100 ", "count = 140 ");
+        study = replaced(study, "items = 5 ", "items = 60 ");
+        study = replaced(study, "items = 10 ", "items = 60 ");
+        spill(scratch / "study.toml", study);
+        const std::string run =
+            "run " + (scratch / "study.toml") + " --station simulated --db " + database + " --participant ";
         Background first(std::string(DEIXIS_PROGRAM) + " " + run + "P01 >/dev/null 2>&1");
         REQUIRE(eventually(60.0, [&] { return answerCount(database) >= 1; }));
         CHECK_FAILS_SAYING(program(run + "P01"), "P01", "study.sqlite");
