@@ -1,29 +1,13 @@
 // Drawing a frame of the game off screen and reading it back.
 #include <benchmark/benchmark.h>
 
-#include "immersive/frame_scene.hpp"
-#include "inputs.hpp"
 #include "renderer/renderer.hpp"
+#include "scenes.hpp"
 #include "study_setup.hpp"
 
 namespace {
 
 using namespace deixis;
-
-/// The avatar across from the viewer, three balls, and the ray on one of them.
-renderer::Scene gameScene() {
-    bench::Participant participant;
-    participant.toAnswer();
-    while (participant.frame.balls.empty() || participant.frame.viewer_place != "across") {
-        participant.answerSomehow(0);
-        participant.toAnswer();
-    }
-    participant.step(participant.pointing(participant.frame.balls.front().centre, false));
-    const studies::PresentedFrame& frame = participant.frame;
-    Pose stage_from_eye = frame.stage_from_viewer;
-    stage_from_eye.position.y += 1.65;
-    return app::sceneFromFrame(frame, stage_from_eye);
-}
 
 /// Arguments: width, height, samples.
 void capture(benchmark::State& state) {
@@ -33,7 +17,7 @@ void capture(benchmark::State& state) {
     renderer::Quality quality;
     quality.samples = static_cast<int>(state.range(2));
     renderer::Renderer drawing = bench::valueOf(renderer::Renderer::create(avatar, quality));
-    const renderer::Scene scene = gameScene();
+    const renderer::Scene scene = bench::sceneOf(bench::gameFrame());
     const auto width = static_cast<int>(state.range(0));
     const auto height = static_cast<int>(state.range(1));
     benchmark::DoNotOptimize(drawing.capture(scene, width, height).rgb.data());  // paints the board
