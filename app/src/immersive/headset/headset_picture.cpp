@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "motion/skeleton.hpp"
+
 namespace deixis::app {
 
 namespace {
@@ -59,6 +61,25 @@ Result<std::unique_ptr<HeadsetPicture>> HeadsetPicture::create(const assets::Ava
 
 void HeadsetPicture::updateHiddenArea() {
     renderer_.setHiddenArea(session_.hiddenArea());
+}
+
+void HeadsetPicture::warmUp(const assets::Avatar& avatar) {
+    renderer::Scene scene;
+    motion::worldPose(avatar.skeleton, motion::restPose(avatar.skeleton), scene.avatar_joints);
+    const Pose head{{0.0, 1.6, 3.0}, no_rotation};
+    scene.balls.push_back({{0.5, 1.2, 1.0}});
+    scene.beam = renderer::Beam{{{0.2, 1.2, 2.8}, {0.0, 0.0, -1.0}}};
+    scene.board = noticeBoard("Warming up");
+    scene.board->buttons.push_back({{0.05, 0.02, 0.1, 0.05}, "1", "caption"});
+    scene.board->stage_from_board = {{-0.3, 1.3, 1.8}, no_rotation};
+    constexpr double side_rad = radiansFromDegrees(45.0);
+    XrEyes eyes;
+    eyes.tracking_from_eye = {head, head};
+    eyes.fov.fill({-side_rad, side_rad, side_rad, -side_rad});
+    setNotice("Warming up", head);
+    (void)draw(scene, eyes, {});
+    drawMirror(scene, session_.eyeSize().width, session_.eyeSize().height);
+    setNotice("", head);
 }
 
 XrBoardLayer HeadsetPicture::layerOf(const renderer::Board& board, Shown& shown,

@@ -26,6 +26,9 @@ class HeadsetPicture {
     void setNotice(const std::string& text, const Pose& tracking_from_head);
     /// What the left eye saw last, into the window.
     void drawMirror(const renderer::Scene& scene, int width, int height);
+    /// Draws once all that a session may show, without showing it: drivers compile at the first use, and that
+    /// must not fall into a trial.
+    void warmUp(const assets::Avatar& avatar);
     /// Asks the session anew what the lenses hide.
     void updateHiddenArea();
 

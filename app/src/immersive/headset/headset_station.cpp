@@ -359,6 +359,7 @@ Result<std::unique_ptr<HeadsetStation>> HeadsetStation::open(const assets::Avata
     auto picture = HeadsetPicture::create(avatar, *s.session);
     if (!picture) return tl::unexpected(picture.error());
     s.picture = std::move(*picture);
+    s.picture->warmUp(avatar);
     s.utc_offset_s = utcNow_s() - s.session->now_s();
 
     // A first frame tells the refresh rate and the eyes' distance, where somebody is there already.
