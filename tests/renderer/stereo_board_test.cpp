@@ -146,7 +146,9 @@ TEST_SUITE("renderer/board_copy") {
         Board board = questionBoard();
         board.width_m = 0.9003;  // no whole number of pixels
         board.height_m = 0.4602;
-        const auto [copy_width, copy_height] = gl.renderer->boardSize(board);
+        const std::array<int, 2> size = gl.renderer->boardSize(board);
+        const int copy_width = size[0];
+        const int copy_height = size[1];
         const BoardRect extent = gl.renderer->boardExtent(board);
         CHECK(extent.width / copy_width == doctest::Approx(extent.height / copy_height));
         CHECK(extent.x < 0.0);
@@ -236,7 +238,8 @@ TEST_SUITE("renderer/mirror") {
         const StereoTextures textures(256, 256);
         gl.renderer->drawStereo(scene, eyes, textures.target(), StereoMode::two_passes);
         for (const auto& [w, h] : {std::pair{400, 200}, std::pair{120, 240}}) {
-            CAPTURE(w);
+            const bool wide = w > h;
+            CAPTURE(wide);
             const Window window(w, h);
             gl.renderer->drawMirror(scene, eyes[0], w, h, window.name());
             const Image mirror = window.read();
