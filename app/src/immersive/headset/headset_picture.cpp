@@ -16,7 +16,7 @@ constexpr double notice_below_eyes_m = 0.22;
 constexpr double notice_follows_rad = radiansFromDegrees(45.0);
 
 renderer::Board noticeBoard(const std::string& text) {
-    constexpr double line_m = 0.045;
+    constexpr double line_m = 0.046;
     renderer::Board board;
     board.width_m = std::clamp(0.024 * static_cast<double>(text.size()) + 0.16, 0.5, 1.2);
     board.height_m = 3.2 * line_m;
@@ -26,6 +26,31 @@ renderer::Board noticeBoard(const std::string& text) {
     line.size_m = line_m;
     line.centred = true;
     board.texts.push_back(line);
+    return board;
+}
+
+// As large as pages come, in the sizes of their texts.
+renderer::Board pageLikeBoard() {
+    renderer::Board board;
+    board.stage_from_board = {{-0.7, 0.8, 1.8}, no_rotation};
+    board.width_m = 1.4;
+    board.height_m = 1.3;
+    board.progress = 0.5;
+    board.texts = {{{0.07, 1.1, 1.2, 0.1}, "Title", 0.066, true},
+                   {{0.07, 0.9, 1.2, 0.1}, "Text", 0.046},
+                   {{0.07, 0.7, 1.2, 0.1}, "Emphasis", 0.046, true}};
+    board.buttons = {{{0.5, 0.1, 0.3, 0.13}, "Continue"}};
+    return board;
+}
+
+renderer::Board ratingLikeBoard() {
+    renderer::Board board;
+    board.stage_from_board = {{-0.78, 0.9, 1.8}, no_rotation};
+    board.width_m = 1.55;
+    board.height_m = 0.42;
+    board.texts = {{{0.07, 0.28, 1.4, 0.07}, "Question", 0.05, true, true}};
+    board.buttons = {{{0.07, 0.07, 0.25, 0.17}, "1", "caption"},
+                     {{0.4, 0.07, 0.25, 0.17}, "2", "caption", true, true}};
     return board;
 }
 
@@ -69,15 +94,15 @@ void HeadsetPicture::warmUp(const assets::Avatar& avatar) {
     const Pose head{{0.0, 1.6, 3.0}, no_rotation};
     scene.balls.push_back({{0.5, 1.2, 1.0}});
     scene.beam = renderer::Beam{{{0.2, 1.2, 2.8}, {0.0, 0.0, -1.0}}};
-    scene.board = noticeBoard("Warming up");
-    scene.board->buttons.push_back({{0.05, 0.02, 0.1, 0.05}, "1", "caption"});
-    scene.board->stage_from_board = {{-0.3, 1.3, 1.8}, no_rotation};
     constexpr double side_rad = radiansFromDegrees(45.0);
     XrEyes eyes;
     eyes.tracking_from_eye = {head, head};
     eyes.fov.fill({-side_rad, side_rad, side_rad, -side_rad});
     setNotice("Warming up", head);
-    (void)draw(scene, eyes, {});
+    for (const renderer::Board& board : {pageLikeBoard(), ratingLikeBoard()}) {
+        scene.board = board;
+        (void)draw(scene, eyes, {});
+    }
     drawMirror(scene, session_.eyeSize().width, session_.eyeSize().height);
     setNotice("", head);
 }
