@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds, runs every check and test, and ends with the counts.
-#   scripts/test.sh          everything: style, lint, three builds (gcc, clang without graphics, sanitizers)
+#   scripts/test.sh          everything: style, lint, three builds (gcc, clang without graphics, sanitizers), and a
+#                            fourth on Debian 13 where the headset's tests run (needs root)
 #   scripts/test.sh dev      one preset's tests only
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -31,6 +32,9 @@ for preset in "${presets[@]}"; do run_preset "$preset" || status=1; done
 if [ $# -eq 0 ]; then
     scripts/compare_builds.sh build/dev/deixis build/offline/deixis || status=1
     scripts/lint.sh || status=1
+    scripts/test_headset.sh 2>&1 | tee build/test-logs/headset.log || status=1
+    counts+=("Debian 13: $(grep -E 'tests passed' build/test-logs/headset.log || echo 'no result')")
+    counts+=("$(grep -E '^headset: [0-9]+ passed' build/test-logs/headset.log || echo 'headset: no result')")
 fi
 
 echo
