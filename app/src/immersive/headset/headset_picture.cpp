@@ -12,7 +12,7 @@ namespace deixis::app {
 namespace {
 
 constexpr double notice_distance_m = 1.1;
-constexpr double notice_below_eyes_m = 0.22;
+constexpr double notice_above_eyes_m = 0.30;  // over the avatar's head and any page
 constexpr double notice_follows_rad = radiansFromDegrees(45.0);
 
 renderer::Board noticeBoard(const std::string& text) {
@@ -54,11 +54,11 @@ renderer::Board ratingLikeBoard() {
     return board;
 }
 
-// Upright before the head, a little below the eyes.
+// Upright before the head, above the eyes.
 Pose noticePose(const renderer::Board& board, const Pose& tracking_from_head) {
     const Pose stand = studies::anchorFromHead(tracking_from_head).tracking_from_anchor;
     const Vec3 corner(-board.width_m / 2.0,
-                      tracking_from_head.position.y - notice_below_eyes_m - board.height_m / 2.0,
+                      tracking_from_head.position.y + notice_above_eyes_m - board.height_m / 2.0,
                       -notice_distance_m);
     return stand * Pose{corner, no_rotation};
 }

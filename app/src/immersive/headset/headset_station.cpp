@@ -43,6 +43,13 @@ double avatarEyeHeight(const assets::Avatar& avatar) {
     return sum_m / 2.0;
 }
 
+// Headset, runtime and its version; some runtimes have it in their name already.
+std::string deviceWords(const XrRuntime& runtime) {
+    const bool named = runtime.name().find(runtime.version()) != std::string::npos;
+    return fmt::format("{}, {}{}{}", runtime.systemName(), runtime.name(), named ? "" : " ",
+                       named ? "" : runtime.version());
+}
+
 const char* nameOf(studies::Hand hand) {
     return hand == studies::Hand::left ? "left" : "right";
 }
@@ -301,7 +308,7 @@ OperatorView HeadsetStation::State::operatorView() const {
     view.status = presented.status;
     view.state = presented.state;
     view.paused = presented.state == "paused";
-    view.headset = fmt::format("{}, {} {}", runtime.systemName(), runtime.name(), runtime.version());
+    view.headset = deviceWords(runtime);
     view.headset_state = nameOf(session->lifecycle().state());
     view.frames_per_s = frames_per_s;
     view.dropped_frames = dropped;
@@ -396,9 +403,8 @@ studies::StationInfo HeadsetStation::info() const {
     const char* mode = s.picture->multiview() ? "one pass for both eyes" : "one pass for each eye";
     studies::StationInfo info;
     info.kind = "headset";
-    info.details = fmt::format("{}, {} {}, 2 x {}x{} pixels, {:.0f} Hz, {}, {}", s.runtime.systemName(),
-                               s.runtime.name(), s.runtime.version(), size.width, size.height,
-                               s.refresh_rate_hz, mode, s.picture->driver());
+    info.details = fmt::format("{}, 2 x {}x{} pixels, {:.0f} Hz, {}, {}", deviceWords(s.runtime), size.width,
+                               size.height, s.refresh_rate_hz, mode, s.picture->driver());
     info.controls = "Trigger: select.  Menu button: pause.  Thumbstick held for a second: recentre.";
     const auto yesNo = [](bool yes) { return std::string(yes ? "yes" : "no"); };
     info.properties = {{"runtime", s.runtime.name()},
