@@ -19,7 +19,8 @@ suite=trixie
 
 packages() {
     printf '%s\n' libopenxr1-monado monado-service openxr-layer-corevalidation libopenxr-loader1 \
-        libgl1-mesa-dri mesa-vulkan-drivers xvfb xdotool x11-utils imagemagick iproute2 procps python3 sqlite3 ccache
+        libgl1-mesa-dri mesa-vulkan-drivers xvfb xdotool x11-utils imagemagick iproute2 procps python3 sqlite3 \
+        libxml2-utils ccache
     "$here/scripts/install.sh" list
 }
 

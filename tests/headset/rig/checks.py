@@ -3,6 +3,7 @@
 import json
 import sqlite3
 import statistics
+from dataclasses import dataclass
 
 from geometry import Pose, angle_between_deg, length, subtract, turned_about_y
 
@@ -75,7 +76,8 @@ def check_exactly_given(path, given):
                 f"trial {index}: rating and place {got} are stored, {(want.rating, want.place)} were given",
             )
             require(row["input"] == "ray", f"trial {index} was answered by '{row['input']}'")
-        practice = [r["detail"] for r in db.rows("select detail from events where kind = 'practice_answer' order by id")]
+        events = db.rows("select detail from events where kind = 'practice_answer' order by id")
+        practice = [row["detail"] for row in events]
         wanted = [g for index, g in sorted(given.items()) if index not in scored]
         said = [f"rating {g.rating}" if g.rating else f"place {g.place}" for g in wanted]
         require(
@@ -140,7 +142,8 @@ def check_heads(path, given, anchor):
             held = viewer * anchor.inverse() * given[trial].head
             apart = length(subtract((row["head_x_m"], row["head_y_m"], row["head_z_m"]), held.position))
             require(apart < 0.02, f"trial {trial}: the stored head is {apart:.3f} m from where it was held")
-            turned = angle_between_deg((row["head_qw"], row["head_qx"], row["head_qy"], row["head_qz"]), held.orientation)
+            stored = (row["head_qw"], row["head_qx"], row["head_qy"], row["head_qz"])
+            turned = angle_between_deg(stored, held.orientation)
             require(turned < 1.0, f"trial {trial}: the stored head is turned {turned:.2f} degrees from how it was held")
 
 
@@ -167,11 +170,23 @@ def check_tracking(path):
         return len(rows)
 
 
-def longest_work_s(path):
-    """The longest time between a frame's beginning and its handing over; the first ones load things."""
+@dataclass
+class Work:
+    """What frames took, from their beginning to their handing over, in seconds."""
+
+    median: float
+    slow: float  # longer than in 99 of 100 frames
+    longest: float
+
+    def __str__(self):
+        return f"{self.median * 1e3:.0f} ms, 99 % within {self.slow * 1e3:.0f} ms, at most {self.longest * 1e3:.0f} ms"
+
+
+def work_of_frames(path):
     with Database(path) as db:
-        rows = db.rows("select begun_s, submitted_s from tracking order by session, frame")
-        return max(row["submitted_s"] - row["begun_s"] for row in rows[20:])
+        rows = db.rows("select submitted_s - begun_s as work_s from tracking order by session, frame")
+    work_s = sorted(row["work_s"] for row in rows[20:])  # the first ones load things
+    return Work(statistics.median(work_s), work_s[len(work_s) * 99 // 100], work_s[-1])
 
 
 def check_joints(path):

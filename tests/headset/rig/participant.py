@@ -52,6 +52,9 @@ class Participant:
         )
         self.head = Pose(self._body.point(add((0.0, self._eye_height_m, 0.0), lean)), orientation)
         self.remote.state.head.centre.set(self.head)
+        self.rest_hands()
+
+    def rest_hands(self):
         for hand in ("left", "right"):
             self._put(hand, self._hand_rest(hand), turned_about_x(-60.0))
         self.remote.send()
@@ -165,21 +168,21 @@ class Participant:
         self.press_until(
             trace, f"next page after '{state}'", lambda now: (now["state"], now["status"]) != (state, status)
         )
-        self.stand()
+        self.rest_hands()
 
     def rate(self, trace, rating):
         trial = trace.now["trial"]
         self.hover_button(trace, FIRST_RATING + rating - 1)
         at = self.press_until(trace, "rated", lambda now: now["state"] == "rated")
         self.has_given(trial, rating=rating, pressed_utc_s=at)
-        self.stand()
+        self.rest_hands()
 
     def choose(self, trace, place):
         trial = trace.now["trial"]
         centre = self.hover_ball(trace, place)
         at = self.press_until(trace, "chosen", lambda now: now["state"].startswith("chosen"))
         self.has_given(trial, place=place, ball=tuple(centre), pressed_utc_s=at)
-        self.stand()
+        self.rest_hands()
 
     def has_given(self, trial, **answer):
         self.given[trial] = Given(trial, head=self.head, **answer)
@@ -211,6 +214,8 @@ class Participant:
                 continue
             if state == "paused":
                 raise AssertionError(f"paused unexpectedly: {trace.describe()}")
+            if state.startswith("waiting"):
+                self.stand()  # and look at the avatar
             key = self._key(line)
             trace.wait(f"something after '{state}'", lambda now, key=key: self._key(now) != key, 40.0)
 

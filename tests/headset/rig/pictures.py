@@ -9,6 +9,8 @@ from processes import until
 from scenarios import begin, changed_study, require_clean_end, require_valid
 
 SCREEN = "1920x1080"  # the compositor's window fills it
+# When the compositor shows what is wanted of a state: what is chosen is gone soon, a movement must have begun.
+SHOWN_S = {"chosen": 0.2, "playing": 0.8, "pointing": 0.1}
 WANTED = (
     ["welcome", "instructions", "practice", "break", "goodbye", "playing", "pointing", "rating"]
     + [f"{state}-{layout}" for state in ("waiting", "playing", "pointing", "choosing", "aiming", "chosen")
@@ -30,14 +32,14 @@ def pictures(settings):
                 rig_window.extend(until("the compositor's window", lambda: rig.windows("Monado|OpenXR")))
             return rig_window[0]
 
-        study = changed_study(
-            rig, "pictured", ("items = 2", "items = 1"), ("items = 4", "items = 2"), ("break_every = 4", "break_every = 2")
-        )
+        fewer = (("items = 2", "items = 1"), ("items = 4", "items = 2"), ("break_every = 4", "break_every = 2"))
+        study = changed_study(rig, "pictured", *fewer)
         # Drawn by the processor: at full resolution a frame would take a second. Text has its own resolution.
         person, trace = begin(rig, database, "--resolution-scale", "0.4", study=study)
         # The experimenter's window must not lie over the other: beside the screen.
         for window in rig.windows("P01"):
-            subprocess.run(["xdotool", "windowmove", str(window), SCREEN.split("x")[0], "0"], env=rig.environment, check=True)
+            beside = SCREEN.split("x")[0]
+            subprocess.run(["xdotool", "windowmove", str(window), beside, "0"], env=rig.environment, check=True)
         taken = set()
 
         def take(state):
@@ -53,7 +55,7 @@ def pictures(settings):
             state = line["state"]
             if state not in WANTED or state in taken:
                 return
-            trace.settle(0.2 if state.startswith("chosen") else 0.5)  # until the compositor shows it
+            trace.settle(SHOWN_S.get(state.split("-")[0], 0.5))
             if trace.now["state"] == state or state.startswith("chosen"):
                 take(state)
 
@@ -64,9 +66,10 @@ def pictures(settings):
         missing = [state for state in WANTED if state not in taken]
         require(not missing, f"no picture was taken of {missing}")
         for picture in settings.pictures.glob("*.png"):
-            colours = subprocess.run(
-                ["identify", "-format", "%k", str(picture)], capture_output=True, text=True, check=True
-            )
-            require(int(colours.stdout) > 100, f"{picture} shows next to nothing")
+            seen = subprocess.run(
+                ["identify", "-format", "%k %[fx:mean]", str(picture)], capture_output=True, text=True, check=True
+            ).stdout.split()
+            # A lit room with an avatar: many colours, and hardly any black but beyond the lenses' edges.
+            require(int(seen[0]) > 1000 and float(seen[1]) > 0.4, f"{picture} shows no lit room")
         require_valid(rig)
         return f"{len(taken)} pictures in {settings.pictures}"

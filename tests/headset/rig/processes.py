@@ -215,11 +215,3 @@ class Rig:
             time.sleep(0.5)
             if not self.deixis.alive():
                 return
-
-    def validation_errors(self):
-        """What the validation layer had to complain of, in all runs."""
-        found = []
-        for path in sorted(self.folder.glob("validation-*.txt")):
-            lines = path.read_text(errors="replace").splitlines()
-            found += [line for line in lines if "[VALID_ERROR" in line]
-        return found

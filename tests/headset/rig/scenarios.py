@@ -11,6 +11,7 @@ from processes import Rig, until
 
 HERE = Path(__file__).parent
 STUDY = HERE / "short.toml"
+STORAGE_DELAY_S = 0.2  # in the soak, of each transaction
 
 
 class Settings:
@@ -21,7 +22,7 @@ class Settings:
         self.runs = Path(runs)
         self.pictures = Path(pictures)
         self.soak_s = soak_s
-        self.usual_work_s = None  # the longest that a frame took in the study scenario
+        self.usual_work_s = None  # what frames took in the study scenario
 
     def rig(self, name, **more):
         return Rig(self.runs / name, self.program, **more)
@@ -55,13 +56,11 @@ def long_study(rig, seconds):
     )
 
 
-def require_valid(rig):
-    """The validation layer was there and had nothing to complain of."""
-    for run in range(1, len(list(rig.folder.glob("trace-*.jsonl"))) + 1):
-        require(
-            (rig.folder / f"validation-{run}.txt").exists(), f"run {run} left no file of the validation layer"
-        )
-    errors = rig.validation_errors()
+def require_valid(rig, run=1):
+    """The validation layer was there in that run, and had nothing to complain of."""
+    path = rig.folder / f"validation-{run}.txt"
+    require(path.exists(), f"run {run} left no file of the validation layer")
+    errors = [line for line in path.read_text(errors="replace").splitlines() if "[VALID_ERROR" in line]
     require(not errors, f"the validation layer found {len(errors)} errors, the first: {(errors or [''])[0]}")
 
 
@@ -95,7 +94,7 @@ def whole_study(settings):
         checks.check_heads(database, person.given, person.anchor)
         frames = checks.check_tracking(database)
         checks.check_joints(database)
-        settings.usual_work_s = checks.longest_work_s(database)
+        settings.usual_work_s = checks.work_of_frames(database)
         require(not trace.rays_outside, f"a ray was shown in {sorted(set(trace.rays_outside))}")
         missing = {f"{state}-{layout}" for state in ("waiting", "playing", "pointing", "choosing", "aiming", "chosen")
                    for layout in ("across", "side-by-side")} - set(trace.states)
@@ -149,14 +148,13 @@ def tracked_frames(database):
 def runtime_killed(settings):
     """monado-service is killed in the midst of a trial, started again, and the command run again."""
     with settings.rig("killed") as rig:
-        database = rig.folder / "short.sqlite"
-        person, trace = begin(rig, database)
+        database = rig.folder / "tiny.sqlite"
+        study = tiny_study(rig)
+        person, trace = begin(rig, database, study=study)
         choices = Choices()
-
-        def fourth_game_trial(line):
-            return line["state"].startswith("playing-") and len(person.given) == 1 + 4 + 2 + 3
-
-        person.take_part(trace, choices, stop=fourth_game_trial)
+        person.take_part(
+            trace, choices, stop=lambda line: line["state"].startswith("playing-") and len(person.given) == 4
+        )
         killed_in = trace.now["trial"]
         before = checks.answers(database)
         rig.kill_service()
@@ -164,29 +162,20 @@ def runtime_killed(settings):
         require(status == 1, f"without its runtime the program ended with status {status}; see {rig.deixis.log}")
         said = rig.deixis.text()
         require("deixis: error:" in said and "runtime" in said, f"it did not say why it ended; see {rig.deixis.log}")
-        require(len(before) == 4 + 3 and checks.answers(database) == before, "answers before the kill are not there")
+        require(len(before) == 4 and checks.answers(database) == before, "answers before the kill are not there")
 
-        again, trace = begin(rig, database)
+        again, trace = begin(rig, database, study=study)
         again.given = person.given
         require(trace.now["state"] == "welcome-back", f"the first page was '{trace.now['state']}'")
-        first = []
-        again.take_part(trace, choices, watch=lambda line: first.append(line["trial"]) if line["trial"] is not None
-                        and line["trial"] >= 0 and not first else None)
+        again.take_part(trace, choices, stop=lambda line: line["trial"] >= 0)
+        require(trace.now["trial"] == killed_in, f"it went on at trial {trace.now['trial']}, not at {killed_in}")
+        again.take_part(trace, choices)
         require_clean_end(rig)
-        require(first == [killed_in], f"it went on at trial {first}, not at {killed_in}")
         require(checks.answers(database)[: len(before)] == before, "an earlier answer was changed")
         count = checks.check_exactly_given(database, person.given)
-        require(count == 12, f"{count} answers instead of 12")
-        require_valid_end(rig, 2)
+        require(count == 6, f"{count} answers instead of 6")
+        require_valid(rig, 2)
         return f"killed in trial {killed_in} after {len(before)} answers"
-
-
-def require_valid_end(rig, run):
-    """As require_valid, for one run: where the runtime was killed the layer may say that calls failed."""
-    path = rig.folder / f"validation-{run}.txt"
-    require(path.exists(), f"run {run} left no file of the validation layer")
-    errors = [line for line in path.read_text(errors="replace").splitlines() if "[VALID_ERROR" in line]
-    require(not errors, f"the validation layer found {len(errors)} errors, the first: {(errors or [''])[0]}")
 
 
 def no_runtime(settings):
@@ -211,9 +200,8 @@ def soak(settings):
         whole_study(settings)
     with settings.rig("soak") as rig:
         database = rig.folder / "soak.sqlite"
-        person, trace = begin(
-            rig, database, study=long_study(rig, settings.soak_s), environment={"DEIXIS_STORAGE_DELAY_S": "0.2"}
-        )
+        slow = {"DEIXIS_STORAGE_DELAY_S": str(STORAGE_DELAY_S)}
+        person, trace = begin(rig, database, study=long_study(rig, settings.soak_s), environment=slow)
         start = time.monotonic()
         resident = []  # (seconds, kB)
 
@@ -223,21 +211,26 @@ def soak(settings):
         person.take_part(trace, Choices(), watch=watch)
         require_clean_end(rig)
         spent_s = resident[-1][0]
+        (rig.folder / "memory.csv").write_text("".join(f"{at:.1f},{kb}\n" for at, kb in resident))
         warm_up_s = min(60.0, spent_s / 2)
         checks.check_exactly_given(database, person.given)
         late = [kb for at, kb in resident if at >= warm_up_s]
         grown_mb = (max(late) - min(late)) / 1024.0
-        require(grown_mb <= 2.0, f"memory moved by {grown_mb:.1f} MB after the first {warm_up_s:.0f} s")
+        # SQLite's page cache, of 2 MB, is still filling in a short soak.
+        flat_mb = 2.0 if spent_s - warm_up_s >= 60.0 else 4.0
+        require(grown_mb <= flat_mb, f"memory moved by {grown_mb:.1f} MB after the first {warm_up_s:.0f} s")
         frames = checks.check_tracking(database)
-        work_s = checks.longest_work_s(database)
-        # One delayed transaction takes 0.2 s: a frame that waited for one would be far above both.
-        most_s = max(1.5 * settings.usual_work_s, 0.1)
+        work_s = checks.work_of_frames(database)
+        # Each answer and each event makes the writer busy for 0.2 s, and there are more of them than one in a hundred
+        # frames: if frames waited for it, the slowest hundredth would show it. A single one may be the machine's unrest.
+        usual_s = settings.usual_work_s
         require(
-            work_s <= most_s,
-            f"a frame took {work_s * 1e3:.0f} ms with slow storage, and {settings.usual_work_s * 1e3:.0f} ms at most without",
+            work_s.slow <= max(1.5 * usual_s.slow, 0.75 * STORAGE_DELAY_S)
+            and work_s.median <= usual_s.median + STORAGE_DELAY_S / 4,
+            f"frames took {work_s} with slow storage, and {usual_s} without",
         )
         require_valid(rig)
         return (
-            f"{spent_s:.0f} s, {frames} frames, {work_s * 1e3:.0f} ms at most ({settings.usual_work_s * 1e3:.0f} usually), "
+            f"{spent_s:.0f} s, {frames} frames of {work_s} (usually {usual_s}), "
             f"memory within {grown_mb:.2f} MB"
         )
