@@ -30,13 +30,13 @@ mirror() {
         awk '$1 == "Debian" && !found { print $2; found = 1 } END { if (!found) print "http://deb.debian.org/debian" }'
 }
 
-# Runs its arguments with / at the root, in namespaces that end with them. $1: "network" keeps the machine's.
+# Becomes its arguments, with / at the root, in namespaces that end with it. $1: "network" keeps the machine's.
 inside() {
     local network=--net
     [ "$1" != network ] || network=
     shift
     ROOT=$root HERE=$here CACHE=${CCACHE_DIR:-${HOME:-/root}/.cache/ccache} \
-        unshare --mount --pid --fork --kill-child ${network:+"$network"} bash -c '
+        exec unshare --mount --pid --fork --kill-child ${network:+"$network"} bash -c '
         set -euo pipefail
         mount -t proc proc "$ROOT/proc"
         mount --rbind /dev "$ROOT/dev"
@@ -70,8 +70,8 @@ make_root() {
     mkdir -p "$root/etc/dpkg/dpkg.cfg.d"
     echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/quick" # it can be made again
     # shellcheck disable=SC2046 # one word a package
-    inside network sh -c 'apt-get update -qq && apt-get install -y -qq --no-install-recommends "$@" && apt-get clean' \
-        sh $(packages) >>"$log" 2>&1 || {
+    (inside network sh -c 'apt-get update -qq && apt-get install -y -qq --no-install-recommends "$@" && apt-get clean' \
+        sh $(packages)) >>"$log" 2>&1 || {
         tail -n 5 "$log" >&2
         echo "headset_root.sh: the packages could not be installed" >&2
         exit 1
@@ -84,7 +84,7 @@ mkdir -p "$(dirname "$root")"
 exec 9>"$root.lock"
 flock 9
 [ -f "$stamp" ] && packages | cmp -s - "$stamp" || make_root
-flock -u 9
+exec 9>&-
 
 if [ "${1:-}" = run ]; then
     shift

@@ -43,8 +43,6 @@ def pictures(settings):
         taken = set()
 
         def take(state):
-            if state in taken:
-                return
             taken.add(state)
             subprocess.run(
                 ["import", "-window", str(compositor_window()), str(settings.pictures / f"{state}.png")],
@@ -53,7 +51,8 @@ def pictures(settings):
 
         def watch(line):
             state = line["state"]
-            if state not in WANTED or state in taken:
+            # The first movements may jerk, while the driver still compiles: of those the last picture is kept.
+            if state not in WANTED or (state in taken and state not in ("playing", "pointing")):
                 return
             trace.settle(SHOWN_S.get(state.split("-")[0], 0.5))
             if trace.now["state"] == state or state.startswith("chosen"):

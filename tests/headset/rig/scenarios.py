@@ -222,10 +222,10 @@ def soak(settings):
         frames = checks.check_tracking(database)
         work_s = checks.work_of_frames(database)
         # Each answer and each event makes the writer busy for 0.2 s, and there are more of them than one in a hundred
-        # frames: if frames waited for it, the slowest hundredth would show it. A single one may be the machine's unrest.
+        # frames: had frames waited for it, the slowest hundredth would show it. A single one is the machine's unrest.
         usual_s = settings.usual_work_s
         require(
-            work_s.slow <= max(1.5 * usual_s.slow, 0.75 * STORAGE_DELAY_S)
+            work_s.slow <= max(1.5 * usual_s.slow, STORAGE_DELAY_S)
             and work_s.median <= usual_s.median + STORAGE_DELAY_S / 4,
             f"frames took {work_s} with slow storage, and {usual_s} without",
         )
