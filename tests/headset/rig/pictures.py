@@ -51,8 +51,8 @@ def pictures(settings):
 
         def watch(line):
             state = line["state"]
-            # The first movements may jerk, while the driver still compiles: of those the last picture is kept.
-            if state not in WANTED or (state in taken and state not in ("playing", "pointing")):
+            # Pointing is taken anew each time: the first time the picture of the state before has used up the moment.
+            if state not in WANTED or (state in taken and not state.startswith("pointing")):
                 return
             trace.settle(SHOWN_S.get(state.split("-")[0], 0.5))
             if trace.now["state"] == state or state.startswith("chosen"):
