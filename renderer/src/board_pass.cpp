@@ -73,11 +73,6 @@ void main() {
 }
 )";
 
-bool sameContent(const Board& a, const Board& b) {
-    return a.width_m == b.width_m && a.height_m == b.height_m && a.texts == b.texts &&
-           a.buttons == b.buttons && a.progress == b.progress;
-}
-
 }  // namespace
 
 void BoardPass::ContextDeleter::operator()(ImGuiContext* context) const {

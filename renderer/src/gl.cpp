@@ -121,6 +121,16 @@ Renderbuffer renderbuffer(GLenum format, int width, int height, int samples) {
     return Renderbuffer(name);
 }
 
+void beginPicture(const Framebuffer& framebuffer, int width, int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+    glViewport(0, 0, width, height);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    const std::array<GLfloat, 4> black{0.0F, 0.0F, 0.0F, 1.0F};
+    const GLfloat farthest = 1.0F;
+    glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, black.data());
+    glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
+}
+
 void requireComplete(const Framebuffer& framebuffer, std::string_view what) {
     const GLenum status = glCheckNamedFramebufferStatus(framebuffer.name(), GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)

@@ -87,6 +87,9 @@ template <typename T>
 /// Throws std::runtime_error naming `what` where the framebuffer is incomplete.
 void requireComplete(const Framebuffer& framebuffer, std::string_view what);
 
+/// Makes the framebuffer current and clears it, black and far; linear colours written are stored as sRGB.
+void beginPicture(const Framebuffer& framebuffer, int width, int height);
+
 /// Compiles and links. Each stage is the concatenation of its parts after the #version line; throws
 /// std::runtime_error with the driver's log.
 using Parts = std::initializer_list<std::string_view>;

@@ -59,13 +59,7 @@ void StereoSamples::begin(int width, int height, Views views) {
         make(width, height, views);
         gl::requireComplete(drawn_, "eyes' samples");
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-    glViewport(0, 0, width, height);
-    glEnable(GL_FRAMEBUFFER_SRGB);
-    const std::array<GLfloat, 4> black{0.0F, 0.0F, 0.0F, 1.0F};
-    const GLfloat farthest = 1.0F;
-    glClearNamedFramebufferfv(drawn_.name(), GL_COLOR, 0, black.data());
-    glClearNamedFramebufferfv(drawn_.name(), GL_DEPTH, 0, &farthest);
+    gl::beginPicture(drawn_, width, height);
 }
 
 void StereoSamples::readLayer(int eye) {

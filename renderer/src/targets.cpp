@@ -1,7 +1,6 @@
 #include "targets.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace deixis::renderer {
 namespace {
@@ -32,13 +31,7 @@ void Targets::begin(int width, int height) {
                                        resolved_colour_.name());
         gl::requireComplete(resolved_, "resolved picture");
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.name());
-    glViewport(0, 0, width, height);
-    glEnable(GL_FRAMEBUFFER_SRGB);
-    const std::array<GLfloat, 4> black{0.0F, 0.0F, 0.0F, 1.0F};
-    const GLfloat farthest = 1.0F;
-    glClearNamedFramebufferfv(drawn_.name(), GL_COLOR, 0, black.data());
-    glClearNamedFramebufferfv(drawn_.name(), GL_DEPTH, 0, &farthest);
+    gl::beginPicture(drawn_, width, height);
 }
 
 void Targets::resolve() {

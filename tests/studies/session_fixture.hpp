@@ -94,6 +94,13 @@ class OneClip : public ClipSource {
     motion::Clip clip_;
 };
 
+inline InputFrame pauseFor(const char* reason) {
+    InputFrame input;
+    input.pause = true;
+    input.pause_reason = reason;
+    return input;
+}
+
 /// The ray from the participant's eyes to a point.
 inline Ray lookAt(const PresentedFrame& frame, const Vec3& point) {
     const Vec3 eye = frame.stage_from_viewer.position + Vec3(0.0, 1.65, 0.0);

@@ -9,13 +9,6 @@ using namespace deixis::tests;
 
 namespace {
 
-InputFrame pauseFor(const char* reason) {
-    InputFrame input;
-    input.pause = true;
-    input.pause_reason = reason;
-    return input;
-}
-
 void resume(Driver& driver) {
     driver.wait(0.5);
     driver.press(button_id::resume);

@@ -10,13 +10,6 @@ using namespace deixis::tests;
 
 namespace {
 
-InputFrame pauseFor(const char* reason) {
-    InputFrame input;
-    input.pause = true;
-    input.pause_reason = reason;
-    return input;
-}
-
 /// Everything that a hand could do by chance: aims at buttons, balls and nothing, keys, pauses.
 InputFrame anything(const PresentedFrame& frame, Random& random) {
     InputFrame input;

@@ -66,6 +66,12 @@ struct Board {
     double progress = -1.0;  ///< 0..1 draws a bar along the foot
 };
 
+/// Whether two boards look the same, wherever they stand.
+[[nodiscard]] inline bool sameContent(const Board& a, const Board& b) {
+    return a.width_m == b.width_m && a.height_m == b.height_m && a.texts == b.texts &&
+           a.buttons == b.buttons && a.progress == b.progress;
+}
+
 struct Scene {
     Camera camera{};
     bool avatar_visible = true;

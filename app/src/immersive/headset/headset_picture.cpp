@@ -63,11 +63,6 @@ Pose noticePose(const renderer::Board& board, const Pose& tracking_from_head) {
     return stand * Pose{corner, no_rotation};
 }
 
-bool sameContent(const renderer::Board& a, const renderer::Board& b) {
-    return a.width_m == b.width_m && a.height_m == b.height_m && a.texts == b.texts &&
-           a.buttons == b.buttons && a.progress == b.progress;
-}
-
 }  // namespace
 
 HeadsetPicture::HeadsetPicture(renderer::Renderer renderer, XrSessionLoop& session)
@@ -109,7 +104,7 @@ void HeadsetPicture::warmUp(const assets::Avatar& avatar) {
 
 XrBoardLayer HeadsetPicture::layerOf(const renderer::Board& board, Shown& shown,
                                      const studies::Placement& placement) {
-    if (!shown.painted || !sameContent(shown.board, board)) {
+    if (!shown.painted || !renderer::sameContent(shown.board, board)) {
         const auto [width, height] = renderer_.boardSize(board);
         if (!shown.chain || shown.chain.size().width < width || shown.chain.size().height < height)
             shown.chain = session_.boardPicture(std::max(width, shown.chain.size().width),
