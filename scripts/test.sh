@@ -14,9 +14,14 @@ counts=()
 run_preset() {
     echo "== $1: configure and build"
     cmake --preset "$1" -Wno-dev >/dev/null
-    cmake --build --preset "$1" | tail -n 3
-    echo "== $1: tests"
     local log=build/test-logs/$1.log status=0
+    if ! cmake --build --preset "$1" >"$log" 2>&1; then
+        tail -n 60 "$log"
+        counts+=("$1: the build failed")
+        return 1
+    fi
+    tail -n 1 "$log"
+    echo "== $1: tests"
     ctest --preset "$1" -j2 --timeout 1200 2>&1 | tee "$log" || status=$?
     counts+=("$1: $(grep -E 'tests passed' "$log" || echo 'no result')")
     return "$status"

@@ -139,8 +139,9 @@ TEST_SUITE("studies/session_interruption") {
             {"operator", {"Paused", "The experimenter has paused the session."}},
             {"menu", {"Paused", "Go on when you are ready."}},
             {"", {"Paused", "Go on when you are ready."}}};
-        for (const auto& [reason, words] : pages) {
-            CAPTURE(reason);
+        for (const auto& page : pages) {
+            const auto& [reason, words] = page;
+            CAPTURE(page.first);
             Driver driver(1);
             driver.start();
             driver.step();
