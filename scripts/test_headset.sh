@@ -29,9 +29,9 @@ echo "== headset: configure and build on Debian 13"
 inside cmake -S /deixis -B /deixis/build/trixie -G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=RelWithDebInfo \
     "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DDEIXIS_WERROR=ON "-DCMAKE_CXX_FLAGS=-Wno-dangling-reference" \
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
-target=all
-[ "$unit_tests" = yes ] || target=deixis
-inside cmake --build /deixis/build/trixie --target "$target" | tail -n 3
+targets=(all)
+[ "$unit_tests" = yes ] || targets=(deixis conditions_layer)
+inside cmake --build /deixis/build/trixie --target "${targets[@]}" | tail -n 3
 
 status=0
 if [ "$unit_tests" = yes ]; then

@@ -28,13 +28,14 @@ class Given:
 
 
 class Participant:
-    """Its places and poses are in the room's (tracking) coordinates."""
+    """Its places and poses are in the room's coordinates, which are the program's tracking space at first."""
 
     def __init__(self, remote, place=(0.35, -0.2), heading_deg=25.0, eye_height_m=1.62):
         self.remote = remote
         # The program takes the place and the heading from the head as it first sees it: this is where it must lie.
         self._body = Pose((place[0], 0.0, place[1]), turned_about_y(heading_deg))
         self._eye_height_m = eye_height_m
+        self.room_from_tracking = Pose()  # the program's space, where the runtime has put it elsewhere
         self.anchor = self._body
         self.hand = "right"
         self._reach = 0
@@ -78,7 +79,7 @@ class Participant:
         """Points the hand at a point of the stage, and looks there."""
         hand = hand or self.hand
         position = self._body.point(self._hand_position(hand))
-        target = trace.placement.to_tracking(tuple(stage_point))
+        target = self.room_from_tracking.point(trace.placement.to_tracking(tuple(stage_point)))
         getattr(self.remote.state, hand).pose.set(Pose(position, looking_along(subtract(target, position))))
         if look:
             self.head = Pose(self.head.position, looking_along(subtract(target, self.head.position)))
@@ -168,6 +169,13 @@ class Participant:
         self.press_until(
             trace, f"next page after '{state}'", lambda now: (now["state"], now["status"]) != (state, status)
         )
+        self.rest_hands()
+
+    def resume(self, trace):
+        """Leaves the board of a pause."""
+        self.hover_button(trace, RESUME)
+        trace.settle(READING_S)
+        self.press_until(trace, "end of the pause", lambda line: line["state"] != "paused")
         self.rest_hands()
 
     def rate(self, trace, rating):

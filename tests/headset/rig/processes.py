@@ -10,9 +10,11 @@ from pathlib import Path
 
 import remote
 import x11
+from conditions import LAYER, Conditions
 from session_trace import Trace
 
 RUNTIME_JSON = "/usr/share/openxr/1/openxr_monado.json"
+INSTALLED_LAYERS = "/usr/share/openxr/1/api_layers/explicit.d"
 SOFTWARE_VULKAN = "/usr/share/vulkan/icd.d/lvp_icd.json"
 
 
@@ -86,6 +88,7 @@ class Rig:
         self._runs = 0
         self.service = None
         self.deixis = None
+        self.conditions = None
         self.trace = None
         self.remote = None
         home = self.folder / "home"
@@ -179,9 +182,10 @@ class Rig:
             self.remote = None
         self.service.kill()
 
-    def run(self, study, database, *options, environment=None):
+    def run(self, study, database, *options, environment=None, conditions=None):
         """Starts `deixis run` with the validation layer on, and follows its trace. `environment`: more variables; one
-        that is None is left out."""
+        that is None is left out. `conditions`: first lines to the layer that brings them about; then self.conditions
+        takes more."""
         self._runs += 1
         trace = self.folder / f"trace-{self._runs}.jsonl"
         layer = {
@@ -189,6 +193,15 @@ class Rig:
             "XR_CORE_VALIDATION_EXPORT_TYPE": "text",
             "XR_CORE_VALIDATION_FILE_NAME": str(self.folder / f"validation-{self._runs}.txt"),
         }
+        if conditions is not None:
+            self.conditions = Conditions(self.folder / f"conditions-{self._runs}.txt", *conditions)
+            built = self._program.parent / "tests/headset/conditions_layer"
+            layer |= {
+                "XR_API_LAYER_PATH": f"{built}:{INSTALLED_LAYERS}",
+                # The validation layer, nearer to the program, checks what this one makes the program do.
+                "XR_ENABLE_API_LAYERS": f"{layer['XR_ENABLE_API_LAYERS']}:{LAYER}",
+                "DEIXIS_CONDITIONS": str(self.conditions.file),
+            }
         self.deixis = self._start(
             [self._program, "run", study, "--station", "headset", "--participant", "P01"]
             + ["--db", database, "--trace", trace, *options],

@@ -12,6 +12,7 @@ import traceback
 from pathlib import Path
 
 import attention
+import interruptions
 import pictures
 import scenarios
 
@@ -24,6 +25,8 @@ SCENARIOS = {
     "killed": scenarios.runtime_killed,
     "inattentive": attention.inattentive_participant,
     "strayed": attention.strayed_participant,
+    "interrupted": interruptions.interrupted_participant,
+    "repeated": interruptions.repeated_trials,
     "pictures": pictures.pictures,
     "soak": scenarios.soak,
 }

@@ -71,11 +71,11 @@ def require_clean_end(rig, timeout_s=30.0):
     require(not spoken, f"the program spoke of an error ({spoken and spoken[0]}); see {rig.deixis.log}")
 
 
-def begin(rig, database, *options, study=STUDY, environment=None):
+def begin(rig, database, *options, study=STUDY, **more):
     """Service, participant and program, up to the first page."""
     rig.start_service()
     person = Participant(rig.remote)
-    trace = rig.run(study, database, *options, environment=environment)
+    trace = rig.run(study, database, *options, **more)
     trace.wait("first page", lambda line: line["state"] in PAGES, 60.0)
     return person, trace
 
