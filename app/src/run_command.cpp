@@ -168,9 +168,10 @@ Result<void> run(Options options) {
         runSession(session, **station, told);
         told.finish();
     } catch (const std::exception& error) {
-        throw std::runtime_error(fmt::format(
-            "{}: {}. All earlier answers are kept; the same command with --participant {} goes on after them",
-            options.database, error.what(), participant));
+        throw std::runtime_error(
+            fmt::format("{}. All earlier answers are kept in {}; the same command with --participant {} goes "
+                        "on after them",
+                        error.what(), options.database, participant));
     }
     store->endSession(session.quit() ? "quit" : "finished", utcNow_s());
     auto reported =

@@ -15,6 +15,9 @@ studies::Moment runSession(studies::SessionRunner& session, studies::Station& st
         if (report.tracking) recorder.sample(*report.tracking, session.trialUnderWay());
         for (const auto& event : session.shown(report)) recorder.record(event);
     }
+    for (const auto& note : station.close())
+        recorder.record(
+            studies::Note{note.kind, -1, {note.time_s, last.utc_s + note.time_s - last.time_s}, note.detail});
     return last;
 }
 

@@ -19,6 +19,8 @@ namespace deixis::results {
 namespace {
 
 constexpr int busy_timeout_ms = 1000;
+/// In a session another program's lock is waited for longer: nothing but the next trial waits with it.
+constexpr int session_busy_timeout_ms = 30'000;
 
 /// SQLite integers are signed 64 bit.
 std::int64_t integer(bool value) {
@@ -339,6 +341,7 @@ long long Store::beginSession(const SessionInfo& session) {
             property.exec();
         }
     });
+    impl_->database.setBusyTimeout(session_busy_timeout_ms);
     impl_->session = id;
     impl_->session_participant = session.participant;
     return impl_->session;

@@ -10,6 +10,7 @@ namespace deixis::studies {
 
 namespace {
 
+constexpr double patience_with_disk_s = 1.5;
 constexpr double settle_s = 0.4;  ///< a page takes no input earlier: a double click must not skip it
 
 }  // namespace
@@ -188,8 +189,19 @@ void SessionRunner::State::guard(const InputFrame& input) {
         if (asked) note(asked->kind, asked->detail);
     };
     keep(place_guard.step(input.off_place_m, trial_to_mark));
-    keep(pointer_guard.step(input.pointer.has_value(), somethingToAimAt(), now.time_s, trial_to_mark));
-    if (pointer_guard.lost())
+    // While the station itself asks for the pause (nobody wears the headset, a menu is in front), no pointer
+    // is expected.
+    const bool wanted = somethingToAimAt() && !input.pause;
+    keep(pointer_guard.step(input.pointer.has_value(), wanted, now.time_s, trial_to_mark));
+    const bool waits_for_disk = phase == Phase::confirmed && !input.answers_kept && !paused &&
+                                now.time_s - confirmed_since_s > patience_with_disk_s;
+    if (waits_for_disk != told_of_disk) {
+        told_of_disk = waits_for_disk;
+        if (!paused) view.frame.status = item().status + (waits_for_disk ? ", waiting for the disk" : "");
+    }
+    if (waits_for_disk)
+        view.notice("One moment, please: your answer is being saved.");
+    else if (pointer_guard.lost())
         view.notice("Pick up a controller and press any button.");
     else if (place_guard.off())
         view.notice("Please step back onto your place.");

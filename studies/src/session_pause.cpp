@@ -42,7 +42,12 @@ void SessionRunner::State::pause(const InputFrame& input) {
     view.frame.ray.reset();
     view.lookAtBalls(BallLook::waiting);
     view.frame.status = item().status + ", paused: " + reason;
-    const PauseText text = pauseText(reason);
+    pause_reason = reason;
+    openPausePanel(input);
+}
+
+void SessionRunner::State::openPausePanel(const InputFrame& input) {
+    const PauseText text = pauseText(pause_reason);
     openPanel(
         messagePanel(text.title,
                      text.body + " If you end the session here, the answers given so far are kept and "
@@ -51,12 +56,27 @@ void SessionRunner::State::pause(const InputFrame& input) {
         input, messagePose);
 }
 
+// One press must not end a study.
+void SessionRunner::State::askWhetherToEnd(const InputFrame& input) {
+    openPanel(
+        messagePanel("End the session?",
+                     "The answers given so far are kept. The rest can be done later: the session then "
+                     "goes on where it stopped.",
+                     "", {{"Go back", button_id::back}, {"Yes, end it", button_id::end_for_good}}, -1.0),
+        input, messagePose);
+}
+
 void SessionRunner::State::stepPaused(const InputFrame& input) {
     const Aim met = view.aim(input.pointer, input.stage_from_head, false);
     if (!settled()) return;
-    if (input.select && met.button == button_id::end_session)
+    const int pressed = input.select ? met.button : 0;
+    if (pressed == button_id::end_session)
+        askWhetherToEnd(input);
+    else if (pressed == button_id::end_for_good)
         endEarly("ended on the pause panel");
-    else if (input.confirm || (input.select && met.button == button_id::resume))
+    else if (pressed == button_id::back)
+        openPausePanel(input);
+    else if (input.confirm || pressed == button_id::resume)
         resume(input);
 }
 

@@ -46,6 +46,7 @@ struct SessionRunner::State {
     bool finished = false;
     bool quit = false;
     bool paused = false;
+    std::string pause_reason;
     double paused_since_s = 0.0;
     double panel_since_s = 0.0;
     double confirmed_since_s = 0.0;
@@ -62,6 +63,7 @@ struct SessionRunner::State {
     int pauses = 0;
     int replays = 0;
     bool early_select = false;  ///< noted
+    bool told_of_disk = false;  ///< that the answer waits to be kept
 
     [[nodiscard]] const AgendaItem& item() const { return agenda[position]; }
     [[nodiscard]] const Trial& trial() const { return *item().trial; }
@@ -103,6 +105,8 @@ struct SessionRunner::State {
 
     // Pauses.
     void pause(const InputFrame& input);
+    void openPausePanel(const InputFrame& input);
+    void askWhetherToEnd(const InputFrame& input);
     void stepPaused(const InputFrame& input);
     void resume(const InputFrame& input);
     void resumeTrial(const InputFrame& input, double away_s);

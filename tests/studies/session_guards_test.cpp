@@ -128,6 +128,19 @@ TEST_SUITE("studies/session_guards") {
         CHECK(driver.count("back_on_place") == 0);
     }
 
+    TEST_CASE("nobody is asked for a controller while the station itself says that nobody is there") {
+        Driver driver(1);
+        driver.start();
+        driver.wait(1.0);
+        driver.holds_pointer = false;
+        for (int i = 0; i < 300; ++i) {
+            driver.step(pauseFor("headset taken off"));
+            REQUIRE(driver.frame.notice.empty());
+        }
+        driver.wait(2.2);
+        CHECK_MESSAGE(driver.frame.notice == pick_up, "back in the headset, still paused");
+    }
+
     TEST_CASE("without a pointer for 2 s on a page the participant is asked to pick one up") {
         Driver driver(1);
         driver.start();

@@ -166,12 +166,16 @@ TEST_SUITE("studies/session_interruption") {
         CHECK(driver.frame.state == "chosen-across");
         CHECK(driver.frame.balls[1].look == BallLook::chosen);
         CHECK(driver.session->trialUnderWay() == 2);
+        CHECK(driver.frame.notice == "One moment, please: your answer is being saved.");
+        CHECK(driver.frame.status == "game 1/2, waiting for the disk");
         driver.choose(0);
         driver.digit(1);
         CHECK(driver.responses.size() == 1);
         driver.kept = true;
         driver.step();
         CHECK(driver.session->trialUnderWay() == 3);
+        CHECK(driver.frame.notice.empty());
+        CHECK(driver.frame.status == "game 2/2");
 
         // The last answer, too, before the goodbye.
         REQUIRE(driver.toAnswer());

@@ -129,6 +129,14 @@ TEST_SUITE("studies/session_pause") {
                 driver.step(pauseFor("escape"));
                 driver.wait(0.5);
                 driver.press(button_id::end_session);
+                CHECK_FALSE(driver.session->quit());
+                CHECK(driver.frame.panel->texts.front().text == "End the session?");
+                driver.wait(0.5);
+                driver.press(button_id::back);
+                driver.wait(0.5);
+                driver.press(button_id::end_session);
+                driver.wait(0.5);
+                driver.press(button_id::end_for_good);
             } else {
                 InputFrame input;
                 input.quit = true;

@@ -196,10 +196,10 @@ TEST_SUITE("studies/session_select") {
         driver.wait(0.5);
         driver.looking = besides(driver, buttonCentre(*driver.frame.panel, button_id::end_session), 100.0);
         driver.press(button_id::end_session);
-        CHECK_FALSE(driver.session->quit());
+        CHECK(hasButton(driver.frame, button_id::end_session));
         driver.looking.reset();
         driver.press(button_id::end_session);
-        CHECK(driver.session->quit());
+        CHECK(hasButton(driver.frame, button_id::end_for_good));
     }
 
     TEST_CASE(

@@ -49,7 +49,7 @@ class Renderer {
     [[nodiscard]] Image capture(const Scene& scene, int width, int height);
 
     /// Draws both eyes (Scene::camera gives only near and far) into `target`, resolved, in sRGB. Skinning,
-    /// the shadow map and culling are done once for both. Where the scene has a board it is left out as a
+    /// the shadow map and the list of what is drawn are made once for both. Where the scene has a board it is left out as a
     /// hole: alpha 0 where the board would be seen, 1 elsewhere, colours premultiplied, so that the board can
     /// be shown beneath this layer as a sharp layer of its own, rightly covered by whatever stands before it.
     /// `mode` two_passes is always there, multiview where hasMultiview(). GL state afterwards as after

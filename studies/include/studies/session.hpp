@@ -32,6 +32,8 @@ constexpr int go_on = 1;  ///< leaves a page
 constexpr int resume = 2;
 constexpr int end_session = 3;
 constexpr int replay = 4;
+constexpr int end_for_good = 5;    ///< asked after end_session
+constexpr int back = 6;            ///< from that question
 constexpr int first_rating = 101;  ///< the button "1"; the others follow
 }  // namespace button_id
 

@@ -192,6 +192,8 @@ class Station {
     [[nodiscard]] virtual InputFrame beginFrame() = 0;
     /// Shows it. Called exactly once for each begun frame.
     virtual FrameReport present(const PresentedFrame& frame) = 0;
+    /// Called once, when the session is over: takes leave of the device. Returns what it still has to say.
+    virtual std::vector<StationNote> close() { return {}; }
     /// Why the station itself ended the session (a runtime that went away); none: it did not.
     [[nodiscard]] virtual std::optional<Error> failure() const { return std::nullopt; }
 };
