@@ -20,6 +20,11 @@ Pose headAt(double x_m, double z_m, double yaw_deg) {
 const Pose across{{0.0, 0.0, 3.4}, no_rotation};  // looks along -z, at the avatar
 const Pose beside{{-0.6, 0.0, -0.95}, yawRotation(pi)};
 
+// The head stays there for as long as it takes to be taken for the place.
+void settle(ParticipantPlace& place, const Pose& head, double from_s) {
+    for (int i = 0; i <= 11; ++i) place.update(head, from_s + 0.1 * i);
+}
+
 void checkNear(const Vec3& found, const Vec3& wanted) {
     CHECK(glm::length(found - wanted) < 1e-9);
 }
@@ -35,6 +40,9 @@ TEST_SUITE("headset/participant_place") {
         CHECK_FALSE(place.known());
         const Pose head = headAt(5.0, -2.0, 70.0);
         place.update(head, 1.2);
+        place.update(head, 2.1);
+        CHECK_FALSE(place.known());
+        place.update(head, 2.3);
         REQUIRE(place.known());
         const Pose stage_from_head = place.placement().toStage(head);
         checkNear(stage_from_head.position, {0.0, 1.6, 3.4});
@@ -47,7 +55,7 @@ TEST_SUITE("headset/participant_place") {
     TEST_CASE("a change of layout turns the stage under the same physical place") {
         ParticipantPlace place(studies::EyeLevel::measured, 1.65);
         place.stand(across, 0.0);
-        place.update(headAt(1.0, 1.0, 30.0), 0.1);
+        settle(place, headAt(1.0, 1.0, 30.0), 0.1);
         place.stand(beside, 5.0);
         // The person has taken a step of 20 cm to the right in the room meanwhile: no new anchor is taken.
         const Vec3 right = yawRotation(radiansFromDegrees(30.0)) * Vec3(0.2, 0.0, 0.0);
@@ -62,7 +70,7 @@ TEST_SUITE("headset/participant_place") {
     TEST_CASE("recentring takes the present place and says who asked for it") {
         ParticipantPlace place(studies::EyeLevel::measured, 1.65);
         place.stand(across, 0.0);
-        place.update(headAt(0.0, 0.0, 0.0), 0.1);
+        settle(place, headAt(0.0, 0.0, 0.0), 0.1);
         (void)place.takeNotes();
         const Pose moved = headAt(0.5, 0.5, 90.0);
         place.recentre("button");
@@ -82,11 +90,44 @@ TEST_SUITE("headset/participant_place") {
         CHECK(place.offPlace_m(headAt(0.7, 0.5, 90.0)) == doctest::Approx(0.2));
     }
 
+    TEST_CASE("a headset that is being put on, or lies on a table, is no place") {
+        ParticipantPlace place(studies::EyeLevel::measured, 1.65);
+        place.stand(across, 0.0);
+        double now_s = 0.0;
+        for (int i = 0; i < 40; ++i) place.update(headAt(0.05 * i, 0.0, 0.0), now_s += 0.1);
+        for (int i = 0; i < 40; ++i) place.update(headAt(2.0, 0.0, 25.0 * i), now_s += 0.1);
+        CHECK_FALSE(place.known());
+        place.update(std::nullopt, now_s);
+        Pose table = headAt(1.0, 1.0, 0.0);
+        table.position.y = 0.75;
+        for (int i = 0; i < 300; ++i) place.update(table, now_s += 0.1);
+        CHECK_FALSE(place.known());
+        settle(place, headAt(0.3, 0.4, 10.0), now_s);
+        REQUIRE(place.known());
+        CHECK(place.offPlace_m(headAt(0.3, 0.4, 0.0)) == doctest::Approx(0.0));
+    }
+
+    TEST_CASE("who never stands still is placed after 10 s; the operator may do it at once, at any height") {
+        ParticipantPlace restless(studies::EyeLevel::measured, 1.65);
+        for (int i = 0; i <= 99; ++i) restless.update(headAt(0.1 * (i % 2), 0.0, 0.0), 0.1 * i);
+        CHECK_FALSE(restless.known());
+        restless.update(headAt(0.0, 0.0, 0.0), 10.05);
+        CHECK(restless.known());
+
+        ParticipantPlace low(studies::EyeLevel::measured, 1.65);
+        Pose on_the_floor = headAt(0.0, 0.0, 0.0);
+        on_the_floor.position.y = 0.7;
+        low.recentre("operator");
+        low.update(on_the_floor, 0.1);
+        CHECK(low.known());
+        CHECK(low.takeNotes().size() == 1);
+    }
+
     TEST_CASE("the placement is noted once for each change, not each frame") {
         ParticipantPlace place(studies::EyeLevel::measured, 1.65);
         for (int i = 0; i < 5; ++i) {
             place.stand(across, i);
-            place.update(headAt(0.0, 0.0, 0.0), i);
+            place.update(headAt(0.0, 0.0, 0.0), 0.5 * i);
         }
         CHECK(place.takeNotes().size() == 1);
         place.stand(beside, 9.0);

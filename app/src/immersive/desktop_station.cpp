@@ -36,23 +36,6 @@ bool pageOpen(const studies::PresentedFrame& frame) {
     return frame.panel && !starts("rat") && !starts("choosing") && !starts("aiming") && !starts("chosen");
 }
 
-// A line under what the board says; the rest of it stays where it is in the world.
-void addControls(renderer::Board& board) {
-    constexpr double line_m = 0.036;
-    constexpr double added_m = 2.2 * line_m;
-    for (auto& text : board.texts) text.box.y += added_m;
-    for (auto& button : board.buttons) button.box.y += added_m;
-    board.stage_from_board.position -= board.stage_from_board.orientation * Vec3(0.0, added_m, 0.0);
-    board.height_m += added_m;
-    renderer::BoardText line;
-    line.box = {0.02, 0.6 * line_m, board.width_m - 0.04, line_m};
-    line.text = controls_text;
-    line.size_m = line_m;
-    line.centred = true;
-    line.faint = true;
-    board.texts.push_back(line);
-}
-
 }  // namespace
 
 struct DesktopStation::State {
@@ -287,8 +270,7 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
                          glfwGetWindowAttrib(s.window->handle(), GLFW_ICONIFIED) == GLFW_FALSE;
     if (visible) {
         renderer::Scene scene = sceneFromFrame(frame, s.head());
-        if (scene.board && (frame.state.starts_with("welcome") || frame.state == "paused"))
-            addControls(*scene.board);
+        if (scene.board && explainsControls(frame)) addFootLine(*scene.board, controls_text);
         s.renderer->draw(scene, size.width, size.height);
         glfwSwapBuffers(s.window->handle());
     }

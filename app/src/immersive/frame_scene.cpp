@@ -62,4 +62,24 @@ renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose&
     return scene;
 }
 
+bool explainsControls(const studies::PresentedFrame& frame) {
+    return frame.state.starts_with("welcome") || frame.state == "paused";
+}
+
+void addFootLine(renderer::Board& board, const std::string& words) {
+    constexpr double line_m = 0.036;
+    constexpr double added_m = 2.2 * line_m;
+    for (auto& text : board.texts) text.box.y += added_m;
+    for (auto& button : board.buttons) button.box.y += added_m;
+    board.stage_from_board.position -= board.stage_from_board.orientation * Vec3(0.0, added_m, 0.0);
+    board.height_m += added_m;
+    renderer::BoardText line;
+    line.box = {0.02, 0.6 * line_m, board.width_m - 0.04, line_m};
+    line.text = words;
+    line.size_m = line_m;
+    line.centred = true;
+    line.faint = true;
+    board.texts.push_back(line);
+}
+
 }  // namespace deixis::app

@@ -49,11 +49,11 @@ class Renderer {
     [[nodiscard]] Image capture(const Scene& scene, int width, int height);
 
     /// Draws both eyes (Scene::camera gives only near and far) into `target`, resolved, in sRGB. Skinning,
-    /// the shadow map and the list of what is drawn are made once for both. Where the scene has a board it is left out as a
-    /// hole: alpha 0 where the board would be seen, 1 elsewhere, colours premultiplied, so that the board can
-    /// be shown beneath this layer as a sharp layer of its own, rightly covered by whatever stands before it.
-    /// `mode` two_passes is always there, multiview where hasMultiview(). GL state afterwards as after
-    /// draw().
+    /// the shadow map and the list of what is drawn are made once for both. Where the scene has a board it is
+    /// left out as a hole: alpha 0 where the board would be seen, 1 elsewhere, colours premultiplied, so that
+    /// the board can be shown beneath this layer as a sharp layer of its own, rightly covered by whatever
+    /// stands before it. `mode` two_passes is always there, multiview where hasMultiview(). GL state
+    /// afterwards as after draw().
     void drawStereo(const Scene& scene, const Eyes& eyes, const StereoTarget& target, StereoMode mode);
     /// Whether the driver draws into two layers in one pass, with as many samples as Quality asks for
     /// (several take GL_EXT_multiview_texture_multisample too).

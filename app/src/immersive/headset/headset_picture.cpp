@@ -96,7 +96,7 @@ void HeadsetPicture::warmUp(const assets::Avatar& avatar) {
     setNotice("Warming up", head);
     for (const renderer::Board& board : {pageLikeBoard(), ratingLikeBoard()}) {
         scene.board = board;
-        (void)draw(scene, eyes, {});
+        (void)draw(scene, [&] { return std::optional<XrEyes>(eyes); }, {});
     }
     drawMirror(scene, session_.eyeSize().width, session_.eyeSize().height);
     setNotice("", head);
@@ -146,17 +146,12 @@ void HeadsetPicture::setNotice(const std::string& text, const Pose& tracking_fro
         notice_->stage_from_board = noticePose(*notice_, tracking_from_head);
 }
 
-XrLayers HeadsetPicture::draw(const renderer::Scene& scene, const XrEyes& eyes,
+XrLayers HeadsetPicture::draw(const renderer::Scene& scene, const LocateEyes& locate_eyes,
                               const studies::Placement& placement) {
     XrLayers layers;
     // Boards first: a painter that has just painted the notice paints the page anew for the holes.
     if (notice_) layers.above = layerOf(*notice_, notice_picture_, {});
     if (scene.board) layers.beneath = layerOf(*scene.board, page_, placement);
-    renderer::Eyes views;
-    for (std::size_t i = 0; i < 2; ++i)
-        views[i] = {placement.toStage(eyes.tracking_from_eye[i]), eyes.fov[i]};
-    left_ = views[0];
-
     renderer::StereoTarget target;
     target.width = session_.eyeSize().width;
     target.height = session_.eyeSize().height;
@@ -165,16 +160,34 @@ XrLayers HeadsetPicture::draw(const renderer::Scene& scene, const XrEyes& eyes,
         target.colour[i] = session_.colour()[i].acquire();
         if (depth) target.depth[i] = session_.depth()[i].acquire();
     }
-    renderer_.drawStereo(scene, views, target, mode_);
+    // As late as can be: what is shown is fixed, the eyes still move.
+    const std::optional<XrEyes> eyes = locate_eyes();
+    if (eyes) {
+        renderer::Eyes views;
+        for (std::size_t i = 0; i < 2; ++i)
+            views[i] = {placement.toStage(eyes->tracking_from_eye[i]), eyes->fov[i]};
+        left_ = views[0];
+        renderer_.drawStereo(scene, views, target, mode_);
+    }
     for (std::size_t i = 0; i < 2; ++i) {
         session_.colour()[i].release();
         if (depth) session_.depth()[i].release();
     }
 
+    if (!eyes) return {};
     layers.eyes = eyes;
     layers.has_depth = depth;
     layers.near_m = scene.camera.near_m / placement.scale;
     layers.far_m = scene.camera.far_m / placement.scale;
+    return layers;
+}
+
+XrLayers HeadsetPicture::drawUnplaced(const std::string& text) {
+    renderer::Board board = noticeBoard(text);
+    board.stage_from_board.position = {-board.width_m / 2.0, -board.height_m / 2.0, -notice_distance_m};
+    XrLayers layers;
+    layers.above = layerOf(board, notice_picture_, {});
+    layers.above->before_face = true;
     return layers;
 }
 

@@ -2,6 +2,7 @@
 // it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,9 +20,14 @@ class HeadsetPicture {
     [[nodiscard]] static Result<std::unique_ptr<HeadsetPicture>> create(const assets::Avatar& avatar,
                                                                         XrSessionLoop& session);
 
-    /// Draws the scene for these eyes. Boards are painted only where they have changed.
-    [[nodiscard]] XrLayers draw(const renderer::Scene& scene, const XrEyes& eyes,
+    /// Where the eyes are at the frame's display time; none where it is not known.
+    using LocateEyes = std::function<std::optional<XrEyes>()>;
+    /// Draws the scene for the eyes, which are located when all else is ready. Boards are painted only where
+    /// they have changed. No layers where the eyes are not known.
+    [[nodiscard]] XrLayers draw(const renderer::Scene& scene, const LocateEyes& locate_eyes,
                                 const studies::Placement& placement);
+    /// Nothing but a sentence that hangs before the face: needs no pose.
+    [[nodiscard]] XrLayers drawUnplaced(const std::string& text);
     /// A calm sentence before the participant from now on; empty: none.
     void setNotice(const std::string& text, const Pose& tracking_from_head);
     /// What the left eye saw last, into the window.

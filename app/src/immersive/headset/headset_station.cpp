@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 #include <utility>
 
 #include "../frame_scene.hpp"
+#include "head_watch.hpp"
 #include "headset_picture.hpp"
 #include "motion/skeleton.hpp"
 #include "operator_window.hpp"
@@ -22,9 +24,9 @@ namespace deixis::app {
 namespace {
 
 constexpr double recentre_hold_s = 1.0;
-constexpr double tracking_lost_s = 0.25;  ///< a shorter loss is a blink of the cameras
-constexpr double idle_wait_s = 0.02;      ///< between polls while the session does not run
-constexpr double first_frame_s = 3.0;     ///< how long opening waits for the first frame's facts
+constexpr double idle_wait_s = 0.02;    ///< between polls while the session does not run
+constexpr double first_frame_s = 3.0;   ///< how long opening waits for the first frame's facts
+constexpr double leave_taking_s = 2.0;  ///< how long the runtime may take to end the session
 constexpr double ipd_changed_m = 0.0005;
 
 double utcNow_s() {
@@ -77,7 +79,9 @@ struct HeadsetStation::State {
     double refresh_rate_hz = 0.0;
     double ipd_m = 0.0;
     bool joined = false;  ///< somebody has worn the headset, tracked and in focus
-    std::optional<Error> lost;
+    std::optional<Error>
+        failure;  ///< why the station ended the session; nothing is asked of the runtime then
+    std::string quit_reason;
 
     // The frame under way.
     std::optional<XrFrame> frame;
@@ -90,7 +94,7 @@ struct HeadsetStation::State {
     std::vector<studies::StationNote> notes;
     std::optional<XrTime> recentre_at;
     std::optional<double> recentre_held_since_s;
-    std::optional<double> head_lost_since_s;
+    HeadWatch head_watch;
     Pose last_stage_from_head{};
     double last_time_s = 0.0;
     double last_begun_s = 0.0;
@@ -103,16 +107,18 @@ struct HeadsetStation::State {
     void note(std::string kind, std::string detail) {
         notes.push_back({std::move(kind), std::move(detail), session->now_s()});
     }
-    void lose(const XrFailure& failure);
+    void lose(const XrFailure& by);
     void handleWindow();
-    bool handleRuntime();
+    void handleRuntime();
     void beginXrFrame();
+    void endUnseen();
     void updateRecentre();
     void waitUntilWorn();
     void noteProfiles();
     void noteEyes(const XrEyes& eyes);
     [[nodiscard]] std::string pauseReason();
     void readInput(studies::InputFrame& input);
+    [[nodiscard]] renderer::Scene sceneOf(const studies::PresentedFrame& of_frame) const;
     bool drawFrame(const studies::PresentedFrame& shown_frame);
     [[nodiscard]] studies::TrackingSample sample(std::uint64_t number) const;
     [[nodiscard]] OperatorView operatorView() const;
@@ -120,13 +126,16 @@ struct HeadsetStation::State {
 };
 
 // Nothing more can be asked of the runtime: the session ends, and says why.
-void HeadsetStation::State::lose(const XrFailure& failure) {
-    if (!failure.lost()) throw failure;
-    note("xr_state", fmt::format("lost: {}", failure.what()));
+void HeadsetStation::State::lose(const XrFailure& by) {
+    if (!by.lost()) throw by;
+    note("xr_state", fmt::format("lost: {}", by.what()));
     frame.reset();
-    lost = Error{
-        "headset", fmt::format("the connection to the OpenXR runtime was lost ({})", failure.what()),
-        "Start the runtime again, then run the same command: it goes on at the trial that was under way"};
+    quit_reason = "the connection to the headset's runtime was lost";
+    failure = Error{
+        "headset", fmt::format("the connection to the OpenXR runtime was lost ({})", by.what()),
+        fmt::format("Start the runtime again, then run the same command with --participant {}: it goes on at "
+                    "the trial that was under way",
+                    options.participant)};
 }
 
 void HeadsetStation::State::handleWindow() {
@@ -137,14 +146,20 @@ void HeadsetStation::State::handleWindow() {
     if (std::exchange(asked.recentre, false)) place.recentre("operator");
 }
 
-// False where the runtime wants the session to end for good.
-bool HeadsetStation::State::handleRuntime() {
+void HeadsetStation::State::handleRuntime() {
     XrHappenings happenings = session->poll();
     for (auto& one : happenings.notes) notes.push_back(std::move(one));
     if (happenings.recentred_at) recentre_at = happenings.recentred_at;
     if (happenings.hidden_area) picture->updateHiddenArea();
+    if (happenings.lost) throw XrFailure(*happenings.lost);
     if (happenings.profiles) noteProfiles();
-    return !happenings.leave;
+    if (!happenings.leave) return;
+    quit_reason = "the headset's runtime ended the session";
+    failure =
+        Error{"headset", "the OpenXR runtime ended the session, as its menu may ask it to",
+              fmt::format("Run the same command again with --participant {}: it goes on at the trial that "
+                          "was under way",
+                          options.participant)};
 }
 
 void HeadsetStation::State::noteProfiles() {
@@ -173,6 +188,10 @@ void HeadsetStation::State::beginXrFrame() {
         return;
     }
     dropped += frame->dropped;
+    if (refresh_rate_hz <= 0.0 && session->period_s() > 0.0) {
+        refresh_rate_hz = 1.0 / session->period_s();
+        note("refresh_rate", fmt::format("{:.3f} Hz", refresh_rate_hz));
+    }
     if (last_begun_s > 0.0) {
         const double rate = 1.0 / std::max(1e-4, frame->begun_s - last_begun_s);
         frames_per_s += (rate - frames_per_s) * (frames_per_s > 0.0 ? 0.05 : 1.0);
@@ -183,7 +202,15 @@ void HeadsetStation::State::beginXrFrame() {
     head = session->locateHead(*frame);
     updateRecentre();
     placement = place.placement();
-    off_place_m = head.valid() ? place.offPlace_m(head.stage_from_device) : 0.0;
+    // Who is not seen is taken to have stayed.
+    if (head.valid()) off_place_m = place.offPlace_m(head.stage_from_device);
+}
+
+// Ends the frame under way, where there is one, without a picture.
+void HeadsetStation::State::endUnseen() {
+    if (!frame) return;
+    session->end(*frame, {});
+    frame.reset();
 }
 
 void HeadsetStation::State::updateRecentre() {
@@ -197,7 +224,7 @@ void HeadsetStation::State::updateRecentre() {
         recentre_held_since_s = frame->begun_s;
     } else if (frame->begun_s - *recentre_held_since_s >= recentre_hold_s) {
         place.recentre("button");
-        recentre_held_since_s = frame->begun_s + 1e9;  // once for each hold
+        recentre_held_since_s = std::numeric_limits<double>::infinity();  // once for each hold
     }
     // Nobody's place is taken while nobody wears it.
     const bool worn = session->lifecycle().focused() && head.valid();
@@ -209,9 +236,10 @@ void HeadsetStation::State::updateRecentre() {
 void HeadsetStation::State::waitUntilWorn() {
     while (!joined && !asked.end) {
         handleWindow();
-        if (!handleRuntime()) asked.end = true;
+        handleRuntime();
+        if (failure) return;
         beginXrFrame();
-        if (frame) session->end(*frame, {});
+        endUnseen();
         joined = session->lifecycle().focused() && place.known();
         showOperator();
     }
@@ -223,13 +251,7 @@ std::string HeadsetStation::State::pauseReason() {
     if (std::exchange(asked.pause, false)) return "operator";
     if (!session->lifecycle().visible()) return "headset taken off";
     if (!session->lifecycle().focused()) return "focus lost";
-    if (head.valid()) {
-        head_lost_since_s.reset();
-    } else if (!head_lost_since_s) {
-        head_lost_since_s = session->now_s();
-    } else if (session->now_s() - *head_lost_since_s > tracking_lost_s) {
-        return "tracking lost";
-    }
+    if (head_watch.lost(head, session->now_s())) return "tracking lost";
     return menu ? "menu" : "";
 }
 
@@ -256,24 +278,37 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
     }
     in.pause_reason = pauseReason();
     in.pause = !in.pause_reason.empty();
-    if (asked.end) {
+    if (failure) {
+        in.quit = true;
+        in.quit_reason = quit_reason;
+    } else if (asked.end) {
         in.quit = true;
         in.quit_reason = "ended by the experimenter";
     }
+}
+
+// With a line on the first page, and where a pause begins, that says how to select.
+renderer::Scene HeadsetStation::State::sceneOf(const studies::PresentedFrame& of_frame) const {
+    renderer::Scene scene = sceneFromFrame(of_frame, {});
+    if (scene.board && explainsControls(of_frame))
+        addFootLine(*scene.board, "Aim the ray at a button and pull the trigger.");
+    return scene;
 }
 
 bool HeadsetStation::State::drawFrame(const studies::PresentedFrame& shown_frame) {
     XrLayers layers;
     bool shown = false;
     if (frame->should_render && session->lifecycle().visible()) {
-        // As late as can be: what was simulated above is fixed, the eyes still move.
-        if (const auto eyes = session->locateEyes(*frame)) {
-            noteEyes(*eyes);
+        if (head.valid() || shown_frame.notice.empty())
             picture->setNotice(shown_frame.notice, head.stage_from_device);
-            layers = picture->draw(sceneFromFrame(shown_frame, {}), *eyes, place.placement());
-            shown = true;
-            has_picture = true;
-        }
+        layers = picture->draw(
+            sceneOf(shown_frame), [this] { return session->locateEyes(*frame); }, place.placement());
+        shown = layers.eyes.has_value();
+        has_picture = has_picture || shown;
+        if (shown)
+            noteEyes(*layers.eyes);
+        else
+            layers = picture->drawUnplaced("The headset has lost sight of the room. Look around slowly.");
     }
     session->end(*frame, layers);
     return shown;
@@ -319,13 +354,17 @@ OperatorView HeadsetStation::State::operatorView() const {
     view.off_place_m = off_place_m;
     view.place_tolerance_m = options.study.place_tolerance_m;
     view.elapsed_s = session->now_s();
-    if (!joined) view.warnings.emplace_back("Waiting for the participant to put the headset on.");
+    if (!joined && !session->lifecycle().focused())
+        view.warnings.emplace_back("Waiting for the participant to put the headset on.");
+    else if (!joined)
+        view.warnings.emplace_back(
+            "Waiting for the participant to stand still and look ahead. Recentre takes the present place.");
     if (!session->knowsFloor())
         view.warnings.push_back(fmt::format(
             "The runtime knows no floor: the eyes are taken to be {:.2f} m above it. Set up the room in "
             "the runtime for true heights.",
             options.study.assumed_eye_height_m));
-    if (joined && !device.aim[0].valid() && !device.aim[1].valid())
+    if (joined && session->lifecycle().focused() && !device.aim[0].valid() && !device.aim[1].valid())
         view.warnings.emplace_back(
             "No controller is awake: the participant cannot answer. Press any of its buttons.");
     if (!presented.notice.empty())
@@ -337,7 +376,7 @@ void HeadsetStation::State::showOperator() {
     if (!operator_window->due()) return;
     const WindowSize mirror = operator_window->mirrorSize();
     renderer::Scene scene;
-    if (has_picture) scene = sceneFromFrame(presented, {});
+    if (has_picture) scene = sceneOf(presented);
     picture->drawMirror(scene, mirror.width, mirror.height);
     operator_window->show(operatorView());
 }
@@ -374,11 +413,12 @@ Result<std::unique_ptr<HeadsetStation>> HeadsetStation::open(const assets::Avata
         const double until_s = s.session->now_s() + first_frame_s;
         while (s.session->now_s() < until_s && s.ipd_m == 0.0) {
             s.handleWindow();
-            if (!s.handleRuntime()) break;
+            s.handleRuntime();
+            if (s.failure) return tl::unexpected(*s.failure);
             s.beginXrFrame();
             if (!s.frame) continue;
             if (const auto eyes = s.session->locateEyes(*s.frame)) s.noteEyes(*eyes);
-            s.session->end(*s.frame, {});
+            s.endUnseen();
         }
     } catch (const XrFailure& failure) {
         if (!failure.lost()) throw;
@@ -405,21 +445,26 @@ studies::StationInfo HeadsetStation::info() const {
     info.kind = "headset";
     info.details = fmt::format("{}, 2 x {}x{} pixels, {:.0f} Hz, {}, {}", deviceWords(s.runtime), size.width,
                                size.height, s.refresh_rate_hz, mode, s.picture->driver());
+    const std::string assumed_m = fmt::format("{:.2f}", s.options.study.assumed_eye_height_m);
+    if (!s.session->knowsFloor())
+        info.details += fmt::format(", no floor known: the eyes are taken to be {} m above it", assumed_m);
     info.controls = "Trigger: select.  Menu button: pause.  Thumbstick held for a second: recentre.";
     const auto yesNo = [](bool yes) { return std::string(yes ? "yes" : "no"); };
-    info.properties = {{"runtime", s.runtime.name()},
-                       {"runtime_version", s.runtime.version()},
-                       {"system", s.runtime.systemName()},
-                       {"refresh_rate_hz", fmt::format("{:.3f}", s.refresh_rate_hz)},
-                       {"ipd_m", s.ipd_m > 0.0 ? fmt::format("{:.4f}", s.ipd_m) : ""},
-                       {"eye_picture_px", fmt::format("{}x{}", size.width, size.height)},
-                       {"space", s.session->spaceName()},
-                       {"stereo", s.picture->multiview() ? "multiview" : "two passes"},
-                       {"depth_layer", yesNo(s.session->hasDepth())},
-                       {"visibility_mask", yesNo(s.runtime.has("XR_KHR_visibility_mask"))},
-                       {"eye_gaze", yesNo(s.options.study.record_gaze && s.runtime.tracksEyes())},
-                       {"hand_joints", yesNo(s.options.study.record_hands && s.runtime.tracksHands())},
-                       {"driver", s.picture->driver()}};
+    info.properties = {
+        {"runtime", s.runtime.name()},
+        {"runtime_version", s.runtime.version()},
+        {"system", s.runtime.systemName()},
+        {"refresh_rate_hz", s.refresh_rate_hz > 0.0 ? fmt::format("{:.3f}", s.refresh_rate_hz) : ""},
+        {"ipd_m", s.ipd_m > 0.0 ? fmt::format("{:.4f}", s.ipd_m) : ""},
+        {"eye_picture_px", fmt::format("{}x{}", size.width, size.height)},
+        {"space", s.session->spaceName()},
+        {"stereo", s.picture->multiview() ? "multiview" : "two passes"},
+        {"depth_layer", yesNo(s.session->hasDepth())},
+        {"visibility_mask", yesNo(s.runtime.has("XR_KHR_visibility_mask"))},
+        {"eye_gaze", yesNo(s.options.study.record_gaze && s.runtime.tracksEyes())},
+        {"hand_joints", yesNo(s.options.study.record_hands && s.runtime.tracksHands())},
+        {"driver", s.picture->driver()}};
+    if (!s.session->knowsFloor()) info.properties.emplace_back("assumed_eye_height_m", assumed_m);
     return info;
 }
 
@@ -427,23 +472,16 @@ studies::InputFrame HeadsetStation::beginFrame() {
     State& s = *state_;
     studies::InputFrame input;
     try {
-        if (!s.lost && !s.joined) s.waitUntilWorn();
-        if (!s.lost) {
+        if (!s.failure && !s.joined) s.waitUntilWorn();
+        if (!s.failure) {
             s.handleWindow();
-            if (!s.handleRuntime()) {
-                input.quit = true;
-                input.quit_reason = "the headset's runtime ended the session";
-            }
-            s.beginXrFrame();
+            s.handleRuntime();
         }
+        if (!s.failure) s.beginXrFrame();
     } catch (const XrFailure& failure) {
         s.lose(failure);
     }
     s.readInput(input);
-    if (s.lost) {
-        input.quit = true;
-        input.quit_reason = "the connection to the headset's runtime was lost";
-    }
     for (auto& note : s.place.takeNotes()) s.notes.push_back(std::move(note));
     input.notes = std::exchange(s.notes, {});
     return input;
@@ -453,7 +491,10 @@ studies::FrameReport HeadsetStation::present(const studies::PresentedFrame& fram
     State& s = *state_;
     studies::FrameReport report{frame.number};
     report.display_time_s = s.last_time_s;
+    // Where the participant is moved to another place, this frame is the first there: so it is drawn and
+    // kept.
     s.place.stand(frame.stage_from_viewer, s.session->now_s());
+    s.placement = s.place.placement();
     s.presented = frame;
     try {
         if (s.frame) {
@@ -467,12 +508,35 @@ studies::FrameReport HeadsetStation::present(const studies::PresentedFrame& fram
         s.lose(failure);
         report.shown = false;
     }
-    if (!s.lost) s.showOperator();
+    if (!s.failure) s.showOperator();
     return report;
 }
 
+std::vector<studies::StationNote> HeadsetStation::close() {
+    State& s = *state_;
+    try {
+        s.session->requestExit();
+        const double until_s = s.session->now_s() + leave_taking_s;
+        bool left = s.failure.has_value();
+        while (!left && s.session->now_s() < until_s) {
+            XrHappenings happenings = s.session->poll();
+            for (auto& note : happenings.notes) s.notes.push_back(std::move(note));
+            left = happenings.leave || happenings.lost.has_value();
+            if (left) break;
+            s.frame = s.session->begin();
+            if (s.frame)
+                s.endUnseen();
+            else
+                std::this_thread::sleep_for(std::chrono::duration<double>(idle_wait_s));
+        }
+    } catch (const XrFailure& failure) {
+        s.note("xr_state", fmt::format("lost: {}", failure.what()));
+    }
+    return std::exchange(s.notes, {});
+}
+
 std::optional<Error> HeadsetStation::failure() const {
-    return state_->lost;
+    return state_->failure;
 }
 
 }  // namespace deixis::app

@@ -36,6 +36,8 @@ class HeadsetStation : public studies::Station {
     /// The first call waits until somebody wears the headset (or the experimenter ends the session).
     [[nodiscard]] studies::InputFrame beginFrame() override;
     studies::FrameReport present(const studies::PresentedFrame& frame) override;
+    /// Lets the runtime end its session, state by state.
+    std::vector<studies::StationNote> close() override;
     [[nodiscard]] std::optional<Error> failure() const override;
 
   private:

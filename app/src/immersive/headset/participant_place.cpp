@@ -3,16 +3,46 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 namespace deixis::app {
 
+namespace {
+
+constexpr double still_m = 0.08;
+constexpr double still_rad = radiansFromDegrees(20.0);
+constexpr double still_s = 1.0;
+constexpr double patience_s = 10.0;
+constexpr double lowest_eyes_m = 0.9;  // lower than a sitting adult's, higher than a table
+const Vec3 ahead{0.0, 0.0, -1.0};
+
+}  // namespace
+
 void ParticipantPlace::update(const std::optional<Pose>& tracking_from_head, double time_s) {
-    if (!tracking_from_head || (anchor_ && recentre_by_.empty())) return;
+    if (!tracking_from_head) {
+        still_at_.reset();
+        return;
+    }
+    if (recentre_by_.empty() && (anchor_ || !settled(*tracking_from_head, time_s))) return;
     if (anchor_) notes_.push_back({"recentre", recentre_by_, time_s});
     recentre_by_.clear();
     anchor_ = studies::anchorFromHead(*tracking_from_head);
     lay(time_s);
+}
+
+bool ParticipantPlace::settled(const Pose& tracking_from_head, double time_s) {
+    const bool first = !still_at_;
+    if (first) worn_since_s_ = time_s;
+    const bool moved =
+        first || glm::distance(tracking_from_head.position, still_at_->position) > still_m ||
+        angleBetween(tracking_from_head.orientation * ahead, still_at_->orientation * ahead) > still_rad;
+    if (moved) {
+        still_at_ = tracking_from_head;
+        still_since_s_ = time_s;
+    }
+    if (tracking_from_head.position.y < lowest_eyes_m) return false;
+    return time_s - still_since_s_ >= still_s || time_s - worn_since_s_ >= patience_s;
 }
 
 void ParticipantPlace::stand(const Pose& stage_from_viewer, double time_s) {

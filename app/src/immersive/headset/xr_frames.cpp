@@ -1,7 +1,9 @@
 // The frames of an OpenXR session: wait, begin, locate, end; and the clock that they share with the station.
+#ifndef _WIN32
 #define XR_USE_TIMESPEC
-#include <epoxy/gl.h>
 #include <time.h>
+#endif
+#include <epoxy/gl.h>
 
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
@@ -50,6 +52,7 @@ double XrSessionLoop::stationSeconds(XrTime time) const {
 // does not tell how its clock stands to the monotonic one, the first frame does (see begin()).
 void XrSessionLoop::fixClock() {
     station_zero_ns_.reset();
+#ifndef _WIN32
     if (!runtime_.has("XR_KHR_convert_timespec_time")) return;
     const auto convert =
         runtime_.function<PFN_xrConvertTimespecTimeToTimeKHR>("xrConvertTimespecTimeToTimeKHR");
@@ -60,6 +63,7 @@ void XrSessionLoop::fixClock() {
     XrTime time = 0;
     if (XR_FAILED(convert(runtime_.instance(), &monotonic, &time))) return;
     station_zero_ns_ = time - std::llround(station_s * ns_per_s);
+#endif
 }
 
 std::optional<XrFrame> XrSessionLoop::begin() {
@@ -159,7 +163,7 @@ void XrSessionLoop::end(const XrFrame& frame, const XrLayers& layers) {
         add(picture);
     }
     if (layers.above) {
-        above = quadLayer(*layers.above, tracking_);
+        above = quadLayer(*layers.above, layers.above->before_face ? view_ : tracking_);
         add(above);
     }
     auto info = typed<XrFrameEndInfo>(XR_TYPE_FRAME_END_INFO);

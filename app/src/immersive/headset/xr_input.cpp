@@ -77,6 +77,8 @@ XrAction XrInput::Impl::makeAction(XrActionType type, const char* name, const ch
     return action;
 }
 
+constexpr std::string_view simple_profile = "/interaction_profiles/khr/simple_controller";
+
 void XrInput::Impl::suggest(const XrControllerBindings& controller) const {
     std::vector<XrActionSuggestedBinding> bindings;
     for (std::size_t hand = 0; hand < hands.size(); ++hand) {
@@ -97,8 +99,10 @@ void XrInput::Impl::suggest(const XrControllerBindings& controller) const {
     suggestion.interactionProfile = runtime.path(controller.profile);
     suggestion.countSuggestedBindings = static_cast<std::uint32_t>(bindings.size());
     suggestion.suggestedBindings = bindings.data();
-    check(xrSuggestInteractionProfileBindings(runtime.instance(), &suggestion),
-          fmt::format("xrSuggestInteractionProfileBindings({})", controller.profile).c_str());
+    const XrResult result = xrSuggestInteractionProfileBindings(runtime.instance(), &suggestion);
+    // Some runtimes refuse controllers that they do not know; the others remain.
+    if (result == XR_ERROR_PATH_UNSUPPORTED && controller.profile != simple_profile) return;
+    check(result, fmt::format("xrSuggestInteractionProfileBindings({})", controller.profile).c_str());
 }
 
 void XrInput::Impl::suggestGaze() const {

@@ -54,7 +54,6 @@ class XrRuntime {
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const std::string& version() const { return version_; }
     [[nodiscard]] const std::string& systemName() const { return system_name_; }
-    [[nodiscard]] const std::set<std::string>& extensions() const { return extensions_; }
 
     /// An extension's function; null where it is not there.
     template <typename Function>

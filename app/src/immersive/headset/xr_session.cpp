@@ -41,14 +41,12 @@ XrSpace referenceSpace(XrSession session, XrReferenceSpaceType type, const Pose&
 
 }  // namespace
 
-XrSessionLoop::XrSessionLoop(const XrRuntime& runtime, const XrSessionOptions&) : runtime_(runtime) {}
-
 Result<std::unique_ptr<XrSessionLoop>> XrSessionLoop::open(const XrRuntime& runtime, const GlWindow& window,
                                                            const XrSessionOptions& options) {
     if (auto usable = requireOpenGl(runtime); !usable) return tl::unexpected(usable.error());
     auto binding = bindGraphics(window);
     if (!binding) return tl::unexpected(binding.error());
-    std::unique_ptr<XrSessionLoop> loop(new XrSessionLoop(runtime, options));
+    std::unique_ptr<XrSessionLoop> loop(new XrSessionLoop(runtime));
     loop->binding_ = std::move(*binding);
     auto info = typed<XrSessionCreateInfo>(XR_TYPE_SESSION_CREATE_INFO);
     info.next = loop->binding_->next();
@@ -82,6 +80,10 @@ XrSessionLoop::~XrSessionLoop() {
     if (view_ != XR_NULL_HANDLE) xrDestroySpace(view_);
     if (tracking_ != XR_NULL_HANDLE) xrDestroySpace(tracking_);
     xrDestroySession(session_);
+}
+
+void XrSessionLoop::requestExit() {
+    if (lifecycle_.running() && !lost_) check(xrRequestExitSession(session_), "xrRequestExitSession");
 }
 
 void XrSessionLoop::createSpaces(double assumed_eye_height_m) {
@@ -158,18 +160,21 @@ std::array<renderer::HiddenArea, 2> XrSessionLoop::hiddenArea() const {
     for (std::uint32_t eye = 0; eye < 2; ++eye) {
         auto mask = typed<XrVisibilityMaskKHR>(XR_TYPE_VISIBILITY_MASK_KHR);
         const auto ask = [&] {
-            check(get(session_, stereo, eye, XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask),
-                  "xrGetVisibilityMaskKHR");
+            return XR_SUCCEEDED(
+                get(session_, stereo, eye, XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask));
         };
-        ask();
-        if (mask.vertexCountOutput == 0 || mask.indexCountOutput == 0) continue;
+        // Without it the picture is the same, only more of it is drawn than can be seen.
+        if (!ask() || mask.vertexCountOutput == 0 || mask.indexCountOutput % 3 != 0) continue;
         std::vector<XrVector2f> corners(mask.vertexCountOutput);
         areas[eye].indices.resize(mask.indexCountOutput);
         mask.vertexCapacityInput = mask.vertexCountOutput;
         mask.vertices = corners.data();
         mask.indexCapacityInput = mask.indexCountOutput;
         mask.indices = areas[eye].indices.data();
-        ask();
+        if (!ask()) {
+            areas[eye] = {};
+            continue;
+        }
         for (const XrVector2f& corner : corners) areas[eye].corners.emplace_back(corner.x, corner.y);
     }
     return areas;
@@ -198,7 +203,8 @@ void XrSessionLoop::enter(XrSessionState state, XrTime time, XrHappenings& happe
             break;
         case XrDuty::lost:
             lost_ = true;
-            throw XrFailure("the runtime announced the loss of the session", XR_ERROR_SESSION_LOST);
+            happenings.lost.emplace("the runtime announced the loss of the session", XR_ERROR_SESSION_LOST);
+            break;
         case XrDuty::none:
             break;
     }
@@ -206,12 +212,15 @@ void XrSessionLoop::enter(XrSessionState state, XrTime time, XrHappenings& happe
 
 XrHappenings XrSessionLoop::poll() {
     XrHappenings happenings;
-    while (true) {
+    while (!happenings.lost) {
         auto event = typed<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
         const XrResult polled = xrPollEvent(runtime_.instance(), &event);
         if (polled == XR_EVENT_UNAVAILABLE) return happenings;
-        if (XR_FAILED(polled)) lost_ = true;
-        check(polled, "xrPollEvent");
+        if (XR_FAILED(polled)) {
+            lost_ = true;
+            happenings.lost.emplace(fmt::format("xrPollEvent failed: {}", nameOf(polled)), polled);
+            return happenings;
+        }
         switch (event.type) {
             case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
                 const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
@@ -221,7 +230,8 @@ XrHappenings XrSessionLoop::poll() {
             case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
                 happenings.notes.push_back({"xr_state", "instance loss pending", now_s()});
                 lost_ = true;
-                throw XrFailure("the runtime announced its end", XR_ERROR_INSTANCE_LOST);
+                happenings.lost.emplace("the runtime announced its end", XR_ERROR_INSTANCE_LOST);
+                break;
             case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
                 const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
                 if (change.session == session_ && change.referenceSpaceType == space_type_)
@@ -241,6 +251,7 @@ XrHappenings XrSessionLoop::poll() {
                 break;
         }
     }
+    return happenings;
 }
 
 }  // namespace deixis::app

@@ -34,6 +34,7 @@ struct XrHappenings {
     bool hidden_area = false;            ///< setHiddenArea() is due again
     std::optional<XrTime> recentred_at;  ///< the runtime moves its space at this time
     bool profiles = false;               ///< other controllers
+    std::optional<XrFailure> lost;       ///< session or runtime are gone; the last thing to happen
 };
 
 /// A frame that has begun.
@@ -58,6 +59,7 @@ struct XrBoardLayer {
     int width = 0, height = 0;  ///< pixels from the lower left corner
     Pose tracking_from_centre{};
     double width_m = 0.0, height_m = 0.0;
+    bool before_face = false;  ///< the pose is in the head's frame instead
 };
 
 /// What a frame ends with, from back to front: boards beneath, the eyes' picture with holes for them, boards
@@ -81,8 +83,7 @@ class XrSessionLoop {
     XrSessionLoop(const XrSessionLoop&) = delete;
     XrSessionLoop& operator=(const XrSessionLoop&) = delete;
 
-    /// Handles the runtime's events; begins and ends the session as they ask. Throws XrFailure where the
-    /// session or the runtime is lost.
+    /// Handles the runtime's events; begins and ends the session as they ask.
     [[nodiscard]] XrHappenings poll();
     [[nodiscard]] const XrSessionLifecycle& lifecycle() const { return lifecycle_; }
 
@@ -92,6 +93,8 @@ class XrSessionLoop {
     [[nodiscard]] std::optional<XrEyes> locateEyes(const XrFrame& frame) const;
     /// Where the head is then.
     [[nodiscard]] studies::TrackedPose locateHead(const XrFrame& frame) const;
+    /// Asks the runtime to let the session go through its last states; frames go on until it has.
+    void requestExit();
     /// Ends it. Called exactly once for each begun frame.
     void end(const XrFrame& frame, const XrLayers& layers);
 
@@ -114,7 +117,7 @@ class XrSessionLoop {
     [[nodiscard]] double stationSeconds(XrTime time) const;
 
   private:
-    XrSessionLoop(const XrRuntime& runtime, const XrSessionOptions& options);
+    explicit XrSessionLoop(const XrRuntime& runtime) : runtime_(runtime) {}
     void createSpaces(double assumed_eye_height_m);
     Result<void> createSwapchains(double resolution_scale);
     void chooseBlendMode();
