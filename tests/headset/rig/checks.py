@@ -170,6 +170,22 @@ def check_tracking(path):
         return len(rows)
 
 
+def check_places(path):
+    """In each trial's frames the head is as far from the place of the trial's layout as is recorded."""
+    with Database(path) as db:
+        for row in db.rows(
+            "select k.*, l.viewer_x_m, l.viewer_z_m from tracking k join sessions s on s.id = k.session "
+            "join trials t on t.participant = s.participant and t.trial_index = k.trial_index "
+            "join layouts l on l.name = t.layout where k.head_validity = 7"
+        ):
+            away = (row["head_x_m"] - row["viewer_x_m"], row["head_z_m"] - row["viewer_z_m"])
+            require(
+                abs(length(away) - row["off_place_m"]) < 0.01,
+                f"frame {row['frame']} of trial {row['trial_index']}: the head is {length(away):.2f} m from the place, "
+                f"{row['off_place_m']:.2f} m are recorded",
+            )
+
+
 @dataclass
 class Work:
     """What frames took, from their beginning to their handing over, in seconds."""

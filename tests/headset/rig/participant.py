@@ -137,12 +137,16 @@ class Participant:
         return centre
 
     def _aim_until(self, trace, what, centre, lit):
-        """Holds the hand elsewhere where something is in the way, or was misjudged at first."""
+        """Holds the hand elsewhere where something is in the way; aims anew where the scene was moved around the
+        participant, which is told a frame after it is seen."""
         for attempt in range(len(self._REACHES)):
             self._reach = attempt
-            self.aim(trace, centre())
             try:
-                trace.wait(what, lit, AIMING_S)
+                placement = None
+                while trace.placement is not placement:
+                    placement = trace.placement
+                    self.aim(trace, centre())
+                    trace.wait(what, lambda line: lit(line) or trace.placement is not placement, AIMING_S)
                 return
             except TraceTimeout:
                 if attempt + 1 == len(self._REACHES):

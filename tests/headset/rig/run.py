@@ -12,6 +12,7 @@ import traceback
 from pathlib import Path
 
 import attention
+import endings
 import interruptions
 import pictures
 import scenarios
@@ -27,6 +28,7 @@ SCENARIOS = {
     "strayed": attention.strayed_participant,
     "interrupted": interruptions.interrupted_participant,
     "repeated": interruptions.repeated_trials,
+    "endings": endings.ended_by_runtime,
     "pictures": pictures.pictures,
     "soak": scenarios.soak,
 }

@@ -93,6 +93,7 @@ def whole_study(settings):
         period = checks.check_times(database, person.given)
         checks.check_heads(database, person.given, person.anchor)
         frames = checks.check_tracking(database)
+        checks.check_places(database)
         checks.check_joints(database)
         settings.usual_work_s = checks.work_of_frames(database)
         require(not trace.rays_outside, f"a ray was shown in {sorted(set(trace.rays_outside))}")
