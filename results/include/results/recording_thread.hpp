@@ -24,9 +24,9 @@ struct RecordingOptions {
 /// throw it.
 class RecordingThread {
   public:
-    /// The store's session must have begun. `store` must outlive it.
-    RecordingThread(Store& store, const studies::StudyPlan& plan, std::vector<ClipRecord> clips_by_trial,
-                    RecordingOptions options);
+    /// The store's session must have begun. `store`, `study` and `plan` must outlive it.
+    RecordingThread(Store& store, const studies::Study& study, const studies::StudyPlan& plan,
+                    ClipRecords clips, RecordingOptions options);
     /// Does what finish() does, then ends. Failures are lost here: call finish() first.
     ~RecordingThread();
     RecordingThread(const RecordingThread&) = delete;

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,15 +14,27 @@
 #include "core/error.hpp"
 #include "studies/events.hpp"
 #include "studies/plan.hpp"
+#include "studies/session.hpp"
 #include "studies/station.hpp"
 #include "studies/study.hpp"
 
 namespace deixis::results {
 
-/// What a trial's clip was: kept with each response.
+/// What a stimulus was: kept with each response.
 struct ClipRecord {
     std::string file;
     std::string content_hash;  ///< SHA-256 of the file's bytes
+};
+
+/// By stimulus, for all that a plan shows.
+using ClipRecords = std::map<studies::Stimulus, ClipRecord>;
+
+/// Somebody who takes part, as registered before the first session.
+struct Registration {
+    std::string participant;
+    int number = 1;
+    std::string language;
+    studies::Groups groups{};
 };
 
 /// An open session of one participant.
@@ -66,26 +78,39 @@ class Store {
     Store& operator=(Store&&) noexcept;
     ~Store();
 
+    // Who there is.
+    [[nodiscard]] std::optional<Registration> registration(const std::string& participant) const;
+    [[nodiscard]] std::vector<std::string> participants() const;
+    [[nodiscard]] int firstFreeNumber() const;  ///< one more than the highest
+    /// Groups of everybody who counts for the balance: neither excluded nor dropped out.
+    [[nodiscard]] std::vector<studies::Groups> groupsTaken() const;
     /// The stored plan of a participant, if any.
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
-    /// Stores study and plan. Fails where the database holds another study (other hash) or another plan.
-    [[nodiscard]] Result<void> storePlan(const studies::Study& study, const studies::StudyPlan& plan);
-    [[nodiscard]] std::set<int> answeredTrials(const std::string& participant) const;
-    [[nodiscard]] std::vector<std::string> participants() const;
+    /// Stores study, registration and plan, all or nothing. Fails where the database holds another study
+    /// (other hash), another plan of the participant, or the number for somebody else.
+    [[nodiscard]] Result<void> storePlan(const studies::Study& study, const Registration& registration,
+                                         const studies::StudyPlan& plan);
+    /// What earlier sittings left; `now_utc_s` gives the gap.
+    [[nodiscard]] studies::Resume resume(const std::string& participant, double now_utc_s) const;
     /// Whether the participant has had a session with a simulated participant (`synthetic`) or with a person.
     [[nodiscard]] bool hasSession(const std::string& participant, bool synthetic) const;
+    /// Median seconds that one answered unit of each stage took in finished sessions, from its start to the
+    /// next one's: for the estimate of the time left. Stages without any are missing.
+    [[nodiscard]] std::map<std::string, double> secondsPerUnit() const;
 
     /// Starts a session; later records belong to it. Returns its id. The station's properties must have
     /// different names.
     long long beginSession(const SessionInfo& session);
-    /// Keeps an event. A response is one transaction with all that it holds, durable on return.
-    void record(const studies::SessionEvent& event, const studies::StudyPlan& plan,
-                const std::vector<ClipRecord>& clips_by_trial);
+    /// Keeps an event. A response is one transaction with all that it holds, durable on return; so are what
+    /// supersedes one, and an exclusion, which marks the participant.
+    void record(const studies::SessionEvent& event, const studies::Study& study,
+                const studies::StudyPlan& plan, const ClipRecords& clips);
     /// Keeps frames of the session, each number once, and tallies of trials that are over (added to those of
     /// the same trial kept before), in one transaction. The disk is not waited for: a power cut may take what
     /// was written since the last response.
     void recordTracking(std::span<const TrackedFrame> frames, std::span<const TrialTracking> trials);
-    void endSession(const std::string& outcome, double ended_utc_s);  ///< "finished" or "quit"
+    /// An aborted session makes the participant a drop-out.
+    void endSession(studies::SessionOutcome outcome, double ended_utc_s);
     /// Commits a whole_run store. Nothing is kept of it without this call.
     void commit();
 

@@ -1,8 +1,11 @@
 // The session: a pure state machine from input frames to presented frames and events. No clock, file or GL.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "motion/clip.hpp"
@@ -13,12 +16,26 @@
 
 namespace deixis::studies {
 
-/// Gives the clip of a trial, already on the avatar's skeleton. Clips live as long as the source.
+/// Gives the clip of a stimulus, already on the avatar's skeleton. Clips live as long as the source.
 class ClipSource {
   public:
     virtual ~ClipSource() = default;
-    [[nodiscard]] virtual const motion::Clip& clip(const Trial& trial) const = 0;
+    [[nodiscard]] virtual const motion::Clip& clip(const Stimulus& stimulus) const = 0;
 };
+
+/// What earlier sittings of the participant left.
+struct Resume {
+    std::map<int, bool> answered{};  ///< trial index -> correct (false only for a wrong choice of the game)
+    std::set<int> begun{};           ///< unanswered trials whose clip had been begun
+    std::map<std::string, int> check_failures{};  ///< by stage
+    double gap_s = 0.0;  ///< from the last thing known of the sitting before until now; 0: there was none
+};
+
+/// The trials that are still to be answered, in order: none of later sittings (Stage::session) while an
+/// earlier one has any left, and no practice attempts after one that met the criterion, or of a stage whose
+/// trials have begun.
+[[nodiscard]] std::vector<int> trialsLeft(const Study& study, const StudyPlan& plan,
+                                          const std::map<int, bool>& answered);
 
 /// What one step gives: the frame to show (valid until the next step), and what happened.
 struct SessionStep {
@@ -26,19 +43,50 @@ struct SessionStep {
     std::vector<SessionEvent> events;
 };
 
-/// Ids of the buttons on panels.
+/// Ids of what can be pressed on panels.
 namespace button_id {
 constexpr int go_on = 1;  ///< leaves a page
 constexpr int resume = 2;
 constexpr int end_session = 3;
 constexpr int replay = 4;
-constexpr int end_for_good = 5;    ///< asked after end_session
-constexpr int back = 6;            ///< from that question
-constexpr int first_rating = 101;  ///< the button "1"; the others follow
+constexpr int end_for_good = 5;  ///< asked after end_session
+constexpr int back = 6;          ///< from that question
+constexpr int agree = 7;
+constexpr int decline = 8;
+constexpr int first_rating = 101;   ///< the lowest step of the scale; the others follow
+constexpr int first_play = 201;     ///< plays stimulus 0; the others follow
+constexpr int first_slider = 301;   ///< of stimulus 0; the others follow
+constexpr int first_option = 1000;  ///< question i of a page: 1000 + 100 i + place of the option
+constexpr int first_field = 5000;   ///< question i of a page: its slider or text field
 }  // namespace button_id
 
-/// The course of a session (Deichler et al. 2023, section 2.4.2): welcome, then for each stage instructions,
-/// practice where the plan has any, and the trials with breaks, then goodbye.
+enum class SessionOutcome : unsigned char {
+    running,
+    finished,  ///< this sitting's last page was left
+    quit,      ///< ended before its end; the rest can be resumed
+    aborted,   ///< by the operator: a drop-out
+    declined,  ///< consent was not given
+    excluded   ///< a check or a practice that ends the session failed
+};
+[[nodiscard]] std::string_view sessionOutcomeName(SessionOutcome outcome);
+
+/// How far the session is: for the operator.
+struct StageProgress {
+    std::string name;
+    int done = 0;
+    int of = 0;  ///< units that are answered; 0: a page
+    bool current = false;
+};
+
+struct SessionProgress {
+    std::vector<StageProgress> stages;
+    int checks_passed = 0;
+    int checks_failed = 0;
+    std::string trial;  ///< the conditions of the trial under way, which the operator sees only on demand
+};
+
+/// The course of a session: the stages of the plan in order, each with its pages, trials and breaks (for the
+/// pointing study: Deichler et al. 2023, section 2.4.2).
 ///
 /// A trial: a pause in which the avatar stands at ease (longer where the participant has been moved), the
 /// clip, then the answer. The clip's time is the display time since its first frame was shown. Its last pose
@@ -47,6 +95,9 @@ constexpr int first_rating = 101;  ///< the button "1"; the others follow
 /// selected that lies more than 60 degrees off the looking direction. The answer given is shown for a moment
 /// and until it is kept (InputFrame::answers_kept).
 ///
+/// A page of parallel rating, or a pair: the participant plays the clips by buttons, any of them again; the
+/// answer can be given when each has been shown to its end.
+///
 /// A pause during the clip starts it over; a pause while the answer is open is taken off the response time,
 /// or starts the trial over where the study wants it repeated (Study::after_interruption).
 ///
@@ -54,13 +105,14 @@ constexpr int first_rating = 101;  ///< the button "1"; the others follow
 /// so (PresentedFrame::notice), and the trial is marked by notes.
 class SessionRunner {
   public:
-    /// `answered` holds the indices of trials already answered in an earlier session of the participant: they
-    /// are not asked again (practice before the first unanswered trial's stage is repeated only if that stage
-    /// has not begun). `idle_pose` is how the avatar stands when no clip plays. All references must outlive
-    /// the runner. Throws std::invalid_argument where the plan names a layout that the study lacks, and
-    /// step() where a clip is empty or has not the avatar's joints.
+    /// Goes through trialsLeft(); pages of a stage that has begun are not shown again, but for the
+    /// instructions before it where `resume.gap_s` exceeds Study::instructions_again_after_s. `keyboard`:
+    /// questions that need one are asked. `idle_pose` is how the avatar stands when no clip plays. All
+    /// references must outlive the runner. Throws std::invalid_argument where the plan names a stage or layout
+    /// that the study lacks, and step() where a clip is empty or has not the avatar's joints.
     SessionRunner(const Study& study, const StudyPlan& plan, const ClipSource& clips,
-                  const motion::Skeleton& avatar, const motion::LocalPose& idle_pose, std::set<int> answered);
+                  const motion::Skeleton& avatar, const motion::LocalPose& idle_pose, Resume resume,
+                  bool keyboard);
     ~SessionRunner();
     SessionRunner(const SessionRunner&) = delete;
     SessionRunner& operator=(const SessionRunner&) = delete;
@@ -75,8 +127,9 @@ class SessionRunner {
     /// Index of the trial under way, from its pause before the clip until its answer has been confirmed; -1
     /// between trials.
     [[nodiscard]] int trialUnderWay() const;
-    [[nodiscard]] bool finished() const;  ///< the last page was left; nothing more to show
-    [[nodiscard]] bool quit() const;      ///< ended before its end; the rest can be resumed
+    /// What the session has come to. Only `running` goes on.
+    [[nodiscard]] SessionOutcome outcome() const;
+    [[nodiscard]] SessionProgress progress() const;
 
   private:
     struct State;

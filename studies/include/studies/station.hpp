@@ -25,6 +25,19 @@ struct StationNote {
     double time_s = 0.0;  ///< on the station's clock
 };
 
+enum class OperatorAction : unsigned char {
+    repeat_last,  ///< the trial answered last is done again; its answer is kept, and marked
+    skip,         ///< the trial under way is left without an answer
+    abort,        ///< the session ends, and the participant counts as a drop-out
+    note          ///< a remark for the record
+};
+
+/// What the experimenter asked for, beside pausing (InputFrame::pause), going on (resume) and ending (quit).
+struct OperatorCommand {
+    OperatorAction action = OperatorAction::note;
+    std::string text{};  ///< the reason, or the remark
+};
+
 /// What the person did since the last frame, and the time at which the frame now begun will be shown.
 struct InputFrame {
     double time_s = 0.0;  ///< predicted display time on the station's monotonic clock; never goes back
@@ -34,12 +47,17 @@ struct InputFrame {
     Pose stage_from_head{};      ///< -z looks forward, +y up
     std::optional<Ray> pointer;  ///< hand or mouse ray in the stage's frame; none while it is not tracked
     bool select = false;         ///< the select button went down
+    bool select_held = false;    ///< it is down: a slider follows the ray
     /// When it went down, on the same clock, where the device tells; none: at input_time_s. An answer by ray
     /// is given at this time, unless the open answer was not yet shown then.
     std::optional<double> select_time_s;
     std::optional<int> digit;  ///< a number key went down: 1..9
-    bool confirm = false;      ///< Enter or Space went down
+    bool confirm = false;      ///< Enter or Space went down (Space: not while a text field is open)
+    std::string typed{};       ///< characters typed, UTF-8; where the station has a keyboard
+    int erased = 0;            ///< how often Backspace went down, after what was typed
     bool pause = false;        ///< Esc went down, or focus or tracking was lost
+    bool resume = false;       ///< the operator ends the pause
+    std::vector<OperatorCommand> commands{};
     /// "escape", "focus lost", "headset taken off", "tracking lost", "operator", "menu", ...: decides what
     /// the participant reads.
     std::string pause_reason{};
@@ -58,11 +76,12 @@ struct Rgb {
 };
 
 enum class BallLook : unsigned char {
-    waiting,
-    selectable,
-    hovered,
-    chosen
-};  // black, white, lit, lit and confirmed
+    waiting,     ///< black
+    selectable,  ///< white
+    hovered,     ///< lit
+    chosen,      ///< lit and confirmed
+    revealed     ///< green: feedback, this was the target
+};
 
 struct BallView {
     Vec3 centre{0.0};
@@ -84,6 +103,15 @@ struct PanelText {
     bool faint = false;
 };
 
+/// What a button does, which a person reads from its label and place.
+enum class ButtonRole : unsigned char {
+    go_on,   ///< leaves the page
+    leave,   ///< ends something: the session, without consent
+    play,    ///< shows a clip
+    option,  ///< one answer of several: a step of a scale, a preference, an option
+    other
+};
+
 struct PanelButton {
     PanelRect box{};
     std::string label;
@@ -91,6 +119,34 @@ struct PanelButton {
     int id = 0;
     bool enabled = true;
     bool hovered = false;
+    bool chosen = false;  ///< the option that is picked now
+    ButtonRole role = ButtonRole::other;
+};
+
+/// A track on which a value is set by pressing on it, or by dragging. Nothing is set until it is touched.
+struct PanelSlider {
+    PanelRect box{};  ///< of the whole: track, and under it the labels
+    int id = 0;
+    int low = 0;
+    int high = 100;
+    std::optional<int> value{};       ///< none: untouched, no thumb is drawn
+    std::vector<std::string> labels{};  ///< spread evenly under the track
+    bool enabled = true;
+    bool hovered = false;
+    /// The track, from low to high, in the panel's metres; the thumb stays within it.
+    [[nodiscard]] PanelRect track() const;
+    [[nodiscard]] int valueAt(double x_m) const;  ///< nearest value; ends beyond the track's
+};
+
+/// A line of text that is typed.
+struct PanelField {
+    PanelRect box{};
+    int id = 0;
+    std::string text{};
+    std::string hint{};    ///< shown while it is empty
+    bool active = false;   ///< takes what is typed; shows a caret
+    bool hovered = false;
+    bool enabled = true;
 };
 
 /// A board that stands in the world. `stage_from_panel` has its origin at the lower left corner, +x to the
@@ -101,6 +157,8 @@ struct Panel {
     double height_m = 0.0;
     std::vector<PanelText> texts;
     std::vector<PanelButton> buttons;
+    std::vector<PanelSlider> sliders{};
+    std::vector<PanelField> fields{};
     double progress = -1.0;  ///< 0..1 draws a bar along the foot; negative: none
 };
 
@@ -114,6 +172,8 @@ struct PresentedFrame {
     std::uint64_t number = 0;  ///< counts up; a frame report refers to it
     bool avatar_visible = true;
     std::vector<Pose> avatar_joints;  ///< stage_from_joint, in the avatar skeleton's order
+    /// Pairwise: the other avatar, which stands at the participant's right; empty: there is none.
+    std::vector<Pose> right_avatar_joints{};
     std::vector<BallView> balls;
     std::optional<RayView> ray;
     std::optional<Panel> panel;
@@ -125,12 +185,14 @@ struct PresentedFrame {
     /// none.
     std::string notice;
     bool tick = false;  ///< the ray has just met a ball or a button: a light haptic tick
-    /// What the session is doing, for screenshots and tests. Pages: "welcome", "welcome-back",
-    /// "instructions", "practice", "begin", "break", "goodbye". Ratings: "waiting", "playing", "pointing"
-    /// (the clip's second half), "rating", "rated". Game, each with "-" and the layout: "waiting-across",
-    /// "playing-...", "pointing-...", "choosing-...", "aiming-..." (the ray is on a ball), "chosen-...". Also
-    /// "paused", "over".
+    /// What the session is doing, for screenshots and tests. Pages: "instructions", "consent",
+    /// "questionnaire", "break", "welcome-back", "practice-again", "attention" (a warning). Trials: "waiting",
+    /// "playing", "pointing" (the clip's second half), "check" (a number to be given is shown), then "rating"
+    /// and "rated"; parallel: "listening" (the page is open); pairwise: "comparing", "reasons"; the game, each
+    /// with "-" and the layout: "waiting-across", "playing-...", "pointing-...", "choosing-...", "aiming-..."
+    /// (the ray is on a ball), "chosen-...", "feedback-...", "confidence-...". Also "paused", "over".
     std::string state;
+    std::string stage;  ///< Stage::name; empty outside stages
 };
 
 /// A tracked pose in the stage's frame, with what the device says of it.

@@ -15,27 +15,39 @@ namespace deixis::studies {
 struct TargetItem {
     std::string id;  ///< "T001", "T002", ...
     Vec3 target{0.0};
-    std::vector<Vec3> distractors;
+    bool placed = true;  ///< false: an item of a manifest that has no target; it cannot be played
+    /// By distance band, in the order of the bands given; empty where there are none.
+    std::vector<std::vector<Vec3>> distractors{};
 };
 
-/// Draws space.count targets uniformly in height, arc and radius, and for each target its distractors from
-/// the same ranges, redrawn until they lie within the distance band of the target (ends included) and no
-/// nearer to each other or to the target than a ball's diameter. Fails with a clear error after a bounded
-/// search where the ranges cannot be met.
+/// Draws space.count targets uniformly in height, arc and radius, and for each target and distance band its
+/// distractors from the same ranges, redrawn until they lie within the band's distance of the target (ends
+/// included) and no nearer to each other or to the target than a ball's diameter. Fails with a clear error
+/// after a bounded search where the ranges cannot be met.
 ///
-/// Depends on space and seed alone. A position is rounded to 0.1 mm before any distance is looked at, and
+/// Depends on space, bands and seed alone; a band's distractors do not depend on the other bands. A position is rounded to 0.1 mm before any distance is looked at, and
 /// distances are compared in whole tenths of a millimetre: two mathematics libraries whose sines differ in
 /// the last bit give the same targets. The targets do not depend on the distractors' settings, nor the first
 /// n of them on the count.
-[[nodiscard]] Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space, std::uint64_t seed);
+[[nodiscard]] Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
+                                                            const std::vector<DistanceBand>& bands,
+                                                            std::uint64_t seed);
+
+/// The same around given targets (the items of TargetSpace::from_manifest), whose distractors are replaced.
+/// Items that are not placed stay without.
+[[nodiscard]] Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items,
+                                                              const TargetSpace& space,
+                                                              const std::vector<DistanceBand>& bands,
+                                                              std::uint64_t seed);
 
 /// `space` with its three ranges replaced by those of `positions` (the targets of a manifest's clips): least
 /// and greatest height, azimuth and radius. Fails where there are none, or where one
 /// lies on the avatar's axis, farther than 20 m, or so low that a ball there would stick in the floor.
 [[nodiscard]] Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions);
 
-/// "target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z" (as many d as there are distractors) and a row each.
-[[nodiscard]] std::string targetsCsv(const std::vector<TargetItem>& targets);
+/// "target_id,x,y,z" and for each band and distractor ",BAND_d1_x,BAND_d1_y,BAND_d1_z", then a row each.
+[[nodiscard]] std::string targetsCsv(const std::vector<TargetItem>& targets,
+                                     const std::vector<DistanceBand>& bands);
 
 /// A picture like the paper's Figure 1: the targets (and, where given, the positions that a manifest's clips
 /// were made for) in a perspective view and from above and the side. A whole SVG document.
