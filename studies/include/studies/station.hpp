@@ -177,6 +177,8 @@ struct PresentedFrame {
     std::vector<BallView> balls;
     std::optional<RayView> ray;
     std::optional<Panel> panel;
+    /// A small board beside the avatar's head, to be read only: the number of an attention check.
+    std::optional<Panel> sign;
     Pose stage_from_viewer{};  ///< where the participant is asked to stand: on the floor, -z is forward
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
     bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
