@@ -79,7 +79,7 @@ class Performance {
         bendInPassing(pose, course.arm, time_s < times_.peak ? raise_flexion_ : retract_flexion_);
         // A clip begins and ends in the stance at ease itself.
         const double presence = minimumJerk(std::min(time_s, times_.whole - time_s) / fade_s);
-        if (motion_.noise_share > 0.0) addNoise(pose, course, time_s, presence);
+        if (motion_.noise_share > 0.0 || motion_.wander_rad > 0.0) addNoise(pose, course, time_s, presence);
         if (motion_.gaze) turnEyes(pose, course.gaze);
         return pose;
     }
@@ -272,6 +272,23 @@ void makeContinuous(std::vector<LocalPose>& frames) {
 }
 
 }  // namespace
+
+PointingMotion heldAs(PointingMotion motion, const HoldManner& manner, const PointingBody& body) {
+    constexpr Interval unsteady_hz{0.5, 1.5};
+    motion.hold_s = manner.hold_s.value_or(motion.hold_s);
+    if (manner.unsteadiness_m) {
+        const ArmBones bones = armBones(motion.hand);
+        const Vec3 tip = transformPoint(body.world(motion.peak, body.joint(bones.hand)),
+                                        body.fingertip_in_hand[static_cast<std::size_t>(motion.hand)]);
+        const double reach_m =
+            glm::length(body.world(motion.peak, body.joint(bones.upper_arm)).position - tip);
+        motion.wander_rad = *manner.unsteadiness_m / reach_m;
+        motion.wander_hz = unsteady_hz;
+        motion.jitter_rad = 0.0;
+        motion.hold_end = motion.peak;
+    }
+    return motion;
+}
 
 GeneratedClip perform(const PointingBody& body, const PointingMotion& motion,
                       const DemonstrationParameters& parameters, std::uint64_t seed) {

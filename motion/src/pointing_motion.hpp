@@ -29,6 +29,10 @@ struct PointingMotion {
     double jitter_rad = 0.0;  ///< unsmoothed shaking of the arm's joints, SD per frame
 };
 
+/// The motion held as asked for.
+[[nodiscard]] PointingMotion heldAs(PointingMotion motion, const HoldManner& manner,
+                                    const PointingBody& body);
+
 constexpr double generated_frame_time_s = 1.0 / 30.0;
 
 [[nodiscard]] GeneratedClip perform(const PointingBody& body, const PointingMotion& motion,

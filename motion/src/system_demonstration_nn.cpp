@@ -13,19 +13,35 @@ namespace {
 
 class DemonstrationNn : public Generator {
   public:
-    explicit DemonstrationNn(std::vector<Demonstration> library) : library_(std::move(library)) {}
+    DemonstrationNn(PointingBody body, const DemonstrationParameters& parameters)
+        : body_(std::move(body)), parameters_(parameters), plans_(planLibrary(body_, parameters)) {
+        std::vector<Demonstration> library;
+        for (const DemonstrationPlan& plan : plans_) library.push_back(played(plan, {}));
+        library_ = withMirrored(std::move(library));
+    }
 
     std::string_view name() const override { return "demonstration-nn"; }
 
     GeneratedClip generate(const GenerationRequest& asked) const override {
         const auto distance = [&](const Demonstration& d) { return glm::length(d.target - asked.target); };
-        return std::min_element(
-                   library_.begin(), library_.end(),
-                   [&](const Demonstration& a, const Demonstration& b) { return distance(a) < distance(b); })
-            ->gesture;
+        const auto nearest = std::min_element(
+            library_.begin(), library_.end(),
+            [&](const Demonstration& a, const Demonstration& b) { return distance(a) < distance(b); });
+        if (!asked.manner.hold_s && !asked.manner.unsteadiness_m) return nearest->gesture;
+        // The mirrored half of the library follows the other one.
+        const auto index = static_cast<std::size_t>(nearest - library_.begin());
+        Demonstration again = played(plans_[index % plans_.size()], asked.manner);
+        return index < plans_.size() ? again.gesture : mirrored(again).gesture;
     }
 
   private:
+    [[nodiscard]] Demonstration played(const DemonstrationPlan& plan, const HoldManner& manner) const {
+        return {plan.target, perform(body_, heldAs(plan.motion, manner, body_), parameters_, plan.seed)};
+    }
+
+    PointingBody body_;
+    DemonstrationParameters parameters_;
+    std::vector<DemonstrationPlan> plans_;
     std::vector<Demonstration> library_;
 };
 
@@ -33,10 +49,7 @@ class DemonstrationNn : public Generator {
 
 std::unique_ptr<Generator> makeDemonstrationNn(const PointingBody& body,
                                                const DemonstrationParameters& parameters) {
-    std::vector<Demonstration> library;
-    for (const DemonstrationPlan& plan : planLibrary(body, parameters))
-        library.push_back({plan.target, perform(body, plan.motion, parameters, plan.seed)});
-    return std::make_unique<DemonstrationNn>(withMirrored(std::move(library)));
+    return std::make_unique<DemonstrationNn>(body, parameters);
 }
 
 }  // namespace deixis::motion

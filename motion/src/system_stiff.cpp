@@ -32,7 +32,7 @@ class Stiff : public Generator {
         motion.hold_s = stiff.hold_s;
         motion.retract_s = stiff.retract_s;
         motion.linear = true;
-        return perform(body_, motion, parameters_, asked.seed);
+        return perform(body_, heldAs(motion, asked.manner, body_), parameters_, asked.seed);
     }
 
   private:

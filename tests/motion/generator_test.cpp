@@ -258,6 +258,51 @@ TEST_SUITE("motion/generator") {
         CHECK(median(ways) > 0.05);
     }
 
+    TEST_CASE("a hold is as long as it was asked to be, and the clip grows by that") {
+        for (const std::string& name : generatorNames()) {
+            CAPTURE(name);
+            const auto generator = make(name);
+            const Vec3 target(0.8, 1.2, 1.9);
+            const GeneratedClip usual = generator->generate({"T", target, 7});
+            const GeneratedClip longer = generator->generate({"T", target, 7, {3.0, {}}});
+            const auto held_s = [](const GeneratedClip& made) {
+                return (made.hold_frame - made.peak_frame) / 30.0;
+            };
+            CHECK(held_s(longer) == doctest::Approx(3.0).epsilon(0.03));
+            CHECK(longer.clip.frameCount() - usual.clip.frameCount() ==
+                  doctest::Approx(30.0 * (held_s(longer) - held_s(usual))).epsilon(0.05));
+            CHECK(longer.hand == usual.hand);
+        }
+    }
+
+    TEST_CASE("an unsteady fingertip wanders about as far as asked, and a steady one hardly") {
+        for (const std::string& name : generatorNames()) {
+            const auto generator = make(name);
+            double steady_m = 0.0, unsteady_m = 0.0;
+            const auto targets = drawTargets(20, 5);
+            for (const Vec3& target : targets) {
+                const auto spread = [&](double unsteadiness_m) {
+                    const GeneratedClip made = generator->generate({"T", target, 11, {4.0, unsteadiness_m}});
+                    Vec3 mean(0.0);
+                    const int frames = made.hold_frame - made.peak_frame + 1;
+                    for (int f = made.peak_frame; f <= made.hold_frame; ++f)
+                        mean += fingertipAt(made, f) / static_cast<double>(frames);
+                    double sum = 0.0;
+                    for (int f = made.peak_frame; f <= made.hold_frame; ++f)
+                        sum += glm::dot(fingertipAt(made, f) - mean, fingertipAt(made, f) - mean);
+                    return std::sqrt(sum / frames / 2.0);  // two directions across the line
+                };
+                steady_m += spread(0.0) / static_cast<double>(targets.size());
+                unsteady_m += spread(0.05) / static_cast<double>(targets.size());
+            }
+            CAPTURE(name);
+            CHECK(steady_m < 0.012);
+            // A sum of sinusoids of amplitude 5 cm has a standard deviation of some 2 to 3.5 cm.
+            CHECK(unsteady_m > 0.015);
+            CHECK(unsteady_m < 0.05);
+        }
+    }
+
     TEST_CASE("stiff moves one arm at a steady joint speed and nothing else") {
         for (const Sample& s : samples("stiff")) {
             const auto& frames = s.made.clip.frames;

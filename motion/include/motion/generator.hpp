@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,10 +15,18 @@
 
 namespace deixis::motion {
 
+/// How a gesture is held, where a study asks for it; what is not set stays as the system does by itself.
+struct HoldManner {
+    std::optional<double> hold_s{};  ///< from peak to hold
+    /// About how far the fingertip wanders to each side of where it points, slowly, during the hold; metres.
+    std::optional<double> unsteadiness_m{};
+};
+
 struct GenerationRequest {
     std::string target_id;
     Vec3 target{0.0};  ///< metres, in the avatar's frame
     std::uint64_t seed = 0;
+    HoldManner manner{};
 };
 
 /// Frames count from 0; 0 <= onset < peak <= hold < end < frame count. Meanings as in assets/manifest.hpp.
