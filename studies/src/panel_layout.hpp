@@ -1,7 +1,8 @@
 // Boards in the world: what they say, how large they are, where they stand, and what a ray meets on them.
 //
-// Sizes follow what is comfortable to read in a headset at about 1.5 m: lines of at least 35 mm (1.3 degrees)
-// and buttons of at least 0.13 m (5 degrees).
+// Sizes follow what is comfortable to read in a headset at about 1.5 m: lines of at least 35 mm (1.3
+// degrees), buttons of at least 0.13 m (5 degrees), or 0.1 m where many stand in a row. Boards are at
+// most 1.6 m wide and, but for texts beyond all measure, 1.1 m high.
 #pragma once
 
 #include <optional>
@@ -9,6 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "studies/language.hpp"
+#include "studies/questionnaire.hpp"
+#include "studies/scale.hpp"
 #include "studies/station.hpp"
 
 namespace deixis::studies {
@@ -16,7 +20,11 @@ namespace deixis::studies {
 struct ButtonSpec {
     std::string label;
     int id = 0;
+    ButtonRole role = ButtonRole::other;
+    bool enabled = true;
 };
+
+// Pages.
 
 /// Title, body and (bold) emphasis above a row of buttons; as wide and high as the text needs. No progress
 /// bar where `progress` is negative.
@@ -24,35 +32,150 @@ struct ButtonSpec {
                                  const std::string& emphasis, const std::vector<ButtonSpec>& buttons,
                                  double progress);
 
-/// The question above a row of buttons "1".."n" whose captions are the labels; their ids count up from
-/// `first_id`. `replay` adds a button beside the question.
-[[nodiscard]] Panel ratingPanel(const std::string& question, const std::vector<std::string>& labels,
-                                int first_id, const std::optional<ButtonSpec>& replay);
+// Answers to one question.
 
-/// The question and a button beside it.
-[[nodiscard]] Panel questionPanel(const std::string& question, const ButtonSpec& button);
+/// A question answered on a scale: a rating, or a confidence.
+struct RatingBoard {
+    std::string question;
+    Scale scale;
+    std::optional<int> value{};           ///< set now
+    bool enabled = true;                  ///< whether the scale takes a value
+    std::optional<ButtonSpec> replay{};   ///< beside the question
+    std::optional<ButtonSpec> confirm{};  ///< under the scale; a slider needs one
+};
 
-/// All three turn aside as far as an avatar that stands nearer than the panel would cover it.
-/// Upright, 1.3 m before the viewer, its centre a little below the eyes.
+/// Steps are buttons with their number from first_rating (the lowest) on, up to 11 in a row, role option; a
+/// slider has the id first_slider.
+[[nodiscard]] Panel ratingPanel(const RatingBoard& board);
+
+/// The question of the game, and a button beside it if there is one.
+[[nodiscard]] Panel gamePanel(const std::string& question, const std::optional<ButtonSpec>& replay);
+
+enum class PlayState : unsigned char { unplayed, playing, played };
+
+/// What can be played, and rated on a page of parallel rating.
+struct StimulusView {
+    PlayState state = PlayState::unplayed;
+    bool can_play = true;  ///< not while another one plays
+    bool can_rate = true;
+    std::optional<int> value{};  ///< rated now
+};
+
+struct ParallelBoard {
+    std::string question;
+    Scale scale;
+    std::vector<StimulusView> stimuli;  ///< 2 to 6
+    bool can_confirm = false;
+    std::string hint{};  ///< a faint line under the question: what is still to be done; may be empty
+};
+
+/// For each stimulus, lettered from A: a play button (first_play + i) and a slider (first_slider + i) or
+/// steps (first_option + 100 i + value - low); the labels once above each column. Confirm is go_on, beside
+/// the question.
+[[nodiscard]] Panel parallelPanel(const ParallelBoard& board, const LanguageTable& words);
+
+struct PairwiseBoard {
+    std::string question;
+    StimulusView left{};  ///< `can_rate` and `value` are not read
+    StimulusView right{};
+    bool can_answer = false;
+    std::optional<int> preference{};  ///< -2 clearly left .. 2 clearly right
+    std::string hint{};
+};
+
+/// Play buttons first_play (left) and first_play + 1 (right) at either side of the question; under it five
+/// options from first_rating (clearly left) to first_rating + 4 (clearly right).
+[[nodiscard]] Panel pairwisePanel(const PairwiseBoard& board, const LanguageTable& words);
+
+// Questionnaires.
+
+/// The answer that a question has now.
+struct AnswerView {
+    std::optional<int> value{};  ///< scale
+    std::vector<int> chosen{};   ///< choice, choices: places of the options
+    std::string typed{};         ///< number, text
+};
+
+/// Keys of the pad that stands in for a keyboard under a number: first_option + 100 i + one of these.
+namespace pad_key {
+constexpr int zero = 0;  ///< the digits follow
+constexpr int erase = 10;
+constexpr int point = 11;  ///< only where fractions may be
+constexpr int minus = 12;  ///< only where there are numbers below 0
+}  // namespace pad_key
+
+struct QuestionnaireBoard {
+    std::string title{};
+    std::string text{};  ///< how to answer
+    std::vector<const Question*> questions{};
+    std::vector<AnswerView> answers{};  ///< one for each question
+    int active_field = -1;              ///< the question whose field takes what is typed; -1: none
+    bool keyboard = true;               ///< without one numbers have a pad of keys, and texts only a field
+    std::vector<ButtonSpec> buttons{};  ///< at the foot: "Continue"
+    std::string missing{};              ///< a faint line above them, such as "Please answer all questions."
+    int page = 0;                       ///< counted from 0
+    int pages = 1;                      ///< told where there are several
+    double progress = -1.0;
+};
+
+/// Question i of the page: the steps of a scale first_option + 100 i + value - low, the options of a choice
+/// first_option + 100 i + place (all with role option, the present ones `chosen`), sliders and fields
+/// first_field + i.
+[[nodiscard]] Panel questionnairePanel(const QuestionnaireBoard& board, const LanguageTable& words);
+
+/// The questions of a questionnaire by pages: at most per_page, fewer where the board would grow too high.
+/// Questions of text are left out without a keyboard.
+[[nodiscard]] std::vector<std::vector<const Question*>> questionnairePages(const Questionnaire& questionnaire,
+                                                                           bool keyboard,
+                                                                           const LanguageTable& words);
+
+// Signs.
+
+/// A small board to be read only: a sentence and, under it, a short text in large letters. Either may be
+/// empty.
+[[nodiscard]] Panel signPanel(const std::string& sentence, const std::string& large);
+
+/// Above the avatar's head, facing the viewer's eyes.
+[[nodiscard]] Pose signPose(const Panel& sign, const Vec3& avatar_head, const Vec3& eyes);
+
+// Where boards stand. All turn aside as far as an avatar that stands nearer than the panel would cover it.
+
+/// Upright, 1.3 m before the viewer, its centre a little below the eyes: pages and questionnaires.
 [[nodiscard]] Pose messagePose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
 /// Low before the viewer and tilted up like a lectern: under the avatar's chest as seen from the viewer's
-/// place, so that face and torso stay free.
+/// place, so that face and torso stay free. A high board stands lower and lies flatter: ratings, parallel
+/// ratings, pairs.
 [[nodiscard]] Pose lecternPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
-/// Lower and nearer still, where balls are shown that it must not cover.
+/// Lower and nearer still, where balls are shown that it must not cover: the game.
 [[nodiscard]] Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
+
+// Pointing at them.
 
 struct PanelHit {
     double distance_m = 0.0;
-    int button = -1;  ///< index of the enabled button that is met; -1: the bare board
+    int button = -1;   ///< index of the enabled button that is met; -1: none
+    int slider = -1;   ///< index of the enabled slider,
+    double x_m = 0.0;  ///< and where along the panel, for PanelSlider::valueAt()
+    int field = -1;    ///< index of the enabled field
 };
 
 /// Where the ray meets the board from either side; none where it passes it by.
 [[nodiscard]] std::optional<PanelHit> meetPanel(const Panel& panel, const Ray& ray);
 
-/// Lines that a text takes at a line height, wrapped between words, if a character is on average half as
-/// wide as the line is high. Counts code points; at least one line a paragraph.
+/// Where along the panel's +x the ray meets its plane, also beyond the board: a slider that is dragged
+/// follows a ray that has left it. None for a ray that does not meet the plane.
+[[nodiscard]] std::optional<double> alongPanel(const Panel& panel, const Ray& ray);
+
+// Text.
+
+/// Lines that a text takes at a line height, wrapped between words, if a character is on average a little
+/// narrower than half the line's height, and a Korean one (or another wide one) as wide as it is high. At
+/// least one line a paragraph.
 [[nodiscard]] int estimateLines(std::string_view text, double size_m, double width_m);
+
+/// Width of a text on one line, by the same measure.
+[[nodiscard]] double estimateWidth(std::string_view text, double size_m);
 
 }  // namespace deixis::studies
