@@ -19,6 +19,7 @@ struct Options {
     std::string targets;
     std::string folder;
     std::uint64_t seed = 1;
+    motion::HoldManner manner;
 };
 
 Result<void> generate(const Options& options) {
@@ -30,7 +31,7 @@ Result<void> generate(const Options& options) {
     if (!generator) return tl::unexpected(generator.error());
     const auto targets = assets::readTargetList(options.targets);
     if (!targets) return tl::unexpected(targets.error());
-    const auto rows = generateClips(**generator, *targets, options.seed, options.folder);
+    const auto rows = generateClips(**generator, *targets, options.seed, options.manner, options.folder);
     if (!rows) return tl::unexpected(rows.error());
     fmt::print("{} clips of {}: {}\n", rows->size(), options.system,
                (std::filesystem::path(options.folder) / "manifest.csv").string());
@@ -54,6 +55,13 @@ void addGenerateCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--out", options->folder, "Folder for the clips and their manifest")->required();
     command->add_option("--seed", options->seed, "Seed of what varies from clip to clip")
         ->capture_default_str();
+    command
+        ->add_option("--hold", options->manner.hold_s, "Seconds that a gesture is held [as the system does]")
+        ->check(CLI::Range(0.1, 30.0));
+    command
+        ->add_option("--unsteadiness", options->manner.unsteadiness_m,
+                     "Metres that the fingertip wanders during the hold [as the system does]")
+        ->check(CLI::Range(0.0, 0.5));
     command->callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
 }
 

@@ -10,7 +10,7 @@ namespace deixis::app {
 
 Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& generator,
                                                        const std::vector<assets::ListedTarget>& targets,
-                                                       std::uint64_t seed,
+                                                       std::uint64_t seed, const motion::HoldManner& manner,
                                                        const std::filesystem::path& folder) {
     std::error_code code;
     if (const auto manifest = folder / "manifest.csv"; std::filesystem::exists(manifest, code)) {
@@ -26,17 +26,14 @@ Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& 
     std::vector<assets::ManifestRow> rows;
     for (const auto& [id, position] : targets) {
         const std::uint64_t clip_seed = deriveSeed(seed, id);
-        const motion::GeneratedClip made = generator.generate({id, position, clip_seed});
+        const motion::GeneratedClip made = generator.generate({id, position, clip_seed, manner});
         assets::ManifestRow row;
         row.clip = fmt::format("{}_{}.bvh", generator.name(), id);
         row.system = std::string(generator.name());
         row.target_id = id;
         row.target = position;
-        row.hand = made.hand;
-        row.onset_frame = made.onset_frame;
-        row.peak_frame = made.peak_frame;
-        row.hold_frame = made.hold_frame;
-        row.end_frame = made.end_frame;
+        row.phases = assets::PointingPhases{made.onset_frame, made.peak_frame, made.hold_frame,
+                                            made.end_frame, made.hand};
         row.fps = made.clip.framesPerSecond();
         row.seed = clip_seed;
         if (auto written = writeFile(folder / row.clip, assets::writeBvh(made.clip)); !written)

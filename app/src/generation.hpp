@@ -15,6 +15,6 @@ namespace deixis::app {
 /// Writes one BVH file per target and, last, `manifest.csv`: where the manifest stands, all its clips do.
 [[nodiscard]] Result<std::vector<assets::ManifestRow>> generateClips(
     const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
-    const std::filesystem::path& folder);
+    const motion::HoldManner& manner, const std::filesystem::path& folder);
 
 }  // namespace deixis::app

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -64,6 +65,12 @@ class RowReader {
         return value;
     }
 
+    /// Whether any of the columns, which belong together, has a value.
+    [[nodiscard]] bool any(std::initializer_list<Column> columns) const {
+        return std::any_of(columns.begin(), columns.end(),
+                           [this](Column column) { return !record_.fields[places_[column]].empty(); });
+    }
+
     void problem(Column column, const std::string& message, std::string mend = {}) {
         if (!first_)
             first_ = Error{fmt::format("{}:{}: {}", file_, record_.line, column_names[column]), message,
@@ -79,35 +86,43 @@ class RowReader {
     std::optional<Error> first_;
 };
 
+PointingPhases readPhases(RowReader& reader) {
+    PointingPhases phases;
+    const std::string side = reader.text(hand);
+    if (side != "left" && side != "right")
+        reader.problem(hand, fmt::format("found '{}', expected left or right", side));
+    phases.hand = side == "left" ? motion::Side::left : motion::Side::right;
+    constexpr std::string_view frame = "a whole number of frames";
+    phases.onset_frame = reader.number<int>(onset, frame);
+    phases.peak_frame = reader.number<int>(peak, frame);
+    phases.hold_frame = reader.number<int>(hold, frame);
+    phases.end_frame = reader.number<int>(end, frame);
+    if (phases.onset_frame < 0)
+        reader.problem(onset, fmt::format("found {}, expected 0 or more", phases.onset_frame));
+    if (phases.peak_frame <= phases.onset_frame)
+        reader.problem(peak, fmt::format("found {}, expected a frame after the onset ({})", phases.peak_frame,
+                                         phases.onset_frame));
+    if (phases.hold_frame < phases.peak_frame)
+        reader.problem(hold, fmt::format("found {}, expected the peak ({}) or later", phases.hold_frame,
+                                         phases.peak_frame));
+    if (phases.end_frame <= phases.hold_frame)
+        reader.problem(end, fmt::format("found {}, expected a frame after the hold ({})", phases.end_frame,
+                                        phases.hold_frame));
+    return phases;
+}
+
 Result<ManifestRow> readRow(RowReader reader) {
     ManifestRow row;
     row.clip = reader.text(clip);
     row.system = reader.text(system);
     row.target_id = reader.text(target_id);
-    constexpr std::string_view metres = "a finite number of metres";
-    row.target.x = reader.number<double>(target_x, metres);
-    row.target.y = reader.number<double>(target_y, metres);
-    row.target.z = reader.number<double>(target_z, metres);
-    const std::string side = reader.text(hand);
-    if (side != "left" && side != "right")
-        reader.problem(hand, fmt::format("found '{}', expected left or right", side));
-    row.hand = side == "left" ? motion::Side::left : motion::Side::right;
-    constexpr std::string_view frame = "a whole number of frames";
-    row.onset_frame = reader.number<int>(onset, frame);
-    row.peak_frame = reader.number<int>(peak, frame);
-    row.hold_frame = reader.number<int>(hold, frame);
-    row.end_frame = reader.number<int>(end, frame);
-    if (row.onset_frame < 0)
-        reader.problem(onset, fmt::format("found {}, expected 0 or more", row.onset_frame));
-    if (row.peak_frame <= row.onset_frame)
-        reader.problem(peak, fmt::format("found {}, expected a frame after the onset ({})", row.peak_frame,
-                                         row.onset_frame));
-    if (row.hold_frame < row.peak_frame)
-        reader.problem(
-            hold, fmt::format("found {}, expected the peak ({}) or later", row.hold_frame, row.peak_frame));
-    if (row.end_frame <= row.hold_frame)
-        reader.problem(end, fmt::format("found {}, expected a frame after the hold ({})", row.end_frame,
-                                        row.hold_frame));
+    if (reader.any({target_x, target_y, target_z})) {
+        constexpr std::string_view metres = "a finite number of metres";
+        row.target = Vec3(reader.number<double>(target_x, metres), 0.0, 0.0);
+        row.target->y = reader.number<double>(target_y, metres);
+        row.target->z = reader.number<double>(target_z, metres);
+    }
+    if (reader.any({hand, onset, peak, hold, end})) row.phases = readPhases(reader);
     row.fps = reader.number<double>(fps, "frames per second, more than 0");
     if (row.fps <= 0.0) reader.problem(fps, fmt::format("found {}, expected more than 0", row.fps));
     row.seed = reader.number<std::uint64_t>(seed, "a whole number from 0 to 18446744073709551615");
@@ -165,11 +180,16 @@ Result<Manifest> readManifest(const std::filesystem::path& path) {
 
 std::string manifestCsv(const std::vector<ManifestRow>& rows) {
     std::string out = header() + "\n";
-    for (const ManifestRow& row : rows)
-        out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvField(row.clip),
-                           csvField(row.system), csvField(row.target_id), row.target.x, row.target.y,
-                           row.target.z, motion::sideName(row.hand), row.onset_frame, row.peak_frame,
-                           row.hold_frame, row.end_frame, row.fps, row.seed);
+    for (const ManifestRow& row : rows) {
+        out += fmt::format("{},{},{},", csvField(row.clip), csvField(row.system), csvField(row.target_id));
+        out += row.target ? fmt::format("{},{},{},", row.target->x, row.target->y, row.target->z) : ",,,";
+        if (const auto& p = row.phases)
+            out += fmt::format("{},{},{},{},{},", motion::sideName(p->hand), p->onset_frame, p->peak_frame,
+                               p->hold_frame, p->end_frame);
+        else
+            out += ",,,,,";
+        out += fmt::format("{},{}\n", row.fps, row.seed);
+    }
     return out;
 }
 

@@ -58,6 +58,15 @@ TEST_SUITE("assets/manifest") {
         CHECK(says(errorOf(header + good + "a.bvh,direct\n"), "m.csv:3: found 2 fields, expected 13"));
     }
 
+    TEST_CASE("a gesture that points at nothing has no target and none of the phases, all or nothing") {
+        const auto read = parseManifest(header + "a.bvh,lab,G1,,,,,,,,,30,7\n", "m.csv");
+        REQUIRE(read.has_value());
+        CHECK_FALSE(read->rows[0].target.has_value());
+        CHECK_FALSE(read->rows[0].phases.has_value());
+        CHECK(says(errorOf(header + "a.bvh,lab,G1,0.5,,,,,,,,30,7\n"), "m.csv:2: target_y"));
+        CHECK(says(errorOf(header + "a.bvh,lab,G1,,,,left,,,,,30,7\n"), "m.csv:2: onset"));
+    }
+
     TEST_CASE("a header without a column, or with one twice, is refused by the column's name") {
         CHECK(says(errorOf(""), "m.csv: the manifest is empty"));
         CHECK(says(errorOf("clip,system\n"), "m.csv:1: target_id: this column is missing"));
@@ -107,8 +116,9 @@ TEST_SUITE("assets/manifest") {
         CHECK(row.clip == "a, \"b\".bvh");
         CHECK(row.system == "lab");
         CHECK(row.target == Vec3(-0.1, 0.5, 3.0));
-        CHECK(row.hand == motion::Side::right);
-        CHECK(row.end_frame == 2);
+        REQUIRE(row.phases.has_value());
+        CHECK(row.phases->hand == motion::Side::right);
+        CHECK(row.phases->end_frame == 2);
         CHECK(row.fps == 29.97);
         CHECK(row.seed == 18446744073709551615ULL);
         CHECK(whole->file == "m.csv");
@@ -122,12 +132,15 @@ TEST_SUITE("assets/manifest") {
             row.clip = i % 3 == 0 ? "odd, \"name\"\n.bvh" : "clip.bvh";
             row.system = "s" + std::to_string(i);
             row.target_id = "T,1";
-            row.target = {random.normal(), random.normal() * 1e-9, random.normal() * 1e6};
-            row.hand = i % 2 == 0 ? motion::Side::left : motion::Side::right;
-            row.onset_frame = static_cast<int>(random.below(100));
-            row.peak_frame = row.onset_frame + 1 + static_cast<int>(random.below(100));
-            row.hold_frame = row.peak_frame + static_cast<int>(random.below(100));
-            row.end_frame = row.hold_frame + 1 + static_cast<int>(random.below(100));
+            if (i % 5 > 0) row.target = {random.normal(), random.normal() * 1e-9, random.normal() * 1e6};
+            if (i % 7 > 0) {
+                PointingPhases& phases = row.phases.emplace();
+                phases.hand = i % 2 == 0 ? motion::Side::left : motion::Side::right;
+                phases.onset_frame = static_cast<int>(random.below(100));
+                phases.peak_frame = phases.onset_frame + 1 + static_cast<int>(random.below(100));
+                phases.hold_frame = phases.peak_frame + static_cast<int>(random.below(100));
+                phases.end_frame = phases.hold_frame + 1 + static_cast<int>(random.below(100));
+            }
             row.fps = random.uniform(1.0, 240.0);
             row.seed = random.next();
             rows.push_back(row);
@@ -142,11 +155,14 @@ TEST_SUITE("assets/manifest") {
             CHECK(read->rows[i].system == rows[i].system);
             CHECK(read->rows[i].target_id == rows[i].target_id);
             CHECK(read->rows[i].target == rows[i].target);
-            CHECK(read->rows[i].hand == rows[i].hand);
-            CHECK(read->rows[i].onset_frame == rows[i].onset_frame);
-            CHECK(read->rows[i].peak_frame == rows[i].peak_frame);
-            CHECK(read->rows[i].hold_frame == rows[i].hold_frame);
-            CHECK(read->rows[i].end_frame == rows[i].end_frame);
+            REQUIRE(read->rows[i].phases.has_value() == rows[i].phases.has_value());
+            if (rows[i].phases) {
+                CHECK(read->rows[i].phases->hand == rows[i].phases->hand);
+                CHECK(read->rows[i].phases->onset_frame == rows[i].phases->onset_frame);
+                CHECK(read->rows[i].phases->peak_frame == rows[i].phases->peak_frame);
+                CHECK(read->rows[i].phases->hold_frame == rows[i].phases->hold_frame);
+                CHECK(read->rows[i].phases->end_frame == rows[i].phases->end_frame);
+            }
             CHECK(read->rows[i].fps == rows[i].fps);
             CHECK(read->rows[i].seed == rows[i].seed);
         }

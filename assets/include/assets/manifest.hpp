@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,17 +15,22 @@
 
 namespace deixis::assets {
 
-/// One clip. Frames count from 0; 0 <= onset < peak <= hold < end < frame count.
-struct ManifestRow {
-    std::string clip;  ///< file, relative to the manifest
-    std::string system;
-    std::string target_id;
-    Vec3 target{0.0};  ///< metres, in the avatar's frame
-    motion::Side hand = motion::Side::right;
+/// When a pointing hand does what. Frames count from 0; 0 <= onset < peak <= hold < end < frame count.
+struct PointingPhases {
     int onset_frame = 0;  ///< the hand leaves its rest
     int peak_frame = 0;   ///< the pointing posture is reached
     int hold_frame = 0;   ///< last frame of the pointing posture; the hand starts back
     int end_frame = 0;    ///< the hand is back at rest
+    motion::Side hand = motion::Side::right;
+};
+
+/// One clip. Gestures that point at nothing have no target, and none of the phases.
+struct ManifestRow {
+    std::string clip;  ///< file, relative to the manifest
+    std::string system;
+    std::string target_id;
+    std::optional<Vec3> target{};  ///< metres, in the avatar's frame
+    std::optional<PointingPhases> phases{};
     double fps = 30.0;
     std::uint64_t seed = 0;
 };
