@@ -1,0 +1,175 @@
+#include "studies/language.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+
+#include "core/files.hpp"
+#include "toml_table.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr std::size_t problems_told = 5;
+
+/// A piece of a text: plain, or the name of a placeholder.
+struct Piece {
+    std::string_view text;
+    bool placeholder = false;
+};
+
+/// A brace that is never closed begins a plain piece.
+std::vector<Piece> piecesOf(std::string_view text) {
+    std::vector<Piece> pieces;
+    std::size_t from = 0;
+    while (from < text.size()) {
+        const std::size_t open = text.find('{', from);
+        const std::size_t close = open == std::string_view::npos ? open : text.find('}', open);
+        if (close == std::string_view::npos) break;
+        if (open > from) pieces.push_back({text.substr(from, open - from)});
+        pieces.push_back({text.substr(open + 1, close - open - 1), true});
+        from = close + 1;
+    }
+    if (from < text.size()) pieces.push_back({text.substr(from)});
+    return pieces;
+}
+
+/// The names of a text's placeholders, each once, sorted.
+std::vector<std::string_view> placeholdersOf(std::string_view text) {
+    std::vector<std::string_view> names;
+    for (const Piece& piece : piecesOf(text))
+        if (piece.placeholder) names.push_back(piece.text);
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+std::string listed(const std::vector<std::string_view>& placeholders) {
+    if (placeholders.empty()) return "none";
+    return fmt::format("{{{}}}", fmt::join(placeholders, "}, {"));
+}
+
+struct Problem {
+    std::uint32_t line = 0;  ///< 0: of the whole file
+    std::string_view key;
+    std::string message;
+    std::string mend{};
+};
+
+/// What is wrong with the text of a key, if anything.
+void checkText(std::string_view key, std::string_view english, const toml::node& node,
+               std::vector<Problem>& problems) {
+    const std::uint32_t line = node.source().begin.line;
+    const auto* text = node.as_string();
+    if (text == nullptr) {
+        problems.push_back({line, key, "this must be a text in quotation marks"});
+        return;
+    }
+    if (text->get().find_first_not_of(" \t\r\n") == std::string::npos) {
+        problems.push_back({line, key, fmt::format("the text is empty; in English it is \"{}\"", english)});
+        return;
+    }
+    const auto found = placeholdersOf(text->get());
+    const auto expected = placeholdersOf(english);
+    if (found != expected)
+        problems.push_back({line, key,
+                            fmt::format("the placeholders of this text are {}, but must be {}", listed(found),
+                                        listed(expected))});
+}
+
+/// One error that tells the first problem in full and names the next few.
+Error errorOf(const std::string& file, std::vector<Problem> problems) {
+    std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
+        return (a.line == 0 ? UINT32_MAX : a.line) < (b.line == 0 ? UINT32_MAX : b.line);
+    });
+    const auto place = [](const Problem& problem) {
+        return problem.line > 0 ? fmt::format(":{}: {}", problem.line, problem.key)
+                                : fmt::format(": {}", problem.key);
+    };
+    const Problem& first = problems.front();
+    Error error{file + place(first), first.message, first.mend};
+    const std::size_t told = std::min(problems.size(), problems_told);
+    for (std::size_t i = 1; i < told; ++i) {
+        const Problem& next = problems[i];
+        error.message += next.line > 0
+                             ? fmt::format("{} line {}, {}: {}", i == 1 ? "; also" : ";", next.line, next.key,
+                                           next.message)
+                             : fmt::format("{} {}: {}", i == 1 ? "; also" : ";", next.key, next.message);
+    }
+    if (problems.size() > told) error.message += fmt::format("; and {} more", problems.size() - told);
+    return error;
+}
+
+}  // namespace
+
+Result<LanguageTable> LanguageTable::load(const std::filesystem::path& file) {
+    const auto bytes = readFile(file);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto table = parseToml(file.string(), *bytes);
+    if (!table) return tl::unexpected(table.error());
+
+    std::vector<Problem> problems;
+    LanguageTable language;
+    language.code_ = file.stem().string();
+    std::vector<std::string_view> known;
+    for (const auto& [key, english] : languageKeys()) {
+        known.push_back(key);
+        const toml::node* node = table->get(key);
+        if (node == nullptr) {
+            problems.push_back(
+                {0, key, fmt::format("this key is missing; in English it is \"{}\"", english)});
+            continue;
+        }
+        checkText(key, english, *node, problems);
+        if (const auto* text = node->as_string()) language.texts_.emplace_back(key, text->get());
+    }
+    for (const auto& [key, node] : *table)
+        if (std::find(known.begin(), known.end(), key.str()) == known.end())
+            problems.push_back(
+                {key.source().begin.line, key.str(), "unknown key", proposeName(key.str(), known)});
+    if (!problems.empty()) return tl::unexpected(errorOf(file.string(), std::move(problems)));
+    std::sort(language.texts_.begin(), language.texts_.end());
+    return language;
+}
+
+const LanguageTable& LanguageTable::english() {
+    static const LanguageTable table = [] {
+        LanguageTable made;
+        made.code_ = "en";
+        made.texts_.assign(languageKeys().begin(), languageKeys().end());
+        std::sort(made.texts_.begin(), made.texts_.end());
+        return made;
+    }();
+    return table;
+}
+
+const std::string& LanguageTable::operator()(std::string_view key) const {
+    const auto at =
+        std::lower_bound(texts_.begin(), texts_.end(), key,
+                         [](const auto& text, std::string_view wanted) { return text.first < wanted; });
+    if (at == texts_.end() || at->first != key)
+        throw std::out_of_range(fmt::format("the language table '{}' has no key '{}'", code_, key));
+    return at->second;
+}
+
+std::string LanguageTable::operator()(
+    std::string_view key, const std::vector<std::pair<std::string_view, std::string>>& values) const {
+    std::string out;
+    for (const Piece& piece : piecesOf((*this)(key))) {
+        if (!piece.placeholder) {
+            out += piece.text;
+            continue;
+        }
+        const auto value = std::find_if(values.begin(), values.end(),
+                                        [&](const auto& one) { return one.first == piece.text; });
+        if (value == values.end())
+            throw std::invalid_argument(fmt::format("'{}' is given no value for '{}'", key, piece.text));
+        out += value->second;
+    }
+    return out;
+}
+
+}  // namespace deixis::studies
