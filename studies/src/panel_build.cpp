@@ -1,0 +1,255 @@
+#include "panel_build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace deixis::studies::panel {
+
+namespace {
+
+constexpr double line_spacing = 1.15;  // leaves room for fonts that run a little wider than estimated
+constexpr double progress_height_m = 0.03;
+constexpr double button_inset_m = 0.03;  // on either side of a label
+constexpr double label_inset_m = 0.012;
+constexpr double widest_step_m = 0.3;
+constexpr double label_gap_m = 0.012;  // between a scale and its labels
+constexpr double label_apart = 0.04;   // between labels, of their pitch
+
+/// Where the buttons of a scale's steps stand within a width.
+struct StepGrid {
+    int rows = 1;
+    int in_row = 1;
+    double left = 0.0;
+    double step_m = 0.0;
+    double pitch_m = 0.0;
+    double width_m = 0.0;  ///< of a full row
+};
+
+StepGrid stepGrid(const Scale& scale, double x, double width_m) {
+    StepGrid grid;
+    grid.rows = (scale.steps() + most_in_row - 1) / most_in_row;
+    grid.in_row = (scale.steps() + grid.rows - 1) / grid.rows;
+    const double between_m = grid.in_row > 5 ? 0.016 : button_gap_m;
+    grid.step_m = std::min(widest_step_m, (width_m - (grid.in_row - 1) * between_m) / grid.in_row);
+    grid.pitch_m = grid.step_m + between_m;
+    grid.width_m = grid.in_row * grid.pitch_m - between_m;
+    grid.left = x + (width_m - grid.width_m) / 2.0;
+    return grid;
+}
+
+bool everyStepLabelled(const Scale& scale) {
+    return !scale.labels.empty() && static_cast<int>(scale.labels.size()) == scale.steps() &&
+           scale.steps() != 2;
+}
+
+}  // namespace
+
+double textHeight(const std::string& text, double size_m, double width_m) {
+    return text.empty() ? 0.0 : estimateLines(text, size_m, width_m) * size_m * line_spacing;
+}
+
+double buttonWidth(const std::string& label) {
+    return std::max(0.26, estimateWidth(label, button_size_m) + 2.0 * button_inset_m);
+}
+
+bool fitAsLabels(const std::vector<std::string>& labels, double width_m) {
+    return std::all_of(labels.begin(), labels.end(), [&](const std::string& label) {
+        return label.find('\n') == std::string::npos &&
+               estimateWidth(label, label_size_m) <= width_m - 2.0 * label_inset_m;
+    });
+}
+
+double Builder::text(const std::string& words, double x, double top, double width_m, const TextStyle& style) {
+    if (words.empty()) return 0.0;
+    PanelText made;
+    const double height_m = textHeight(words, style.size_m, width_m);
+    made.box = {x, top - height_m, width_m, height_m};
+    made.text = words;
+    made.size_m = style.size_m;
+    made.bold = style.bold;
+    made.centred = style.centred;
+    made.faint = style.faint;
+    panel_.texts.push_back(std::move(made));
+    return height_m;
+}
+
+double Builder::button(const ButtonSpec& spec, double x, double top, double width_m, double height_m) {
+    PanelButton made;
+    made.box = {x, top - height_m, width_m, height_m};
+    made.label = spec.label;
+    made.id = spec.id;
+    made.role = spec.role;
+    made.enabled = spec.enabled;
+    panel_.buttons.push_back(std::move(made));
+    return height_m;
+}
+
+double Builder::buttons(const std::vector<ButtonSpec>& specs, double x, double top, double width_m,
+                        double height_m, bool centred) {
+    double used_m = 0.0;
+    for (std::size_t first = 0; first < specs.size();) {
+        std::size_t end = first;
+        double row_m = -button_gap_m;
+        for (; end < specs.size(); ++end) {
+            const double more = std::min(buttonWidth(specs[end].label), width_m) + button_gap_m;
+            if (end > first && row_m + more > width_m + 1e-9) break;
+            row_m += more;
+        }
+        if (first > 0) used_m += button_gap_m;
+        double at = centred ? x + (width_m - row_m) / 2.0 : x;
+        for (; first < end; ++first) {
+            const double one_m = std::min(buttonWidth(specs[first].label), width_m);
+            button(specs[first], at, top - used_m, one_m, height_m);
+            at += one_m + button_gap_m;
+        }
+        used_m += height_m;
+    }
+    return used_m;
+}
+
+double Builder::scale(const ScalePart& part, double x, double top, double width_m) {
+    return part.scale.kind == ScaleKind::slider ? slider(part, x, top, width_m)
+                                                : steps(part, x, top, width_m);
+}
+
+double Builder::steps(const ScalePart& part, double x, double top, double width_m) {
+    const Scale& scale = part.scale;
+    const StepGrid grid = stepGrid(scale, x, width_m);
+    const bool each = part.labelled && everyStepLabelled(scale);
+    const bool captions =
+        each && part.button_height_m >= button_height_m && fitAsLabels(scale.labels, grid.step_m);
+    const double height_m =
+        captions ? std::max(caption_height_m, part.button_height_m) : part.button_height_m;
+
+    double used_m = 0.0;
+    for (int row = 0; row < grid.rows; ++row) {
+        if (row > 0) used_m += grid.pitch_m - grid.step_m;
+        const double row_top = top - used_m;
+        double labels_m = 0.0;
+        for (int i = row * grid.in_row; i < std::min(scale.steps(), (row + 1) * grid.in_row); ++i) {
+            const double at = grid.left + (i - row * grid.in_row) * grid.pitch_m;
+            const int value = scale.low + i;
+            button({std::to_string(value), part.first_id + i, ButtonRole::option, part.enabled}, at, row_top,
+                   grid.step_m, height_m);
+            lastButton().chosen = part.value == value;
+            if (!each) continue;
+            const std::string& label = scale.labels[static_cast<std::size_t>(i)];
+            if (captions)
+                lastButton().caption = label;
+            else
+                labels_m = std::max(labels_m, text(label, at, row_top - height_m - label_gap_m, grid.step_m,
+                                                   {label_size_m, false, true}));
+        }
+        used_m += height_m + (labels_m > 0.0 ? label_gap_m + labels_m : 0.0);
+    }
+    if (!part.labelled || each || scale.labels.empty()) return used_m;
+    return used_m + label_gap_m + scaleLabels(scale, x, top - used_m - label_gap_m, width_m);
+}
+
+double Builder::slider(const ScalePart& part, double x, double top, double width_m) {
+    const std::vector<std::string>& labels = part.scale.labels;
+    PanelSlider made;
+    made.id = part.slider_id;
+    made.low = part.scale.low;
+    made.high = part.scale.high;
+    made.value = part.value;
+    made.enabled = part.enabled;
+    double height_m = std::max(slider_height_m, part.labelled ? 0.0 : part.button_height_m);
+    made.box = {x, top - height_m, width_m, height_m};
+    if (!part.labelled || labels.empty()) {
+        panel_.sliders.push_back(std::move(made));
+        return height_m;
+    }
+    const double pitch_m =
+        made.track().width / static_cast<double>(std::max<std::size_t>(1, labels.size() - 1));
+    if (fitAsLabels(labels, pitch_m)) {
+        height_m += slider_labels_m;
+        made.labels = labels;
+        made.box = {x, top - height_m, width_m, height_m};
+        panel_.sliders.push_back(std::move(made));
+        return height_m;
+    }
+    panel_.sliders.push_back(std::move(made));
+    return height_m + scaleLabels(part.scale, x, top - height_m, width_m);
+}
+
+double Builder::scaleLabels(const Scale& scale, double x, double top, double width_m) {
+    const std::vector<std::string>& labels = scale.labels;
+    if (labels.empty()) return 0.0;
+    const bool steps = scale.kind == ScaleKind::steps;
+    const StepGrid grid = steps ? stepGrid(scale, x, width_m) : StepGrid{};
+    if (grid.rows > 1)  // the ends stand in different rows
+        return endLabels(fmt::format("{}: {}", scale.low, labels.front()),
+                         fmt::format("{}: {}", scale.high, labels.back()), grid.left, top, grid.width_m);
+    if (labels.size() == 2)
+        return endLabels(labels.front(), labels.back(), steps ? grid.left : x, top,
+                         steps ? grid.width_m : width_m);
+    // At its step, or its place on the track; the outer labels of a track have what is left of it.
+    PanelSlider slider;
+    slider.box = {x, 0.0, width_m, slider_height_m};
+    const PanelRect track = slider.track();
+    const double pitch_m = steps ? grid.pitch_m : track.width / static_cast<double>(labels.size() - 1);
+    const double first = steps ? grid.left + grid.step_m / 2.0 : track.x;
+    const double half_m = steps ? grid.step_m / 2.0 : (1.0 - label_apart) / 2.0 * pitch_m;
+    double height_m = 0.0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const double middle = first + static_cast<double>(i) * pitch_m;
+        const double low = std::max(x, middle - half_m);
+        const double high = std::min(x + width_m, middle + half_m);
+        height_m = std::max(height_m, text(labels[i], low, top, high - low, {label_size_m, false, true}));
+    }
+    return height_m;
+}
+
+double Builder::endLabels(const std::string& low, const std::string& high, double x, double top,
+                          double width_m) {
+    const double most_m = (1.0 - label_apart) / 2.0 * width_m;
+    const auto width = [&](const std::string& label) {
+        return std::min(most_m, estimateWidth(label, label_size_m) + 1e-6);
+    };
+    const double low_m = text(low, x, top, width(low), {label_size_m});
+    const double high_m =
+        text(high, x + width_m - width(high), top, width(high), {label_size_m, false, true});
+    return std::max(low_m, high_m);
+}
+
+void Builder::paragraph(const std::string& words, const TextStyle& style) {
+    if (words.empty()) return;
+    advance(text(words, margin_m, top_, inner(), style));
+}
+
+void Builder::question(const std::string& question, const std::string& hint,
+                       const std::optional<ButtonSpec>& spec) {
+    const double button_m = spec ? std::min(buttonWidth(spec->label), 0.5 * inner()) : 0.0;
+    const double width_m = inner() - (spec ? button_m + gap_m : 0.0);
+    const double question_m = textHeight(question, question_size_m, width_m);
+    const double hint_m = textHeight(hint, label_size_m, width_m);
+    const double texts_m = question_m + hint_m + (hint.empty() ? 0.0 : label_gap_m);
+    const double row_m = std::max(texts_m, spec ? button_height_m : 0.0);
+    const double texts_top = top_ - (row_m - texts_m) / 2.0;
+    text(question, margin_m, texts_top, width_m, {question_size_m, true, !spec});
+    text(hint, margin_m, texts_top - question_m - label_gap_m, width_m, {label_size_m, false, !spec, true});
+    if (spec)
+        button(*spec, panel_.width_m - margin_m - button_m, top_ - (row_m - button_height_m) / 2.0, button_m,
+               button_height_m);
+    advance(row_m);
+}
+
+Panel Builder::finish(double progress) {
+    double lowest = 0.0;
+    const auto each = [&](const auto& visit) {
+        for (PanelText& part : panel_.texts) visit(part.box);
+        for (PanelButton& part : panel_.buttons) visit(part.box);
+        for (PanelSlider& part : panel_.sliders) visit(part.box);
+        for (PanelField& part : panel_.fields) visit(part.box);
+    };
+    each([&](const PanelRect& box) { lowest = std::min(lowest, box.y); });
+    panel_.progress = progress;
+    panel_.height_m = -lowest + margin_m + (progress >= 0.0 ? progress_height_m : 0.0);
+    each([&](PanelRect& box) { box.y += panel_.height_m; });
+    return std::move(panel_);
+}
+
+}  // namespace deixis::studies::panel

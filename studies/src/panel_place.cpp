@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "panel_layout.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr double message_distance_m = 1.3;
+constexpr double message_below_eyes_m = 0.12;
+constexpr double lectern_distance_m = 1.3;
+constexpr double lectern_below_eyes_m = 0.47;
+constexpr double lectern_top_below_eyes_m = 0.25;  // of a board that is too high for that
+constexpr double lectern_tilt_rad = radiansFromDegrees(18.0);
+constexpr double desk_distance_m = 1.1;
+constexpr double desk_below_eyes_m = 0.72;
+constexpr double desk_tilt_rad = radiansFromDegrees(32.0);
+constexpr double above_floor_m = 0.15;     // a board's foot, before a seated person
+constexpr double avatar_reach_m = 0.38;    // half its width with the arms hanging, and a little air
+constexpr double sign_above_head_m = 0.3;  // from the head joint: hair and some air
+
+/// How far to the left (radians) a panel must stand so that an avatar nearer than it does not cover it: where
+/// the viewer stands at the avatar's shoulder. 0 where the avatar is farther away than the panel.
+double bearingBesideAvatar(const Panel& panel, const Pose& stage_from_viewer, double distance_m) {
+    const Vec3 avatar = transformPoint(inverse(stage_from_viewer), Vec3(0.0));
+    const double away_m = std::hypot(avatar.x, avatar.z);
+    if (away_m > distance_m + avatar_reach_m) return 0.0;
+    const double avatar_bearing = std::atan2(-avatar.x, -avatar.z);
+    const double apart =
+        std::asin(std::min(1.0, avatar_reach_m / away_m)) + std::atan(panel.width_m / 2.0 / distance_m);
+    if (std::abs(avatar_bearing) >= apart) return 0.0;
+    return avatar_bearing > 0.0 ? avatar_bearing - apart : avatar_bearing + apart;
+}
+
+/// The panel's centre at `distance_m` before the viewer and `height_m` above the floor, or as much higher as
+/// its foot needs, its top leaning away.
+Pose stand(const Panel& panel, const Pose& stage_from_viewer, double distance_m, double height_m,
+           double tilt_rad) {
+    const double least_height_m = above_floor_m + panel.height_m / 2.0 * std::cos(tilt_rad);
+    const Quat tilt(std::cos(tilt_rad / 2.0), -std::sin(tilt_rad / 2.0), 0.0, 0.0);
+    const Pose turned{Vec3(0.0), yawRotation(bearingBesideAvatar(panel, stage_from_viewer, distance_m))};
+    const Pose turned_from_centre{{0.0, std::max(height_m, least_height_m), -distance_m}, tilt};
+    const Pose centre_from_corner{{-panel.width_m / 2.0, -panel.height_m / 2.0, 0.0}, no_rotation};
+    return stage_from_viewer * turned * turned_from_centre * centre_from_corner;
+}
+
+}  // namespace
+
+Pose messagePose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
+    return stand(panel, stage_from_viewer, message_distance_m, eye_height_m - message_below_eyes_m, 0.0);
+}
+
+Pose lecternPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
+    const double half_m = panel.height_m / 2.0 * std::cos(lectern_tilt_rad);
+    const double below_eyes_m = std::max(lectern_below_eyes_m, lectern_top_below_eyes_m + half_m);
+    // Square to the line of sight, as far as the usual one is.
+    const double tilt_rad = lectern_tilt_rad + std::atan2(below_eyes_m, lectern_distance_m) -
+                            std::atan2(lectern_below_eyes_m, lectern_distance_m);
+    return stand(panel, stage_from_viewer, lectern_distance_m, eye_height_m - below_eyes_m, tilt_rad);
+}
+
+Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
+    return stand(panel, stage_from_viewer, desk_distance_m, eye_height_m - desk_below_eyes_m, desk_tilt_rad);
+}
+
+Pose signPose(const Panel& sign, const Vec3& avatar_head, const Vec3& eyes) {
+    const Vec3 centre = avatar_head + Vec3(0.0, sign_above_head_m + sign.height_m / 2.0, 0.0);
+    const Vec3 towards = eyes - centre;
+    const double along_floor_m = std::hypot(towards.x, towards.z);
+    const double yaw_rad = along_floor_m > 1e-6 ? std::atan2(towards.x, towards.z) : 0.0;
+    const double down_rad = std::atan2(-towards.y, std::max(along_floor_m, 1e-6));
+    const Quat pitch(std::cos(down_rad / 2.0), std::sin(down_rad / 2.0), 0.0, 0.0);
+    const Pose centre_from_corner{{-sign.width_m / 2.0, -sign.height_m / 2.0, 0.0}, no_rotation};
+    return Pose{centre, yawRotation(yaw_rad) * pitch} * centre_from_corner;
+}
+
+}  // namespace deixis::studies
