@@ -1,44 +1,19 @@
-#include "tracking_rows.hpp"
+#include "tracking_writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
 
+#include "results/tracking_blocks.hpp"
+
 namespace deixis::results {
 
 namespace {
 
-// session, frame, trial_index, display_time_s, begun_s, submitted_s, dropped_frames, rendered, off_place_m,
-// then validity and seven numbers for each of six poses.
-constexpr int frame_columns = 9 + 6 * 8;
-
-std::string insertFrameSql() {
-    std::string sql = "INSERT INTO tracking VALUES (?";
-    for (int column = 1; column < frame_columns; ++column) sql += ", ?";
-    return sql + ")";
-}
-
 int flags(const studies::TrackedPose& pose) {
     return (pose.position_valid ? 1 : 0) | (pose.orientation_valid ? 2 : 0) | (pose.tracked ? 4 : 0);
-}
-
-/// Binds validity and pose from column `first` on; what is not valid stays NULL.
-void bindTracked(SQLite::Statement& row, int first, const studies::TrackedPose& pose) {
-    row.bind(first, flags(pose));
-    if (pose.position_valid) {
-        const Vec3& position = pose.stage_from_device.position;
-        row.bind(first + 1, position.x);
-        row.bind(first + 2, position.y);
-        row.bind(first + 3, position.z);
-    }
-    if (pose.orientation_valid) {
-        const Quat& turn = pose.stage_from_device.orientation;
-        row.bind(first + 4, turn.w);
-        row.bind(first + 5, turn.x);
-        row.bind(first + 6, turn.y);
-        row.bind(first + 7, turn.z);
-    }
 }
 
 /// Appends a float32, least significant byte first on every machine.
@@ -61,8 +36,10 @@ void append(std::vector<unsigned char>& bytes, const studies::HandJoint& joint) 
 
 }  // namespace
 
-TrackingRows::TrackingRows(SQLite::Database& database)
-    : frame_(database, insertFrameSql()),
+TrackingWriter::TrackingWriter(SQLite::Database& database)
+    : block_(database,
+             "INSERT INTO tracking_blocks (session, trial_index, first_frame, frames, first_display_time_s, "
+             "last_display_time_s, data) VALUES (?, ?, ?, ?, ?, ?, ?)"),
       joints_(database, "INSERT INTO hand_joints VALUES (?, ?, ?, ?, ?)"),
       trial_(database,
              "INSERT INTO trial_tracking VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET "
@@ -71,32 +48,40 @@ TrackingRows::TrackingRows(SQLite::Database& database)
              "samples_missing = samples_missing + excluded.samples_missing, "
              "max_off_place_m = max(max_off_place_m, excluded.max_off_place_m), "
              "head_untracked_frames = head_untracked_frames + excluded.head_untracked_frames, "
-             "last_display_time_s = excluded.last_display_time_s") {}
+             "last_display_time_s = excluded.last_display_time_s") {
+    samples_.reserve(most_frames_in_block);
+}
 
-void TrackingRows::insert(long long session, const TrackedFrame& frame) {
-    const studies::TrackingSample& sample = frame.sample;
-    const auto session_id = static_cast<std::int64_t>(session);
-    const auto number = static_cast<std::int64_t>(sample.frame);
-    frame_.tryReset();  // an earlier failure was thrown then
-    frame_.clearBindings();
-    frame_.bind(1, session_id);
-    frame_.bind(2, number);
-    if (frame.trial_index >= 0) frame_.bind(3, frame.trial_index);
-    frame_.bind(4, sample.display_time_s);
-    frame_.bind(5, sample.begun_s);
-    frame_.bind(6, sample.submitted_s);
-    frame_.bind(7, sample.dropped_frames);
-    frame_.bind(8, sample.rendered ? 1 : 0);
-    frame_.bind(9, sample.off_place_m);
-    int column = 10;
-    for (const auto* pose :
-         {&sample.head, &sample.aim[0], &sample.aim[1], &sample.grip[0], &sample.grip[1]}) {
-        bindTracked(frame_, column, *pose);
-        column += 8;
+void TrackingWriter::insert(long long session, std::span<const TrackedFrame> frames) {
+    while (!frames.empty()) {
+        const int trial = frames.front().trial_index;
+        const auto most = frames.first(std::min(frames.size(), most_frames_in_block));
+        const auto end = std::find_if(most.begin(), most.end(),
+                                      [&](const TrackedFrame& frame) { return frame.trial_index != trial; });
+        const auto block = frames.first(static_cast<std::size_t>(end - most.begin()));
+        insertBlock(session, block);
+        frames = frames.subspan(block.size());
     }
-    if (sample.gaze) bindTracked(frame_, column, *sample.gaze);
-    frame_.exec();
+}
 
+void TrackingWriter::insertBlock(long long session, std::span<const TrackedFrame> frames) {
+    samples_.clear();
+    for (const TrackedFrame& frame : frames) samples_.push_back(frame.sample);
+    const std::string data = packTracking(samples_);
+    block_.tryReset();  // an earlier failure was thrown then
+    block_.clearBindings();
+    block_.bind(1, static_cast<std::int64_t>(session));
+    if (frames.front().trial_index >= 0) block_.bind(2, frames.front().trial_index);
+    block_.bind(3, static_cast<std::int64_t>(samples_.front().frame));
+    block_.bind(4, static_cast<std::int64_t>(samples_.size()));
+    block_.bind(5, samples_.front().display_time_s);
+    block_.bind(6, samples_.back().display_time_s);
+    block_.bindNoCopy(7, data.data(), static_cast<int>(data.size()));
+    block_.exec();
+    for (const TrackedFrame& frame : frames) insertJoints(session, frame.sample);
+}
+
+void TrackingWriter::insertJoints(long long session, const studies::TrackingSample& sample) {
     constexpr std::array<const char*, 2> hands{"left", "right"};
     for (std::size_t hand = 0; hand < hands.size(); ++hand) {
         if (sample.joints[hand].empty()) continue;
@@ -107,8 +92,8 @@ void TrackingRows::insert(long long session, const TrackedFrame& frame) {
             joint_flags_.push_back(static_cast<unsigned char>(flags(joint.pose)));
         }
         joints_.tryReset();
-        joints_.bind(1, session_id);
-        joints_.bind(2, number);
+        joints_.bind(1, static_cast<std::int64_t>(session));
+        joints_.bind(2, static_cast<std::int64_t>(sample.frame));
         joints_.bindNoCopy(3, hands[hand]);
         joints_.bindNoCopy(4, joint_bytes_.data(), static_cast<int>(joint_bytes_.size()));
         joints_.bindNoCopy(5, joint_flags_.data(), static_cast<int>(joint_flags_.size()));
@@ -116,7 +101,7 @@ void TrackingRows::insert(long long session, const TrackedFrame& frame) {
     }
 }
 
-void TrackingRows::insert(long long session, const TrialTracking& trial) {
+void TrackingWriter::insert(long long session, const TrialTracking& trial) {
     trial_.tryReset();
     trial_.bind(1, static_cast<std::int64_t>(session));
     trial_.bind(2, trial.trial_index);
