@@ -18,7 +18,11 @@ int main(int argc, char** argv) {
     addRunCommand(cli, chosen);
     addSimulateCommand(cli, chosen);
     addReportCommand(cli, chosen);
+    addCheckCommand(cli, chosen);
     addPlanCommand(cli, chosen);
+    addParticipantsCommand(cli, chosen);
+    addExportCommand(cli, chosen);
+    addMergeCommand(cli, chosen);
     addTargetsCommand(cli, chosen);
     addGenerateCommand(cli, chosen);
     addClipsCommand(cli, chosen);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <vector>
 
 #include "commands.hpp"
 #include "studies/plan.hpp"
@@ -14,13 +15,32 @@ namespace {
 struct Options {
     std::string study;
     std::string participant;
+    int number = 0;
+    std::vector<std::string> groups;
     bool json = false;
 };
+
+// FACTOR=LEVEL ...
+Result<studies::Groups> parseGroups(const std::vector<std::string>& options) {
+    studies::Groups groups;
+    for (const std::string& option : options) {
+        const auto equals = option.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == option.size())
+            return fail("--group", fmt::format("'{}' was given; expected FACTOR=LEVEL", option));
+        groups[option.substr(0, equals)] = option.substr(equals + 1);
+    }
+    return groups;
+}
 
 Result<void> printPlan(const Options& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
-    const auto plan = studies::buildPlan(setup->study, setup->targets, options.participant);
+    auto groups = parseGroups(options.groups);
+    if (!groups) return tl::unexpected(groups.error());
+    const int number =
+        options.number > 0 ? options.number : studies::numberOfParticipant(options.participant).value_or(1);
+    if (groups->empty()) groups = studies::assignGroups(setup->study, {}, number);
+    const auto plan = studies::buildPlan(setup->study, setup->targets, options.participant, number, *groups);
     if (!plan) return tl::unexpected(plan.error());
     fmt::print("{}", options.json ? studies::planJson(*plan) : studies::planTable(*plan));
     return {};
@@ -33,6 +53,14 @@ void addPlanCommand(CLI::App& cli, Command& chosen) {
     CLI::App* command = cli.add_subcommand("plan", "Print the exact trials of a participant");
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
     command->add_option("--participant", options->participant, "Pseudonymous id, such as P07")->required();
+    command
+        ->add_option("--number", options->number,
+                     "Number of the participant in the study [the digits that the id ends in, or 1]")
+        ->check(CLI::Range(1, 999999));
+    command->add_option(
+        "--group", options->groups,
+        "FACTOR=LEVEL of a factor between participants; may be repeated [drawn by chance, as of "
+        "the first participant]");
     command->add_flag("--json", options->json, "As JSON instead of a table");
     command->callback([options, &chosen] { chosen = [options] { return printPlan(*options); }; });
 }

@@ -11,7 +11,7 @@ namespace deixis::app {
 
 void DirectRecorder::record(const studies::SessionEvent& event) {
     if (std::holds_alternative<studies::Response>(event)) ++answers_;
-    store_.record(event, plan_, clips_by_trial_);
+    store_.record(event, study_, plan_, clips_);
 }
 
 Result<results::RecordingOptions> recordingOptions() {

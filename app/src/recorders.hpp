@@ -16,9 +16,9 @@ namespace deixis::app {
 class DirectRecorder : public Recorder {
   public:
     /// All references must outlive it; the store's session must have begun.
-    DirectRecorder(results::Store& store, const studies::StudyPlan& plan,
-                   const std::vector<results::ClipRecord>& clips_by_trial)
-        : store_(store), plan_(plan), clips_by_trial_(clips_by_trial) {}
+    DirectRecorder(results::Store& store, const studies::Study& study, const studies::StudyPlan& plan,
+                   const results::ClipRecords& clips)
+        : store_(store), study_(study), plan_(plan), clips_(clips) {}
 
     void record(const studies::SessionEvent& event) override;
     void sample(const studies::TrackingSample&, int) override {}
@@ -27,8 +27,9 @@ class DirectRecorder : public Recorder {
 
   private:
     results::Store& store_;
+    const studies::Study& study_;
     const studies::StudyPlan& plan_;
-    const std::vector<results::ClipRecord>& clips_by_trial_;
+    const results::ClipRecords& clips_;
     int answers_ = 0;
 };
 
@@ -37,12 +38,11 @@ class DirectRecorder : public Recorder {
 /// next.
 class BackgroundRecorder : public Recorder {
   public:
-    /// `store` and `plan` must outlive it; the store's session must have begun. While it lives nobody else
-    /// uses the store.
-    BackgroundRecorder(results::Store& store, const studies::StudyPlan& plan,
-                       std::vector<results::ClipRecord> clips_by_trial,
-                       const results::RecordingOptions& options)
-        : thread_(store, plan, std::move(clips_by_trial), options) {}
+    /// `store`, `study` and `plan` must outlive it; the store's session must have begun. While it lives
+    /// nobody else uses the store.
+    BackgroundRecorder(results::Store& store, const studies::Study& study, const studies::StudyPlan& plan,
+                       results::ClipRecords clips, const results::RecordingOptions& options)
+        : thread_(store, study, plan, std::move(clips), options) {}
 
     void record(const studies::SessionEvent& event) override { thread_.record(event); }
     void sample(const studies::TrackingSample& sample, int trial_index) override {

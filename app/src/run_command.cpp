@@ -13,9 +13,11 @@
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
+#include "enrolment.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "recorders.hpp"
 #include "report.hpp"
+#include "results/participants.hpp"
 #include "results/store.hpp"
 #include "session_loop.hpp"
 #include "simulated_setup.hpp"
@@ -33,6 +35,7 @@ namespace fs = std::filesystem;
 struct Options {
     std::string study;
     std::string participant;
+    std::string language;
     std::string database;
     std::string report;
     std::string stimuli;
@@ -54,12 +57,6 @@ std::string nextParticipant(const results::Store& store) {
     }
 }
 
-int unanswered(const studies::StudyPlan& plan, const std::set<int>& answered) {
-    int count = 0;
-    for (const auto& trial : plan.trials) count += !trial.practice && !answered.contains(trial.index);
-    return count;
-}
-
 // STATE=FILE ...
 Result<std::map<std::string, std::string>> parseScreenshots(const std::vector<std::string>& options) {
     std::map<std::string, std::string> out;
@@ -72,15 +69,39 @@ Result<std::map<std::string, std::string>> parseScreenshots(const std::vector<st
     return out;
 }
 
-// What the session came to, and where it lies.
-Result<void> reportSession(const Options& options, const std::string& participant, int left) {
+// What the session came to.
+void tellOutcome(const std::string& participant, studies::SessionOutcome outcome, std::size_t left) {
+    switch (outcome) {
+        case studies::SessionOutcome::declined:
+            fmt::print("{} did not agree to take part; the session ended there\n", participant);
+            return;
+        case studies::SessionOutcome::excluded:
+            fmt::print("{} was excluded, and the session ended there; the event log says why\n", participant);
+            return;
+        case studies::SessionOutcome::aborted:
+            fmt::print("{} dropped out: the session was aborted\n", participant);
+            return;
+        case studies::SessionOutcome::finished:
+            if (left > 0)
+                fmt::print(
+                    "{} has finished this sitting; {} trials wait for the next one, which the same command "
+                    "with --participant {} begins\n",
+                    participant, left, participant);
+            return;
+        case studies::SessionOutcome::quit:
+        case studies::SessionOutcome::running:
+            if (left > 0)
+                fmt::print("{} has {} trials left; the same command with --participant {} goes on there\n",
+                           participant, left, participant);
+    }
+}
+
+// Where what was answered lies, and the report on it.
+Result<void> report(const Options& options) {
     const std::string page = options.report.empty()
                                  ? fs::path(options.database).replace_extension(".html").string()
                                  : options.report;
     const auto written = writeReport(options.database, page, "");
-    if (left > 0)
-        fmt::print("{} has {} trials left; the same command with --participant {} goes on there\n",
-                   participant, left, participant);
     fmt::print("database: {}\n", fs::absolute(options.database).lexically_normal().string());
     if (!written) {
         if (!options.report.empty()) return written;
@@ -91,77 +112,80 @@ Result<void> reportSession(const Options& options, const std::string& participan
     return {};
 }
 
-Result<void> run(Options options) {
-    const auto setup = loadStudySetup(options.study);
-    if (!setup) return tl::unexpected(setup.error());
-    auto screenshots = parseScreenshots(options.screenshots);
-    if (!screenshots) return tl::unexpected(screenshots.error());
-    options.station.screenshots->wanted = std::move(*screenshots);
-    if (options.database.empty()) options.database = setup->study.name + ".sqlite";
-    const auto recording = recordingOptions();
-    if (!recording) return tl::unexpected(recording.error());
-    const auto avatar = loadShippedAvatar();
-    if (!avatar) return tl::unexpected(avatar.error());
+// In the language asked for, or that of somebody who has been here before.
+Result<StudySetup> setupFor(const Options& options, const results::Store& store,
+                            const std::string& participant, StudySetup setup) {
+    const auto registered = store.registration(participant);
+    if (!registered || registered->language == setup.study.language) return setup;
+    if (!options.language.empty())
+        return fail(options.database,
+                    fmt::format("{} takes part in the language '{}'; found --language {}", participant,
+                                registered->language, options.language),
+                    "Leave --language out");
+    return loadStudySetup(options.study, registered->language);
+}
 
-    auto store = results::Store::open(options.database, results::Durability::each_answer);
-    if (!store) return tl::unexpected(store.error());
-    const std::string participant =
-        options.participant.empty() ? nextParticipant(*store) : options.participant;
-    auto plan = studies::buildPlan(setup->study, setup->targets, participant);
-    if (!plan) return tl::unexpected(plan.error());
-    const auto lock = results::ParticipantLock::take(options.database, participant);
-    if (!lock) return tl::unexpected(lock.error());
-    // Who has begun goes on with the stored plan, whatever a newer program would draw.
-    if (auto stored = store->plan(participant); stored && stored->study_hash == setup->study.hash)
-        plan = std::move(*stored);
+// Whoever left the study is not asked again by mistake.
+Result<void> checkTakesPart(const Options& options, const results::Store& store,
+                            const std::string& participant) {
+    if (!store.registration(participant)) return {};
+    const auto known = results::showParticipant(options.database, participant);
+    if (!known) return tl::unexpected(known.error());
+    if (known->row.status == "active") return {};
+    return fail(
+        options.database,
+        fmt::format("{} {} ({})", participant,
+                    known->row.status == "excluded" ? "is excluded" : "dropped out", known->row.reason),
+        fmt::format("'deixis participants include {} {}' lets the participant go on", options.database,
+                    participant));
+}
 
-    const std::set<int> answered = store->answeredTrials(participant);
-    if (unanswered(*plan, answered) == 0) {
-        fmt::print("{} has answered every trial already\n", participant);
-        return reportSession(options, participant, 0);
-    }
+struct Prepared {
+    StudySetup setup;
+    Enrolment enrolment;
+    assets::Avatar avatar;
+    StimulusLibrary stimuli;
+};
 
-    std::vector<const studies::Trial*> trials;
-    for (const auto& trial : plan->trials) trials.push_back(&trial);
-    const fs::path stimuli_folder =
-        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
-    const auto stimuli = StimulusLibrary::load(*setup, trials, *avatar, stimuli_folder);
-    if (!stimuli) return tl::unexpected(stimuli.error());
-
-    std::optional<std::ofstream> trace_file;
-    if (!options.trace.empty()) {
-        auto opened = openTrace(options.trace);
-        if (!opened) return tl::unexpected(opened.error());
-        trace_file = std::move(*opened);
-    }
-    const auto station = openStation(options.station, setup->study, *plan, *avatar);
+// The session itself: the station's frames, until it has an outcome.
+Result<void> runOn(const Options& options, const Prepared& prepared, results::Store& store,
+                   std::optional<std::ofstream> trace_file, const results::RecordingOptions& recording) {
+    const auto& [setup, enrolment, avatar, stimuli] = prepared;
+    const std::string& participant = enrolment.registration.participant;
+    const auto station = openStation(options.station, setup.study, enrolment.plan, avatar);
     if (!station) return tl::unexpected(station.error());
     const studies::StationInfo info = (*station)->info();
-    if (store->hasSession(participant, !info.synthetic))
+    if (store.hasSession(participant, !info.synthetic))
         return fail(options.database,
                     fmt::format("the answers of {} were begun by a {}; they are not mixed with a {}'s",
                                 participant, info.synthetic ? "person" : "simulated participant",
                                 info.synthetic ? "simulated participant" : "person"),
                     "Name another participant with --participant, or another database with --db");
     // Nothing is kept of a participant before all that the session needs is there.
-    if (auto stored = store->storePlan(setup->study, *plan); !stored) return stored;
+    if (auto stored = store.storePlan(setup.study, enrolment.registration, enrolment.plan); !stored)
+        return stored;
     fmt::print("participant {}: {} station ({}){}\n", participant, info.kind, info.details,
-               answered.empty() ? "" : fmt::format(", {} answers kept from before", answered.size()));
+               enrolment.resume.answered.empty()
+                   ? ""
+                   : fmt::format(", {} answers kept from before", enrolment.resume.answered.size()));
     if (!info.controls.empty()) fmt::print("{}\n", info.controls);
     std::fflush(stdout);
 
-    const motion::LocalPose idle = motion::relaxedPose(avatar->skeleton);
-    const auto records = stimuli->records(*plan);
-    studies::SessionRunner session(setup->study, *plan, *stimuli, avatar->skeleton, idle, answered);
-    store->beginSession({participant, info, programVersion(), avatar->content_hash, utcNow_s()});
+    const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
+    const auto records = stimuli.records();
+    const bool keyboard = info.kind != "headset";
+    studies::SessionRunner session(setup.study, enrolment.plan, stimuli, avatar.skeleton, idle,
+                                   enrolment.resume, keyboard);
+    store.beginSession({participant, info, programVersion(), avatar.content_hash, utcNow_s()});
     try {
         // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before
         // the store is used again.
         std::unique_ptr<Recorder> recorder;
         if (info.synthetic)
-            recorder = std::make_unique<DirectRecorder>(*store, *plan, records);
+            recorder = std::make_unique<DirectRecorder>(store, setup.study, enrolment.plan, records);
         else
-            recorder = std::make_unique<BackgroundRecorder>(*store, *plan, records, *recording);
+            recorder =
+                std::make_unique<BackgroundRecorder>(store, setup.study, enrolment.plan, records, recording);
         std::optional<Trace> trace;
         if (trace_file) trace.emplace(std::move(*trace_file), session, *recorder);
         Recorder& told = trace ? static_cast<Recorder&>(*trace) : *recorder;
@@ -173,9 +197,11 @@ Result<void> run(Options options) {
                         "on after them",
                         error.what(), options.database, participant));
     }
-    store->endSession(session.quit() ? "quit" : "finished", utcNow_s());
-    auto reported =
-        reportSession(options, participant, unanswered(*plan, store->answeredTrials(participant)));
+    store.endSession(session.outcome(), utcNow_s());
+    const auto left =
+        studies::trialsLeft(setup.study, enrolment.plan, store.resume(participant, utcNow_s()).answered);
+    tellOutcome(participant, session.outcome(), left.size());
+    auto reported = report(options);
     if (const auto why = (*station)->failure()) return tl::unexpected(*why);
     const Screenshots& pictures = *options.station.screenshots;
     if (reported && !pictures.wanted.empty())
@@ -183,6 +209,50 @@ Result<void> run(Options options) {
                     fmt::format("the session was never in the state '{}'; it was in {}",
                                 pictures.wanted.begin()->first, fmt::join(pictures.met, ", ")));
     return reported;
+}
+
+Result<void> run(Options options) {
+    auto setup = loadStudySetup(options.study, options.language);
+    if (!setup) return tl::unexpected(setup.error());
+    auto screenshots = parseScreenshots(options.screenshots);
+    if (!screenshots) return tl::unexpected(screenshots.error());
+    options.station.screenshots->wanted = std::move(*screenshots);
+    if (options.database.empty()) options.database = setup->study.name + ".sqlite";
+    const auto recording = recordingOptions();
+    if (!recording) return tl::unexpected(recording.error());
+    auto avatar = loadShippedAvatar();
+    if (!avatar) return tl::unexpected(avatar.error());
+
+    auto store = results::Store::open(options.database, results::Durability::each_answer);
+    if (!store) return tl::unexpected(store.error());
+    const std::string participant =
+        options.participant.empty() ? nextParticipant(*store) : options.participant;
+    setup = setupFor(options, *store, participant, std::move(*setup));
+    if (!setup) return tl::unexpected(setup.error());
+    if (auto takes_part = checkTakesPart(options, *store, participant); !takes_part) return takes_part;
+    const auto lock = results::ParticipantLock::take(options.database, participant);
+    if (!lock) return tl::unexpected(lock.error());
+    auto enrolment = enrol(*setup, *store, participant, utcNow_s());
+    if (!enrolment) return tl::unexpected(enrolment.error());
+    if (enrolment->left.empty()) {
+        fmt::print("{} has answered every trial already\n", participant);
+        return report(options);
+    }
+
+    const fs::path stimuli_folder =
+        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+    auto stimuli = StimulusLibrary::load(*setup, {enrolment->plan}, *avatar, stimuli_folder);
+    if (!stimuli) return tl::unexpected(stimuli.error());
+
+    std::optional<std::ofstream> trace_file;
+    if (!options.trace.empty()) {
+        auto opened = openTrace(options.trace);
+        if (!opened) return tl::unexpected(opened.error());
+        trace_file = std::move(*opened);
+    }
+    const Prepared prepared{std::move(*setup), std::move(*enrolment), std::move(*avatar),
+                            std::move(*stimuli)};
+    return runOn(options, prepared, *store, std::move(trace_file), *recording);
 }
 
 }  // namespace
@@ -193,6 +263,8 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
     command->add_option("--participant", options->participant,
                         "Pseudonymous id [the next free of P01, P02, ...]");
+    command->add_option("--language", options->language,
+                        "Language of the participant's texts, such as de [the study's first]");
     command
         ->add_option(
             "--station", options->station.kind,

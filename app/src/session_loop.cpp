@@ -4,7 +4,7 @@ namespace deixis::app {
 
 studies::Moment runSession(studies::SessionRunner& session, studies::Station& station, Recorder& recorder) {
     studies::Moment last{};
-    while (!session.finished() && !session.quit()) {
+    while (session.outcome() == studies::SessionOutcome::running) {
         studies::InputFrame input = station.beginFrame();
         input.answers_kept = recorder.answersKept();
         last = {input.time_s, input.utc_s};

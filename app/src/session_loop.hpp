@@ -21,7 +21,7 @@ class Recorder {
     virtual void presented(const studies::InputFrame&, const studies::PresentedFrame&) {}
 };
 
-/// Runs until the session has finished or was ended. Returns the last frame's time.
+/// Runs until the session has an outcome. Returns the last frame's time.
 studies::Moment runSession(studies::SessionRunner& session, studies::Station& station, Recorder& recorder);
 
 }  // namespace deixis::app

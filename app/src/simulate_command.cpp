@@ -6,6 +6,7 @@
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
+#include "enrolment.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "recorders.hpp"
 #include "session_loop.hpp"
@@ -28,6 +29,29 @@ struct Options {
     std::string parameters;
 };
 
+// All sittings of one participant. Returns how many units were answered.
+int takePart(const StudySetup& setup, const studies::StudyPlan& plan, const assets::Avatar& avatar,
+             const StimulusLibrary& stimuli, const studies::SimulatedParameters& parameters,
+             results::Store& store) {
+    const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
+    const auto records = stimuli.records();
+    int answers = 0;
+    double now_s = 0.0;
+    for (;;) {
+        const studies::Resume resume = store.resume(plan.participant, now_s);
+        if (studies::trialsLeft(setup.study, plan, resume.answered).empty()) return answers;
+        studies::SimulatedStation station(parameters, avatar.skeleton, simulatedSeed(plan));
+        const studies::StationInfo info = station.info();
+        studies::SessionRunner session(setup.study, plan, stimuli, avatar.skeleton, idle, resume, true);
+        store.beginSession({plan.participant, info, programVersion(), avatar.content_hash, now_s});
+        DirectRecorder recorder(store, setup.study, plan, records);
+        now_s = runSession(session, station, recorder).utc_s;
+        answers += recorder.answers();
+        store.endSession(session.outcome(), now_s);
+        if (session.outcome() != studies::SessionOutcome::finished) return answers;
+    }
+}
+
 Result<void> simulate(const Options& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
@@ -41,20 +65,6 @@ Result<void> simulate(const Options& options) {
         return fail(options.database, "exists already; a simulation never adds to or overwrites a database",
                     "Name another file with --db, or remove it");
 
-    std::vector<studies::StudyPlan> plans;
-    for (int i = 1; i <= options.participants; ++i) {
-        auto plan = studies::buildPlan(setup->study, setup->targets, fmt::format("S{:03}", i));
-        if (!plan) return tl::unexpected(plan.error());
-        plans.push_back(std::move(*plan));
-    }
-    std::vector<const studies::Trial*> trials;
-    for (const auto& plan : plans)
-        for (const auto& trial : plan.trials) trials.push_back(&trial);
-    const fs::path stimuli_folder =
-        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
-    const auto stimuli = StimulusLibrary::load(*setup, trials, *avatar, stimuli_folder);
-    if (!stimuli) return tl::unexpected(stimuli.error());
-
     // Written beside and renamed at the end: an interrupted simulation leaves no half database.
     const fs::path partial = options.database + ".partial";
     for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
@@ -62,19 +72,21 @@ Result<void> simulate(const Options& options) {
     {
         auto store = results::Store::open(partial, results::Durability::whole_run);
         if (!store) return tl::unexpected(store.error());
-        const motion::LocalPose idle = motion::relaxedPose(avatar->skeleton);
-        for (const auto& plan : plans) {
-            if (auto stored = store->storePlan(setup->study, plan); !stored) return stored;
-            studies::SimulatedStation station(*parameters, avatar->skeleton, simulatedSeed(plan));
-            studies::SessionRunner session(setup->study, plan, *stimuli, avatar->skeleton, idle, {});
-            const auto records = stimuli->records(plan);
-            store->beginSession(
-                {plan.participant, station.info(), programVersion(), avatar->content_hash, 0.0});
-            DirectRecorder recorder(*store, plan, records);
-            const studies::Moment end = runSession(session, station, recorder);
-            answers += recorder.answers();
-            store->endSession("finished", end.utc_s);
+        std::vector<studies::StudyPlan> plans;
+        for (int i = 1; i <= options.participants; ++i) {
+            const auto enrolment = enrol(*setup, *store, fmt::format("S{:03}", i), 0.0);
+            if (!enrolment) return tl::unexpected(enrolment.error());
+            if (auto stored = store->storePlan(setup->study, enrolment->registration, enrolment->plan);
+                !stored)
+                return stored;
+            plans.push_back(enrolment->plan);
         }
+        const fs::path stimuli_folder =
+            options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+        const auto stimuli = StimulusLibrary::load(*setup, plans, *avatar, stimuli_folder);
+        if (!stimuli) return tl::unexpected(stimuli.error());
+        for (const auto& plan : plans)
+            answers += takePart(*setup, plan, *avatar, *stimuli, *parameters, *store);
         store->commit();
     }
     fs::rename(partial, options.database, code);

@@ -30,9 +30,23 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, const Stud
     const fs::path parameters_file = assets::dataFile("demonstrations.toml");
     const auto parameter_bytes = readFile(parameters_file);
     if (!parameter_bytes) return tl::unexpected(parameter_bytes.error());
-    const std::string key =
-        sha256Hex(fmt::format("{}\n{}\n{}\n{}\n{}", system.generator, setup.study.seed,
-                              studies::targetsCsv(setup.targets), *parameter_bytes, avatar.content_hash));
+    const motion::HoldManner manner{system.hold_s, system.unsteadiness_m};
+    std::vector<assets::ListedTarget> targets;
+    std::string made_from = fmt::format("{}\n{}\n{}\n{}\n", system.generator, setup.study.seed,
+                                        *parameter_bytes, avatar.content_hash);
+    if (manner.hold_s) made_from += fmt::format("hold {}\n", *manner.hold_s);
+    if (manner.unsteadiness_m) made_from += fmt::format("unsteadiness {}\n", *manner.unsteadiness_m);
+    for (const auto& item : setup.targets) {
+        if (!item.placed)
+            return fail(
+                setup.study.targets.from_manifest,
+                fmt::format("item {} has no target, but the system '{}' points at targets", item.id,
+                            system.name),
+                "A built-in system can stand beside a lab's clips only where these point at something");
+        targets.push_back({item.id, item.target});
+        made_from += fmt::format("{} {} {} {}\n", item.id, item.target.x, item.target.y, item.target.z);
+    }
+    const std::string key = sha256Hex(made_from);
     const fs::path clips = folder / fmt::format("{}-{}", system.generator, key.substr(0, 12));
     const fs::path manifest = clips / "manifest.csv";
     std::error_code code;
@@ -42,9 +56,7 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, const Stud
     if (!parameters) return tl::unexpected(parameters.error());
     const auto generator = motion::makeGenerator(system.generator, avatar.skeleton, *parameters);
     if (!generator) return tl::unexpected(generator.error());
-    std::vector<assets::ListedTarget> targets;
-    for (const auto& item : setup.targets) targets.push_back({item.id, item.target});
-    const auto rows = generateClips(**generator, targets, setup.study.seed, clips);
+    const auto rows = generateClips(**generator, targets, setup.study.seed, manner, clips);
     if (!rows) return tl::unexpected(rows.error());
     return manifest;
 }
@@ -81,12 +93,15 @@ Result<void> checkTarget(const assets::Manifest& manifest, const RowsByTarget& r
     const assets::ManifestRow& row = *found->second;
     const std::string where = manifest.file.string() + ": clip " + row.clip;
     const Vec3& target = item.target;
-    if (glm::length(row.target - target) > 0.001)
+    if (item.placed && !row.target)
+        return fail(where, fmt::format("has no target, but the study's {} is at ({:.4f}, {:.4f}, {:.4f})",
+                                       row.target_id, target.x, target.y, target.z));
+    if (item.placed && glm::length(*row.target - target) > 0.001)
         return fail(
             where,
             fmt::format("was made for the target ({:.4f}, {:.4f}, {:.4f}), but the study's {} is at ({:.4f}, "
                         "{:.4f}, {:.4f})",
-                        row.target.x, row.target.y, row.target.z, row.target_id, target.x, target.y,
+                        row.target->x, row.target->y, row.target->z, row.target_id, target.x, target.y,
                         target.z),
             "Make the clips for the targets that 'deixis targets' prints for this study");
     std::error_code code;
@@ -98,9 +113,9 @@ Result<void> checkTarget(const assets::Manifest& manifest, const RowsByTarget& r
 Result<void> checkFrames(const assets::Manifest& manifest, const assets::ManifestRow& row,
                          const motion::Clip& clip) {
     const std::string where = manifest.file.string() + ": clip " + row.clip;
-    if (row.end_frame >= clip.frameCount())
+    if (row.phases && row.phases->end_frame >= clip.frameCount())
         return fail(where, fmt::format("end frame {} lies outside the clip, which has frames 0 to {}",
-                                       row.end_frame, clip.frameCount() - 1));
+                                       row.phases->end_frame, clip.frameCount() - 1));
     if (std::abs(row.fps - clip.framesPerSecond()) > 0.01 * row.fps)
         return fail(where, fmt::format("fps is {:g}, but the clip has {:.4g} frames per second", row.fps,
                                        clip.framesPerSecond()));
@@ -110,10 +125,13 @@ Result<void> checkFrames(const assets::Manifest& manifest, const assets::Manifes
 }  // namespace
 
 Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
-                                              const std::vector<const studies::Trial*>& trials,
+                                              const std::vector<studies::StudyPlan>& plans,
                                               const assets::Avatar& avatar, const fs::path& folder) {
+    std::set<studies::Stimulus> wanted;
+    for (const auto& plan : plans)
+        for (const auto& trial : plan.trials) wanted.insert(trial.stimuli.begin(), trial.stimuli.end());
     // Systems do not depend on each other, and making and reading their clips is most of a start's work.
-    using Part = std::map<std::pair<std::string, std::string>, Stimulus>;
+    using Part = std::map<studies::Stimulus, Loaded>;
     const auto loadSystem = [&](const studies::SystemSource& system) -> Result<Part> {
         Result<fs::path> manifest_file = fs::path(system.manifest);
         if (!system.generator.empty()) manifest_file = builtInManifest(system, setup, avatar, folder);
@@ -127,20 +145,23 @@ Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
             if (auto checked = checkTarget(*manifest, *rows, system, item); !checked)
                 return tl::unexpected(checked.error());
         Part part;
-        for (const studies::Trial* trial : trials) {
-            if (trial->system != system.name || part.contains({trial->system, trial->target_id})) continue;
-            const assets::ManifestRow* row = rows->at(trial->target_id);
-            const fs::path file = manifest_file->parent_path() / row->clip;
+        for (const studies::Stimulus& stimulus : wanted) {
+            if (stimulus.system != system.name) continue;
+            const auto found = rows->find(stimulus.item);
+            if (found == rows->end())
+                return fail(manifest_file->string(),
+                            fmt::format("has no clip for item {}, which a stored plan shows", stimulus.item));
+            const assets::ManifestRow& row = *found->second;
+            const fs::path file = manifest_file->parent_path() / row.clip;
             const auto bytes = readFile(file);
             if (!bytes) return tl::unexpected(bytes.error());
             const auto read = readClipFile(file, {});
             if (!read) return tl::unexpected(read.error());
-            if (auto checked = checkFrames(*manifest, *row, read->clip); !checked)
+            if (auto checked = checkFrames(*manifest, row, read->clip); !checked)
                 return tl::unexpected(checked.error());
             auto on_avatar = clipOnAvatar(read->clip, avatar, file.string());
             if (!on_avatar) return tl::unexpected(on_avatar.error());
-            part.emplace(std::make_pair(trial->system, trial->target_id),
-                         Stimulus{std::move(*on_avatar), {file.string(), sha256Hex(*bytes)}});
+            part.emplace(stimulus, Loaded{std::move(*on_avatar), {file.string(), sha256Hex(*bytes)}});
         }
         return part;
     };
@@ -156,30 +177,22 @@ Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
             if (!first_error) first_error = part.error();
             continue;
         }
-        library.stimuli_.merge(*part);
+        library.clips_.merge(*part);
     }
     if (first_error) return tl::unexpected(*first_error);
     return library;
 }
 
-const StimulusLibrary::Stimulus& StimulusLibrary::find(const studies::Trial& trial) const {
-    const auto found = stimuli_.find({trial.system, trial.target_id});
-    if (found == stimuli_.end())
-        throw std::logic_error("clip of " + trial.system + " for " + trial.target_id + " was not loaded");
-    return found->second;
+const motion::Clip& StimulusLibrary::clip(const studies::Stimulus& stimulus) const {
+    const auto found = clips_.find(stimulus);
+    if (found == clips_.end())
+        throw std::logic_error("clip of " + stimulus.system + " for " + stimulus.item + " was not loaded");
+    return found->second.clip;
 }
 
-const motion::Clip& StimulusLibrary::clip(const studies::Trial& trial) const {
-    return find(trial).clip;
-}
-
-const results::ClipRecord& StimulusLibrary::record(const studies::Trial& trial) const {
-    return find(trial).record;
-}
-
-std::vector<results::ClipRecord> StimulusLibrary::records(const studies::StudyPlan& plan) const {
-    std::vector<results::ClipRecord> out;
-    for (const auto& trial : plan.trials) out.push_back(record(trial));
+results::ClipRecords StimulusLibrary::records() const {
+    results::ClipRecords out;
+    for (const auto& [stimulus, loaded] : clips_) out.emplace(stimulus, loaded.record);
     return out;
 }
 

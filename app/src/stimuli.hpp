@@ -3,8 +3,6 @@
 
 #include <filesystem>
 #include <map>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "assets/avatar.hpp"
@@ -15,30 +13,27 @@
 
 namespace deixis::app {
 
-/// Clips by system and target, on the avatar's skeleton, each with the file that it was read from and its
-/// hash.
+/// Clips on the avatar's skeleton, each with the file that it was read from and its hash.
 class StimulusLibrary : public studies::ClipSource {
   public:
-    /// Loads the clips of the given trials. Clips of built-in systems are kept as BVH files with a manifest
+    /// Loads the clips of the given plans. Clips of built-in systems are kept as BVH files with a manifest
     /// under `folder`, in a folder named after what they depend on, and made there where they are missing. A
     /// clip that is missing, does not parse, or whose manifest row does not fit it is an error that names the
     /// file.
     [[nodiscard]] static Result<StimulusLibrary> load(const StudySetup& setup,
-                                                      const std::vector<const studies::Trial*>& trials,
+                                                      const std::vector<studies::StudyPlan>& plans,
                                                       const assets::Avatar& avatar,
                                                       const std::filesystem::path& folder);
 
-    [[nodiscard]] const motion::Clip& clip(const studies::Trial& trial) const override;
-    [[nodiscard]] const results::ClipRecord& record(const studies::Trial& trial) const;
-    [[nodiscard]] std::vector<results::ClipRecord> records(const studies::StudyPlan& plan) const;
+    [[nodiscard]] const motion::Clip& clip(const studies::Stimulus& stimulus) const override;
+    [[nodiscard]] results::ClipRecords records() const;
 
   private:
-    struct Stimulus {
+    struct Loaded {
         motion::Clip clip;
         results::ClipRecord record;
     };
-    [[nodiscard]] const Stimulus& find(const studies::Trial& trial) const;
-    std::map<std::pair<std::string, std::string>, Stimulus> stimuli_;
+    std::map<studies::Stimulus, Loaded> clips_;
 };
 
 }  // namespace deixis::app

@@ -16,8 +16,13 @@ struct StudySetup {
     std::vector<studies::TargetItem> targets;
 };
 
-/// `name` is a file, or the name of a study that ships ("pointing2023").
-[[nodiscard]] Result<StudySetup> loadStudySetup(const std::string& name);
+/// `name` is a file, or the name of a study that ships ("pointing2023"). Texts are in `language`; empty: the
+/// study's first. All that is wrong with the file, and with the manifests that its targets come from.
+[[nodiscard]] tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& name,
+                                                                           const std::string& language = {});
+
+/// The same with the first problem alone, which says where to find the others.
+[[nodiscard]] Result<StudySetup> loadStudySetup(const std::string& name, const std::string& language = {});
 
 /// The product's own avatar.
 [[nodiscard]] Result<assets::Avatar> loadShippedAvatar();

@@ -39,7 +39,7 @@ Result<void> printTargets(const Options& options) {
         if (auto written = writeFile(picture, svg); !written) return written;
         fmt::print(stderr, "picture: {}\n", picture);
     }
-    fmt::print("{}", studies::targetsCsv(setup->targets));
+    fmt::print("{}", studies::targetsCsv(setup->targets, setup->study.distances));
     return {};
 }
 

@@ -29,6 +29,8 @@ const char* name(studies::BallLook look) {
             return "hovered";
         case studies::BallLook::chosen:
             return "chosen";
+        case studies::BallLook::revealed:
+            return "revealed";
     }
     throw std::logic_error("a ball with a look that has no name");
 }
@@ -48,11 +50,67 @@ Json buttonsJson(const studies::PresentedFrame& frame) {
         const Vec3 centre{button.box.x + button.box.width / 2.0, button.box.y + button.box.height / 2.0, 0.0};
         out.push_back({{"id", button.id},
                        {"label", button.label},
+                       {"role", name(button.role)},
                        {"enabled", button.enabled},
+                       {"chosen", button.chosen},
                        {"hovered", button.hovered},
                        {"centre", json(transformPoint(frame.panel->stage_from_panel, centre))}});
     }
     return out;
+}
+
+const char* name(studies::ButtonRole role) {
+    switch (role) {
+        case studies::ButtonRole::go_on:
+            return "go_on";
+        case studies::ButtonRole::leave:
+            return "leave";
+        case studies::ButtonRole::play:
+            return "play";
+        case studies::ButtonRole::option:
+            return "option";
+        case studies::ButtonRole::other:
+            return "other";
+    }
+    throw std::logic_error("a button with a role that has no name");
+}
+
+/// Where a slider's ends stand in the stage.
+Json slidersJson(const studies::PresentedFrame& frame) {
+    Json out = Json::array();
+    if (!frame.panel) return out;
+    for (const auto& slider : frame.panel->sliders) {
+        const studies::PanelRect track = slider.track();
+        const double middle = track.y + track.height / 2.0;
+        const auto at = [&](double x) {
+            return json(transformPoint(frame.panel->stage_from_panel, {x, middle, 0.0}));
+        };
+        out.push_back({{"id", slider.id},
+                       {"low", slider.low},
+                       {"high", slider.high},
+                       {"value", slider.value ? Json(*slider.value) : Json(nullptr)},
+                       {"enabled", slider.enabled},
+                       {"left", at(track.x)},
+                       {"right", at(track.x + track.width)}});
+    }
+    return out;
+}
+
+Json fieldsJson(const studies::PresentedFrame& frame) {
+    Json out = Json::array();
+    if (!frame.panel) return out;
+    for (const auto& field : frame.panel->fields) {
+        const Vec3 centre{field.box.x + field.box.width / 2.0, field.box.y + field.box.height / 2.0, 0.0};
+        out.push_back({{"id", field.id},
+                       {"text", field.text},
+                       {"active", field.active},
+                       {"centre", json(transformPoint(frame.panel->stage_from_panel, centre))}});
+    }
+    return out;
+}
+
+std::string signText(const studies::PresentedFrame& frame) {
+    return frame.sign && !frame.sign->texts.empty() ? frame.sign->texts.front().text : std::string();
 }
 
 Json rayJson(const std::optional<studies::RayView>& ray) {
@@ -69,7 +127,21 @@ Json notesJson(const std::vector<studies::StationNote>& notes) {
 }
 
 bool sameButton(const studies::PanelButton& a, const studies::PanelButton& b) {
-    return a.id == b.id && a.enabled == b.enabled && a.hovered == b.hovered && a.label == b.label;
+    return a.id == b.id && a.enabled == b.enabled && a.hovered == b.hovered && a.chosen == b.chosen &&
+           a.label == b.label;
+}
+
+bool sameSlider(const studies::PanelSlider& a, const studies::PanelSlider& b) {
+    return a.id == b.id && a.value == b.value && a.enabled == b.enabled;
+}
+
+bool sameField(const studies::PanelField& a, const studies::PanelField& b) {
+    return a.id == b.id && a.text == b.text && a.active == b.active;
+}
+
+template <typename Parts, typename Same>
+bool same(const Parts& a, const Parts& b, Same same_part) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_part);
 }
 
 }  // namespace
@@ -81,11 +153,13 @@ Result<std::ofstream> openTrace(const std::filesystem::path& path) {
 }
 
 bool Trace::changed(const studies::PresentedFrame& frame) const {
-    if (!begun_ || frame.state != state_ || frame.viewer_place != place_ || frame.status != status_ ||
-        frame.notice != notice_ || frame.panel.has_value() != panel_)
+    if (!begun_ || frame.state != state_ || frame.stage != stage_ || frame.viewer_place != place_ ||
+        frame.status != status_ || frame.notice != notice_ || signText(frame) != sign_ ||
+        frame.panel.has_value() != panel_.has_value())
         return true;
-    if (frame.panel && !std::equal(frame.panel->buttons.begin(), frame.panel->buttons.end(), buttons_.begin(),
-                                   buttons_.end(), sameButton))
+    if (panel_ && !(same(frame.panel->buttons, panel_->buttons, sameButton) &&
+                    same(frame.panel->sliders, panel_->sliders, sameSlider) &&
+                    same(frame.panel->fields, panel_->fields, sameField)))
         return true;
     return !std::equal(
         frame.balls.begin(), frame.balls.end(), looks_.begin(), looks_.end(),
@@ -95,11 +169,12 @@ bool Trace::changed(const studies::PresentedFrame& frame) const {
 void Trace::remember(const studies::PresentedFrame& frame) {
     begun_ = true;
     state_ = frame.state;
+    stage_ = frame.stage;
     place_ = frame.viewer_place;
     status_ = frame.status;
     notice_ = frame.notice;
-    panel_ = frame.panel.has_value();
-    buttons_ = frame.panel ? frame.panel->buttons : std::vector<studies::PanelButton>();
+    sign_ = signText(frame);
+    panel_ = frame.panel;
     looks_.clear();
     for (const auto& ball : frame.balls) looks_.push_back(ball.look);
 }
@@ -112,6 +187,7 @@ void Trace::presented(const studies::InputFrame& input, const studies::Presented
                     {"utc_s", input.utc_s},
                     {"frame", frame.number},
                     {"state", frame.state},
+                    {"stage", frame.stage},
                     {"status", frame.status},
                     {"place", frame.viewer_place},
                     {"notice", frame.notice},
@@ -119,6 +195,9 @@ void Trace::presented(const studies::InputFrame& input, const studies::Presented
                     {"stage_from_viewer", json(frame.stage_from_viewer)},
                     {"balls", ballsJson(frame.balls)},
                     {"buttons", buttonsJson(frame)},
+                    {"sliders", slidersJson(frame)},
+                    {"fields", fieldsJson(frame)},
+                    {"sign", signText(frame)},
                     {"ray", rayJson(frame.ray)},
                     {"head", json(input.stage_from_head)},
                     {"notes", notesJson(input.notes)}};

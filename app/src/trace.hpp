@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,10 @@ namespace deixis::app {
 /// The file, open for adding to it. Error: it cannot be opened.
 [[nodiscard]] Result<std::ofstream> openTrace(const std::filesystem::path& path);
 
-/// Adds a JSON line to a file whenever what is presented changes in kind (state, place, status, notice, panel
-/// and its buttons, looks of the balls) or the station notes something; each line tells all of it, and is
-/// flushed. Everything else it leaves to another recorder. docs/database.md describes the lines.
+/// Adds a JSON line to a file whenever what is presented changes in kind (state, stage, place, status,
+/// notice, sign, the panel's parts, looks of the balls) or the station notes something; each line tells all
+/// of it, and is flushed. Everything else it leaves to another recorder. docs/database.md describes the
+/// lines.
 class Trace : public Recorder {
   public:
     /// `session` and `kept_by` must outlive it.
@@ -41,9 +43,8 @@ class Trace : public Recorder {
     Recorder& kept_by_;
     // As last told.
     bool begun_ = false;
-    std::string state_, place_, status_, notice_;
-    bool panel_ = false;
-    std::vector<studies::PanelButton> buttons_;
+    std::string state_, stage_, place_, status_, notice_, sign_;
+    std::optional<studies::Panel> panel_;
     std::vector<studies::BallLook> looks_;
 };
 

@@ -1,0 +1,30 @@
+// Who takes part: the number, the groups and the plan of a participant, new or come back.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "results/store.hpp"
+#include "studies/plan.hpp"
+#include "studies/session.hpp"
+#include "study_setup.hpp"
+
+namespace deixis::app {
+
+struct Enrolment {
+    results::Registration registration;
+    studies::StudyPlan plan;
+    studies::Resume resume;  ///< what earlier sittings left
+    std::vector<int> left;   ///< trials still to be answered in the next sitting
+
+    [[nodiscard]] bool begun() const { return !resume.answered.empty() || resume.gap_s > 0.0; }
+};
+
+/// The stored registration and plan of somebody who has been here before, whatever a newer program would
+/// draw; else new ones: the number that the id ends in where it is free (else the next free one), and the
+/// groups with the fewest participants. Stores nothing.
+[[nodiscard]] Result<Enrolment> enrol(const StudySetup& setup, const results::Store& store,
+                                      const std::string& participant, double now_utc_s);
+
+}  // namespace deixis::app

@@ -1,0 +1,77 @@
+// deixis export: a database as tidy CSV tables with a codebook. deixis merge: several databases as one.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "results/data_export.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct ExportRequest {
+    std::string database;
+    std::string format = "csv";
+    std::string folder;
+    results::ExportOptions options;
+};
+
+struct MergeRequest {
+    std::vector<std::string> databases;
+    std::string output;
+};
+
+Result<void> exportTables(const ExportRequest& request) {
+    const std::string folder =
+        request.folder.empty()
+            ? std::filesystem::path(request.database).replace_extension("").string() + "-csv"
+            : request.folder;
+    const auto written = results::exportCsv(request.database, folder, request.options);
+    if (!written) return tl::unexpected(written.error());
+    for (const std::string& file : *written)
+        fmt::print("{}\n", (std::filesystem::path(folder) / file).string());
+    return {};
+}
+
+Result<void> merge(const MergeRequest& request) {
+    const std::vector<std::filesystem::path> databases(request.databases.begin(), request.databases.end());
+    const auto merged = results::mergeDatabases(databases, request.output);
+    if (!merged) {
+        for (const Error& problem : merged.error()) fmt::print(stderr, "{}\n", problem.text());
+        return fail(request.output, "was not written: the databases cannot be joined");
+    }
+    fmt::print("{} databases joined: {}\n", databases.size(), request.output);
+    return {};
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& cli, Command& chosen) {
+    auto request = std::make_shared<ExportRequest>();
+    CLI::App* command = cli.add_subcommand("export", "Write a database's tables as CSV, with a codebook");
+    command->add_option("DB", request->database, "Database of a study")->required();
+    command->add_option("--format", request->format, "csv")
+        ->check(CLI::IsMember({"csv"}))
+        ->capture_default_str();
+    command->add_option("-o,--output", request->folder,
+                        "Folder to write to [DB without its ending, and -csv]");
+    command->add_flag("--anonymise", request->options.anonymise,
+                      "Other ids, no free text, no notes, no dates: to be shared");
+    command->add_flag("!--no-tracking", request->options.tracking, "Leave tracked frames out");
+    command->callback([request, &chosen] { chosen = [request] { return exportTables(*request); }; });
+}
+
+void addMergeCommand(CLI::App& cli, Command& chosen) {
+    auto request = std::make_shared<MergeRequest>();
+    CLI::App* command = cli.add_subcommand("merge", "Join the databases of several stations of one study");
+    command->add_option("DB", request->databases, "Databases to join")->required()->expected(2, 1000);
+    command->add_option("-o,--output", request->output, "Database to make; must not exist")->required();
+    command->callback([request, &chosen] { chosen = [request] { return merge(*request); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,121 @@
+// deixis participants: who is in a database, and what becomes of them.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+#include <memory>
+#include <string>
+
+#include "commands.hpp"
+#include "results/participants.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct Options {
+    std::string database;
+    std::string participant;
+    std::string reason;
+    bool yes = false;
+};
+
+std::string day(double utc_s) {
+    if (utc_s <= 0.0) return "-";
+    const auto seconds = static_cast<std::time_t>(utc_s);
+    return fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(seconds));
+}
+
+std::string orDash(const std::string& text) {
+    return text.empty() ? "-" : text;
+}
+
+Result<void> list(const Options& options) {
+    const auto found = results::listParticipants(options.database);
+    if (!found) return tl::unexpected(found.error());
+    fmt::print("{:<16} {:>6}  {:<9} {:<8} {:>8} {:>12} {:>13}  {:<9} {:<16}  {}\n", "participant", "number",
+               "status", "language", "sessions", "answered", "checks failed", "consent", "last seen (UTC)",
+               "groups, remarks");
+    for (const auto& row : found->rows) {
+        std::string remarks;
+        for (const auto& [factor, level] : row.groups) remarks += fmt::format("{}={} ", factor, level);
+        if (row.synthetic) remarks += "simulated ";
+        if (!row.reason.empty()) remarks += fmt::format("({})", row.reason);
+        fmt::print("{:<16} {:>6}  {:<9} {:<8} {:>8} {:>12} {:>13}  {:<9} {:<16}  {}\n", row.id, row.number,
+                   row.status, row.language, row.sessions, fmt::format("{}/{}", row.answered, row.planned),
+                   row.checks_failed, orDash(row.consent), day(row.last_utc_s), remarks);
+    }
+    fmt::print("{} {}, {} withdrawn\n", found->rows.size(),
+               found->rows.size() == 1 ? "participant" : "participants", found->withdrawn);
+    return {};
+}
+
+Result<void> show(const Options& options) {
+    const auto found = results::showParticipant(options.database, options.participant);
+    if (!found) return tl::unexpected(found.error());
+    const auto& row = found->row;
+    fmt::print("{}: number {}, {}{}\n", row.id, row.number, row.status,
+               row.reason.empty() ? "" : fmt::format(" ({})", row.reason));
+    fmt::print("language {}, consent {}, {} of {} answered, {} attention checks failed{}\n", row.language,
+               row.consent.empty() ? "not asked" : row.consent, row.answered, row.planned, row.checks_failed,
+               row.synthetic ? ", simulated" : "");
+    for (const auto& [factor, level] : row.groups) fmt::print("group {}: {}\n", factor, level);
+    for (const auto& [name, value] : found->fields) fmt::print("{}: {}\n", name, value);
+    for (const auto& session : found->sessions) fmt::print("session {}\n", session);
+    for (const auto& event : found->events) fmt::print("  {}\n", event);
+    return {};
+}
+
+Result<void> exclude(const Options& options) {
+    auto done = results::excludeParticipant(options.database, options.participant, options.reason);
+    if (done) fmt::print("{} is excluded from the analysis; the answers are kept\n", options.participant);
+    return done;
+}
+
+Result<void> include(const Options& options) {
+    auto done = results::includeParticipant(options.database, options.participant);
+    if (done) fmt::print("{} takes part again\n", options.participant);
+    return done;
+}
+
+Result<void> withdraw(const Options& options) {
+    if (!options.yes)
+        return fail("--yes",
+                    fmt::format("is missing: everything that is kept of {} would be erased, for good",
+                                options.participant),
+                    "Give --yes where that is meant; reports and exports made before are yours to delete");
+    const double now_s =
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    auto done = results::withdrawParticipant(options.database, options.participant, now_s);
+    if (done)
+        fmt::print("{} is withdrawn: everything kept in {} is erased, and counted as one withdrawal\n",
+                   options.participant, options.database);
+    return done;
+}
+
+}  // namespace
+
+void addParticipantsCommand(CLI::App& cli, Command& chosen) {
+    CLI::App* group = cli.add_subcommand("participants", "List, show, exclude or withdraw participants");
+    group->require_subcommand(1);
+    const auto add = [&](const char* name, const char* what, bool one, Result<void> (*act)(const Options&)) {
+        auto options = std::make_shared<Options>();
+        CLI::App* command = group->add_subcommand(name, what);
+        command->add_option("DB", options->database, "Database of a study")->required();
+        if (one) command->add_option("PARTICIPANT", options->participant, "Pseudonymous id")->required();
+        command->callback([options, act, &chosen] { chosen = [options, act] { return act(*options); }; });
+        return std::make_pair(command, options);
+    };
+    add("list", "Everybody who is in a database", false, list);
+    add("show", "One participant: fields, sessions, what happened", true, show);
+    const auto [exclude_command, excluded] =
+        add("exclude", "Take a participant's answers out of the analysis; they are kept", true, exclude);
+    exclude_command->add_option("--reason", excluded->reason, "Why; kept and reported")->required();
+    add("include", "Undo an exclusion", true, include);
+    const auto [withdraw_command, withdrawn] =
+        add("withdraw", "Erase everything that is kept of a participant", true, withdraw);
+    withdraw_command->add_flag("--yes", withdrawn->yes, "That is meant");
+}
+
+}  // namespace deixis::app
