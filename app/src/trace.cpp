@@ -43,23 +43,7 @@ Json ballsJson(const std::vector<studies::BallView>& balls) {
     return out;
 }
 
-Json buttonsJson(const studies::PresentedFrame& frame) {
-    Json out = Json::array();
-    if (!frame.panel) return out;
-    for (const auto& button : frame.panel->buttons) {
-        const Vec3 centre{button.box.x + button.box.width / 2.0, button.box.y + button.box.height / 2.0, 0.0};
-        out.push_back({{"id", button.id},
-                       {"label", button.label},
-                       {"role", name(button.role)},
-                       {"enabled", button.enabled},
-                       {"chosen", button.chosen},
-                       {"hovered", button.hovered},
-                       {"centre", json(transformPoint(frame.panel->stage_from_panel, centre))}});
-    }
-    return out;
-}
-
-const char* name(studies::ButtonRole role) {
+const char* roleName(studies::ButtonRole role) {
     switch (role) {
         case studies::ButtonRole::go_on:
             return "go_on";
@@ -73,6 +57,22 @@ const char* name(studies::ButtonRole role) {
             return "other";
     }
     throw std::logic_error("a button with a role that has no name");
+}
+
+Json buttonsJson(const studies::PresentedFrame& frame) {
+    Json out = Json::array();
+    if (!frame.panel) return out;
+    for (const auto& button : frame.panel->buttons) {
+        const Vec3 centre{button.box.x + button.box.width / 2.0, button.box.y + button.box.height / 2.0, 0.0};
+        out.push_back({{"id", button.id},
+                       {"label", button.label},
+                       {"role", roleName(button.role)},
+                       {"enabled", button.enabled},
+                       {"chosen", button.chosen},
+                       {"hovered", button.hovered},
+                       {"centre", json(transformPoint(frame.panel->stage_from_panel, centre))}});
+    }
+    return out;
 }
 
 /// Where a slider's ends stand in the stage.
