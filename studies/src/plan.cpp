@@ -4,103 +4,142 @@
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
+#include <span>
 
 #include "core/random.hpp"
+#include "plan_stage.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
-template <typename T>
-void shuffle(std::vector<T>& items, Random& random) {
-    random.shuffle(std::span<T>(items));
-}
-
-/// The targets of one participant, by what they serve for.
-struct Picks {
-    std::vector<TargetItem> rated, rated_practice, played, played_practice;
+/// A stage that applies to the participant.
+struct OpenStage {
+    const Stage* stage = nullptr;
+    bool clips = false;
+    ItemNeed need{};
+    std::vector<const TargetItem*> items{};
 };
 
-Picks pickTargets(const Study& study, std::vector<TargetItem> targets, Random random) {
-    shuffle(targets, random);
-    auto next = targets.begin();
-    const auto take = [&](int count) {
-        const auto begin = next;
-        next += count;
-        return std::vector<TargetItem>(begin, next);
-    };
-    Picks picks;
-    picks.rated = take(study.rating.items);
-    picks.played = take(study.game.items);
-    picks.rated_practice = take(study.rating.practice);
-    picks.played_practice = take(study.game.practice);
-    return picks;
-}
-
-/// One layout for each of `count` targets: all layouts equally often, chance giving away the remainder.
-std::vector<std::string> shareLayouts(std::vector<std::string> layouts, std::size_t count, Random random) {
-    shuffle(layouts, random);
-    std::vector<std::string> out;
-    for (std::size_t i = 0; i < count; ++i) out.push_back(layouts[i % layouts.size()]);
-    shuffle(out, random);
-    return out;
-}
-
-Trial ratingTrial(const Study& study, const TargetItem& item, const std::string& system) {
-    Trial trial;
-    trial.stage = StageKind::naturalness;
-    trial.system = system;
-    trial.target_id = item.id;
-    trial.layout = study.rating.layout;
-    trial.target = item.target;
-    return trial;
-}
-
-Trial gameTrial(const TargetItem& item, const std::string& system, const std::string& layout) {
-    Trial trial;
-    trial.stage = StageKind::game;
-    trial.system = system;
-    trial.target_id = item.id;
-    trial.layout = layout;
-    trial.target = item.target;
-    trial.distractors = item.distractors;
-    trial.ball_order.resize(item.distractors.size() + 1);
-    std::iota(trial.ball_order.begin(), trial.ball_order.end(), 0);
-    return trial;
-}
-
-Result<void> checkInput(const Study& study, const std::vector<TargetItem>& targets,
-                        std::string_view participant) {
+Result<void> checkParticipant(const Study& study, std::string_view participant, int number,
+                              const Groups& groups) {
     if (!validParticipant(participant))
         return fail(
             "participant",
             fmt::format("found \"{}\", expected 1 to 32 letters A-Z a-z, digits, '_' and '-'", participant),
             "Use an id such as P01");
-    const int needed = study.rating.items + study.game.items + study.rating.practice + study.game.practice;
-    if (static_cast<int>(targets.size()) < needed)
-        return fail("targets.count", fmt::format("found {} targets, expected at least {} for the items and "
-                                                 "practice trials of both stages",
-                                                 targets.size(), needed));
-    if (study.systems.empty()) return fail("systems", "found none, expected at least one");
-    if (study.game.layouts.empty()) return fail("game.layouts", "found none, expected at least one");
+    if (number < 1)
+        return fail("participant", fmt::format("found the number {}, expected 1 or more", number));
+    for (const BetweenFactor& factor : study.between) {
+        const auto group = groups.find(factor.name);
+        if (group != groups.end() &&
+            std::find(factor.levels.begin(), factor.levels.end(), group->second) != factor.levels.end())
+            continue;
+        const std::string found = group == groups.end() ? "none" : fmt::format("\"{}\"", group->second);
+        return fail("groups." + factor.name, fmt::format("found {}, expected one of \"{}\"", found,
+                                                         fmt::join(factor.levels, "\", \"")));
+    }
+    for (const auto& group : groups)
+        if (std::none_of(study.between.begin(), study.between.end(),
+                         [&](const BetweenFactor& factor) { return factor.name == group.first; }))
+            return fail("groups." + group.first, "found a factor that is none of the study's [[between]]");
     return {};
 }
 
+bool applies(const Stage& stage, const Groups& groups) {
+    return std::all_of(stage.when.begin(), stage.when.end(), [&](const auto& condition) {
+        const auto group = groups.find(condition.first);
+        return group != groups.end() && group->second == condition.second;
+    });
+}
+
+Result<std::vector<OpenStage>> openStages(const Study& study, const Groups& groups) {
+    std::vector<OpenStage> out;
+    for (const Stage& stage : study.stages) {
+        if (!applies(stage, groups)) continue;
+        OpenStage& open = out.emplace_back();
+        open.stage = &stage;
+        open.clips = stage.practice.has_value() || showsClips(stage.kind);
+        if (!open.clips) continue;
+        const Result<const Stage*> design = designOf(study, stage);
+        if (!design) return tl::unexpected(design.error());
+        open.need = itemsNeeded(stage, **design);
+    }
+    return out;
+}
+
+/// Gives every stage targets of its own, drawn by chance. Games come first where some items have no place in
+/// the room, for those can only be rated.
+Result<void> drawItems(std::vector<OpenStage>& stages, const std::vector<TargetItem>& targets, int bands,
+                       Random random) {
+    int needed = 0;
+    int needed_placed = 0;
+    for (const OpenStage& open : stages) {
+        needed += open.need.total();
+        needed_placed += open.need.placed ? open.need.total() : 0;
+    }
+    const auto playable = [&](const TargetItem& item) {
+        return item.placed && static_cast<int>(item.distractors.size()) >= bands;
+    };
+    const auto placed = std::count_if(targets.begin(), targets.end(), playable);
+    if (static_cast<int>(targets.size()) < needed)
+        return fail("targets.count",
+                    fmt::format("found {} targets, expected at least {} for the items, practice and catch "
+                                "trials of all stages",
+                                targets.size(), needed));
+    if (placed < needed_placed)
+        return fail("targets",
+                    fmt::format("found {} with a place in the room and distractors, expected at least {} for "
+                                "the referential games",
+                                placed, needed_placed));
+
+    std::vector<const TargetItem*> left;
+    for (const TargetItem& item : targets) left.push_back(&item);
+    random.shuffle(std::span<const TargetItem*>(left));
+    for (const bool placed_ones : {true, false})
+        for (OpenStage& open : stages) {
+            if (open.need.placed != placed_ones) continue;
+            const auto wanted = static_cast<std::size_t>(open.need.total());
+            for (const TargetItem*& item : left) {
+                if (open.items.size() == wanted) break;
+                if (item == nullptr || (placed_ones && !playable(*item))) continue;
+                open.items.push_back(item);
+                item = nullptr;
+            }
+        }
+    return {};
+}
+
+std::vector<Trial> pageTrials(const Stage& stage) {
+    std::vector<Trial> out;
+    const int pages = stage.kind == StageKind::consent         ? 1
+                      : stage.kind == StageKind::questionnaire ? stage.questionnaire.pages()
+                                                               : 0;
+    for (int page = 0; page < pages; ++page) {
+        Trial trial;
+        trial.stage = stage.name;
+        trial.kind = stage.kind;
+        trial.page = page;
+        out.push_back(std::move(trial));
+    }
+    return out;
+}
+
+/// The participant stays where the last clip was seen; before the first clip, where it will be.
+void placePages(const Study& study, std::vector<Trial>& trials) {
+    if (study.layouts.empty()) return;
+    const auto first =
+        std::find_if(trials.begin(), trials.end(), [](const Trial& trial) { return !trial.layout.empty(); });
+    std::string layout = first == trials.end() ? study.layouts.front().name : first->layout;
+    for (Trial& trial : trials) {
+        if (trial.layout.empty())
+            trial.layout = layout;
+        else
+            layout = trial.layout;
+    }
+}
+
 }  // namespace
-
-std::string_view stageName(StageKind kind) {
-    return kind == StageKind::naturalness ? "naturalness" : "game";
-}
-
-bool validParticipant(std::string_view participant) {
-    constexpr std::size_t longest = 32;
-    return !participant.empty() && participant.size() <= longest &&
-           std::all_of(participant.begin(), participant.end(), [](char c) {
-               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                      c == '_' || c == '-';
-           });
-}
 
 const Vec3& Trial::ball(int place) const {
     const int which = ball_order.at(static_cast<std::size_t>(place));
@@ -112,62 +151,45 @@ int Trial::targetPlace() const {
     return found == ball_order.end() ? -1 : static_cast<int>(found - ball_order.begin());
 }
 
+bool Trial::scored(int stimulus) const {
+    if (practice || stimulus < 0 || stimulus >= static_cast<int>(stimuli.size())) return false;
+    return !check || (check->kind == CheckKind::number && check->stimulus != stimulus);
+}
+
 Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& targets,
-                            std::string_view participant) {
-    if (const Result<void> checked = checkInput(study, targets, participant); !checked)
+                            std::string_view participant, int number, const Groups& groups) {
+    if (const Result<void> checked = checkParticipant(study, participant, number, groups); !checked)
         return tl::unexpected(checked.error());
+    Result<std::vector<OpenStage>> stages = openStages(study, groups);
+    if (!stages) return tl::unexpected(stages.error());
 
-    const std::uint64_t seed = deriveSeed(deriveSeed(study.seed, "plan"), participant);
-    const Picks picks = pickTargets(study, targets, Random(seed, "items"));
+    const std::uint64_t seed = deriveSeed(deriveSeed(study.seed, "plan"), fmt::format("{}", number));
+    const int bands = static_cast<int>(study.distances.size());
+    if (const Result<void> drawn = drawItems(*stages, targets, bands, Random(seed, "items")); !drawn)
+        return tl::unexpected(drawn.error());
 
-    std::vector<std::string> practice_systems;
-    for (const SystemSource& system : study.systems) practice_systems.push_back(system.name);
-    Random practice_random(seed, "practice");
-    shuffle(practice_systems, practice_random);
-    std::vector<std::string> practice_layouts = study.game.layouts;
-    shuffle(practice_layouts, practice_random);
-    std::size_t practised = 0;  // goes on over both stages: few practice trials still show many systems
-    const auto practiceSystem = [&] { return practice_systems[practised++ % practice_systems.size()]; };
+    PracticeTurns turns;
+    for (const SystemSource& system : study.systems) turns.emplace_back(system.name, 0);
+    Random(seed, "practice turns").shuffle(std::span<PracticeTurns::value_type>(turns));
 
-    StudyPlan plan{std::string(participant), study.name, study.hash, study.seed, {}};
-    const auto append = [&](std::vector<Trial> trials, bool practice) {
-        for (Trial& trial : trials) {
-            trial.practice = practice;
+    StudyPlan plan{std::string(participant), number, study.name, study.hash, study.seed, groups, {}, {}};
+    for (const OpenStage& open : *stages) {
+        const Stage& stage = *open.stage;
+        plan.stages.push_back(stage.name);
+        const std::uint64_t stage_seed = deriveSeed(seed, stage.name);
+        Result<std::vector<Trial>> trials = !open.clips ? pageTrials(stage)
+                                            : stage.practice
+                                                ? practiceTrials(study, stage, open.items, turns, stage_seed)
+                                                : scoredTrials(study, stage, open.items, number, stage_seed);
+        if (!trials) return tl::unexpected(trials.error());
+        const int first = static_cast<int>(plan.trials.size());
+        for (Trial& trial : *trials) {
             trial.index = static_cast<int>(plan.trials.size());
+            if (trial.check && trial.check->of_trial >= 0) trial.check->of_trial += first;
             plan.trials.push_back(std::move(trial));
         }
-    };
-
-    std::vector<Trial> trials;
-    for (const TargetItem& item : picks.rated_practice)
-        trials.push_back(ratingTrial(study, item, practiceSystem()));
-    append(std::move(trials), true);
-
-    trials.clear();
-    for (const SystemSource& system : study.systems)
-        for (const TargetItem& item : picks.rated) trials.push_back(ratingTrial(study, item, system.name));
-    Random rating_order(seed, "naturalness order");
-    shuffle(trials, rating_order);
-    append(std::move(trials), false);
-
-    trials.clear();
-    for (std::size_t i = 0; i < picks.played_practice.size(); ++i)
-        trials.push_back(gameTrial(picks.played_practice[i], practiceSystem(),
-                                   practice_layouts[i % practice_layouts.size()]));
-    append(std::move(trials), true);
-
-    trials.clear();
-    const std::vector<std::string> layouts =
-        shareLayouts(study.game.layouts, picks.played.size(), Random(seed, "layouts"));
-    for (const SystemSource& system : study.systems)
-        for (std::size_t i = 0; i < picks.played.size(); ++i)
-            trials.push_back(gameTrial(picks.played[i], system.name, layouts[i]));
-    Random game_order(seed, "game order");
-    shuffle(trials, game_order);
-    append(std::move(trials), false);
-
-    Random ball_random(seed, "ball order");
-    for (Trial& trial : plan.trials) shuffle(trial.ball_order, ball_random);
+    }
+    placePages(study, plan.trials);
     return plan;
 }
 

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -26,18 +27,32 @@ Json positionJson(const Vec3& position) {
     return Json::array({position.x, position.y, position.z});
 }
 
+Json checkJson(const TrialCheck& check) {
+    return {{"kind", checkKindName(check.kind)},
+            {"stimulus", check.stimulus},
+            {"expected", check.expected},
+            {"of_trial", check.of_trial}};
+}
+
 Json trialJson(const Trial& trial) {
+    Json stimuli = Json::array();
+    for (const Stimulus& stimulus : trial.stimuli)
+        stimuli.push_back({{"system", stimulus.system}, {"item", stimulus.item}});
     Json distractors = Json::array();
     for (const Vec3& distractor : trial.distractors) distractors.push_back(positionJson(distractor));
     return {{"index", trial.index},
-            {"stage", stageName(trial.stage)},
+            {"stage", trial.stage},
+            {"kind", stageKindName(trial.kind)},
             {"practice", trial.practice},
-            {"system", trial.system},
-            {"target_id", trial.target_id},
+            {"attempt", trial.attempt},
+            {"page", trial.page},
+            {"stimuli", stimuli},
             {"layout", trial.layout},
-            {"target", positionJson(trial.target)},
+            {"distance", trial.distance},
+            {"target", trial.target == Vec3(0.0) ? Json() : positionJson(trial.target)},
             {"distractors", distractors},
-            {"ball_order", trial.ball_order}};
+            {"ball_order", trial.ball_order},
+            {"check", trial.check ? checkJson(*trial.check) : Json()}};
 }
 
 /// An object read key by key: every key must be there, of its type, and no other.
@@ -54,8 +69,8 @@ class Reader {
         if (found == json_.end()) throw BadPlan(name(key), "missing");
         return *found;
     }
-    [[nodiscard]] std::string text(const char* key) const {
-        const Json& json = get(key);
+    [[nodiscard]] std::string text(const char* key) const { return text(key, get(key)); }
+    [[nodiscard]] std::string text(const char* key, const Json& json) const {
         if (!json.is_string()) bad(key, json, "a text");
         return json.get<std::string>();
     }
@@ -64,10 +79,26 @@ class Reader {
         if (!json.is_boolean()) bad(key, json, "true or false");
         return json.get<bool>();
     }
+    [[nodiscard]] double number(const char* key) const {
+        const Json& json = get(key);
+        if (!json.is_number()) bad(key, json, "a number");
+        return json.get<double>();
+    }
     [[nodiscard]] std::uint64_t count(const char* key) const {
         const Json& json = get(key);
         if (!json.is_number_unsigned()) bad(key, json, "a whole number from 0 up");
         return json.get<std::uint64_t>();
+    }
+    /// A whole number within `low`..`high`.
+    [[nodiscard]] int whole(const char* key, int low, int high) const {
+        const Json& json = get(key);
+        const bool fits =
+            json.is_number_integer() &&
+            !(json.is_number_unsigned() &&
+              json.get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) &&
+            json.get<std::int64_t>() >= low && json.get<std::int64_t>() <= high;
+        if (!fits) bad(key, json, fmt::format("a whole number from {} to {}", low, high));
+        return json.get<int>();
     }
     [[nodiscard]] const Json& list(const char* key) const {
         const Json& json = get(key);
@@ -80,21 +111,22 @@ class Reader {
         if (!three) bad(key, json, "a position [x, y, z]");
         return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
     }
-    [[noreturn]] void bad(const char* key, const Json& found, const char* expected) const {
+    [[noreturn]] void bad(const char* key, const Json& found, std::string_view expected) const {
         std::string shown = found.dump(-1, ' ', false, Json::error_handler_t::replace);
         if (shown.size() > 60) shown = found.type_name();
         throw BadPlan(name(key), fmt::format("found {}, expected {}", shown, expected));
     }
-
-  private:
     [[nodiscard]] std::string name(std::string_view key) const {
         if (where_.empty() || key.empty()) return where_ + std::string(key);
         return fmt::format("{}.{}", where_, key);
     }
 
+  private:
     const Json& json_;
     std::string where_;
 };
+
+constexpr int most = std::numeric_limits<int>::max();
 
 std::vector<int> readBallOrder(const Reader& reader, std::size_t balls) {
     const Json& json = reader.list("ball_order");
@@ -111,38 +143,144 @@ std::vector<int> readBallOrder(const Reader& reader, std::size_t balls) {
     return out;
 }
 
-Trial readTrial(const Json& json, std::size_t index) {
-    constexpr std::size_t keys = 9;
+std::vector<Stimulus> readStimuli(const Reader& reader, StageKind kind) {
+    const Json& json = reader.list("stimuli");
+    std::vector<Stimulus> out;
+    for (const Json& entry : json) {
+        const Reader one(entry, reader.name(fmt::format("stimuli[{}]", out.size())), 2);
+        out.push_back({one.text("system"), one.text("item")});
+    }
+    constexpr std::size_t most_on_a_page = 6;
+    const std::size_t n = out.size();
+    if (kind == StageKind::parallel_rating && (n < 2 || n > most_on_a_page))
+        reader.bad("stimuli", json, "2 to 6 stimuli");
+    if (kind == StageKind::pairwise && n != 2) reader.bad("stimuli", json, "two stimuli");
+    if ((kind == StageKind::rating || kind == StageKind::game) && n != 1)
+        reader.bad("stimuli", json, "one stimulus");
+    if (!showsClips(kind) && n != 0) reader.bad("stimuli", json, "no stimuli on a page");
+    return out;
+}
+
+std::optional<TrialCheck> readCheck(const Reader& trial, const Trial& read) {
+    const Json& json = trial.get("check");
+    if (json.is_null()) return std::nullopt;
+    constexpr std::size_t keys = 4;
+    const Reader reader(json, trial.name("check"), keys);
+    constexpr std::array kinds{CheckKind::number, CheckKind::catch_trial, CheckKind::repeat};
+    const std::string name = reader.text("kind");
+    const auto* kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](CheckKind k) { return checkKindName(k) == name; });
+    if (kind == kinds.end()) reader.bad("kind", reader.get("kind"), "\"number\", \"catch\" or \"repeat\"");
+    TrialCheck check;
+    check.kind = *kind;
+    check.stimulus = reader.whole("stimulus", 0, std::max(0, static_cast<int>(read.stimuli.size()) - 1));
+    check.expected = reader.number("expected");
+    check.of_trial = check.kind == CheckKind::repeat ? reader.whole("of_trial", 0, read.index - 1)
+                                                     : reader.whole("of_trial", -1, -1);
+    return check;
+}
+
+Trial readTrial(const Json& json, std::size_t index, const std::vector<std::string>& stages) {
+    constexpr std::size_t keys = 13;
     const Reader reader(json, fmt::format("trials[{}]", index), keys);
     Trial trial;
     if (reader.count("index") != index)
         reader.bad("index", reader.get("index"), "the trials in order from 0");
     trial.index = static_cast<int>(index);
-    const std::string stage = reader.text("stage");
-    if (stage != stageName(StageKind::naturalness) && stage != stageName(StageKind::game))
-        reader.bad("stage", reader.get("stage"), "\"naturalness\" or \"game\"");
-    trial.stage = stage == stageName(StageKind::game) ? StageKind::game : StageKind::naturalness;
+    trial.stage = reader.text("stage");
+    if (std::find(stages.begin(), stages.end(), trial.stage) == stages.end())
+        reader.bad("stage", reader.get("stage"), "one of the plan's stages");
+    const std::optional<StageKind> kind = stageKindFromName(reader.text("kind"));
+    if (!kind || *kind == StageKind::instructions || *kind == StageKind::rest)
+        reader.bad("kind", reader.get("kind"), "a kind of stage that has answers");
+    trial.kind = *kind;
     trial.practice = reader.boolean("practice");
-    trial.system = reader.text("system");
-    trial.target_id = reader.text("target_id");
+    trial.attempt = reader.whole("attempt", 0, trial.practice ? most : 0);
+    trial.page = reader.whole("page", 0, trial.kind == StageKind::questionnaire ? most : 0);
+    trial.stimuli = readStimuli(reader, trial.kind);
     trial.layout = reader.text("layout");
-    trial.target = reader.position("target", reader.get("target"));
+    trial.distance = reader.text("distance");
+    const Json& target = reader.get("target");
+    if (!target.is_null()) trial.target = reader.position("target", target);
     for (const Json& distractor : reader.list("distractors"))
         trial.distractors.push_back(reader.position("distractors", distractor));
-    const bool game = trial.stage == StageKind::game;
+    const bool game = trial.kind == StageKind::game;
+    if (game && target.is_null()) reader.bad("target", target, "a position [x, y, z] in a referential game");
+    if (!game && !trial.distance.empty())
+        reader.bad("distance", reader.get("distance"), "\"\" where no balls are shown");
     if (!game && !trial.distractors.empty())
-        reader.bad("distractors", reader.get("distractors"), "none in the naturalness stage");
+        reader.bad("distractors", reader.get("distractors"), "none where no balls are shown");
     trial.ball_order = readBallOrder(reader, game ? trial.distractors.size() + 1 : 0);
+    trial.check = readCheck(reader, trial);
     return trial;
+}
+
+StudyPlan readPlan(const Json& document) {
+    constexpr std::size_t keys = 8;
+    const Reader reader(document, "", keys);
+    StudyPlan plan;
+    plan.participant = reader.text("participant");
+    if (!validParticipant(plan.participant))
+        reader.bad("participant", reader.get("participant"), "a participant's id");
+    plan.number = reader.whole("number", 1, most);
+    plan.study_name = reader.text("study");
+    plan.study_hash = reader.text("study_hash");
+    plan.seed = reader.count("seed");
+    const Json& groups = reader.get("groups");
+    if (!groups.is_object()) reader.bad("groups", groups, "an object");
+    for (const auto& group : groups.items()) plan.groups[group.key()] = reader.text("groups", group.value());
+    for (const Json& stage : reader.list("stages")) plan.stages.push_back(reader.text("stages", stage));
+    for (const Json& trial : reader.list("trials"))
+        plan.trials.push_back(readTrial(trial, plan.trials.size(), plan.stages));
+    return plan;
+}
+
+std::string joined(const std::vector<std::string>& texts, std::string_view by) {
+    return fmt::format("{}", fmt::join(texts, by));
+}
+
+/// A row of the table for people.
+using Row = std::array<std::string, 8>;
+
+Row tableRow(const Trial& trial) {
+    std::vector<std::string> systems;
+    for (const Stimulus& stimulus : trial.stimuli) systems.push_back(stimulus.system);
+    std::string role = "page";
+    if (trial.practice)
+        role = trial.attempt == 0 ? "practice" : fmt::format("practice, attempt {}", trial.attempt + 1);
+    else if (trial.check)
+        role = checkKindName(trial.check->kind);
+    else if (!trial.stimuli.empty())
+        role = "scored";
+    if (trial.kind == StageKind::questionnaire) role = fmt::format("page {}", trial.page + 1);
+
+    std::string shown;
+    if (const int place = trial.targetPlace(); place >= 0)
+        shown = fmt::format("target is ball {} of {}", place + 1, trial.ball_order.size());
+    if (trial.check && trial.check->kind == CheckKind::number)
+        shown = fmt::format("asks for {} with {}", trial.check->expected,
+                            systems[static_cast<std::size_t>(trial.check->stimulus)]);
+    if (trial.check && trial.check->kind == CheckKind::repeat)
+        shown += fmt::format("{}trial {} again", shown.empty() ? "" : ", ", trial.check->of_trial);
+    const auto orDash = [](std::string text) { return text.empty() ? std::string("-") : text; };
+    return {fmt::format("{}", trial.index),
+            trial.stage,
+            role,
+            orDash(joined(systems, " | ")),
+            trial.stimuli.empty() ? "-" : trial.stimuli.front().item,
+            orDash(trial.layout),
+            orDash(trial.distance),
+            orDash(shown)};
 }
 
 }  // namespace
 
 std::string planJson(const StudyPlan& plan) {
     std::string out = fmt::format(
-        "{{\n  \"participant\": {},\n  \"study\": {},\n  \"study_hash\": {},\n  \"seed\": {},\n  \"trials\": "
-        "[",
-        Json(plan.participant).dump(), Json(plan.study_name).dump(), Json(plan.study_hash).dump(), plan.seed);
+        "{{\n  \"participant\": {},\n  \"number\": {},\n  \"study\": {},\n  \"study_hash\": {},\n  \"seed\": "
+        "{},\n  \"groups\": {},\n  \"stages\": {},\n  \"trials\": [",
+        Json(plan.participant).dump(), plan.number, Json(plan.study_name).dump(),
+        Json(plan.study_hash).dump(), plan.seed, Json(plan.groups).dump(), Json(plan.stages).dump());
     const char* separator = "\n    ";
     for (const Trial& trial : plan.trials) {  // a line each
         out += separator + trialJson(trial).dump();
@@ -153,19 +291,7 @@ std::string planJson(const StudyPlan& plan) {
 
 Result<StudyPlan> planFromJson(std::string_view json) {
     try {
-        constexpr std::size_t keys = 5;
-        const Json document = Json::parse(json);
-        const Reader reader(document, "", keys);
-        StudyPlan plan;
-        plan.participant = reader.text("participant");
-        if (!validParticipant(plan.participant))
-            reader.bad("participant", reader.get("participant"), "a participant's id");
-        plan.study_name = reader.text("study");
-        plan.study_hash = reader.text("study_hash");
-        plan.seed = reader.count("seed");
-        for (const Json& trial : reader.list("trials"))
-            plan.trials.push_back(readTrial(trial, plan.trials.size()));
-        return plan;
+        return readPlan(Json::parse(json));
     } catch (const BadPlan& bad) {
         return fail(bad.where.empty() ? "plan" : "plan: " + bad.where, bad.what());
     } catch (const Json::parse_error& error) {
@@ -176,23 +302,20 @@ Result<StudyPlan> planFromJson(std::string_view json) {
 }
 
 std::string planTable(const StudyPlan& plan) {
-    std::size_t system_width = 6;
-    std::size_t layout_width = 6;
-    for (const Trial& trial : plan.trials) {
-        system_width = std::max(system_width, trial.system.size());
-        layout_width = std::max(layout_width, trial.layout.size());
-    }
-    std::string out =
-        fmt::format("participant {}, study {}, seed {}\n", plan.participant, plan.study_name, plan.seed);
-    out += fmt::format("{:>5}  {:<11}  {:<8}  {:<{}}  {:<6}  {:<{}}  {}\n", "trial", "stage", "kind",
-                       "system", system_width, "target", "layout", layout_width, "target shown as");
-    for (const Trial& trial : plan.trials) {
-        const int place = trial.targetPlace();
-        const std::string shown =
-            place < 0 ? "-" : fmt::format("ball {} of {}", place + 1, trial.ball_order.size());
-        out += fmt::format("{:>5}  {:<11}  {:<8}  {:<{}}  {:<6}  {:<{}}  {}\n", trial.index,
-                           stageName(trial.stage), trial.practice ? "practice" : "scored", trial.system,
-                           system_width, trial.target_id, trial.layout, layout_width, shown);
+    std::vector<Row> rows{{"trial", "stage", "role", "system", "item", "layout", "distance", "shown"}};
+    for (const Trial& trial : plan.trials) rows.push_back(tableRow(trial));
+    std::array<std::size_t, std::tuple_size_v<Row>> widths{};
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+
+    std::string out = fmt::format("participant {} (number {}), study {}, seed {}\n", plan.participant,
+                                  plan.number, plan.study_name, plan.seed);
+    for (const auto& group : plan.groups) out += fmt::format("{}: {}\n", group.first, group.second);
+    for (const Row& row : rows) {
+        std::string line = fmt::format("{:>{}}", row[0], widths[0]);
+        for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:<{}}", row[i], widths[i]);
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += line + '\n';
     }
     return out;
 }

@@ -52,30 +52,41 @@ std::string describeRanges(const TargetSpace& space) {
                        space.radius_m.high);
 }
 
+bool ordered(const Range& range) {
+    return range.low <= range.high;  // not-a-number is not
+}
+
+/// What keeps positions from being drawn.
 std::optional<Error> problemWith(const TargetSpace& space) {
-    const auto ordered = [](const Range& range) { return range.low <= range.high; };
     if (space.radius_m.high <= 0.0 && !space.fit_manifest.empty())
         return Error{"targets.fit_manifest", "the ranges have not been fitted to the manifest's targets", ""};
     if (!ordered(space.height_m) || !ordered(space.arc_deg) || !ordered(space.radius_m) ||
-        !ordered(space.distractor_distance_m) || space.radius_m.low <= 0.0 || space.count < 1 ||
-        space.distractors < 0)
+        space.radius_m.low <= 0.0)
         return Error{"targets",
-                     fmt::format("found {}; {} targets; {} distractors {} to {} m away; expected ranges with "
-                                 "the smaller number first and radii and counts above 0",
-                                 describeRanges(space), space.count, space.distractors,
-                                 space.distractor_distance_m.low, space.distractor_distance_m.high),
+                     fmt::format("found {}; expected ranges with the smaller number first and radii above 0",
+                                 describeRanges(space)),
                      ""};
     return std::nullopt;
 }
 
+std::optional<Error> problemWith(const DistanceBand& band) {
+    if (ordered(band.distance_m) && band.distractors >= 0) return std::nullopt;
+    return Error{"distances." + band.name,
+                 fmt::format("found {} distractors {} to {} m away; expected a range with the smaller number "
+                             "first and no negative count",
+                             band.distractors, band.distance_m.low, band.distance_m.high),
+                 ""};
+}
+
 /// Draws until a position fits; empty after a bounded search (about a tenth of a second). With the ranges of
 /// the paper's size about one draw in 30 fits.
-std::optional<GridPoint> drawDistractor(const TargetSpace& space, const GridPoint& target,
-                                        const std::vector<GridPoint>& others, Random& random) {
+std::optional<GridPoint> drawDistractor(const TargetSpace& space, const DistanceBand& band,
+                                        const GridPoint& target, const std::vector<GridPoint>& others,
+                                        Random& random) {
     constexpr int most_draws = 1'000'000;
     const std::int64_t diameter = gridUnits(space.ball_diameter_m);
-    const std::int64_t nearest = std::max(gridUnits(space.distractor_distance_m.low), diameter);
-    const std::int64_t farthest = gridUnits(space.distractor_distance_m.high);
+    const std::int64_t nearest = std::max(gridUnits(band.distance_m.low), diameter);
+    const std::int64_t farthest = gridUnits(band.distance_m.high);
     for (int draw = 0; draw < most_draws; ++draw) {
         const GridPoint point = drawPosition(space, random);
         const std::int64_t from_target = squaredDistance(point, target);
@@ -92,38 +103,65 @@ std::string csvPosition(const Vec3& position) {
     return fmt::format("{:.4f},{:.4f},{:.4f}", position.x, position.y, position.z);
 }
 
+/// All bands take from the same row of draws. Bands that share no distance thus get distractors that are
+/// independent of each other; one that differs from another only in their number has the same ones and more.
+Result<std::vector<Vec3>> bandDistractors(const TargetItem& item, const TargetSpace& space,
+                                          const DistanceBand& band, std::uint64_t seed) {
+    Random random(seed, "distractors of " + item.id);
+    const GridPoint target{gridUnits(item.target.x), gridUnits(item.target.y), gridUnits(item.target.z)};
+    std::vector<GridPoint> points;
+    while (static_cast<int>(points.size()) < band.distractors) {
+        const std::optional<GridPoint> point = drawDistractor(space, band, target, points, random);
+        if (!point)
+            return fail(
+                fmt::format("distances.{}.distance_m", band.name),
+                fmt::format("found no place for distractor {} of target {} ({} m): it must lie "
+                            "within {}, {} to {} m from the target and {} m (a ball's diameter) "
+                            "from the others",
+                            points.size() + 1, item.id, csvPosition(item.target), describeRanges(space),
+                            band.distance_m.low, band.distance_m.high, space.ball_diameter_m),
+                "Widen its distance_m or the ranges of height, arc and radius, or ask for fewer "
+                "distractors or smaller balls");
+        points.push_back(*point);
+    }
+    std::vector<Vec3> out;
+    std::transform(points.begin(), points.end(), std::back_inserter(out), metres);
+    return out;
+}
+
 }  // namespace
 
-Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space, std::uint64_t seed) {
+Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
+                                              const std::vector<DistanceBand>& bands, std::uint64_t seed) {
     if (const std::optional<Error> problem = problemWith(space)) return tl::unexpected(*problem);
-    std::vector<TargetItem> out;
+    if (space.count < 1)
+        return fail("targets.count", fmt::format("found {}, expected at least 1", space.count));
+    std::vector<TargetItem> items;
     Random random(seed, "targets");
     for (int i = 0; i < space.count; ++i) {
-        TargetItem item;
+        TargetItem& item = items.emplace_back();
         item.id = fmt::format("T{:03}", i + 1);
-        const GridPoint target = drawPosition(space, random);
-        item.target = metres(target);
-        Random distractor_random(seed, "distractors of " + item.id);
-        std::vector<GridPoint> distractors;
-        while (static_cast<int>(distractors.size()) < space.distractors) {
-            const std::optional<GridPoint> point =
-                drawDistractor(space, target, distractors, distractor_random);
-            if (!point)
-                return fail("targets.distractor_distance_m",
-                            fmt::format("found no place for distractor {} of target {} ({} m): it must lie "
-                                        "within {}, {} to {} m from the target and {} m (a ball's diameter) "
-                                        "from the others",
-                                        distractors.size() + 1, item.id, csvPosition(item.target),
-                                        describeRanges(space), space.distractor_distance_m.low,
-                                        space.distractor_distance_m.high, space.ball_diameter_m),
-                            "Widen targets.distractor_distance_m or the ranges of height, arc and radius, or "
-                            "ask for fewer distractors or smaller balls");
-            distractors.push_back(*point);
-        }
-        std::transform(distractors.begin(), distractors.end(), std::back_inserter(item.distractors), metres);
-        out.push_back(std::move(item));
+        item.target = metres(drawPosition(space, random));
     }
-    return out;
+    return drawDistractors(std::move(items), space, bands, seed);
+}
+
+Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items, const TargetSpace& space,
+                                                const std::vector<DistanceBand>& bands, std::uint64_t seed) {
+    for (TargetItem& item : items) item.distractors.clear();
+    if (bands.empty()) return items;
+    if (const std::optional<Error> problem = problemWith(space)) return tl::unexpected(*problem);
+    for (const DistanceBand& band : bands)
+        if (const std::optional<Error> problem = problemWith(band)) return tl::unexpected(*problem);
+    for (TargetItem& item : items) {
+        if (!item.placed) continue;
+        for (const DistanceBand& band : bands) {
+            Result<std::vector<Vec3>> drawn = bandDistractors(item, space, band, seed);
+            if (!drawn) return tl::unexpected(drawn.error());
+            item.distractors.push_back(std::move(*drawn));
+        }
+    }
+    return items;
 }
 
 Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions) {
@@ -156,14 +194,17 @@ Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& p
     return space;
 }
 
-std::string targetsCsv(const std::vector<TargetItem>& targets) {
+std::string targetsCsv(const std::vector<TargetItem>& targets, const std::vector<DistanceBand>& bands) {
     std::string out = "target_id,x,y,z";
-    const std::size_t distractors = targets.empty() ? 0 : targets.front().distractors.size();
-    for (std::size_t i = 1; i <= distractors; ++i) out += fmt::format(",d{0}_x,d{0}_y,d{0}_z", i);
+    for (const DistanceBand& band : bands)
+        for (int i = 1; i <= band.distractors; ++i)
+            out += fmt::format(",{0}_d{1}_x,{0}_d{1}_y,{0}_d{1}_z", band.name, i);
     out += '\n';
     for (const TargetItem& item : targets) {
-        out += fmt::format("{},{}", item.id, csvPosition(item.target));
-        for (const Vec3& distractor : item.distractors) out += "," + csvPosition(distractor);
+        out += item.id + "," + (item.placed ? csvPosition(item.target) : ",,");
+        for (std::size_t b = 0; b < bands.size(); ++b)
+            for (int i = 0; i < bands[b].distractors; ++i)
+                out += "," + (item.placed ? csvPosition(item.distractors.at(b).at(i)) : ",,");
         out += '\n';
     }
     return out;

@@ -16,6 +16,7 @@ constexpr double page_width = 1200.0;
 constexpr double page_height = 720.0;
 constexpr double avatar_height_m = 1.75;
 constexpr std::string_view target_colour = "#d1263c";
+constexpr std::string_view edge = "stroke=\"#8a94a0\" stroke-width=\"1\" stroke-dasharray=\"4 3\"";
 constexpr std::string_view demonstration_colour = "#2468b2";
 
 struct Point {
@@ -44,6 +45,11 @@ Vec3 onCylinder(double radius_m, double azimuth_deg, double height_m) {
     return {radius_m * std::sin(azimuth), height_m, radius_m * std::cos(azimuth)};
 }
 
+/// Items that come from a manifest need none.
+bool hasRanges(const TargetSpace& space) {
+    return space.radius_m.high > 0.0;
+}
+
 /// Points along an arc at one height, close enough to look round.
 std::vector<Vec3> arcPoints(const TargetSpace& space, double radius_m, double height_m) {
     constexpr double step_deg = 3.0;
@@ -63,10 +69,12 @@ Scene makeScene(const TargetSpace& space, const std::vector<TargetItem>& targets
         scene.low = glm::min(scene.low, point - margin);
         scene.high = glm::max(scene.high, point + margin);
     };
-    for (const double height : {space.height_m.low, space.height_m.high})
-        for (const Vec3& point : arcPoints(space, space.radius_m.high, height)) include(point);
+    if (hasRanges(space))
+        for (const double height : {space.height_m.low, space.height_m.high})
+            for (const Vec3& point : arcPoints(space, space.radius_m.high, height)) include(point);
     for (const Vec3& position : demonstrations) scene.balls.push_back({position, true});
-    for (const TargetItem& item : targets) scene.balls.push_back({item.target, false});
+    for (const TargetItem& item : targets)
+        if (item.placed) scene.balls.push_back({item.target, false});
     for (const Ball& ball : scene.balls) include(ball.centre);
     scene.low.y = 0.0;
     return scene;
@@ -170,11 +178,9 @@ std::string avatarFigure(const Camera& camera) {
     return out + circle(camera(head), 0.12 * camera.pixelsPerMetre(head), "fill=\"#6b7480\"");
 }
 
-std::string perspectiveView(const Scene& scene, const Box& box) {
-    const Camera camera(scene, box);
-    const TargetSpace& space = scene.space;
-    std::string out = "<g id=\"perspective\">\n" + floorGrid(scene, camera);
-    constexpr std::string_view edge = "stroke=\"#8a94a0\" stroke-width=\"1\" stroke-dasharray=\"4 3\"";
+/// The edges of the half-cylinder.
+std::string limits(const TargetSpace& space, const Camera& camera) {
+    std::string out;
     for (const double height : {space.height_m.low, space.height_m.high})
         for (const double radius : {space.radius_m.low, space.radius_m.high})
             out += polyline(arcPoints(space, radius, height), camera, edge);
@@ -183,6 +189,13 @@ std::string perspectiveView(const Scene& scene, const Box& box) {
             out += polyline({onCylinder(radius, azimuth, space.height_m.low),
                              onCylinder(radius, azimuth, space.height_m.high)},
                             camera, edge);
+    return out;
+}
+
+std::string perspectiveView(const Scene& scene, const Box& box) {
+    const Camera camera(scene, box);
+    std::string out = "<g id=\"perspective\">\n" + floorGrid(scene, camera);
+    if (hasRanges(scene.space)) out += limits(scene.space, camera);
     for (const Ball& ball : scene.balls) {
         const Vec3 shadow(ball.centre.x, 0.0, ball.centre.z);
         const Point at = camera(shadow);
@@ -253,6 +266,23 @@ std::string axes(const Scene& scene, const FlatView& view, const Box& box, doubl
                                   side.y));
 }
 
+/// From above, the ring in which the targets lie; from the side, least and greatest height.
+template <typename Project>
+std::string limits(const Scene& scene, bool above, const Project& project) {
+    const TargetSpace& space = scene.space;
+    if (above) {
+        std::vector<Vec3> ring = arcPoints(space, space.radius_m.high, 0.0);
+        const std::vector<Vec3> inner = arcPoints(space, space.radius_m.low, 0.0);
+        std::copy(inner.rbegin(), inner.rend(), std::back_inserter(ring));
+        ring.push_back(ring.front());
+        return polyline(ring, project, edge);
+    }
+    std::string out;
+    for (const double height : {space.height_m.low, space.height_m.high})
+        out += polyline({{0.0, height, scene.low.z}, {0.0, height, scene.high.z}}, project, edge);
+    return out;
+}
+
 std::string flatView(const Scene& scene, const FlatView& view, const Point& corner, double scale) {
     const int across = view.across_axis;
     const int upward = view.up_axis;
@@ -263,19 +293,8 @@ std::string flatView(const Scene& scene, const FlatView& view, const Point& corn
         return {box.left + scale * (view.across_sign * point[across] - a0),
                 box.top + scale * (scene.high[upward] - point[upward])};
     };
-    const TargetSpace& space = scene.space;
     std::string out = fmt::format("<g id=\"{}\">\n", view.id) + axes(scene, view, box, scale);
-    constexpr std::string_view edge = "stroke=\"#8a94a0\" stroke-width=\"1\" stroke-dasharray=\"4 3\"";
-    if (upward == 2) {  // from above: the ring in which the targets lie
-        std::vector<Vec3> ring = arcPoints(space, space.radius_m.high, 0.0);
-        const std::vector<Vec3> inner = arcPoints(space, space.radius_m.low, 0.0);
-        std::copy(inner.rbegin(), inner.rend(), std::back_inserter(ring));
-        ring.push_back(ring.front());
-        out += polyline(ring, project, edge);
-    } else {  // from the side: least and greatest height
-        for (const double height : {space.height_m.low, space.height_m.high})
-            out += polyline({{0.0, height, scene.low.z}, {0.0, height, scene.high.z}}, project, edge);
-    }
+    if (hasRanges(scene.space)) out += limits(scene, upward == 2, project);
     for (const Ball& ball : scene.balls)
         out += circle(project(ball.centre), std::max(2.0, scale * scene.ball_radius_m),
                       fmt::format("fill=\"{}\" fill-opacity=\"0.75\" stroke=\"#fff\" stroke-width=\"0.6\"",
@@ -315,6 +334,7 @@ std::string legend(const Scene& scene, const Point& corner) {
     }
     out += circle({corner.x, y}, 6, "fill=\"#6b7480\"");
     line("avatar, at the origin");
+    if (!hasRanges(space)) return out + "</g>\n";
     out += fmt::format(
         "<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#8a94a0\" "
         "stroke-dasharray=\"4 3\"/>\n",

@@ -1,0 +1,66 @@
+// Who a participant is within the study: id, number, groups.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "core/random.hpp"
+#include "studies/plan.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
+/// Every combination of one level of each factor, the last factor's levels changing fastest.
+std::vector<Groups> allCells(const std::vector<BetweenFactor>& factors) {
+    std::vector<Groups> cells{{}};
+    for (const BetweenFactor& factor : factors) {
+        std::vector<Groups> next;
+        for (const Groups& cell : cells)
+            for (const std::string& level : factor.levels) {
+                next.push_back(cell);
+                next.back()[factor.name] = level;
+            }
+        cells = std::move(next);
+    }
+    return cells;
+}
+
+}  // namespace
+
+bool validParticipant(std::string_view participant) {
+    constexpr std::size_t longest = 32;
+    return !participant.empty() && participant.size() <= longest &&
+           std::all_of(participant.begin(), participant.end(), [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || isDigit(c) || c == '_' || c == '-';
+           });
+}
+
+std::optional<int> numberOfParticipant(std::string_view participant) {
+    constexpr std::size_t most_digits = 6;
+    const auto digits = static_cast<std::size_t>(
+        std::find_if_not(participant.rbegin(), participant.rend(), isDigit) - participant.rbegin());
+    if (digits == 0 || digits > most_digits) return std::nullopt;
+    int number = 0;
+    for (const char c : participant.substr(participant.size() - digits)) number = 10 * number + (c - '0');
+    if (number == 0) return std::nullopt;
+    return number;
+}
+
+Groups assignGroups(const Study& study, const std::vector<Groups>& taken, int number) {
+    const std::vector<Groups> cells = allCells(study.between);
+    std::vector<std::ptrdiff_t> filled;
+    for (const Groups& cell : cells) filled.push_back(std::count(taken.begin(), taken.end(), cell));
+    const std::ptrdiff_t fewest = *std::min_element(filled.begin(), filled.end());
+    std::vector<const Groups*> open;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (filled[i] == fewest) open.push_back(&cells[i]);
+    Random random(deriveSeed(study.seed, "groups"), fmt::format("{}", number));
+    return *open[random.below(open.size())];
+}
+
+}  // namespace deixis::studies
