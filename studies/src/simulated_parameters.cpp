@@ -4,23 +4,29 @@
 #include "core/files.hpp"
 #include "motion/pointing.hpp"
 #include "studies/simulated_participant.hpp"
+#include "study_texts.hpp"
 #include "toml_table.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> sections{"pointing", "rating", "reaction", "station"};
+constexpr std::array<std::string_view, 8> sections{"pointing",  "rating",        "preference", "confidence",
+                                                   "attention", "questionnaire", "reaction",   "station"};
 constexpr std::array<std::string_view, 4> pointing_keys{"ray", "noise_deg", "noise_between", "lapse_rate"};
 constexpr std::array<std::string_view, 11> rating_keys{
     "base",           "profile_weight",    "participation_weight", "steadiness_weight",  "profile_abrupt",
     "profile_smooth", "participation_deg", "steady_speed_m_s",     "unsteady_speed_m_s", "bias_between",
     "noise_within"};
+constexpr std::array<std::string_view, 2> preference_keys{"tie_zone", "clear_zone"};
+constexpr std::array<std::string_view, 2> confidence_keys{"margin_deg", "noise_within"};
+constexpr std::array<std::string_view, 1> attention_keys{"lapse_rate"};
+constexpr std::array<std::string_view, 2> questionnaire_keys{"bias_between", "noise_within"};
 constexpr std::array<std::string_view, 2> reaction_keys{"mean_s", "sd_s"};
 constexpr std::array<std::string_view, 2> station_keys{"eye_height_m", "frame_rate_hz"};
 
 void readPointing(TomlTable table, SimulatedParameters& read) {
-    read.pointing_ray = table.text("ray");
+    read.pointing_ray = table.note("ray");
     if (const auto kind = motion::pointingRayFromName(read.pointing_ray); !kind)
         table.problem("ray", kind.error().message, kind.error().mend);
     read.pointing_noise_deg = table.number("noise_deg", 0.0, 60.0);
@@ -46,6 +52,31 @@ void readRating(TomlTable table, SimulatedParameters& read) {
     read.rating_noise_within = table.number("noise_within", 0.0, 10.0);
 }
 
+void readPreference(TomlTable table, SimulatedParameters& read) {
+    read.preference_tie_zone = table.number("tie_zone", 0.0, 10.0);
+    read.preference_clear_zone = table.number("clear_zone", 0.0, 10.0);
+    if (read.preference_clear_zone < read.preference_tie_zone)
+        table.problem("clear_zone", "less than tie_zone; expected the same or a greater number");
+}
+
+void readOtherAnswers(TomlTable& root, SimulatedParameters& read) {
+    TomlTable confidence = root.below("confidence", root.section("confidence", true), confidence_keys);
+    read.confidence_margin_deg = confidence.number("margin_deg", 0.01, 180.0);
+    read.confidence_noise_within = confidence.number("noise_within", 0.0, 10.0);
+    TomlTable attention = root.below("attention", root.section("attention", true), attention_keys);
+    read.attention_lapse_rate = attention.number("lapse_rate", 0.0, 1.0);
+    TomlTable questionnaire =
+        root.below("questionnaire", root.section("questionnaire", true), questionnaire_keys);
+    read.questionnaire_bias_between = questionnaire.number("bias_between", 0.0, 2.0);
+    read.questionnaire_noise_within = questionnaire.number("noise_within", 0.0, 2.0);
+    TomlTable reaction = root.below("reaction", root.section("reaction", true), reaction_keys);
+    read.reaction_mean_s = reaction.number("mean_s", 0.01, 60.0);
+    read.reaction_sd_s = reaction.number("sd_s", 0.0, 60.0);
+    TomlTable station = root.below("station", root.section("station", true), station_keys);
+    read.eye_height_m = station.number("eye_height_m", 0.5, 2.5);
+    read.frame_rate_hz = station.number("frame_rate_hz", 5.0, 500.0);
+}
+
 }  // namespace
 
 Result<SimulatedParameters> loadSimulatedParameters(const std::filesystem::path& path) {
@@ -53,18 +84,15 @@ Result<SimulatedParameters> loadSimulatedParameters(const std::filesystem::path&
     if (!bytes) return tl::unexpected(bytes.error());
     const auto file = parseToml(path.string(), *bytes);
     if (!file) return tl::unexpected(file.error());
-    TomlProblems problems{path.string()};
-    TomlTable root(&*file, "", sections, problems);
+    Problems problems(path.string());
+    TextBook no_texts(problems);
+    TomlTable root(&*file, "", sections, problems, no_texts);
     SimulatedParameters read;
-    readPointing({root.section("pointing", true), "pointing", pointing_keys, problems}, read);
-    readRating({root.section("rating", true), "rating", rating_keys, problems}, read);
-    TomlTable reaction(root.section("reaction", true), "reaction", reaction_keys, problems);
-    read.reaction_mean_s = reaction.number("mean_s", 0.01, 60.0);
-    read.reaction_sd_s = reaction.number("sd_s", 0.0, 60.0);
-    TomlTable station(root.section("station", true), "station", station_keys, problems);
-    read.eye_height_m = station.number("eye_height_m", 0.5, 2.5);
-    read.frame_rate_hz = station.number("frame_rate_hz", 5.0, 500.0);
-    if (problems.first) return tl::unexpected(*problems.first);
+    readPointing(root.below("pointing", root.section("pointing", true), pointing_keys), read);
+    readRating(root.below("rating", root.section("rating", true), rating_keys), read);
+    readPreference(root.below("preference", root.section("preference", true), preference_keys), read);
+    readOtherAnswers(root, read);
+    if (!problems.none()) return tl::unexpected(problems.sorted().front());
     return read;
 }
 

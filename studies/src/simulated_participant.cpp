@@ -5,45 +5,41 @@
 #include <glm/geometric.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "core/random.hpp"
-#include "panel_layout.hpp"
-#include "simulated_observer.hpp"
+#include "simulated_boards.hpp"
+#include "simulated_choice.hpp"
+#include "simulated_hand.hpp"
+#include "simulated_judge.hpp"
+#include "simulated_watch.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
-constexpr double look_away_s = 0.3;   ///< after an answer: until then it does not watch the avatar
-constexpr double aim_s = 0.25;        ///< it aims so long before it presses
-constexpr double look_s = 0.5;        ///< it looks at what it means so long before it presses
-constexpr double head_turn_s = 0.15;  ///< time constant of its head
-const Vec3 hand_in_viewer{0.2, 1.15, -0.35};
-const Vec3 hanging_hand_in_viewer{0.25, 0.75, -0.05};
+constexpr double look_away_s = 0.3;       ///< after an answer: until then it does not watch the avatar
+constexpr double effect_s = 0.1;          ///< after a press: until then it waits for what comes of it
+constexpr double drag_share = 0.5;        ///< of sliders are dragged into place after the first press
+constexpr double drag_range_share = 0.2;  ///< of its range a slider is at first off at most
+constexpr const char* text_answer = "simulated answer";
 
 /// What the frame asks of whoever sees it.
-enum class Situation : unsigned char { watching, page, rating, choosing };
+enum class Situation : unsigned char { watching, board, choosing };
 
-bool isNumber(const PanelButton& button) {
-    return !button.label.empty() &&
-           std::all_of(button.label.begin(), button.label.end(), [](char c) { return c >= '0' && c <= '9'; });
+bool anyBall(const PresentedFrame& frame, BallLook look) {
+    return std::any_of(frame.balls.begin(), frame.balls.end(),
+                       [look](const BallView& ball) { return ball.look == look; });
 }
 
-Situation situationOf(const PresentedFrame& frame) {
-    if (!frame.balls.empty() && std::any_of(frame.balls.begin(), frame.balls.end(), [](const BallView& ball) {
-            return ball.look == BallLook::chosen;
-        }))
-        return Situation::watching;
-    if (!frame.balls.empty() && frame.balls.front().look != BallLook::waiting) return Situation::choosing;
-    if (frame.panel) {
-        for (const PanelButton& button : frame.panel->buttons)
-            if (button.enabled) return isNumber(button) ? Situation::rating : Situation::page;
-    }
+Situation situationOf(const PresentedFrame& frame, const BoardReading& board) {
+    if (board.open()) return Situation::board;
+    const bool answered = anyBall(frame, BallLook::chosen) || anyBall(frame, BallLook::revealed);
+    if (!answered && (anyBall(frame, BallLook::selectable) || anyBall(frame, BallLook::hovered)))
+        return Situation::choosing;
+    if (board.go_on != nullptr || !board.plays.empty()) return Situation::board;
     return Situation::watching;
-}
-
-double share(double value, double none, double all) {
-    return std::clamp((value - none) / (all - none), 0.0, 1.0);
 }
 
 motion::PointingRay rayKind(const std::string& name) {
@@ -52,97 +48,50 @@ motion::PointingRay rayKind(const std::string& name) {
     return *kind;
 }
 
-Vec3 buttonCentre(const Panel& panel, const PanelButton& button) {
-    return transformPoint(panel.stage_from_panel, {button.box.x + button.box.width / 2.0,
-                                                   button.box.y + button.box.height / 2.0, 0.0});
-}
-
-/// The ray's direction turned by two angles about axes across it.
-Vec3 disturbed(const Vec3& direction, double a_rad, double b_rad) {
-    const Vec3 helper = std::abs(direction.y) < 0.9 ? up : Vec3(1.0, 0.0, 0.0);
-    const Vec3 right = glm::normalize(glm::cross(direction, helper));
-    const Vec3 above = glm::cross(right, direction);
-    return glm::normalize(direction + std::tan(a_rad) * right + std::tan(b_rad) * above);
-}
-
-Quat lookRotation(const Vec3& forward) {
-    const double yaw = std::atan2(-forward.x, -forward.z);
-    const double pitch = std::asin(std::clamp(forward.y, -1.0, 1.0));
-    return yawRotation(yaw) * Quat(std::cos(pitch / 2.0), std::sin(pitch / 2.0), 0.0, 0.0);
-}
-
-/// True where the ray meets this ball before the others and any panel.
-bool meetsFirst(const PresentedFrame& frame, const Ray& ray, std::size_t place) {
-    const double own = distanceToSphere(ray, frame.balls[place].centre, frame.balls[place].radius_m);
-    if (own < 0.0) return false;
-    for (std::size_t i = 0; i < frame.balls.size(); ++i) {
-        if (i == place) continue;
-        const double other = distanceToSphere(ray, frame.balls[i].centre, frame.balls[i].radius_m);
-        if (other >= 0.0 && other <= own) return false;
-    }
-    const auto panel = frame.panel ? meetPanel(*frame.panel, ray) : std::nullopt;
-    return !panel || panel->distance_m > own;
-}
-
-/// A ray from the hand to a ball that nothing else stops: where another ball hides its centre, past its edge
-/// or from a hand held elsewhere.
-Ray aimAtBall(const PresentedFrame& frame, std::size_t place) {
-    const BallView& ball = frame.balls[place];
-    Ray straight{};
-    bool first = true;
-    for (const double aside_m : {0.0, 0.25, -0.65, 0.5, -0.9}) {
-        for (const double raised_m : {0.0, 0.35, -0.4}) {
-            const Vec3 hand =
-                transformPoint(frame.stage_from_viewer, hand_in_viewer + Vec3(aside_m, raised_m, 0.0));
-            const Vec3 direction = glm::normalize(ball.centre - hand);
-            if (first) straight = {hand, direction};
-            first = false;
-            const Vec3 right = glm::normalize(glm::cross(direction, up));
-            const Vec3 above = glm::cross(right, direction);
-            const double edge_m = 0.8 * ball.radius_m;
-            for (const Vec3& offset :
-                 {Vec3(0.0), right * edge_m, right * -edge_m, above * edge_m, above * -edge_m}) {
-                const Ray ray{hand, glm::normalize(ball.centre + offset - hand)};
-                if (meetsFirst(frame, ray, place)) return ray;
-            }
-        }
-    }
-    return straight;
-}
-
 }  // namespace
 
 struct SimulatedParticipant::State {
-    State(const SimulatedParameters& given, const motion::Skeleton& avatar, std::uint64_t seed)
+    State(const SimulatedParameters& given, const motion::Skeleton& avatar, std::uint64_t seed,
+          bool has_keyboard)
         : parameters(given),
-          observer(avatar, rayKind(given.pointing_ray)),
-          head(motion::mapByVrmNames(avatar)[motion::Bone::head]),
-          choices(seed, "choices"),
-          ratings(seed, "ratings"),
-          reactions(seed, "reactions") {
-        Random person(seed, "person");
-        noise_rad = radiansFromDegrees(parameters.pointing_noise_deg) *
-                    std::max(0.2, 1.0 + parameters.pointing_noise_between * person.normal());
-        bias = parameters.rating_bias_between * person.normal();
-    }
+          keyboard(has_keyboard),
+          head_joint(motion::mapByVrmNames(avatar)[motion::Bone::head]),
+          traits(given, seed),
+          judge(given, traits, seed),
+          watcher(avatar, rayKind(given.pointing_ray), judge),
+          chooser(traits.pointing_noise_rad, given.lapse_rate, seed),
+          reactions(seed, "reactions"),
+          sliding(seed, "sliding") {}
 
     SimulatedParameters parameters;
-    GestureObserver observer;
-    int head;
-    Random choices, ratings, reactions;  // apart, so that no answer depends on how many others were drawn
-    double noise_rad = 0.0;
-    double bias = 0.0;
+    bool keyboard;
+    int head_joint;
+    Traits traits;
+    Judge judge;
+    Watcher watcher;
+    BallChooser chooser;
+    Random reactions, sliding;
 
     Situation situation = Situation::watching;
-    double situation_since_s = 0.0;
-    std::optional<Ray> aim;  ///< decided: at what it will press,
-    Vec3 meant{0.0};         ///< which lies here
-    double press_at_s = 0.0;
-    bool aimed = false;  ///< the ray has been held out in an earlier frame
+    double since_s = 0.0;
+    std::optional<BallChoice> choice;  ///< among the balls that are open
+    std::optional<double> margin_rad;  ///< of the choice just made, until it has said how sure it is
+    std::optional<double> sureness;
+
+    DecidedAnswers decided;
+    SimulatedHand hand;
+    std::optional<std::size_t> play_to_press;
+    bool leaves_page = false;
+    std::string to_type;
+    int to_erase = 0;
+    double not_before_s = 0.0;  ///< it decides on nothing sooner
+
+    SimulatedHead head;
     Pose stage_from_viewer{};
-    std::string place;
-    Vec3 look{0.0, 0.0, -1.0};
-    double seen_s = 0.0;
+
+    [[nodiscard]] Vec3 eyes() const {
+        return stage_from_viewer.position + Vec3(0.0, parameters.eye_height_m, 0.0);
+    }
 
     double reactionTime() {
         const double mean = parameters.reaction_mean_s;
@@ -153,144 +102,238 @@ struct SimulatedParticipant::State {
 
     void see(const PresentedFrame& frame, double time_s) {
         stage_from_viewer = frame.stage_from_viewer;
-        const Situation now = situationOf(frame);
+        const BoardReading board = frame.panel ? readBoard(*frame.panel) : BoardReading{};
+        if (watcher.expecting()) {
+            if (watcher.watchPlay(frame, board, time_s)) {
+                decided.forget();
+                not_before_s = time_s;
+            }
+        } else {
+            watchOrAnswer(frame, board, time_s);
+        }
+        lookAround(frame, board, time_s);
+    }
+
+    void dropPlan() {
+        hand.drop();
+        play_to_press.reset();
+        leaves_page = false;
+    }
+
+    void watchOrAnswer(const PresentedFrame& frame, const BoardReading& board, double time_s) {
+        const Situation now = situationOf(frame, board);
         if (now != situation) {
             situation = now;
-            situation_since_s = time_s;
-            aim.reset();
-            if (now == Situation::watching) observer.forget();
-            if (now != Situation::watching) decide(frame, now, time_s);
-        } else if (now == Situation::page && !aim) {
-            decide(frame, now, time_s);
+            since_s = time_s;
+            dropPlan();
+            choice.reset();
+            if (now == Situation::watching) {
+                watcher.forget();
+                decided.forget();
+            }
+            not_before_s = time_s;
         }
-        if (now == Situation::watching && time_s - situation_since_s >= look_away_s)
-            observer.see(frame.avatar_joints, time_s);
-        lookAround(frame, time_s);
+        if (board.plays.empty()) watcher.forgetPlays();
+        if (now == Situation::watching) {
+            const bool watches = time_s - since_s >= look_away_s;
+            // What it had chosen is past when the next movement is on.
+            if (anyBall(frame, BallLook::waiting) || (watches && frame.balls.empty())) margin_rad.reset();
+            watcher.readSign(frame);
+            if (watches) watcher.watch(frame, time_s);
+        } else if (!hand.busy() && time_s >= not_before_s) {
+            if (now == Situation::choosing)
+                chooseBall(frame, time_s);
+            else
+                answerBoard(frame, board, time_s);
+        }
     }
 
-    void decide(const PresentedFrame& frame, Situation asked, double time_s) {
-        aimed = false;
-        press_at_s = time_s + reactionTime();
-        switch (asked) {
-            case Situation::choosing: {
-                const std::size_t chosen = chosenPlace(frame);
-                aim = aimAtBall(frame, chosen);
-                meant = frame.balls[chosen].centre;
+    // Answering.
+
+    void chooseBall(const PresentedFrame& frame, double time_s) {
+        if (!choice) choice = chooser.choose(watcher.gesture(), frame.balls);
+        margin_rad = choice->margin_rad;
+        sureness.reset();
+        hand.press(aimAtBall(frame, choice->place), frame.balls[choice->place].centre,
+                   time_s + reactionTime());
+    }
+
+    void answerBoard(const PresentedFrame& frame, const BoardReading& board, double time_s) {
+        const Ask* const ask = nextAsk(board);
+        if (ask != nullptr) {
+            answer(frame, board, *ask, time_s);
+        } else if (const auto play = nextPlay(board, board.go_on == nullptr)) {
+            play_to_press = play;
+            pressButton(frame, *board.plays[*play], time_s);
+        } else if (board.go_on != nullptr) {
+            leaves_page = true;
+            pressButton(frame, *board.go_on, time_s);
+        }
+    }
+
+    /// The first thing that it can answer and has not. Of a movement it must have seen that, and of a pair
+    /// both.
+    const Ask* nextAsk(const BoardReading& board) const {
+        for (const Ask& ask : board.asks) {
+            if (!ask.enabled || decided.done(ask)) continue;
+            const bool typed = ask.kind == AskKind::text || ask.kind == AskKind::number;
+            if (typed && !keyboard && ask.buttons.empty()) continue;
+            const bool seen = board.plays.empty() ||
+                              (board.pair() ? watcher.sawAll(board) : watcher.timesSeen(ask.number) > 0);
+            if (seen) return &ask;
+        }
+        return nullptr;
+    }
+
+    /// A movement that it has not seen; `again`: else one that it has seen least often, should the board
+    /// still wait for one.
+    std::optional<std::size_t> nextPlay(const BoardReading& board, bool again) const {
+        std::optional<std::size_t> next;
+        int least = 0;
+        for (std::size_t i = 0; i < board.plays.size(); ++i) {
+            const int times = watcher.timesSeen(i);
+            if (!board.plays[i]->enabled || (times > 0 && !again) || (next && times >= least)) continue;
+            next = i;
+            least = times;
+        }
+        return next;
+    }
+
+    void answer(const PresentedFrame& frame, const BoardReading& board, const Ask& ask, double time_s) {
+        switch (ask.kind) {
+            case AskKind::options: {
+                const auto known = decided.values.try_emplace(ask.id, 0);
+                if (known.second) known.first->second = static_cast<int>(chosenOption(board, ask));
+                const auto place = static_cast<std::size_t>(known.first->second);
+                pressButton(frame, *ask.buttons[std::min(place, ask.buttons.size() - 1)], time_s);
                 break;
             }
-            case Situation::rating:
-                decideOnButton(frame, [wanted = rating(frame)](const PanelButton& button) {
-                    return button.label == std::to_string(wanted);
-                });
+            case AskKind::slider: {
+                const auto known = decided.values.try_emplace(ask.id, 0);
+                if (known.second)
+                    known.first->second = valueFor(board, ask, ask.slider->low, ask.slider->high);
+                slide(frame, *ask.slider, known.first->second, time_s);
                 break;
-            case Situation::page:
-                decideOnButton(frame, [](const PanelButton& button) { return button.enabled; });
-                break;
-            case Situation::watching:
+            }
+            case AskKind::number:
+            case AskKind::text:
+                type(frame, ask, time_s);
                 break;
         }
     }
 
-    template <typename Wanted>
-    void decideOnButton(const PresentedFrame& frame, const Wanted& wanted) {
-        const Vec3 hand = transformPoint(frame.stage_from_viewer, hand_in_viewer);
-        const auto& buttons = frame.panel->buttons;
-        const auto found = std::find_if(buttons.begin(), buttons.end(), wanted);
-        aim.reset();
-        if (found == buttons.end()) return;
-        meant = buttonCentre(*frame.panel, *found);
-        aim = Ray{hand, glm::normalize(meant - hand)};
-    }
-
-    std::size_t chosenPlace(const PresentedFrame& frame) {
-        const bool lapse = choices.uniform() < parameters.lapse_rate;
-        const std::size_t random_place = choices.below(frame.balls.size());
-        const double a_rad = noise_rad * choices.normal();
-        const double b_rad = noise_rad * choices.normal();
-        if (lapse) return random_place;
-        Ray ray = observer.gesture().ray;
-        ray.direction = disturbed(ray.direction, a_rad, b_rad);
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < frame.balls.size(); ++i)
-            if (motion::angularError(ray, frame.balls[i].centre) <
-                motion::angularError(ray, frame.balls[best].centre))
-                best = i;
-        return best;
-    }
-
-    int rating(const PresentedFrame& frame) {
-        const auto steps = static_cast<int>(
-            std::count_if(frame.panel->buttons.begin(), frame.panel->buttons.end(), isNumber));
-        const SeenGesture seen = observer.gesture();
-        const double profile =
-            share(seen.peak_over_mean, parameters.profile_abrupt, parameters.profile_smooth);
-        const double participation = 1.0 - std::exp(-seen.participation_deg / parameters.participation_deg);
-        const double steadiness =
-            share(seen.hold_speed_m_s, parameters.unsteady_speed_m_s, parameters.steady_speed_m_s);
-        const double of_five = parameters.rating_base + parameters.rating_profile_weight * profile +
-                               parameters.rating_participation_weight * participation +
-                               parameters.rating_steadiness_weight * steadiness;
-        const double value = 1.0 + (of_five - 1.0) * (steps - 1) / 4.0 + bias +
-                             parameters.rating_noise_within * ratings.normal();
-        return std::clamp(static_cast<int>(std::floor(value + 0.5)), 1, steps);
-    }
-
-    /// Eyes on what it is about to press, on the panel, or between the avatar and the balls.
-    void lookAround(const PresentedFrame& frame, double time_s) {
-        const Vec3 eyes = frame.stage_from_viewer.position + Vec3(0.0, parameters.eye_height_m, 0.0);
-        const Vec3 ahead = frame.stage_from_viewer.orientation * Vec3(0.0, 0.0, -1.0);
-        const Vec3 avatar =
-            frame.avatar_joints[static_cast<std::size_t>(head)].position - Vec3(0.0, 0.25, 0.0);
-        Vec3 goal = glm::normalize(avatar - eyes);
-        if (aim && time_s >= press_at_s - look_s) {
-            goal = meant - eyes;
-        } else if (!frame.balls.empty()) {
-            Vec3 middle(0.0);
-            for (const BallView& ball : frame.balls)
-                middle += ball.centre / static_cast<double>(frame.balls.size());
-            // Beside the avatar, the balls; its arm is then in view anyway.
-            const double avatar_share = glm::dot(goal, ahead) > 0.7 ? 0.5 : 0.1;
-            goal = avatar_share * goal + (1.0 - avatar_share) * glm::normalize(middle - eyes);
-        } else if (frame.panel && situation == Situation::page) {
-            goal = transformPoint(frame.panel->stage_from_panel,
-                                  {frame.panel->width_m / 2.0, frame.panel->height_m / 2.0, 0.0}) -
-                   eyes;
+    int valueFor(const BoardReading& board, const Ask& ask, int low, int high) {
+        if (!ask.of_movement) return onScale(judge.questionnaireAnswer(), low, high);
+        if (!board.plays.empty()) return watcher.verdictOn(ask.number).on(low, high);
+        if (margin_rad) {
+            if (!sureness) sureness = judge.confidence(*margin_rad);
+            return onScale(*sureness, low, high);
         }
-        const bool moved = place != frame.viewer_place;
-        if (moved) place = frame.viewer_place;
-        const double turned = moved ? 1.0 : 1.0 - std::exp(-(time_s - seen_s) / head_turn_s);
-        const Vec3 next = look + turned * (glm::normalize(goal) - look);
-        look = glm::length(next) > 1e-6 ? glm::normalize(next) : glm::normalize(goal);
-        seen_s = time_s;
+        return watcher.verdict().on(low, high);
+    }
+
+    std::size_t chosenOption(const BoardReading& board, const Ask& ask) {
+        const std::size_t count = ask.buttons.size();
+        if (board.pair())
+            return preference(parameters, watcher.verdictOn(0).judgement, watcher.verdictOn(1).judgement,
+                              count);
+        if (isScale(ask.buttons)) {
+            const int low = *numberOn(*ask.buttons.front());
+            const int value = valueFor(board, ask, low, *numberOn(*ask.buttons.back()));
+            return static_cast<std::size_t>(value - low);
+        }
+        if (!ask.of_movement) return judge.anyOption(count);
+        return static_cast<std::size_t>(valueFor(board, ask, 0, static_cast<int>(count) - 1));
+    }
+
+    // Moving the hand.
+
+    void pressAt(const PresentedFrame& frame, const PanelRect& box, double time_s) {
+        const Vec3 centre = pointOnPanel(*frame.panel, box.x + box.width / 2.0, box.y + box.height / 2.0);
+        hand.press(aimAtBoard(frame, centre), centre, time_s + reactionTime());
+    }
+
+    void pressButton(const PresentedFrame& frame, const PanelButton& button, double time_s) {
+        pressAt(frame, button.box, time_s);
+    }
+
+    void slide(const PresentedFrame& frame, const PanelSlider& slider, int value, double time_s) {
+        const PanelRect track = slider.track();
+        const double range = std::max(1.0, static_cast<double>(slider.high - slider.low));
+        const auto at = [&](double share) {
+            return pointOnPanel(*frame.panel, track.x + std::clamp(share, 0.0, 1.0) * track.width,
+                                track.y + track.height / 2.0);
+        };
+        const double share = (value - slider.low) / range;
+        const bool drags = sliding.uniform() < drag_share;
+        const double off = sliding.uniform(-drag_range_share, drag_range_share);
+        const double press_at_s = time_s + reactionTime();
+        const Vec3 goal = at(share);
+        if (!drags) {
+            hand.press(aimAtBoard(frame, goal), goal, press_at_s);
+            return;
+        }
+        const Vec3 first = at(share + off);
+        hand.drag(aimAtBoard(frame, first), aimAtBoard(frame, goal), goal, press_at_s);
+    }
+
+    void type(const PresentedFrame& frame, const Ask& ask, double time_s) {
+        const auto known = decided.texts.try_emplace(ask.id, text_answer);
+        std::string& wanted = known.first->second;
+        if (known.second && ask.kind == AskKind::number)
+            wanted = numberFor(*ask.field, (judge.questionnaireAnswer() - 1.0) / 4.0);
+        if (!ask.buttons.empty()) {
+            const PanelButton* const key = nextKey(ask, wanted);
+            if (key != nullptr) pressButton(frame, *key, time_s);
+        } else if (ask.field->active) {
+            if (ask.field->text.empty())
+                to_type = wanted;
+            else
+                to_erase = static_cast<int>(ask.field->text.size());
+            not_before_s = time_s + effect_s;
+        } else {
+            pressAt(frame, ask.field->box, time_s);
+        }
+    }
+
+    /// Eyes on what it is about to press, on the board, or between the avatar and the balls.
+    void lookAround(const PresentedFrame& frame, const BoardReading& board, double time_s) {
+        const bool page = board.plays.empty() && std::none_of(board.asks.begin(), board.asks.end(),
+                                                              [](const Ask& ask) { return ask.of_movement; });
+        const bool reads = situation == Situation::board && page;
+        const auto pressed = hand.lookedAt(time_s);
+        const Vec3 towards = pressed ? *pressed : placeToLook(frame, eyes(), head_joint, reads);
+        head.turn(frame, eyes(), towards, time_s);
     }
 
     InputFrame act(double time_s) {
         InputFrame input;
         input.time_s = time_s;
         input.utc_s = time_s;
-        input.stage_from_head = {stage_from_viewer.position + Vec3(0.0, parameters.eye_height_m, 0.0),
-                                 lookRotation(look)};
-        if (!aim || time_s < press_at_s - aim_s) {
-            input.pointer = Ray{transformPoint(stage_from_viewer, hanging_hand_in_viewer), -up};
-            return input;
-        }
-        input.pointer = aim;
-        if (aimed && time_s >= press_at_s) {
-            input.select = true;
-            // Should the press not take, it tries again; a page may also be followed by another.
-            press_at_s = time_s + reactionTime();
-            aimed = false;
-            if (situation == Situation::page) aim.reset();
-        } else {
-            aimed = true;
-        }
+        input.stage_from_head = {eyes(), head.orientation()};
+        input.typed = std::exchange(to_type, {});
+        input.erased = std::exchange(to_erase, 0);
+        if (hand.act(stage_from_viewer, input)) pressed(time_s);
         return input;
+    }
+
+    void pressed(double time_s) {
+        // Should the press not take, it decides anew, and the same.
+        not_before_s = time_s + effect_s;
+        if (play_to_press) {
+            watcher.expect(*play_to_press, time_s);
+            play_to_press.reset();
+        } else if (leaves_page) {
+            decided.forget();
+            watcher.forgetPlays();
+        }
+        leaves_page = false;
     }
 };
 
 SimulatedParticipant::SimulatedParticipant(const SimulatedParameters& parameters,
-                                           const motion::Skeleton& avatar, std::uint64_t seed)
-    : state_(std::make_unique<State>(parameters, avatar, seed)) {}
+                                           const motion::Skeleton& avatar, std::uint64_t seed, bool keyboard)
+    : state_(std::make_unique<State>(parameters, avatar, seed, keyboard)) {}
 
 SimulatedParticipant::~SimulatedParticipant() = default;
 SimulatedParticipant::SimulatedParticipant(SimulatedParticipant&&) noexcept = default;

@@ -5,8 +5,8 @@
 namespace deixis::studies {
 
 SimulatedStation::SimulatedStation(const SimulatedParameters& parameters, const motion::Skeleton& avatar,
-                                   std::uint64_t seed)
-    : participant_(parameters, avatar, seed),
+                                   std::uint64_t seed, bool keyboard)
+    : participant_(parameters, avatar, seed, keyboard),
       frame_rate_hz_(parameters.frame_rate_hz),
       details_("virtual time, nothing drawn") {}
 

@@ -33,8 +33,23 @@ struct SimulatedParameters {
     double participation_deg = 6.0;             ///< turn of head and trunk that gives quality 0.63
     double steady_speed_m_s = 0.04;    ///< mean speed of the fingertip in the hold that gives quality 1
     double unsteady_speed_m_s = 0.22;  ///< and quality 0
-    double rating_bias_between = 0.4;  ///< SD over participants, scale steps
-    double rating_noise_within = 0.6;  ///< SD over trials, scale steps
+    double rating_bias_between = 0.4;  ///< SD over participants, steps of that scale
+    double rating_noise_within = 0.6;  ///< SD over movements, steps of that scale
+
+    // A preference: from the difference of two such judgements, in steps of that scale.
+    double preference_tie_zone = 0.4;    ///< no larger: no preference
+    double preference_clear_zone = 1.2;  ///< no larger: a slight one, beyond: a clear one
+
+    // Confidence in a choice of the game: from 1 to 5, by how much nearer the ray the chosen ball was than
+    // the next.
+    double confidence_margin_deg = 5.0;    ///< that gives 63 % of it
+    double confidence_noise_within = 0.5;  ///< SD over trials, steps of that scale
+
+    double attention_lapse_rate = 0.0;  ///< chance of overlooking the number of an attention check
+
+    // Questionnaires: around the middle of each scale, in shares of its range.
+    double questionnaire_bias_between = 0.15;  ///< SD over participants
+    double questionnaire_noise_within = 0.15;  ///< SD over questions
 
     double reaction_mean_s = 0.9;  ///< lognormal
     double reaction_sd_s = 0.25;
@@ -50,9 +65,9 @@ class SimulatedParticipant {
   public:
     /// `avatar` names the joints of the presented avatar (as a person would know a hand when seeing one) and
     /// must outlive the participant. Throws std::invalid_argument on an unknown ray or an avatar without arms
-    /// or head.
+    /// or head. Without a `keyboard` it leaves fields for words empty, and enters numbers by their pads.
     SimulatedParticipant(const SimulatedParameters& parameters, const motion::Skeleton& avatar,
-                         std::uint64_t seed);
+                         std::uint64_t seed, bool keyboard = true);
     ~SimulatedParticipant();
     SimulatedParticipant(SimulatedParticipant&&) noexcept;
 
@@ -69,8 +84,9 @@ class SimulatedParticipant {
 /// attached that is given every frame, to draw it (the pilot without a display) or to take pictures.
 class SimulatedStation : public Station {
   public:
+    /// `keyboard`: whether the participant has one, as the session must be told too.
     SimulatedStation(const SimulatedParameters& parameters, const motion::Skeleton& avatar,
-                     std::uint64_t seed);
+                     std::uint64_t seed, bool keyboard = true);
     [[nodiscard]] StationInfo info() const override;
     [[nodiscard]] InputFrame beginFrame() override;
     FrameReport present(const PresentedFrame& frame) override;
