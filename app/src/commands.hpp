@@ -17,6 +17,7 @@ using Command = std::function<Result<void>()>;
 void addRunCommand(CLI::App& cli, Command& chosen);
 void addSimulateCommand(CLI::App& cli, Command& chosen);
 void addReportCommand(CLI::App& cli, Command& chosen);
+void addReplayCommand(CLI::App& cli, Command& chosen);
 void addCheckCommand(CLI::App& cli, Command& chosen);
 void addPlanCommand(CLI::App& cli, Command& chosen);
 void addParticipantsCommand(CLI::App& cli, Command& chosen);

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     addRunCommand(cli, chosen);
     addSimulateCommand(cli, chosen);
     addReportCommand(cli, chosen);
+    addReplayCommand(cli, chosen);
     addCheckCommand(cli, chosen);
     addPlanCommand(cli, chosen);
     addParticipantsCommand(cli, chosen);

@@ -1,0 +1,68 @@
+#include "recorded_clips.hpp"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "clip_files.hpp"
+#include "core/files.hpp"
+#include "core/hash.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Under `folder`, wherever there is a file of this name with these bytes.
+Result<fs::path> findClip(const results::ClipRecord& record, const fs::path& folder) {
+    const auto isIt = [&](const fs::path& file) {
+        const auto bytes = readFile(file);
+        return bytes && sha256Hex(*bytes) == record.content_hash;
+    };
+    std::error_code code;
+    bool met = false;
+    if (!folder.empty())
+        for (const auto& entry : fs::recursive_directory_iterator(folder, code)) {
+            if (entry.path().filename() != fs::path(record.file).filename()) continue;
+            met = true;
+            if (isIt(entry.path())) return entry.path();
+        }
+    if (fs::is_regular_file(record.file, code)) {
+        if (isIt(record.file)) return fs::path(record.file);
+        met = true;
+    }
+    if (met)
+        return fail(record.file, "holds another movement than the one that was shown",
+                    "Name the folder of the clips that were shown with --stimuli");
+    return fail(record.file, "No such file; it is the clip that was shown",
+                "Name the folder that it lies in now with --stimuli");
+}
+
+}  // namespace
+
+Result<RecordedClips> RecordedClips::load(const results::ClipRecords& records, const assets::Avatar& avatar,
+                                          const fs::path& folder) {
+    RecordedClips out;
+    for (const auto& [stimulus, record] : records) {
+        const auto file = findClip(record, folder);
+        if (!file) return tl::unexpected(file.error());
+        const auto read = readClipFile(*file, {});
+        if (!read) return tl::unexpected(read.error());
+        auto on_avatar = clipOnAvatar(read->clip, avatar, file->string());
+        if (!on_avatar) return tl::unexpected(on_avatar.error());
+        out.clips_.emplace(stimulus, std::move(*on_avatar));
+    }
+    return out;
+}
+
+const motion::Clip& RecordedClips::clip(const studies::Stimulus& stimulus) const {
+    const auto found = clips_.find(stimulus);
+    if (found == clips_.end())
+        throw std::logic_error(
+            fmt::format("clip of {} for {} was not loaded", stimulus.system, stimulus.item));
+    return found->second;
+}
+
+}  // namespace deixis::app

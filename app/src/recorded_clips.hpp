@@ -1,0 +1,28 @@
+// The clips that a recorded session showed, read again from where they lay.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "assets/avatar.hpp"
+#include "core/error.hpp"
+#include "results/recording.hpp"
+#include "studies/session.hpp"
+
+namespace deixis::app {
+
+class RecordedClips : public studies::ClipSource {
+  public:
+    /// Clips are looked for at their recorded paths and, where `folder` is given, under it by their names. A
+    /// file whose bytes are not those that were shown is an error.
+    [[nodiscard]] static Result<RecordedClips> load(const results::ClipRecords& records,
+                                                    const assets::Avatar& avatar,
+                                                    const std::filesystem::path& folder);
+
+    [[nodiscard]] const motion::Clip& clip(const studies::Stimulus& stimulus) const override;
+
+  private:
+    std::map<studies::Stimulus, motion::Clip> clips_;
+};
+
+}  // namespace deixis::app
