@@ -137,7 +137,8 @@ struct SimulatedParticipant::State {
         if (now == Situation::watching) {
             const bool watches = time_s - since_s >= look_away_s;
             // What it had chosen is past when the next movement is on.
-            if (anyBall(frame, BallLook::waiting) || (watches && frame.balls.empty())) margin_rad.reset();
+            const bool another = anyBall(frame, BallLook::waiting) && !anyBall(frame, BallLook::chosen);
+            if (another || (watches && frame.balls.empty())) margin_rad.reset();
             watcher.readSign(frame);
             if (watches) watcher.watch(frame, time_s);
         } else if (!hand.busy() && time_s >= not_before_s) {
