@@ -11,7 +11,7 @@ packages=(
     libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
     libsqlitecpp-dev libsqlite3-dev libboost-dev libboost-math-dev
     libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev libx11-dev
-    libopenxr-dev fonts-open-sans doctest-dev
+    libopenxr-dev fonts-open-sans fonts-nanum doctest-dev
 )
 if [ "${1:-}" = tests ]; then
     packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool sqlite3 libxml2-utils libbenchmark-dev debootstrap)

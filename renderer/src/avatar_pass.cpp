@@ -66,7 +66,8 @@ void main() {
 
 const std::string_view shadow_vertex_glsl = R"(
 layout(location = 0) in vec3 position;
-void main() { gl_Position = vec4((shadow_from_stage * vec4(position, 1.0)).xyz * 2.0 - 1.0, 1.0); }
+layout(location = 0) uniform int avatar;
+void main() { gl_Position = vec4((shadow_from_stage[avatar] * vec4(position, 1.0)).xyz * 2.0 - 1.0, 1.0); }
 )";
 
 const std::string_view shadow_fragment_glsl = "void main() {}\n";
@@ -145,7 +146,7 @@ BindVertex packed(const assets::SkinnedVertex& v) {
     return out;
 }
 
-// The shadow map covers a square of this side around the avatar's hips, seen from the light: arms stretched
+// A shadow map covers a square of this side around its avatar's hips, seen from the light: arms stretched
 // out and a step to any side lie within. Its depth runs over as much above and below.
 constexpr double shadow_side_m = 2.8;
 constexpr double shadow_depth_m = 4.0;
@@ -205,14 +206,37 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
     caster_index_count_ = static_cast<int>(caster.size());
     indices.insert(indices.end(), caster.begin(), caster.end());
     indices_ = gl::fixedBuffer(std::span<const std::uint32_t>(indices));
-    skinned_ = gl::dynamicBuffer(
-        static_cast<GLsizeiptr>(std::max<std::size_t>(vertices.size(), 1) * sizeof(SkinnedVertex)));
     joint_rows_.resize(joint_from_bind_.size() * 12);
-    joints_ = gl::dynamicBuffer(static_cast<GLsizeiptr>(most_joints * 12 * sizeof(float)));
 
-    vertices_ = gl::vertexArray();
-    const GLuint vao = vertices_.name();
-    glVertexArrayVertexBuffer(vao, 0, skinned_.name(), 0, sizeof(SkinnedVertex));
+    // Layers of one texture: a shader reads them all.
+    shadow_maps_ = gl::sampledLayers(GL_DEPTH_COMPONENT16, shadow_resolution_, shadow_resolution_,
+                                     static_cast<int>(most_avatars), 1);
+    for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTextureParameteri(shadow_maps_.name(), side, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(shadow_maps_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(shadow_maps_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(shadow_maps_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTextureParameteri(shadow_maps_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    // The same texels without comparing, for the search of what shades.
+    GLuint view = 0;
+    glGenTextures(1, &view);
+    glTextureView(view, GL_TEXTURE_2D_ARRAY, shadow_maps_.name(), GL_DEPTH_COMPONENT16, 0, 1, 0,
+                  static_cast<GLuint>(most_avatars));
+    shadow_depths_view_ = gl::Texture(view);
+    glTextureParameteri(view, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTextureParameteri(view, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTextureParameteri(view, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    for (std::size_t i = 0; i < most_avatars; ++i) makeFigure(static_cast<int>(i));
+}
+
+void AvatarPass::makeFigure(int layer) {
+    Figure& figure = figures_[static_cast<std::size_t>(layer)];
+    figure.skinned = gl::dynamicBuffer(static_cast<GLsizeiptr>(std::max(vertex_count_, 1)) *
+                                       static_cast<GLsizeiptr>(sizeof(SkinnedVertex)));
+    figure.joints = gl::dynamicBuffer(static_cast<GLsizeiptr>(most_joints * 12 * sizeof(float)));
+    figure.vertices = gl::vertexArray();
+    const GLuint vao = figure.vertices.name();
+    glVertexArrayVertexBuffer(vao, 0, figure.skinned.name(), 0, sizeof(SkinnedVertex));
     glVertexArrayVertexBuffer(vao, 1, colours_.name(), 0, sizeof(glm::vec3));
     glVertexArrayElementBuffer(vao, indices_.name());
     glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, position));
@@ -223,29 +247,32 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
     glVertexArrayAttribBinding(vao, 2, 1);
     for (GLuint attribute = 0; attribute < 3; ++attribute) glEnableVertexArrayAttrib(vao, attribute);
 
-    shadow_map_ = gl::texture2d(GL_DEPTH_COMPONENT16, shadow_resolution_, shadow_resolution_);
-    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTextureParameteri(shadow_map_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    // The same texels without comparing, for the search of what shades.
-    GLuint view = 0;
-    glGenTextures(1, &view);
-    glTextureView(view, GL_TEXTURE_2D, shadow_map_.name(), GL_DEPTH_COMPONENT16, 0, 1, 0, 1);
-    shadow_depth_view_ = gl::Texture(view);
-    glTextureParameteri(view, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTextureParameteri(view, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTextureParameteri(view, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    shadow_target_ = gl::framebuffer();
-    glNamedFramebufferTexture(shadow_target_.name(), GL_DEPTH_ATTACHMENT, shadow_map_.name(), 0);
-    glNamedFramebufferDrawBuffer(shadow_target_.name(), GL_NONE);
-    gl::requireComplete(shadow_target_, "shadow map");
+    figure.shadow_target = gl::framebuffer();
+    glNamedFramebufferTextureLayer(figure.shadow_target.name(), GL_DEPTH_ATTACHMENT, shadow_maps_.name(), 0,
+                                   layer);
+    glNamedFramebufferDrawBuffer(figure.shadow_target.name(), GL_NONE);
+    gl::requireComplete(figure.shadow_target, "shadow map");
 }
 
-void AvatarPass::skin(const std::vector<Pose>& stage_from_joint) {
-    if (stage_from_joint.size() != joint_from_bind_.size())
-        throw std::invalid_argument(fmt::format("Scene::avatar_joints has {} poses, the avatar {} joints",
-                                                stage_from_joint.size(), joint_from_bind_.size()));
+void AvatarPass::place(const std::vector<std::vector<Pose>>& avatars, FrameBlock& block) {
+    if (avatars.size() > most_avatars)
+        throw std::invalid_argument(
+            fmt::format("{} avatars were to be drawn, at most {} can be", avatars.size(), most_avatars));
+    for (const auto& stage_from_joint : avatars)
+        if (stage_from_joint.size() != joint_from_bind_.size())
+            throw std::invalid_argument(
+                fmt::format("one of Scene::avatars has {} poses, the avatar {} joints",
+                            stage_from_joint.size(), joint_from_bind_.size()));
+    count_ = avatars.size();
+    for (std::size_t i = 0; i < count_; ++i) {
+        skin(avatars[i], figures_[i]);
+        placeShadow(avatars[i], i, block);
+        placeFeet(avatars[i], i, block);
+    }
+    block.shadow = glm::vec4(1.0 / shadow_side_m, shadow_depth_m, static_cast<double>(count_), 0.0);
+}
+
+void AvatarPass::skin(const std::vector<Pose>& stage_from_joint, const Figure& figure) {
     for (std::size_t j = 0; j < stage_from_joint.size(); ++j) {
         const glm::mat4 stage_from_bind = matrixFromPose(stage_from_joint[j] * joint_from_bind_[j]);
         for (int row = 0; row < 3; ++row)
@@ -254,18 +281,19 @@ void AvatarPass::skin(const std::vector<Pose>& stage_from_joint) {
                     stage_from_bind[column][row];
     }
     if (vertex_count_ == 0) return;
-    glNamedBufferSubData(joints_.name(), 0, static_cast<GLsizeiptr>(joint_rows_.size() * sizeof(float)),
+    glNamedBufferSubData(figure.joints.name(), 0, static_cast<GLsizeiptr>(joint_rows_.size() * sizeof(float)),
                          joint_rows_.data());
     glUseProgram(skin_program_.name());
     glUniform1ui(0, static_cast<GLuint>(vertex_count_));
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, bind_vertices_.name());
-    glBindBufferBase(GL_UNIFORM_BUFFER, 1, joints_.name());
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, skinned_.name());
+    glBindBufferBase(GL_UNIFORM_BUFFER, 1, figure.joints.name());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, figure.skinned.name());
     glDispatchCompute(static_cast<GLuint>((vertex_count_ + skin_group - 1) / skin_group), 1, 1);
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
-void AvatarPass::placeShadow(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const {
+void AvatarPass::placeShadow(const std::vector<Pose>& stage_from_joint, std::size_t avatar,
+                             FrameBlock& block) const {
     const int hips_joint = std::max(humanoid_[motion::Bone::hips], 0);
     const Vec3 hips = stage_from_joint.empty()
                           ? Vec3(0.0)
@@ -284,8 +312,7 @@ void AvatarPass::placeShadow(const std::vector<Pose>& stage_from_joint, FrameBlo
     shadow = glm::scale(shadow, Vec3(1.0 / shadow_side_m, 1.0 / shadow_side_m, -1.0 / shadow_depth_m));
     shadow = glm::translate(shadow, -centre);
     const glm::dmat4 shadow_from_stage = shadow * turn;
-    block.shadow_from_stage = glm::mat4(shadow_from_stage);
-    block.shadow = glm::vec4(1.0 / shadow_side_m, shadow_depth_m, 1.0, 0.0);
+    block.shadow_from_stage[avatar] = glm::mat4(shadow_from_stage);
 
     glm::dvec2 low(1.0);
     glm::dvec2 high(0.0);
@@ -295,29 +322,34 @@ void AvatarPass::placeShadow(const std::vector<Pose>& stage_from_joint, FrameBlo
         low = glm::min(low, uv - joint_reach_m_[j] / shadow_side_m);
         high = glm::max(high, uv + joint_reach_m_[j] / shadow_side_m);
     }
-    block.shadow_box = glm::vec4(glm::max(low, glm::dvec2(0.0)), glm::min(high, glm::dvec2(1.0)));
+    block.shadow_box[avatar] = glm::vec4(glm::max(low, glm::dvec2(0.0)), glm::min(high, glm::dvec2(1.0)));
 }
 
-void AvatarPass::drawShadow() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, shadow_target_.name());
-    glViewport(0, 0, shadow_resolution_, shadow_resolution_);
+void AvatarPass::drawShadows() const {
     const GLfloat farthest = 1.0F;
-    glClearNamedFramebufferfv(shadow_target_.name(), GL_DEPTH, 0, &farthest);
+    glViewport(0, 0, shadow_resolution_, shadow_resolution_);
     glUseProgram(shadow_program_.name());
-    glBindVertexArray(vertices_.name());
     // Only what faces away from the light: the lit side then cannot shade itself.
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
-    glDrawElements(GL_TRIANGLES, caster_index_count_, GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(static_cast<std::uintptr_t>(index_count_) * sizeof(GLuint)));
+    for (std::size_t i = 0; i < count_; ++i) {
+        glBindFramebuffer(GL_FRAMEBUFFER, figures_[i].shadow_target.name());
+        glClearNamedFramebufferfv(figures_[i].shadow_target.name(), GL_DEPTH, 0, &farthest);
+        glUniform1i(0, static_cast<GLint>(i));
+        glBindVertexArray(figures_[i].vertices.name());
+        glDrawElements(
+            GL_TRIANGLES, caster_index_count_, GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(static_cast<std::uintptr_t>(index_count_) * sizeof(GLuint)));
+    }
     glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
 }
 
-void AvatarPass::placeFeet(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const {
+void AvatarPass::placeFeet(const std::vector<Pose>& stage_from_joint, std::size_t avatar,
+                           FrameBlock& block) const {
     using motion::Bone;
-    const std::array<std::pair<Bone, Bone>, foot_count> feet{std::pair{Bone::leftFoot, Bone::leftToes},
-                                                             std::pair{Bone::rightFoot, Bone::rightToes}};
+    const std::array<std::pair<Bone, Bone>, 2> feet{std::pair{Bone::leftFoot, Bone::leftToes},
+                                                    std::pair{Bone::rightFoot, Bone::rightToes}};
     for (std::size_t i = 0; i < feet.size(); ++i) {
         const int ankle_joint = humanoid_[feet[i].first];
         const int toes_joint = humanoid_[feet[i].second];
@@ -328,31 +360,37 @@ void AvatarPass::placeFeet(const std::vector<Pose>& stage_from_joint, FrameBlock
         const Vec3 along = toes - ankle;
         const Vec3 heel = ankle + Vec3(-0.25 * along.x, 0.75 * along.y, -0.25 * along.z);
         const Vec3 tip = toes + Vec3(0.2 * along.x, 0.0, 0.2 * along.z);
-        block.feet[2 * i] = glm::vec4(glm::vec3(heel), 0.045F);
-        block.feet[2 * i + 1] = glm::vec4(glm::vec3(tip), 0.045F);
+        const std::size_t foot = 2 * avatar + i;
+        block.feet[2 * foot] = glm::vec4(glm::vec3(heel), 0.045F);
+        block.feet[2 * foot + 1] = glm::vec4(glm::vec3(tip), 0.045F);
     }
 }
 
-void AvatarPass::bindShadow() const {
-    glBindTextureUnit(shadow_texture_unit, shadow_map_.name());
-    glBindTextureUnit(shadow_texture_unit + 1, shadow_depth_view_.name());
+void AvatarPass::bindShadows() const {
+    glBindTextureUnit(shadow_texture_unit, shadow_maps_.name());
+    glBindTextureUnit(shadow_texture_unit + 1, shadow_depths_view_.name());
 }
 
 void AvatarPass::light() const {
     if (vertex_count_ == 0) return;
-    bindShadow();
+    bindShadows();
     glUseProgram(light_program_.name());
     glUniform1ui(0, static_cast<GLuint>(vertex_count_));
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, skinned_.name());
-    glDispatchCompute(static_cast<GLuint>((vertex_count_ + skin_group - 1) / skin_group), 1, 1);
+    for (std::size_t i = 0; i < count_; ++i) {
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, figures_[i].skinned.name());
+        glDispatchCompute(static_cast<GLuint>((vertex_count_ + skin_group - 1) / skin_group), 1, 1);
+    }
     glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
 void AvatarPass::draw(Views views) {
+    if (count_ == 0) return;
     draw_program_.use(views);
-    glBindVertexArray(vertices_.name());
     glEnable(GL_CULL_FACE);
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    for (std::size_t i = 0; i < count_; ++i) {
+        glBindVertexArray(figures_[i].vertices.name());
+        glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    }
     glDisable(GL_CULL_FACE);
 }
 

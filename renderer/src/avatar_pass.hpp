@@ -1,6 +1,8 @@
-// The avatar: skinned once a frame by a compute shader, then drawn into the shadow map and into the picture.
+// The avatars: one mesh, skinned once a frame for each of them by a compute shader, then drawn into the
+// shadow maps and into the picture.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "assets/avatar.hpp"
@@ -13,21 +15,29 @@ class AvatarPass {
   public:
     AvatarPass(const assets::Avatar& avatar, int shadow_resolution);
 
-    /// Moves the vertices to this pose. Throws std::invalid_argument where the number of joints is not the
-    /// skeleton's.
-    void skin(const std::vector<Pose>& stage_from_joint);
-    /// Tells the block where the shadow map lies around this pose.
-    void placeShadow(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const;
-    /// Tells the block where the feet darken the floor.
-    void placeFeet(const std::vector<Pose>& stage_from_joint, FrameBlock& block) const;
-    /// Draws the shadow map; the block must be bound.
-    void drawShadow() const;
-    /// Finds how much of the key light reaches each vertex, after drawShadow().
+    /// Moves the vertices to these poses, and tells the block where the shadow maps lie and where the feet
+    /// darken the floor. Throws std::invalid_argument where a number of joints is not the skeleton's, or
+    /// there are too many avatars.
+    void place(const std::vector<std::vector<Pose>>& avatars, FrameBlock& block);
+    /// Draws the shadow maps; the block must be bound.
+    void drawShadows() const;
+    /// Finds how much of the key light reaches each vertex, after drawShadows().
     void light() const;
-    void bindShadow() const;
+    void bindShadows() const;
     void draw(Views views);
 
   private:
+    /// What is an avatar's own.
+    struct Figure {
+        gl::Buffer joints, skinned;
+        gl::VertexArray vertices;
+        gl::Framebuffer shadow_target;
+    };
+    void makeFigure(int layer);
+    void skin(const std::vector<Pose>& stage_from_joint, const Figure& figure);
+    void placeShadow(const std::vector<Pose>& stage_from_joint, std::size_t avatar, FrameBlock& block) const;
+    void placeFeet(const std::vector<Pose>& stage_from_joint, std::size_t avatar, FrameBlock& block) const;
+
     motion::HumanoidMap humanoid_;
     std::vector<Pose> joint_from_bind_;
     std::vector<double> joint_reach_m_;
@@ -38,10 +48,10 @@ class AvatarPass {
     int shadow_resolution_ = 0;
     gl::Program skin_program_, light_program_, shadow_program_;
     ViewProgram draw_program_;
-    gl::Buffer bind_vertices_, joints_, skinned_, colours_, indices_;
-    gl::VertexArray vertices_;
-    gl::Texture shadow_map_, shadow_depth_view_;
-    gl::Framebuffer shadow_target_;
+    gl::Buffer bind_vertices_, colours_, indices_;
+    gl::Texture shadow_maps_, shadow_depths_view_;
+    std::array<Figure, most_avatars> figures_;
+    std::size_t count_ = 0;  // of figures in this frame
 };
 
 }  // namespace deixis::renderer

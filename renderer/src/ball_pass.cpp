@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/type_ptr.hpp>
 
 namespace deixis::renderer {
 namespace {
@@ -41,6 +42,40 @@ void main() {
 }
 )";
 
+// A flat ring around the ball's centre that always faces the eye.
+const std::string_view ring_vertex_glsl = R"(
+layout(location = 0) uniform vec4 ball;  // centre, radius
+out vec2 across;  // metres from the ring's centre
+flat out float pixel;
+const float reach = 1.9;  // of the radius
+
+void main() {
+    vec3 centre = (this_view.eye_from_stage * vec4(ball.xyz, 1.0)).xyz;
+    vec3 away = normalize(centre);
+    vec3 right = normalize(cross(away, vec3(0.0, 1.0, 0.0)));
+    pixel = this_view.eye.w * max(-centre.z, 0.05);
+    vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
+    across = corner * (reach * ball.w + 2.0 * pixel);
+    gl_Position = this_view.clip_from_eye *
+                  vec4(centre + right * across.x + cross(right, away) * across.y, 1.0);
+}
+)";
+
+const std::string_view ring_fragment_glsl = R"(
+layout(location = 0) uniform vec4 ball;
+in vec2 across;
+flat in float pixel;
+out vec4 colour;
+void main() {
+    float off = abs(length(across) - 1.55 * ball.w);
+    float half_width = max(0.10 * ball.w, 0.9 * pixel);
+    float solid = 1.0 - smoothstep(half_width - 0.6 * pixel, half_width + 0.6 * pixel, off);
+    float fall = clamp(1.0 - off / max(0.35 * ball.w, 2.0 * pixel), 0.0, 1.0);
+    float alpha = max(0.95 * solid, 0.35 * fall * fall);
+    colour = vec4(vec3(0.80, 1.0, 0.84), 1.0) * alpha;
+}
+)";
+
 constexpr int rings = 18;
 constexpr int segments = 32;
 
@@ -48,7 +83,9 @@ constexpr int segments = 32;
 
 BallPass::BallPass()
     : program_("ball", {frame_glsl, shadow_glsl, vertex_glsl}, {frame_glsl, lighting_glsl, fragment_glsl}),
-      vertices_(gl::vertexArray()) {
+      ring_program_("ring", {ring_vertex_glsl}, {ring_fragment_glsl}),
+      vertices_(gl::vertexArray()),
+      no_vertices_(gl::vertexArray()) {
     std::vector<glm::vec3> normals;
     std::vector<std::uint16_t> indices;
     for (int ring = 0; ring <= rings; ++ring) {
@@ -89,9 +126,12 @@ void BallPass::placeShadows(const std::vector<Ball>& balls, FrameBlock& block) {
 
 void BallPass::place(const std::vector<Ball>& balls) {
     placed_.clear();
-    for (const Ball& ball : balls)
-        placed_.push_back(
-            {glm::vec4(glm::vec3(ball.centre), static_cast<float>(ball.radius_m)), ball.colour, ball.glow});
+    ringed_.clear();
+    for (const Ball& ball : balls) {
+        const glm::vec4 place(glm::vec3(ball.centre), static_cast<float>(ball.radius_m));
+        placed_.push_back({place, ball.colour, ball.glow});
+        if (ball.ring) ringed_.push_back(place);
+    }
     if (placed_.empty()) return;
     const auto bytes = static_cast<GLsizeiptr>(placed_.size() * sizeof(Instance));
     if (bytes > instance_capacity_) {
@@ -110,6 +150,16 @@ void BallPass::draw(Views views) {
     glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr,
                             static_cast<GLsizei>(placed_.size()));
     glDisable(GL_CULL_FACE);
+}
+
+void BallPass::drawRings(Views views) {
+    if (ringed_.empty()) return;
+    ring_program_.use(views);
+    glBindVertexArray(no_vertices_.name());
+    for (const glm::vec4& ball : ringed_) {
+        glUniform4fv(0, 1, glm::value_ptr(ball));
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
 }
 
 }  // namespace deixis::renderer

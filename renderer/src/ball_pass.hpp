@@ -1,4 +1,4 @@
-// Matte balls, drawn as instances of one sphere.
+// Matte balls, drawn as instances of one sphere, and the rings around some of them.
 #pragma once
 
 #include <vector>
@@ -17,6 +17,8 @@ class BallPass {
     /// Tells draw() what to draw.
     void place(const std::vector<Ball>& balls);
     void draw(Views views);
+    /// To be drawn over what stands in the room, blending on.
+    void drawRings(Views views);
 
   private:
     struct Instance {
@@ -24,11 +26,12 @@ class BallPass {
         glm::vec3 colour, glow;
     };
     std::vector<Instance> placed_;
-    ViewProgram program_;
+    std::vector<glm::vec4> ringed_;
+    ViewProgram program_, ring_program_;
     gl::Buffer sphere_, indices_, instances_;
     GLsizeiptr instance_capacity_ = 0;
     GLsizei index_count_ = 0;
-    gl::VertexArray vertices_;
+    gl::VertexArray vertices_, no_vertices_;
 };
 
 }  // namespace deixis::renderer

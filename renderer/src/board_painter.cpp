@@ -1,7 +1,10 @@
 #include "board_painter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "board_layout.hpp"
 
 namespace deixis::renderer {
 namespace {
@@ -11,189 +14,192 @@ constexpr ImU32 card_colour = IM_COL32(0x1D, 0x27, 0x30, 255);
 constexpr ImU32 card_edge = IM_COL32(0x5A, 0x6B, 0x7A, 150);
 constexpr ImU32 text_colour = IM_COL32(0xF4, 0xF1, 0xEA, 255);
 constexpr ImU32 faint_colour = IM_COL32(0xA9, 0xB4, 0xBC, 255);
+constexpr ImU32 dark_text = IM_COL32(0x14, 0x1C, 0x23, 255);
+constexpr ImU32 dark_caption = IM_COL32(0x4C, 0x46, 0x34, 255);
 constexpr ImU32 button_colour = IM_COL32(0x38, 0x4A, 0x59, 255);
 constexpr ImU32 button_edge = IM_COL32(0x70, 0x87, 0x99, 255);
+constexpr ImU32 go_on_colour = IM_COL32(0x7F, 0xB8, 0xA6, 255);
+constexpr ImU32 go_on_edge = IM_COL32(0xA9, 0xD6, 0xC8, 255);
+constexpr ImU32 chosen_colour = IM_COL32(0x2B, 0x66, 0x59, 255);
+constexpr ImU32 chosen_edge = IM_COL32(0xA9, 0xE0, 0xCE, 255);
 constexpr ImU32 hovered_colour = IM_COL32(0xFF, 0xD5, 0x7A, 255);
 constexpr ImU32 hovered_edge = IM_COL32(0xFF, 0xEC, 0xC4, 255);
-constexpr ImU32 hovered_text = IM_COL32(0x1D, 0x27, 0x30, 255);
-constexpr ImU32 hovered_caption = IM_COL32(0x4C, 0x46, 0x34, 255);
 constexpr ImU32 disabled_colour = IM_COL32(0x28, 0x34, 0x3E, 255);
 constexpr ImU32 disabled_text = IM_COL32(0x6C, 0x79, 0x84, 255);
+constexpr ImU32 track_colour = IM_COL32(0x5B, 0x70, 0x81, 255);
+constexpr ImU32 field_colour = IM_COL32(0x11, 0x18, 0x1E, 255);
 constexpr ImU32 progress_back = IM_COL32(0x38, 0x45, 0x50, 255);
 constexpr ImU32 progress_front = IM_COL32(0x7F, 0xB8, 0xA6, 255);
 
 constexpr double card_corner_m = 0.028;
 constexpr double button_corner_m = 0.016;
-constexpr double least_shrink = 0.6;  // of a text that is too long for its box
-constexpr int least_pixels = 9;
-constexpr int most_pixels = 240;
+constexpr double thumb_radius_m = 0.022;
 
-/// A text in pixels, y down, ready to draw.
-struct Placed {
-    FontKey key;
-    ImVec2 low, high;
-    bool centred_across = false;
-    bool wrapped = false;
-    const std::string* text = nullptr;
+/// The colours of a button in its present state.
+struct ButtonColours {
+    ImU32 fill, edge, label, caption, mark;
+    double edge_m;
 };
 
-class Layout {
-  public:
-    Layout(const Board& board, double pixels_per_metre, const BoardFonts& fonts)
-        : board_(board), scale_(pixels_per_metre), fonts_(fonts) {}
-
-    [[nodiscard]] ImVec2 low(const BoardRect& box) const {
-        return {pixel(box.x), pixel(board_.height_m - box.y - box.height)};
-    }
-    [[nodiscard]] ImVec2 high(const BoardRect& box) const {
-        return {pixel(box.x + box.width), pixel(board_.height_m - box.y)};
-    }
-    [[nodiscard]] float pixel(double metres) const {
-        return static_cast<float>(std::round(metres * scale_)) + static_cast<float>(card_margin_px);
-    }
-    [[nodiscard]] int fontPixels(double size_m) const {
-        return std::clamp(static_cast<int>(std::lround(size_m * scale_)), least_pixels, most_pixels);
-    }
-    [[nodiscard]] double scale() const { return scale_; }
-
-    [[nodiscard]] Placed text(const BoardText& text) const {
-        return {{text.bold, fontPixels(text.size_m)},
-                low(text.box),
-                high(text.box),
-                text.centred,
-                true,
-                &text.text};
-    }
-    /// A button's label and caption: the label in the middle, moved up where there is a caption under it.
-    [[nodiscard]] Placed label(const BoardButton& button) const {
-        const double size_m = button.caption.empty() ? std::min(0.5 * button.box.height, 0.05)
-                                                     : std::min(0.42 * button.box.height, 0.05);
-        return inButton(button, size_m, true, button.caption.empty() ? 0.5 : 0.40, &button.label);
-    }
-    [[nodiscard]] Placed caption(const BoardButton& button) const {
-        return inButton(button, std::min(0.21 * button.box.height, 0.035), false, 0.77, &button.caption);
-    }
-
-    /// The font at which the text fits its box, or the smallest allowed. Measured with its own font.
-    [[nodiscard]] FontKey fitted(const Placed& placed) const {
-        const ImFont& font = *fonts_.font(placed.key);
-        const auto fits = [&](int pixels) {
-            const auto size = static_cast<float>(pixels);
-            const float width = placed.high.x - placed.low.x;
-            const auto lines = wrapText(font, size, *placed.text, placed.wrapped ? width : 0.0F);
-            const bool wide = std::any_of(lines.begin(), lines.end(),
-                                          [&](const TextLine& line) { return line.width > width + 1.0F; });
-            const float height = placed.high.y - placed.low.y;
-            return !wide && (!placed.wrapped || static_cast<float>(lines.size()) * size <= height + 1.0F ||
-                             lines.size() == 1);
-        };
-        const int least = std::max(least_pixels, static_cast<int>(least_shrink * placed.key.pixels));
-        int pixels = placed.key.pixels;
-        while (pixels > least && !fits(pixels)) pixels = std::max(least, pixels * 15 / 16);
-        return {placed.key.bold, pixels};
-    }
-
-    void draw(const Placed& placed, ImU32 colour, ImDrawList& list) const {
-        const FontKey key = fitted(placed);
-        const ImFont* font = fonts_.font(key);
-        const auto size = static_cast<float>(key.pixels);
-        const float width = placed.high.x - placed.low.x;
-        const auto lines = wrapText(*font, size, *placed.text, placed.wrapped ? width : 0.0F);
-        float y = placed.low.y;
-        if (!placed.wrapped)
-            y += 0.5F * (placed.high.y - placed.low.y - size * static_cast<float>(lines.size()));
-        for (const TextLine& line : lines) {
-            const float indent = placed.centred_across ? 0.5F * (width - line.width) : 0.0F;
-            list.AddText(font, size, {std::round(placed.low.x + indent), std::round(y)}, colour, line.begin,
-                         line.end);
-            y += size;
-        }
-    }
-
-  private:
-    [[nodiscard]] Placed inButton(const BoardButton& button, double size_m, bool bold, double down,
-                                  const std::string* text) const {
-        const ImVec2 a = low(button.box);
-        const ImVec2 b = high(button.box);
-        const int pixels = fontPixels(size_m);
-        const float middle = a.y + static_cast<float>(down) * (b.y - a.y);
-        const float half = 0.5F * static_cast<float>(pixels);
-        const float inset = std::min(0.06F * (b.x - a.x), static_cast<float>(0.012 * scale_));
-        return {
-            {bold, pixels}, {a.x + inset, middle - half}, {b.x - inset, middle + half}, true, false, text};
-    }
-
-    const Board& board_;
-    double scale_;
-    const BoardFonts& fonts_;
-};
-
-template <typename Visit>
-void eachText(const Board& board, const Layout& layout, const Visit& visit) {
-    for (const BoardText& text : board.texts) visit(layout.text(text));
-    for (const BoardButton& button : board.buttons) {
-        visit(layout.label(button));
-        if (!button.caption.empty()) visit(layout.caption(button));
-    }
+ButtonColours coloursOf(const BoardButton& button) {
+    const bool filled = button.look != ButtonLook::leave;
+    if (button.enabled && button.hovered)
+        return {hovered_colour, hovered_edge, dark_text, dark_caption, dark_text, 0.004};
+    if (button.chosen) return {chosen_colour, chosen_edge, text_colour, text_colour, chosen_edge, 0.004};
+    if (!button.enabled)
+        return {filled ? disabled_colour : card_colour,
+                filled ? disabled_colour : disabled_text,
+                disabled_text,
+                disabled_text,
+                disabled_text,
+                0.0016};
+    if (button.look == ButtonLook::go_on)
+        return {go_on_colour, go_on_edge, dark_text, dark_caption, dark_text, 0.0016};
+    return {filled ? button_colour : card_colour,
+            button_edge,
+            text_colour,
+            faint_colour,
+            go_on_colour,
+            filled ? 0.0016 : 0.003};
 }
 
-void drawButton(const BoardButton& button, const Layout& layout, ImDrawList& list) {
-    const bool lit = button.enabled && button.hovered;
+// In the upper right corner, so that a choice is seen without its colour too.
+void drawTick(const BoardButton& button, const ButtonColours& colours, const BoardLayout& layout,
+              ImDrawList& list) {
+    const double radius_m = std::min(0.017, 0.16 * std::min(button.box.width, button.box.height));
+    const double inset_m = 1.35 * radius_m;
+    const ImVec2 c =
+        layout.at(button.box.x + button.box.width - inset_m, button.box.y + button.box.height - inset_m);
+    const float r = layout.length(radius_m);
+    list.AddCircleFilled(c, r, colours.mark, 32);
+    const std::array<ImVec2, 3> tick{ImVec2(c.x - 0.45F * r, c.y + 0.05F * r),
+                                     ImVec2(c.x - 0.1F * r, c.y + 0.4F * r),
+                                     ImVec2(c.x + 0.5F * r, c.y - 0.35F * r)};
+    list.AddPolyline(tick.data(), static_cast<int>(tick.size()), colours.fill, 0, std::max(1.5F, 0.24F * r));
+}
+
+// The triangle of a play button, beside its label.
+void drawPlayMark(const BoardButton& button, const FittedText& label, ImU32 colour, const BoardLayout& layout,
+                  ImDrawList& list) {
+    const float room = layout.length(playMarkWidth(button));
+    const float height = 0.78F * room;
+    const float width = 0.86F * height;
+    float left = 0.5F * (layout.low(button.box).x + layout.high(button.box).x - width);
+    float middle = 0.5F * (layout.low(button.box).y + layout.high(button.box).y);
+    if (!label.lines.empty()) {
+        left = label.left.front() - room;
+        middle = label.top + 0.52F * label.height();
+    }
+    list.AddTriangleFilled({left, middle - 0.5F * height}, {left + width, middle},
+                           {left, middle + 0.5F * height}, colour);
+}
+
+void drawButton(const BoardButton& button, const BoardLayout& layout, ImDrawList& list) {
+    const ButtonColours colours = coloursOf(button);
     const ImVec2 a = layout.low(button.box);
     const ImVec2 b = layout.high(button.box);
-    const auto corner = static_cast<float>(
-        std::min(button_corner_m, 0.3 * std::min(button.box.width, button.box.height)) * layout.scale());
-    const auto stroke = std::max(1.5F, static_cast<float>((lit ? 0.004 : 0.0016) * layout.scale()));
-    list.AddRectFilled(a, b,
-                       !button.enabled ? disabled_colour
-                       : lit           ? hovered_colour
-                                       : button_colour,
-                       corner);
-    if (button.enabled) list.AddRect(a, b, lit ? hovered_edge : button_edge, corner, 0, stroke);
-    layout.draw(layout.label(button),
-                !button.enabled ? disabled_text
-                : lit           ? hovered_text
-                                : text_colour,
-                list);
-    if (!button.caption.empty())
-        layout.draw(layout.caption(button),
-                    !button.enabled ? disabled_text
-                    : lit           ? hovered_caption
-                                    : faint_colour,
-                    list);
+    const float corner =
+        layout.length(std::min(button_corner_m, 0.3 * std::min(button.box.width, button.box.height)));
+    list.AddRectFilled(a, b, colours.fill, corner);
+    if (colours.edge != colours.fill)
+        list.AddRect(a, b, colours.edge, corner, 0, layout.stroke(colours.edge_m));
+    const FittedText label = layout.fitted(layout.label(button));
+    layout.draw(label, colours.label, list);
+    if (!button.caption.empty()) layout.draw(layout.caption(button), colours.caption, list);
+    if (button.look == ButtonLook::play) drawPlayMark(button, label, colours.mark, layout, list);
+    if (button.chosen && button.look == ButtonLook::option) drawTick(button, colours, layout, list);
+}
+
+// The track is hollow until a value is set.
+void drawSlider(const BoardSlider& slider, const BoardLayout& layout, ImDrawList& list) {
+    const bool lit = slider.enabled && slider.hovered;
+    const ImU32 line_colour = !slider.enabled ? disabled_text : lit ? hovered_colour : track_colour;
+    const BoardRect& track = slider.track;
+    const double middle_m = track.y + 0.5 * track.height;
+    const std::size_t ticks = std::max<std::size_t>(2, slider.labels.size());
+    for (std::size_t i = 0; i < ticks; ++i) {
+        const double x = track.x + track.width * static_cast<double>(i) / static_cast<double>(ticks - 1);
+        const ImVec2 top = layout.at(x, middle_m + 0.5 * track.height);
+        const ImVec2 foot = layout.at(x, track.y - 0.018);
+        list.AddLine(top, foot, line_colour, layout.stroke(0.003));
+    }
+    const ImVec2 a = layout.low(track);
+    const ImVec2 b = layout.high(track);
+    const float round = 0.5F * (b.y - a.y);
+    list.AddRectFilled(a, b, slider.value ? line_colour : field_colour, round);
+    list.AddRect(a, b, line_colour, round, 0, layout.stroke(0.0024));
+    for (std::size_t i = 0; i < slider.labels.size(); ++i)
+        layout.draw(layout.label(slider, i), slider.enabled ? text_colour : disabled_text, list);
+    if (!slider.value) return;
+    const ImVec2 at = layout.at(track.x + track.width * std::clamp(*slider.value, 0.0, 1.0), middle_m);
+    const float radius = layout.length(thumb_radius_m);
+    list.AddCircleFilled(at, radius + layout.stroke(0.004), card_colour, 48);
+    list.AddCircleFilled(at, radius,
+                         !slider.enabled ? disabled_text
+                         : lit           ? hovered_colour
+                                         : text_colour,
+                         48);
+    list.AddCircleFilled(at, 0.36F * radius, slider.enabled ? chosen_colour : disabled_colour, 32);
+}
+
+void drawField(const BoardField& field, const BoardLayout& layout, ImDrawList& list) {
+    const bool lit = field.enabled && (field.hovered || field.active);
+    const ImVec2 a = layout.low(field.box);
+    const ImVec2 b = layout.high(field.box);
+    const float corner = layout.length(std::min(button_corner_m, 0.3 * field.box.height));
+    list.AddRectFilled(a, b, field.enabled ? field_colour : disabled_colour, corner);
+    list.AddRect(a, b,
+                 lit             ? hovered_colour
+                 : field.enabled ? button_edge
+                                 : disabled_text,
+                 corner, 0, layout.stroke(field.active ? 0.004 : 0.002));
+    const FittedText text = layout.fitted(layout.content(field));
+    const ImU32 colour = !field.enabled ? disabled_text : field.text.empty() ? faint_colour : text_colour;
+    layout.draw(text, colour, list);
+    if (!field.active) return;
+    // At the end of what is typed; steady, because a board is painted only where it changes.
+    const PlacedText box = layout.content(field);
+    const auto line = static_cast<float>(text.key.pixels);
+    ImVec2 caret(box.low.x, box.low.y);
+    if (!field.text.empty() && !text.lines.empty()) {
+        caret.x = text.left.back() + text.lines.back().width;
+        caret.y = text.top + line * static_cast<float>(text.lines.size() - 1);
+    }
+    const float width = layout.stroke(0.003);
+    list.AddRectFilled({caret.x + width, caret.y + 0.08F * line},
+                       {caret.x + 2.0F * width, caret.y + 0.96F * line}, hovered_edge);
 }
 
 }  // namespace
 
 bool requireBoardFonts(const Board& board, double pixels_per_metre, BoardFonts& fonts) {
-    const Layout layout(board, pixels_per_metre, fonts);
+    const BoardLayout layout(board, pixels_per_metre, fonts);
     std::set<FontKey> keys;
     std::string characters;
-    eachText(board, layout, [&](const Placed& placed) {
+    layout.eachText([&](const PlacedText& placed) {
         keys.insert(placed.key);
         characters += *placed.text;
     });
     bool built = fonts.require(keys, characters);
     std::set<FontKey> shrunk;
-    eachText(board, layout, [&](const Placed& placed) { shrunk.insert(layout.fitted(placed)); });
+    layout.eachText([&](const PlacedText& placed) { shrunk.insert(layout.fittedFont(placed)); });
     shrunk.insert(keys.begin(), keys.end());
     if (fonts.require(shrunk, characters)) built = true;
     return built;
 }
 
 void paintBoard(const Board& board, double pixels_per_metre, const BoardFonts& fonts, ImDrawList& list) {
-    const Layout layout(board, pixels_per_metre, fonts);
+    const BoardLayout layout(board, pixels_per_metre, fonts);
     const ImVec2 low = layout.low({0.0, 0.0, board.width_m, board.height_m});
     const ImVec2 high = layout.high({0.0, 0.0, board.width_m, board.height_m});
-    const auto corner = static_cast<float>(
-        std::min(card_corner_m, 0.2 * std::min(board.width_m, board.height_m)) * pixels_per_metre);
+    const float corner =
+        layout.length(std::min(card_corner_m, 0.2 * std::min(board.width_m, board.height_m)));
     list.AddRectFilled(low, high, card_colour, corner);
-    list.AddRect(low, high, card_edge, corner, 0,
-                 std::max(1.5F, static_cast<float>(0.0015 * pixels_per_metre)));
+    list.AddRect(low, high, card_edge, corner, 0, layout.stroke(0.0015));
     if (board.progress >= 0.0) {
         const double inset = std::min(0.04, 0.05 * board.width_m);
         BoardRect bar{inset, 0.014, board.width_m - 2.0 * inset, 0.007};
-        const auto round = static_cast<float>(0.5 * bar.height * pixels_per_metre);
+        const float round = layout.length(0.5 * bar.height);
         list.AddRectFilled(layout.low(bar), layout.high(bar), progress_back, round);
         bar.width *= std::min(board.progress, 1.0);
         if (bar.width > bar.height)
@@ -201,6 +207,8 @@ void paintBoard(const Board& board, double pixels_per_metre, const BoardFonts& f
     }
     for (const BoardText& text : board.texts)
         layout.draw(layout.text(text), text.faint ? faint_colour : text_colour, list);
+    for (const BoardField& field : board.fields) drawField(field, layout, list);
+    for (const BoardSlider& slider : board.sliders) drawSlider(slider, layout, list);
     for (const BoardButton& button : board.buttons) drawButton(button, layout, list);
 }
 

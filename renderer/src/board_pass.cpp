@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
+#include <stdexcept>
 
 #include "board_painter.hpp"
 #include "frame.hpp"
@@ -12,6 +13,7 @@ namespace deixis::renderer {
 namespace {
 
 constexpr int most_texture_pixels = 2048;
+constexpr std::size_t kept_cards = 3;  // a page, a sign and a notice; more only where one scene has more
 
 /// Makes the board's own ImGui context current, and the caller's again at the end: the program may have one
 /// for its window.
@@ -105,21 +107,57 @@ BoardPass::BoardPass(BoardFonts fonts, double pixels_per_metre)
     }
 }
 
-void BoardPass::paint(const Board& board) {
-    if (painted_ && sameContent(*painted_, board)) return;
+std::size_t BoardPass::find(const Board& board) const {
+    const auto same = [&](const Card& card) { return sameContent(card.content, board); };
+    return static_cast<std::size_t>(std::find_if(cards_.begin(), cards_.end(), same) - cards_.begin());
+}
+
+const BoardPass::Card& BoardPass::painted(const Board& board) const {
+    const std::size_t place = find(board);
+    if (place == cards_.size()) throw std::logic_error("a board that was not painted cannot be shown");
+    return cards_[place];
+}
+
+// One that this call of paint() has not asked for: rather of the wanted size (what a slider's board looked
+// like before it was dragged on) than the one that has not been asked for for longest.
+BoardPass::Card& BoardPass::freeCard(const Resolution& wanted) {
+    Card* best = nullptr;
+    const auto fits = [&](const Card& card) {
+        return card.at.width == wanted.width && card.at.height == wanted.height;
+    };
+    for (Card& card : cards_) {
+        if (card.last_paint == calls_) continue;
+        const bool better = best == nullptr || (fits(card) && !fits(*best)) ||
+                            (fits(card) == fits(*best) && card.last_paint < best->last_paint);
+        if (better) best = &card;
+    }
+    const bool replaces = best != nullptr && (fits(*best) || cards_.size() >= kept_cards);
+    return replaces ? *best : cards_.emplace_back();
+}
+
+void BoardPass::paint(std::span<const Board> boards) {
+    ++calls_;
+    for (const Board& board : boards)
+        if (const std::size_t place = find(board); place < cards_.size()) cards_[place].last_paint = calls_;
+    for (const Board& board : boards)
+        if (find(board) == cards_.size()) paint(board, freeCard(resolution(board)));
+}
+
+void BoardPass::paint(const Board& board, Card& card) {
     const ContextScope scope(context_.get());
-    makeTexture(board);
-    const bool fonts_are_new = requireBoardFonts(board, painted_at_.pixels_per_metre, fonts_);
+    makeTexture(resolution(board), card);
+    const bool fonts_are_new = requireBoardFonts(board, card.at.pixels_per_metre, fonts_);
     if (fonts_are_new || font_texture_.name() == 0U) uploadFonts();  // plain shapes are drawn with it too
 
     ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(painted_at_.width), static_cast<float>(painted_at_.height));
+    io.DisplaySize = ImVec2(static_cast<float>(card.at.width), static_cast<float>(card.at.height));
     ImGui::NewFrame();
-    paintBoard(board, painted_at_.pixels_per_metre, fonts_, *ImGui::GetBackgroundDrawList());
+    paintBoard(board, card.at.pixels_per_metre, fonts_, *ImGui::GetBackgroundDrawList());
     ImGui::Render();
-    drawLists(*ImGui::GetDrawData());
-    glGenerateTextureMipmap(card_.name());
-    painted_ = board;
+    drawLists(*ImGui::GetDrawData(), card);
+    glGenerateTextureMipmap(card.picture.name());
+    card.content = board;
+    card.last_paint = calls_;
     ++paints_;
 }
 
@@ -149,22 +187,22 @@ std::array<int, 2> BoardPass::size(const Board& board) const {
     return {picture.width, picture.height};
 }
 
-void BoardPass::makeTexture(const Board& board) {
-    const Resolution wanted = resolution(board);
-    const bool same_size = wanted.width == painted_at_.width && wanted.height == painted_at_.height;
-    painted_at_ = wanted;
+void BoardPass::makeTexture(const Resolution& wanted, Card& card) {
+    const bool same_size = wanted.width == card.at.width && wanted.height == card.at.height;
+    card.at = wanted;
     if (same_size) return;
     const auto [pixels_per_metre, width, height] = wanted;
     const int levels = 1 + static_cast<int>(std::log2(std::max(width, height)));
-    card_ = gl::texture2d(GL_SRGB8_ALPHA8, width, height, levels);
-    glTextureParameteri(card_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTextureParameteri(card_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    card.picture = gl::texture2d(GL_SRGB8_ALPHA8, width, height, levels);
+    const GLuint picture = card.picture.name();
+    glTextureParameteri(picture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(picture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     GLfloat most = 1.0F;
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
-    glTextureParameterf(card_.name(), GL_TEXTURE_MAX_ANISOTROPY, std::min(most, 8.0F));
-    card_target_ = gl::framebuffer();
-    glNamedFramebufferTexture(card_target_.name(), GL_COLOR_ATTACHMENT0, card_.name(), 0);
-    gl::requireComplete(card_target_, "board");
+    glTextureParameterf(picture, GL_TEXTURE_MAX_ANISOTROPY, std::min(most, 8.0F));
+    card.target = gl::framebuffer();
+    glNamedFramebufferTexture(card.target.name(), GL_COLOR_ATTACHMENT0, picture, 0);
+    gl::requireComplete(card.target, "board");
 }
 
 void BoardPass::uploadFonts() {
@@ -179,17 +217,17 @@ void BoardPass::uploadFonts() {
     glTextureParameteri(font_texture_.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
-void BoardPass::drawLists(const ImDrawData& data) {
+void BoardPass::drawLists(const ImDrawData& data, const Card& card) {
     const std::array<GLfloat, 4> clear{0.0F, 0.0F, 0.0F, 0.0F};
-    glClearNamedFramebufferfv(card_target_.name(), GL_COLOR, 0, clear.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, card_target_.name());
-    glViewport(0, 0, painted_at_.width, painted_at_.height);
+    glClearNamedFramebufferfv(card.target.name(), GL_COLOR, 0, clear.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, card.target.name());
+    glViewport(0, 0, card.at.width, card.at.height);
     glEnable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glUseProgram(text_program_.name());
-    glUniform2f(0, static_cast<float>(painted_at_.width), static_cast<float>(painted_at_.height));
+    glUniform2f(0, static_cast<float>(card.at.width), static_cast<float>(card.at.height));
     glBindTextureUnit(0, font_texture_.name());
     glBindVertexArray(text_vertices_.name());
     for (int i = 0; i < data.CmdListsCount; ++i) {
@@ -211,24 +249,26 @@ void BoardPass::drawLists(const ImDrawData& data) {
 }
 
 void BoardPass::draw(const Board& board, Views views) {
+    const Card& card = painted(board);
     const glm::mat4 stage_from_board = matrixFromPose(board.stage_from_board);
     const BoardCorners rect = corners(board);
     card_program_.use(views);
     glUniformMatrix4fv(0, 1, GL_FALSE, glm::value_ptr(stage_from_board));
     glUniform4f(1, static_cast<float>(rect.low.x), static_cast<float>(rect.low.y),
                 static_cast<float>(rect.high.x), static_cast<float>(rect.high.y));
-    glBindTextureUnit(0, card_.name());
+    glBindTextureUnit(0, card.picture.name());
     glBindVertexArray(no_vertices_.name());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void BoardPass::copyTo(GLuint texture) const {
-    const auto [pixels_per_metre, width, height] = painted_at_;
+void BoardPass::copyTo(const Board& board, GLuint texture) const {
+    const Card& card = painted(board);
+    const auto [pixels_per_metre, width, height] = card.at;
     glNamedFramebufferTexture(copy_target_.name(), GL_COLOR_ATTACHMENT0, texture, 0);
     gl::requireComplete(copy_target_, "board's copy");
     // The card's first row is the board's top. With conversion off the bytes go over as they are.
     glDisable(GL_FRAMEBUFFER_SRGB);
-    glBlitNamedFramebuffer(card_target_.name(), copy_target_.name(), 0, 0, width, height, 0, height, width, 0,
+    glBlitNamedFramebuffer(card.target.name(), copy_target_.name(), 0, 0, width, height, 0, height, width, 0,
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glNamedFramebufferTexture(copy_target_.name(), GL_COLOR_ATTACHMENT0, 0, 0);
 }

@@ -16,20 +16,22 @@ glm::mat4 matrixFromPose(const Pose& pose) {
     return matrix;
 }
 
+static_assert(most_avatars == 2 && foot_count == 4 && max_shadow_balls == 64, "as the shader has it");
+
 const std::string_view frame_glsl = R"(
 layout(std140, binding = 0) uniform Frame {
-    mat4 shadow_from_stage;
+    mat4 shadow_from_stage[2];
     vec4 to_light;
     vec4 shadow;
-    vec4 shadow_box;
-    vec4 feet[4];
+    vec4 shadow_box[2];
+    vec4 feet[8];
     vec4 balls[64];
 };
 )";
 
 const std::string_view shadow_glsl = R"(
-layout(binding = 0) uniform sampler2DShadow shadow_map;
-layout(binding = 1) uniform sampler2D shadow_depth;
+layout(binding = 0) uniform sampler2DArrayShadow shadow_maps;
+layout(binding = 1) uniform sampler2DArray shadow_depths;
 
 // How much of the key light, a disc of 1.7 degrees radius, the balls leave at point p: for each the part of
 // the disc that a sphere covers, exact where the disc is wholly covered or free and smooth between.
@@ -48,21 +50,23 @@ float ballLight(vec3 p) {
     return light;
 }
 
-// How much of the key light the avatar leaves at point p with normal n. The wider the gap to what shades, the
+// How much of the key light one avatar leaves at point p with normal n. The wider the gap to what shades, the
 // softer. Outside the avatar's extent the loops end at once, which processors without branches profit from.
-float avatarLight(vec3 p, vec3 n, float noise) {
-    vec3 q = (shadow_from_stage * vec4(p + n * 0.006, 1.0)).xyz;
+float lightPast(int avatar, vec3 p, vec3 n, float noise) {
+    vec3 q = (shadow_from_stage[avatar] * vec4(p + n * 0.006, 1.0)).xyz;
     const float widest = 0.03;
     float margin = widest * shadow.x;
-    bool inside = shadow.z > 0.5 && all(greaterThan(q.xy, shadow_box.xy - margin)) &&
-                  all(lessThan(q.xy, shadow_box.zw + margin));
+    bool inside = all(greaterThan(q.xy, shadow_box[avatar].xy - margin)) &&
+                  all(lessThan(q.xy, shadow_box[avatar].zw + margin));
+    float layer = float(avatar);
     vec2 spiral = vec2(1.0, 0.0);
     const mat2 golden = mat2(-0.737369, 0.675490, -0.675490, -0.737369);
     float gap = 0.0;
     float found = 0.0;
     int searches = inside ? 4 : 0;
     for (int i = 0; i < searches; ++i) {
-        float d = textureLod(shadow_depth, q.xy + spiral * (margin * sqrt((float(i) + 0.5) / 4.0)), 0.0).r;
+        vec2 at = q.xy + spiral * (margin * sqrt((float(i) + 0.5) / 4.0));
+        float d = textureLod(shadow_depths, vec3(at, layer), 0.0).r;
         float g = (q.z - d) * shadow.y;
         if (g > 0.0) {
             gap += g;
@@ -78,10 +82,17 @@ float avatarLight(vec3 p, vec3 n, float noise) {
     int used = inside ? taps : 0;
     float light = inside ? 0.0 : float(taps);
     for (int i = 0; i < used; ++i) {
-        light += texture(shadow_map, vec3(q.xy + spiral * (radius * sqrt((float(i) + 0.5) / float(taps))), q.z));
+        vec2 at = q.xy + spiral * (radius * sqrt((float(i) + 0.5) / float(taps)));
+        light += texture(shadow_maps, vec4(at, layer, q.z));
         spiral = golden * spiral;
     }
     return light / float(taps);
+}
+
+float avatarLight(vec3 p, vec3 n, float noise) {
+    float light = 1.0;
+    for (int i = 0; i < int(shadow.z); ++i) light *= lightPast(i, p, n, noise);
+    return light;
 }
 )";
 

@@ -8,12 +8,13 @@
 #include <string_view>
 
 #include "core/pose.hpp"
+#include "renderer/scene.hpp"
 #include "views.hpp"
 
 namespace deixis::renderer {
 
 constexpr int max_shadow_balls = 64;  ///< balls beyond these are drawn, but cast no shadow
-constexpr int foot_count = 2;
+constexpr std::size_t foot_count = 2 * most_avatars;
 
 /// The room, metres: a floor of 8 x 9 m around the avatar and the people who look at it.
 constexpr glm::vec3 room_low{-4.0F, 0.0F, -3.5F};
@@ -21,11 +22,13 @@ constexpr glm::vec3 room_high{4.0F, 3.0F, 5.5F};
 
 /// Laid out as std140 has it; bound at uniform block 0.
 struct FrameBlock {
-    glm::mat4 shadow_from_stage{1.0F};  ///< to texture coordinates and depth, 0..1
-    glm::vec4 to_light{0.0F};           ///< w: number of balls that cast a shadow
-    glm::vec4 shadow{0.0F};      ///< x: texture units a metre; y: depth range, m; z: 1 where it is cast
-    glm::vec4 shadow_box{0.0F};  ///< the caster's extent in texture coordinates: low u v, high u v
-    std::array<glm::vec4, foot_count * 2UL> feet{};   ///< heel and toe of each foot; w: radius, 0 for none
+    /// By avatar: to texture coordinates and depth, 0..1.
+    std::array<glm::mat4, most_avatars> shadow_from_stage{glm::mat4(1.0F), glm::mat4(1.0F)};
+    glm::vec4 to_light{0.0F};  ///< w: number of balls that cast a shadow
+    glm::vec4 shadow{0.0F};    ///< x: texture units a metre; y: depth range, m; z: number of avatars
+    /// By avatar: its extent in texture coordinates, low u v, high u v.
+    std::array<glm::vec4, most_avatars> shadow_box{};
+    std::array<glm::vec4, foot_count * 2> feet{};     ///< heel and toe of each foot; w: radius, 0 for none
     std::array<glm::vec4, max_shadow_balls> balls{};  ///< centre, radius
     std::array<ViewBlock, 2> views{};                 ///< of this buffer, bound at view_block_binding
 };

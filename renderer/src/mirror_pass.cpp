@@ -79,8 +79,8 @@ void MirrorPass::draw(StereoSamples& samples, ScenePasses& passes, const Scene& 
     glBindTextureUnit(0, eye_.name());
     glBindVertexArray(no_vertices_.name());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    if (scene.board) {
-        passes.board().paint(*scene.board);
+    if (!scene.boards.empty()) {
+        passes.boards().paint(scene.boards);
         glBindFramebuffer(GL_FRAMEBUFFER, mirror_target_.name());
         glViewport(0, 0, width, height);
         glEnable(GL_FRAMEBUFFER_SRGB);
@@ -91,7 +91,7 @@ void MirrorPass::draw(StereoSamples& samples, ScenePasses& passes, const Scene& 
         // Under what is there: only where the picture lets something through.
         glEnable(GL_BLEND);
         glBlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-        passes.board().draw(*scene.board, Views::one);
+        passes.boards().draw(scene.boards.front(), Views::one);
         glDisable(GL_BLEND);
     }
     // With conversion off the bytes go over as they are, whether or not the window says that it is sRGB.

@@ -1,4 +1,5 @@
-// What the left eye saw, for a window: its picture cut to the window's shape, the board put into its hole.
+// What the left eye saw, for a window: its picture cut to the window's shape, the first board put into its
+// hole.
 #pragma once
 
 #include "scene_passes.hpp"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <stdexcept>
 
 #include "gl.hpp"
@@ -138,19 +139,19 @@ void Renderer::setHiddenArea(const std::array<HiddenArea, 2>& areas) {
 }
 
 std::array<int, 2> Renderer::boardSize(const Board& board) const {
-    return impl_->passes.board().size(board);
+    return impl_->passes.boards().size(board);
 }
 
 void Renderer::copyBoard(const Board& board, unsigned int texture) {
     gl::resetDrawingState();
-    impl_->passes.board().paint(board);
-    impl_->passes.board().copyTo(texture);
+    impl_->passes.boards().paint(std::span<const Board>(&board, 1));
+    impl_->passes.boards().copyTo(board, texture);
     leave(0);
     gl::checkErrors("copying the board");
 }
 
 BoardRect Renderer::boardExtent(const Board& board) const {
-    const BoardCorners corners = impl_->passes.board().corners(board);
+    const BoardCorners corners = impl_->passes.boards().corners(board);
     return {corners.low.x, corners.low.y, corners.high.x - corners.low.x, corners.high.y - corners.low.y};
 }
 
@@ -163,7 +164,11 @@ void Renderer::drawMirror(const Scene& scene, const Eye& left, int width, int he
 }
 
 int Renderer::boardPaints() const {
-    return impl_->passes.board().paints();
+    return impl_->passes.boards().paints();
+}
+
+const std::string& Renderer::missingCharacters() const {
+    return impl_->passes.boards().missingCharacters();
 }
 
 std::string Renderer::driver() const {

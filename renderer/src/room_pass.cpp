@@ -49,7 +49,7 @@ float squares(vec2 p, vec2 footprint) {
 // The part of the sky that the feet cover: a sphere's at the nearest point of each sole's middle line.
 float footOcclusion(vec3 p) {
     float open = 1.0;
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 2 * int(shadow.z); ++i) {
         vec3 a = feet[2 * i].xyz;
         vec3 ab = feet[2 * i + 1].xyz - a;
         float r = feet[2 * i].w;

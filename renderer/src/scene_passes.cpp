@@ -13,7 +13,7 @@ constexpr std::size_t views_offset = offsetof(FrameBlock, views);
 
 ScenePasses::ScenePasses(const assets::Avatar& avatar, const Quality& quality, BoardFonts fonts)
     : avatar_(avatar, quality.shadow_resolution),
-      board_(std::move(fonts), quality.board_pixels_per_metre),
+      boards_(std::move(fonts), quality.board_pixels_per_metre),
       frame_buffer_(gl::dynamicBuffer(sizeof(FrameBlock))) {}
 
 void ScenePasses::prepare(const Scene& scene, std::span<const ViewBlock> views) {
@@ -22,23 +22,18 @@ void ScenePasses::prepare(const Scene& scene, std::span<const ViewBlock> views) 
     block.to_light = glm::vec4(glm::vec3(directionToLight()), 0.0F);
     BallPass::placeShadows(scene.balls, block);
     balls_.place(scene.balls);
-    if (scene.avatar_visible) {
-        avatar_.skin(scene.avatar_joints);
-        avatar_.placeShadow(scene.avatar_joints, block);
-        avatar_.placeFeet(scene.avatar_joints, block);
-    }
+    trails_.place(scene.trails);
+    avatar_.place(scene.avatars, block);
     glNamedBufferSubData(frame_buffer_.name(), 0, sizeof(FrameBlock), &block);
     glBindBufferRange(GL_UNIFORM_BUFFER, frame_block_binding, frame_buffer_.name(), 0, views_offset);
 
     gl::resetDrawingState();
-    if (scene.board) board_.paint(*scene.board);
-    if (scene.avatar_visible) {
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        glDepthMask(GL_TRUE);
-        avatar_.drawShadow();
-        avatar_.light();
-    }
+    boards_.paint(scene.boards);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    avatar_.drawShadows();
+    avatar_.light();
 }
 
 void ScenePasses::replaceView(const ViewBlock& view) {
@@ -56,26 +51,28 @@ void ScenePasses::bindBothViews() const {
                       2 * sizeof(ViewBlock));
 }
 
-void ScenePasses::draw(const Scene& scene, Views views, BoardLook board_look) {
+void ScenePasses::draw(const Scene& scene, Views views, BoardLook first_board) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glEnable(GL_MULTISAMPLE);
-    avatar_.bindShadow();
-    if (scene.avatar_visible) avatar_.draw(views);
+    avatar_.bindShadows();
+    avatar_.draw(views);
     balls_.draw(views);
+    heads_.draw(scene.heads, views);
     room_.draw(views);
     glEnable(GL_BLEND);
-    if (scene.board) {
-        glBlendFunc(board_look == BoardLook::hole ? GL_ZERO : GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-        board_.draw(*scene.board, views);
+    for (std::size_t i = 0; i < scene.boards.size(); ++i) {
+        const bool hole = i == 0 && first_board == BoardLook::hole;
+        glBlendFunc(hole ? GL_ZERO : GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+        boards_.draw(scene.boards[i], views);
     }
-    if (scene.beam) {
-        glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-        glDepthMask(GL_FALSE);
-        beam_.draw(*scene.beam, views);
-        glDepthMask(GL_TRUE);
-    }
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    balls_.drawRings(views);
+    trails_.draw(views);
+    for (const Beam& beam : scene.beams) beam_.draw(beam, views);
+    glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
 }

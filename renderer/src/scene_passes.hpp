@@ -8,12 +8,15 @@
 #include "ball_pass.hpp"
 #include "beam_pass.hpp"
 #include "board_pass.hpp"
+#include "head_pass.hpp"
 #include "room_pass.hpp"
+#include "trail_pass.hpp"
 
 namespace deixis::renderer {
 
 struct Quality;
 
+/// How the first of the scene's boards is drawn.
 enum class BoardLook : unsigned char {
     picture,
     hole,  ///< takes away colour and alpha where the board would be seen
@@ -23,8 +26,8 @@ class ScenePasses {
   public:
     ScenePasses(const assets::Avatar& avatar, const Quality& quality, BoardFonts fonts);
 
-    /// Skins the avatar, draws the shadow map, paints the board, and tells the shaders of one or two views.
-    /// Throws std::invalid_argument where Scene::avatar_joints does not fit the avatar.
+    /// Skins the avatars, draws the shadow maps, paints the boards, and tells the shaders of one or two
+    /// views. Throws std::invalid_argument where Scene::avatars do not fit the avatar, or are too many.
     void prepare(const Scene& scene, std::span<const ViewBlock> views);
     /// Makes the shaders draw from another single view, with everything else as it is.
     void replaceView(const ViewBlock& view);
@@ -33,16 +36,18 @@ class ScenePasses {
     void bindBothViews() const;
     /// Draws the prepared scene over a cleared framebuffer, sRGB conversion on. Leaves blending and depth
     /// test off.
-    void draw(const Scene& scene, Views views, BoardLook board_look);
+    void draw(const Scene& scene, Views views, BoardLook first_board);
 
-    [[nodiscard]] BoardPass& board() { return board_; }
+    [[nodiscard]] BoardPass& boards() { return boards_; }
 
   private:
     AvatarPass avatar_;
     RoomPass room_;
     BallPass balls_;
+    HeadPass heads_;
     BeamPass beam_;
-    BoardPass board_;
+    TrailPass trails_;
+    BoardPass boards_;
     gl::Buffer frame_buffer_;
 };
 

@@ -27,7 +27,7 @@ struct Region {
 
 /// Green bytes over a rectangle of the board.
 Region region(const Image& image, const Scene& scene, const BoardRect& box) {
-    const Pose& pose = scene.board->stage_from_board;
+    const Pose& pose = scene.boards[0].stage_from_board;
     const auto [x0, y1] = project(scene.camera, transformPoint(pose, {box.x, box.y, 0.0}), width, height);
     const auto [x1, y0] = project(
         scene.camera, transformPoint(pose, {box.x + box.width, box.y + box.height, 0.0}), width, height);
@@ -48,7 +48,7 @@ Region region(const Image& image, const Scene& scene, const BoardRect& box) {
 Scene boardScene() {
     Scene scene = emptyScene();
     scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
-    scene.board = questionBoard();
+    scene.boards = {questionBoard()};
     return scene;
 }
 
@@ -64,7 +64,7 @@ TEST_SUITE("renderer/board") {
         const Region bare =
             region(gl.renderer->capture(scene, width, height), scene, {0.05, 0.27, 0.9, 0.05});
         CHECK(bare.brightest < 70);
-        scene.board->texts.clear();
+        scene.boards[0].texts.clear();
         const Region empty = region(gl.renderer->capture(scene, width, height), scene, {0.1, 0.34, 0.8, 0.1});
         CHECK(empty.brightest < 70);
     }
@@ -76,7 +76,7 @@ TEST_SUITE("renderer/board") {
         // character that the font lacks.
         std::vector<double> means;
         for (const char* text : {"?", "é", "ß", "–", "—", "“", "…", "Å"}) {
-            scene.board->texts = {{{0.3, 0.3, 0.4, 0.18}, text, 0.16, false, true, false}};
+            scene.boards[0].texts = {{{0.3, 0.3, 0.4, 0.18}, text, 0.16, false, true, false}};
             const Region drawn =
                 region(gl.renderer->capture(scene, width, height), scene, {0.3, 0.3, 0.4, 0.18});
             CHECK(drawn.brightest > 190);
@@ -89,13 +89,14 @@ TEST_SUITE("renderer/board") {
     TEST_CASE("Long text wraps within its box: its right margin stays free and lines follow below") {
         Gl gl;
         Scene scene = boardScene();
-        scene.board->buttons.clear();
-        scene.board->texts = {{{0.05, 0.05, 0.5, 0.42},
-                               "These words are far too many for a single line of the box that they are in.",
-                               0.06,
-                               false,
-                               false,
-                               false}};
+        scene.boards[0].buttons.clear();
+        scene.boards[0].texts = {
+            {{0.05, 0.05, 0.5, 0.42},
+             "These words are far too many for a single line of the box that they are in.",
+             0.06,
+             false,
+             false,
+             false}};
         const Image image = gl.renderer->capture(scene, width, height);
         CHECK(region(image, scene, {0.05, 0.41, 0.5, 0.06}).brightest > 190);
         CHECK(region(image, scene, {0.05, 0.29, 0.5, 0.06}).brightest > 190);
@@ -105,14 +106,14 @@ TEST_SUITE("renderer/board") {
     TEST_CASE("A hovered button is clearly brighter than the same button at rest, and its neighbour is not") {
         Gl gl;
         Scene scene = boardScene();
-        const BoardRect first = scene.board->buttons[0].box;
-        const BoardRect second = scene.board->buttons[1].box;
+        const BoardRect first = scene.boards[0].buttons[0].box;
+        const BoardRect second = scene.boards[0].buttons[1].box;
         const Image rest = gl.renderer->capture(scene, width, height);
-        scene.board->buttons[0].hovered = true;
+        scene.boards[0].buttons[0].hovered = true;
         const Image hovered = gl.renderer->capture(scene, width, height);
         CHECK(region(hovered, scene, first).mean > region(rest, scene, first).mean + 60.0);
         CHECK(region(hovered, scene, second).mean == doctest::Approx(region(rest, scene, second).mean));
-        scene.board->buttons[0].enabled = false;
+        scene.boards[0].buttons[0].enabled = false;
         CHECK(region(gl.renderer->capture(scene, width, height), scene, first).mean <
               region(rest, scene, first).mean);
     }
@@ -120,7 +121,7 @@ TEST_SUITE("renderer/board") {
     TEST_CASE("Progress fills the bar from the left") {
         Gl gl;
         Scene scene = boardScene();
-        scene.board->progress = 0.5;
+        scene.boards[0].progress = 0.5;
         const Image image = gl.renderer->capture(scene, width, height);
         CHECK(region(image, scene, {0.1, 0.013, 0.3, 0.009}).brightest > 120);
         CHECK(region(image, scene, {0.6, 0.013, 0.3, 0.009}).brightest < 100);
@@ -130,14 +131,14 @@ TEST_SUITE("renderer/board") {
         Gl gl;
         Scene scene = boardScene();
         for (int i = 0; i < 3; ++i) {
-            scene.board->stage_from_board.position.x += 0.01;
+            scene.boards[0].stage_from_board.position.x += 0.01;
             static_cast<void>(gl.renderer->capture(scene, 64, 36));
         }
         CHECK(gl.renderer->boardPaints() == 1);
-        scene.board->buttons[1].hovered = true;
+        scene.boards[0].buttons[1].hovered = true;
         static_cast<void>(gl.renderer->capture(scene, 64, 36));
         CHECK(gl.renderer->boardPaints() == 2);
-        scene.board->texts[0].text += '!';
+        scene.boards[0].texts[0].text += '!';
         static_cast<void>(gl.renderer->capture(scene, 64, 36));
         CHECK(gl.renderer->boardPaints() == 3);
     }

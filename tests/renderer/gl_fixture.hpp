@@ -60,7 +60,6 @@ inline renderer::Camera lookingFrom(const Vec3& from, const Vec3& to) {
 /// A scene without the avatar, seen from 3 m before the origin.
 inline renderer::Scene emptyScene() {
     renderer::Scene scene;
-    scene.avatar_visible = false;
     scene.camera = lookingFrom({0.0, 1.5, 3.0}, {0.0, 1.2, 0.0});
     return scene;
 }

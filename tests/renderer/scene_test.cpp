@@ -79,11 +79,10 @@ TEST_SUITE("renderer/avatar") {
         Gl gl;
         Scene scene = emptyScene();
         const Image empty = gl.renderer->capture(scene, width, height);
-        scene.avatar_visible = true;
-        scene.avatar_joints = postPose();
+        scene.avatars = {postPose()};
         const Image straight = gl.renderer->capture(scene, width, height);
         // The upper half leans by 60 degrees towards the avatar's left, which is +x.
-        scene.avatar_joints[1].orientation = glm::angleAxis(radiansFromDegrees(-60.0), Vec3(0.0, 0.0, 1.0));
+        scene.avatars[0][1].orientation = glm::angleAxis(radiansFromDegrees(-60.0), Vec3(0.0, 0.0, 1.0));
         const Image leaning = gl.renderer->capture(scene, width, height);
         const auto red = [&](const Image& image, const Vec3& p) {
             const Bytes c = pixelAt(image, scene.camera, p);
@@ -106,10 +105,9 @@ TEST_SUITE("renderer/avatar") {
         Gl gl;
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.4, 2.2, 2.2}, {0.3, 0.0, 0.0});
-        scene.avatar_visible = true;
-        scene.avatar_joints = postPose();
+        scene.avatars = {postPose()};
         const Image straight = gl.renderer->capture(scene, width, height);
-        scene.avatar_joints[1].orientation = glm::angleAxis(radiansFromDegrees(-90.0), Vec3(0.0, 0.0, 1.0));
+        scene.avatars[0][1].orientation = glm::angleAxis(radiansFromDegrees(-90.0), Vec3(0.0, 0.0, 1.0));
         const Image leaning = gl.renderer->capture(scene, width, height);
         // The arm lies 0.8 m up along +x; 10 degrees of slant move its shadow 0.05 m and 0.13 m back.
         const Vec3 under(0.45, 0.0, -0.13);
@@ -120,10 +118,12 @@ TEST_SUITE("renderer/avatar") {
     TEST_CASE("A pose with another number of joints is refused with both numbers") {
         Gl gl;
         Scene scene = emptyScene();
-        scene.avatar_visible = true;
-        scene.avatar_joints.resize(3);
+        scene.avatars = {postPose(), std::vector<Pose>(3)};
         CHECK_THROWS_WITH(static_cast<void>(gl.renderer->capture(scene, width, height)),
-                          "Scene::avatar_joints has 3 poses, the avatar 2 joints");
+                          "one of Scene::avatars has 3 poses, the avatar 2 joints");
+        scene.avatars = {postPose(), postPose(), postPose()};
+        CHECK_THROWS_WITH(static_cast<void>(gl.renderer->capture(scene, width, height)),
+                          "3 avatars were to be drawn, at most 2 can be");
     }
 }
 
@@ -132,7 +132,7 @@ TEST_SUITE("renderer/beam") {
         Gl gl;
         Scene scene = emptyScene();
         const Vec3 from(-0.8, 1.2, 0.5);
-        scene.beam = Beam{{from, Vec3(1.0, 0.0, 0.0)}, 1.6, {1.0F, 0.1F, 0.05F}};
+        scene.beams = {{{from, Vec3(1.0, 0.0, 0.0)}, 1.6, {1.0F, 0.1F, 0.05F}}};
         const Image image = gl.renderer->capture(scene, width, height);
         const auto redness = [&](const Image& picture, const Vec3& p) {
             const Bytes c = pixelAt(picture, scene.camera, p);
@@ -164,8 +164,7 @@ TEST_SUITE("renderer/picture") {
     TEST_CASE("The same scene gives the same bytes again") {
         Gl gl(4);
         Scene scene = emptyScene();
-        scene.avatar_visible = true;
-        scene.avatar_joints = postPose();
+        scene.avatars = {postPose()};
         scene.balls = {{{0.3, 1.3, 0.4}, 0.1, glm::vec3(0.9F), {}}};
         const Image first = gl.renderer->capture(scene, width, height);
         CHECK(first.rgb == gl.renderer->capture(scene, width, height).rgb);

@@ -31,7 +31,7 @@ TEST_SUITE("renderer/board_hole") {
             scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
             const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
             const StereoTextures textures(width, height);
-            scene.board.reset();
+            scene.boards.clear();
             drawing.drawStereo(scene, eyes, textures.target(), mode);
             for (int eye = 0; eye < 2; ++eye) {
                 const EyePicture picture = textures.read(eye);
@@ -40,9 +40,9 @@ TEST_SUITE("renderer/board_hole") {
                     if (picture.rgba[i] != 255) ++not_opaque;
                 CHECK(not_opaque == 0);
             }
-            scene.board.emplace();
-            scene.board->stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
-            scene.beam.reset();
+            scene.boards.resize(1);
+            scene.boards[0].stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
+            scene.beams.clear();
             drawing.drawStereo(scene, eyes, textures.target(), mode);
             for (int eye = 0; eye < 2; ++eye) {
                 const Eye& seen_by = eyes[static_cast<std::size_t>(eye)];
@@ -70,10 +70,10 @@ TEST_SUITE("renderer/board_hole") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             Scene scene = emptyScene();
             scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
-            scene.board.emplace();
-            scene.board->stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
+            scene.boards.resize(1);
+            scene.boards[0].stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
             scene.balls = {greenBall({-0.2, 1.2, 1.9}, 0.05), greenBall({0.3, 1.2, 1.3}, 0.05)};
-            scene.beam = Beam{{{-0.3, 1.1, 1.8}, Vec3(1.0, 0.0, 0.0)}, 0.6, {1.0F, 0.1F, 0.05F}};
+            scene.beams = {Beam{{{-0.3, 1.1, 1.8}, Vec3(1.0, 0.0, 0.0)}, 0.6, {1.0F, 0.1F, 0.05F}}};
             const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
             const StereoTextures textures(width, height);
             drawing.drawStereo(scene, eyes, textures.target(), mode);
@@ -105,8 +105,8 @@ TEST_SUITE("renderer/board_copy") {
         Gl gl(4);
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.0, 1.2, 2.3}, {0.0, 1.2, 0.0});
-        scene.board = questionBoard();
-        const Board& board = *scene.board;
+        scene.boards = {questionBoard()};
+        const Board& board = scene.boards[0];
         const Image seen = gl.renderer->capture(scene, 960, 720);
         CHECK(gl.renderer->boardPaints() == 1);
         const auto [copy_width, copy_height] = gl.renderer->boardSize(board);
@@ -178,19 +178,19 @@ TEST_SUITE("renderer/board_copy") {
     TEST_CASE("Copies and eyes together paint a board once, until its content changes") {
         Gl gl;
         Scene scene = emptyScene();
-        scene.board = questionBoard();
+        scene.boards = {questionBoard()};
         const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, 64, 64), 0.064);
         const StereoTextures textures(64, 64);
-        const auto [copy_width, copy_height] = gl.renderer->boardSize(*scene.board);
+        const auto [copy_width, copy_height] = gl.renderer->boardSize(scene.boards[0]);
         const BoardTexture texture(copy_width, copy_height);
         for (int i = 0; i < 3; ++i) {
             gl.renderer->drawStereo(scene, eyes, textures.target(), StereoMode::two_passes);
-            gl.renderer->copyBoard(*scene.board, texture.name());
+            gl.renderer->copyBoard(scene.boards[0], texture.name());
         }
         CHECK(gl.renderer->boardPaints() == 1);
-        scene.board->buttons[0].hovered = false;
+        scene.boards[0].buttons[0].hovered = false;
         const Bytes hovered = texture.at(copy_width / 4, copy_height / 4);
-        gl.renderer->copyBoard(*scene.board, texture.name());
+        gl.renderer->copyBoard(scene.boards[0], texture.name());
         gl.renderer->drawStereo(scene, eyes, textures.target(), StereoMode::two_passes);
         CHECK(gl.renderer->boardPaints() == 2);
         CHECK(texture.at(copy_width / 4, copy_height / 4).sum() + 100 < hovered.sum());
@@ -211,7 +211,7 @@ TEST_SUITE("renderer/mirror") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             Scene scene = fullScene();
             scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
-            scene.board = questionBoard();
+            scene.boards = {questionBoard()};
             scene.balls.push_back(greenBall({-0.1, 1.2, 1.9}, 0.05));
             const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
             const StereoTextures textures(width, height);
@@ -232,8 +232,8 @@ TEST_SUITE("renderer/mirror") {
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
         scene.balls = {greenBall({0.3, 1.3, 1.0}, 0.1)};
-        scene.board = questionBoard();
-        scene.board->stage_from_board.position.x = -0.9;
+        scene.boards = {questionBoard()};
+        scene.boards[0].stage_from_board.position.x = -0.9;
         const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, 256, 256), 0.064);
         const StereoTextures textures(256, 256);
         gl.renderer->drawStereo(scene, eyes, textures.target(), StereoMode::two_passes);

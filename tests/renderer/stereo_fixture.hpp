@@ -224,12 +224,10 @@ inline renderer::Ball greenBall(const Vec3& centre, double radius_m) {
 /// Avatar, balls and beam.
 inline renderer::Scene fullScene() {
     renderer::Scene scene = emptyScene();
-    scene.avatar_visible = true;
-    scene.avatar_joints = postPose();
+    scene.avatars = {postPose()};
     scene.balls = {{{0.5, 1.3, 0.4}, 0.1, glm::vec3(0.9F), {}},
                    {{-0.4, 1.1, 0.9}, 0.08, glm::vec3(0.02F), {}}};
-    scene.beam =
-        renderer::Beam{{{0.3, 1.2, 2.4}, glm::normalize(Vec3(0.2, 0.1, -2.0))}, 1.9, {1.0F, 0.1F, 0.05F}};
+    scene.beams = {{{{0.3, 1.2, 2.4}, glm::normalize(Vec3(0.2, 0.1, -2.0))}, 1.9, {1.0F, 0.1F, 0.05F}}};
     return scene;
 }
 

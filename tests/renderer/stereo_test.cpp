@@ -146,8 +146,8 @@ TEST_SUITE("renderer/hidden_area") {
     TEST_CASE("What an eye's lens hides stays black there, and every other pixel is as it was") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             Scene scene = fullScene();
-            scene.board.emplace();
-            scene.board->stage_from_board.position = Vec3(-0.9, 0.9, 1.8);
+            scene.boards.resize(1);
+            scene.boards[0].stage_from_board.position = Vec3(-0.9, 0.9, 1.8);
             const EyeFov fov{-0.8, 0.8, 0.7, -0.7};
             const Eyes eyes = eyesOf(scene.camera, fov, 0.064);
             const double side = std::tan(0.8);

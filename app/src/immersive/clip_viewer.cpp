@@ -58,10 +58,11 @@ class ClipScene {
     renderer::Scene at(double time_s, const Orbit& orbit) {
         motion::sample(clip_, time_s, pose_);
         renderer::Scene scene;
-        motion::worldPose(avatar_.skeleton, pose_, scene.avatar_joints);
+        std::vector<Pose>& joints = scene.avatars.emplace_back();
+        motion::worldPose(avatar_.skeleton, pose_, joints);
         const auto hips = static_cast<std::size_t>(std::max(0, avatar_.humanoid[motion::Bone::hips]));
-        keepInRoom(scene.avatar_joints, hips);
-        scene.camera.stage_from_eye = orbit.stageFromEye(scene.avatar_joints[hips].position);
+        keepInRoom(joints, hips);
+        scene.camera.stage_from_eye = orbit.stageFromEye(joints[hips].position);
         scene.camera.vertical_fov_rad = radiansFromDegrees(42.0);
         return scene;
     }

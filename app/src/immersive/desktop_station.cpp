@@ -8,9 +8,14 @@
 #include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <initializer_list>
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "frame_scene.hpp"
+#include "typed_text.hpp"
 
 namespace deixis::app {
 
@@ -27,13 +32,35 @@ constexpr double lean_speed_per_s = 4.0;
 const Vec3 eye_to_hand{0.20, -0.28, -0.20};  // in the head's frame turned upright
 constexpr double farthest_aim_m = 8.0;
 constexpr double click_after_focus_s = 0.3;
-const char* const controls_text =
-    "Mouse: look and aim.  Left button: select.  Enter: continue.  1-9: rate.  Esc: pause.";
+constexpr double longest_gap_s = 3600.0;  // between frames, for counting those dropped
+
+bool oneOf(const std::string& state, std::initializer_list<const char*> states) {
+    return std::any_of(states.begin(), states.end(), [&](const char* one) { return state == one; });
+}
 
 // Whether a page or the pause panel is there: a board to be read first, not one beside a task.
 bool pageOpen(const studies::PresentedFrame& frame) {
-    const auto starts = [&](const char* word) { return frame.state.starts_with(word); };
-    return frame.panel && !starts("rat") && !starts("choosing") && !starts("aiming") && !starts("chosen");
+    return frame.panel &&
+           oneOf(frame.state, {"instructions", "consent", "questionnaire", "break", "welcome-back",
+                               "practice-again", "attention", "reasons", "paused", "over"});
+}
+
+// Whether clips are to be played by buttons: the board and who is shown belong together.
+bool playsByButtons(const studies::PresentedFrame& frame) {
+    return oneOf(frame.state, {"listening", "comparing"});
+}
+
+bool typing(const studies::PresentedFrame& frame) {
+    return frame.panel && std::any_of(frame.panel->fields.begin(), frame.panel->fields.end(),
+                                      [](const studies::PanelField& field) { return field.active; });
+}
+
+Vec3 middleOf(const studies::Panel& panel) {
+    return transformPoint(panel.stage_from_panel, {0.5 * panel.width_m, 0.5 * panel.height_m, 0.0});
+}
+
+studies::TrackedPose tracked(const Pose& pose) {
+    return {pose, true, true, true};
 }
 
 }  // namespace
@@ -48,6 +75,9 @@ struct DesktopStation::State {
     double last_time_s = 0.0;
     double last_swap_s = 0.0;
     double last_begin_s = 0.0;
+    std::optional<double> last_shown_s;  // when the last frame with a picture was
+    Pose told_head{};                    // with the frame begun last
+    Ray told_hand{};
     double focused_at_s = 0.0;
 
     double yaw_rad = 0.0;  // to the left of the viewer's heading
@@ -55,32 +85,53 @@ struct DesktopStation::State {
     Vec3 lean_m{0.0};
     double cursor_x = 0.0, cursor_y = 0.0;
 
-    studies::InputFrame pending{};        // what has happened since the last frame
+    studies::InputFrame pending{};  // what has happened since the last frame
+    TypedText typed;
+    bool held = false;                    // the button that selects is down, and meant
     studies::PresentedFrame presented{};  // what is on the screen
+    std::size_t missing_told = 0;         // bytes of the renderer's missing characters
     int windowed_x = 0, windowed_y = 0;
     WindowSize windowed{};
 
     [[nodiscard]] double now_s() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
     void onKey(int key);
+    void onFocus(bool focused);
     void onCursor(double x, double y);
     void toggleFullscreen();
     void updateLean(double elapsed_s);
     void lookAtTask(const studies::PresentedFrame& frame);
     [[nodiscard]] Pose head() const;
     [[nodiscard]] Ray handRay(const Pose& stage_from_head) const;
+    [[nodiscard]] int droppedFrames() const;
+    [[nodiscard]] studies::TrackingSample sample(std::uint64_t number, bool rendered) const;
+    void noteMissingCharacters();
     void connectCallbacks();
 };
 
 void DesktopStation::State::onKey(int key) {
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) pending.digit = key - GLFW_KEY_0;
-    if (key >= GLFW_KEY_KP_1 && key <= GLFW_KEY_KP_9) pending.digit = key - GLFW_KEY_KP_0;
-    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER || key == GLFW_KEY_SPACE) pending.confirm = true;
+    // While a text is typed, digits and the space are part of it.
+    if (!typing(presented)) {
+        if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9) pending.digit = key - GLFW_KEY_0;
+        if (key >= GLFW_KEY_KP_1 && key <= GLFW_KEY_KP_9) pending.digit = key - GLFW_KEY_KP_0;
+        if (key == GLFW_KEY_SPACE) pending.confirm = true;
+    }
+    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) pending.confirm = true;
     if (key == GLFW_KEY_ESCAPE) {
         pending.pause = true;
         pending.pause_reason = "escape";
     }
     if (key == GLFW_KEY_F11) toggleFullscreen();
+}
+
+void DesktopStation::State::onFocus(bool focused) {
+    held = false;
+    if (focused) {
+        focused_at_s = now_s();
+        return;
+    }
+    pending.pause = true;
+    pending.pause_reason = "focus lost";
 }
 
 void DesktopStation::State::onCursor(double x, double y) {
@@ -107,8 +158,11 @@ void DesktopStation::State::toggleFullscreen() {
 
 void DesktopStation::State::updateLean(double elapsed_s) {
     GLFWwindow* w = window->handle();
-    const auto down = [&](int a, int b) {
-        return glfwGetKey(w, a) == GLFW_PRESS || glfwGetKey(w, b) == GLFW_PRESS ? 1.0 : 0.0;
+    const bool letters = !typing(presented);
+    const auto down = [&](int letter, int arrow) {
+        const bool pressed =
+            (letters && glfwGetKey(w, letter) == GLFW_PRESS) || glfwGetKey(w, arrow) == GLFW_PRESS;
+        return pressed ? 1.0 : 0.0;
     };
     const Vec3 wanted =
         max_lean_m * Vec3(down(GLFW_KEY_D, GLFW_KEY_RIGHT) - down(GLFW_KEY_A, GLFW_KEY_LEFT), 0.0,
@@ -116,18 +170,29 @@ void DesktopStation::State::updateLean(double elapsed_s) {
     lean_m += (wanted - lean_m) * std::min(1.0, lean_speed_per_s * elapsed_s);
 }
 
-// Turns the view to where a person who has just been placed here would turn: to the board, straight ahead, or
-// to the middle between the avatar and the balls, so that none is missed on a flat screen.
+// Turns the view to where a person who has just been placed here would turn: to a page's middle, to between
+// those who are shown and the board of their buttons, or to the middle between the avatar and the balls, so
+// that none is missed on a flat screen.
 void DesktopStation::State::lookAtTask(const studies::PresentedFrame& frame) {
     yaw_rad = 0.0;
     pitch_rad = resting_pitch_rad;
-    const auto yawTo = [&](const Vec3& point) {
-        const Vec3 seen = transformPoint(inverse(frame.stage_from_viewer), point);
-        return std::atan2(-seen.x, -seen.z);
+    const auto seen = [&](const Vec3& point) {
+        return transformPoint(inverse(frame.stage_from_viewer), point);
     };
+    const auto yawTo = [&](const Vec3& point) { return std::atan2(-seen(point).x, -seen(point).z); };
+    const auto pitchTo = [&](const Vec3& point) {
+        const Vec3 p = seen(point);
+        return std::atan2(p.y - options.eye_height_m, std::hypot(p.x, p.z));
+    };
+    if (frame.panel && playsByButtons(frame)) {
+        const Vec3 board = middleOf(*frame.panel);
+        yaw_rad = yawTo(board);
+        pitch_rad = 0.5 * (resting_pitch_rad + pitchTo(board));
+        return;
+    }
     if (frame.panel) {
-        const Vec3 middle(0.5 * frame.panel->width_m, 0.5 * frame.panel->height_m, 0.0);
-        yaw_rad = yawTo(transformPoint(frame.panel->stage_from_panel, middle));
+        yaw_rad = yawTo(middleOf(*frame.panel));
+        if (pageOpen(frame)) pitch_rad = pitchTo(middleOf(*frame.panel));
         return;
     }
     if (frame.balls.empty()) return;
@@ -174,29 +239,60 @@ Ray DesktopStation::State::handRay(const Pose& stage_from_head) const {
     return {hand, glm::normalize(gaze.origin + distance * gaze.direction - hand)};
 }
 
+// Display periods that passed without a new picture since the last one.
+int DesktopStation::State::droppedFrames() const {
+    if (!last_shown_s) return 0;
+    const double gap_s = std::clamp(last_swap_s - *last_shown_s, 0.0, longest_gap_s);
+    return std::max(0, static_cast<int>(std::lround(gap_s / period_s)) - 1);
+}
+
+// The mouse in the place of a tracked head and a right hand.
+studies::TrackingSample DesktopStation::State::sample(std::uint64_t number, bool rendered) const {
+    constexpr auto right = static_cast<std::size_t>(studies::Hand::right);
+    studies::TrackingSample out;
+    out.frame = number;
+    out.display_time_s = last_time_s;
+    out.begun_s = last_begin_s;
+    out.submitted_s = last_swap_s;
+    out.dropped_frames = rendered ? droppedFrames() : 0;
+    out.rendered = rendered;
+    out.head = tracked(told_head);
+    out.aim[right] = tracked({told_hand.origin, glm::quatLookAt(told_hand.direction, up)});
+    return out;
+}
+
+void DesktopStation::State::noteMissingCharacters() {
+    const std::string& missing = renderer->missingCharacters();
+    if (missing.size() <= missing_told) return;
+    missing_told = missing.size();
+    pending.notes.push_back(
+        {"missing_characters", "no font has these; a question mark is shown for each: " + missing, now_s()});
+}
+
 void DesktopStation::State::connectCallbacks() {
     GLFWwindow* w = window->handle();
     glfwSetWindowUserPointer(w, this);
     glfwSetKeyCallback(w, [](GLFWwindow* from, int key, int, int action, int) {
-        if (action == GLFW_PRESS) static_cast<State*>(glfwGetWindowUserPointer(from))->onKey(key);
+        auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
+        if (action == GLFW_PRESS) state->onKey(key);
+        if (action != GLFW_RELEASE && key == GLFW_KEY_BACKSPACE) state->typed.erase();
+    });
+    glfwSetCharCallback(w, [](GLFWwindow* from, unsigned int character) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->typed.type(character);
     });
     glfwSetCursorPosCallback(w, [](GLFWwindow* from, double x, double y) {
         static_cast<State*>(glfwGetWindowUserPointer(from))->onCursor(x, y);
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int button, int action, int) {
         auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
+        if (button != GLFW_MOUSE_BUTTON_LEFT) return;
         // The click that brings the window back is no answer.
         const bool meant = state->now_s() - state->focused_at_s > click_after_focus_s;
-        if (button == GLFW_MOUSE_BUTTON_LEFT && action == GLFW_PRESS && meant) state->pending.select = true;
+        state->held = action == GLFW_PRESS && meant;
+        if (state->held) state->pending.select = true;
     });
     glfwSetWindowFocusCallback(w, [](GLFWwindow* from, int focused) {
-        auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
-        if (focused == GLFW_TRUE) {
-            state->focused_at_s = state->now_s();
-            return;
-        }
-        state->pending.pause = true;
-        state->pending.pause_reason = "focus lost";
+        static_cast<State*>(glfwGetWindowUserPointer(from))->onFocus(focused == GLFW_TRUE);
     });
     glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
     if (glfwRawMouseMotionSupported() == GLFW_TRUE) glfwSetInputMode(w, GLFW_RAW_MOUSE_MOTION, GLFW_TRUE);
@@ -230,7 +326,7 @@ studies::StationInfo DesktopStation::info() const {
     return {"desktop",
             fmt::format("{}x{} pixels, {:.0f} Hz, {}", size.width, size.height, 1.0 / state_->period_s,
                         state_->renderer->driver()),
-            false, controls_text};
+            false, state_->options.controls};
 }
 
 studies::InputFrame DesktopStation::beginFrame() {
@@ -250,8 +346,16 @@ studies::InputFrame DesktopStation::beginFrame() {
     input.utc_s = input.time_s + s.utc_offset_s;
     s.updateLean(input.time_s - s.last_time_s);
     s.last_time_s = input.time_s;
-    input.stage_from_head = s.head();
-    input.pointer = s.handRay(input.stage_from_head);
+    s.told_head = s.head();
+    s.told_hand = s.handRay(s.told_head);
+    input.stage_from_head = s.told_head;
+    input.pointer = s.told_hand;
+    input.select_held = s.held || input.select;  // a click shorter than a frame was held too
+    TypedText::Part text = s.typed.take();
+    if (typing(s.presented)) {
+        input.typed = std::move(text.typed);
+        input.erased = text.erased;
+    }
     input.quit = glfwWindowShouldClose(s.window->handle()) == GLFW_TRUE;
     return input;
 }
@@ -259,8 +363,10 @@ studies::InputFrame DesktopStation::beginFrame() {
 studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
     State& s = *state_;
     const bool new_trial = frame.state.starts_with("waiting") && !s.presented.state.starts_with("waiting");
+    const bool new_comparison = playsByButtons(frame) && pageOpen(s.presented);
     const bool new_page = frame.panel && pageOpen(frame) && !pageOpen(s.presented);
-    if (frame.viewer_place != s.presented.viewer_place || new_page || (new_trial && !frame.balls.empty()))
+    if (frame.viewer_place != s.presented.viewer_place || new_page || new_comparison ||
+        (new_trial && !frame.balls.empty()))
         s.lookAtTask(frame);
     if (frame.status != s.presented.status)
         glfwSetWindowTitle(s.window->handle(), (s.options.title + " - " + frame.status).c_str());
@@ -270,12 +376,16 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
                          glfwGetWindowAttrib(s.window->handle(), GLFW_ICONIFIED) == GLFW_FALSE;
     if (visible) {
         renderer::Scene scene = sceneFromFrame(frame, s.head());
-        if (scene.board && explainsControls(frame)) addFootLine(*scene.board, controls_text);
+        if (explainsControls(frame) && !s.options.controls.empty())
+            addFootLine(scene.boards.front(), s.options.controls);
         s.renderer->draw(scene, size.width, size.height);
         glfwSwapBuffers(s.window->handle());
+        s.noteMissingCharacters();
     }
     s.last_swap_s = s.now_s();
-    return {frame.number, visible, s.last_swap_s};
+    studies::FrameReport report{frame.number, visible, s.last_swap_s, s.sample(frame.number, visible)};
+    if (visible) s.last_shown_s = s.last_swap_s;
+    return report;
 }
 
 }  // namespace deixis::app

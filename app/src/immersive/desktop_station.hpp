@@ -1,9 +1,10 @@
 // The desktop station, mock-VR: a window, a first-person camera at standing eye height, a ray from the right
 // hand.
 //
-// Mouse: look around; the ray goes from the hand to what is in the middle of the view. Left button: select.
-// 1-9: rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc: pause. F11: full screen on
-// and off.
+// Mouse: look around; the ray goes from the hand to what is in the middle of the view. Left button: select;
+// held, it drags a slider. 1-9: rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc:
+// pause. F11: full screen on and off. While a text field takes what is typed, letters, digits and the space
+// are only that.
 #pragma once
 
 #include <memory>
@@ -21,6 +22,10 @@ struct DesktopOptions {
     WindowSize size{};
     bool fullscreen = false;
     double eye_height_m = 1.65;
+    /// How to take part, one line in the participant's language: at the foot of the first pages and of the
+    /// pause.
+    std::string controls =
+        "Mouse: look and aim.  Left button: select.  Enter: continue.  1-9: rate.  Esc: pause.";
 };
 
 class DesktopStation : public studies::Station {

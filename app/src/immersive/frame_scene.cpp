@@ -1,5 +1,7 @@
 #include "frame_scene.hpp"
 
+#include <algorithm>
+
 namespace deixis::app {
 
 namespace {
@@ -23,12 +25,46 @@ renderer::Ball ballFromView(const studies::BallView& view) {
             ball.colour = glm::vec3(0.95F, 0.55F, 0.10F);
             ball.glow = glm::vec3(0.75F, 0.38F, 0.05F);
             break;
+        case studies::BallLook::revealed:
+            ball.colour = glm::vec3(0.10F, 0.60F, 0.22F);
+            ball.glow = glm::vec3(0.03F, 0.42F, 0.10F);
+            ball.ring = true;
+            break;
     }
     return ball;
 }
 
 renderer::BoardRect rectFrom(const studies::PanelRect& r) {
     return {r.x, r.y, r.width, r.height};
+}
+
+renderer::ButtonLook lookOf(studies::ButtonRole role) {
+    switch (role) {
+        case studies::ButtonRole::go_on:
+            return renderer::ButtonLook::go_on;
+        case studies::ButtonRole::leave:
+            return renderer::ButtonLook::leave;
+        case studies::ButtonRole::play:
+            return renderer::ButtonLook::play;
+        case studies::ButtonRole::option:
+            return renderer::ButtonLook::option;
+        case studies::ButtonRole::other:
+            break;
+    }
+    return renderer::ButtonLook::plain;
+}
+
+renderer::BoardSlider sliderFrom(const studies::PanelSlider& slider) {
+    renderer::BoardSlider made;
+    made.box = rectFrom(slider.box);
+    made.track = rectFrom(slider.track());
+    if (slider.value)
+        made.value = static_cast<double>(*slider.value - slider.low) /
+                     static_cast<double>(std::max(1, slider.high - slider.low));
+    made.labels = slider.labels;
+    made.enabled = slider.enabled;
+    made.hovered = slider.hovered;
+    return made;
 }
 
 renderer::Board boardFromPanel(const studies::Panel& panel) {
@@ -40,7 +76,11 @@ renderer::Board boardFromPanel(const studies::Panel& panel) {
     for (const auto& t : panel.texts)
         board.texts.push_back({rectFrom(t.box), t.text, t.size_m, t.bold, t.centred, t.faint});
     for (const auto& b : panel.buttons)
-        board.buttons.push_back({rectFrom(b.box), b.label, b.caption, b.enabled, b.hovered});
+        board.buttons.push_back(
+            {rectFrom(b.box), b.label, b.caption, b.enabled, b.hovered, b.chosen, lookOf(b.role)});
+    for (const auto& s : panel.sliders) board.sliders.push_back(sliderFrom(s));
+    for (const auto& f : panel.fields)
+        board.fields.push_back({rectFrom(f.box), f.text, f.hint, f.active, f.enabled, f.hovered});
     return board;
 }
 
@@ -49,21 +89,25 @@ renderer::Board boardFromPanel(const studies::Panel& panel) {
 renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose& stage_from_eye) {
     renderer::Scene scene;
     scene.camera.stage_from_eye = stage_from_eye;
-    scene.avatar_visible = frame.avatar_visible;
-    scene.avatar_joints = frame.avatar_joints;
+    if (frame.avatar_visible) {
+        scene.avatars.push_back(frame.avatar_joints);
+        if (!frame.right_avatar_joints.empty()) scene.avatars.push_back(frame.right_avatar_joints);
+    }
     for (const auto& ball : frame.balls) scene.balls.push_back(ballFromView(ball));
     if (frame.ray) {
         renderer::Beam beam;
         beam.ray = frame.ray->ray;
         beam.length_m = frame.ray->length_m;
-        scene.beam = beam;
+        scene.beams.push_back(beam);
     }
-    if (frame.panel) scene.board = boardFromPanel(*frame.panel);
+    if (frame.panel) scene.boards.push_back(boardFromPanel(*frame.panel));
+    if (frame.sign) scene.boards.push_back(boardFromPanel(*frame.sign));
     return scene;
 }
 
 bool explainsControls(const studies::PresentedFrame& frame) {
-    return frame.state.starts_with("welcome") || frame.state == "paused";
+    return frame.panel && (frame.state == "consent" || frame.state == "instructions" ||
+                           frame.state == "welcome-back" || frame.state == "paused");
 }
 
 void addFootLine(renderer::Board& board, const std::string& words) {
@@ -71,6 +115,11 @@ void addFootLine(renderer::Board& board, const std::string& words) {
     constexpr double added_m = 2.2 * line_m;
     for (auto& text : board.texts) text.box.y += added_m;
     for (auto& button : board.buttons) button.box.y += added_m;
+    for (auto& field : board.fields) field.box.y += added_m;
+    for (auto& slider : board.sliders) {
+        slider.box.y += added_m;
+        slider.track.y += added_m;
+    }
     board.stage_from_board.position -= board.stage_from_board.orientation * Vec3(0.0, added_m, 0.0);
     board.height_m += added_m;
     renderer::BoardText line;

@@ -8,11 +8,12 @@
 
 namespace deixis::app {
 
-/// The scene of a frame, seen from `stage_from_eye`.
+/// The scene of a frame, seen from `stage_from_eye`. Its first board is the panel, where there is one.
 [[nodiscard]] renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame,
                                              const Pose& stage_from_eye);
 
-/// Whether this frame's board should say how to take part: the first page, and a pause.
+/// Whether this frame's panel should say how to take part: a page of instructions or consent, the welcome
+/// back, and a pause.
 [[nodiscard]] bool explainsControls(const studies::PresentedFrame& frame);
 
 /// Adds a faint line under what the board says; the rest of it stays where it is in the world.

@@ -26,7 +26,7 @@ struct Image {
 
 struct Quality {
     int samples = 4;                         ///< MSAA; lowered to what the driver has, 1: none
-    int shadow_resolution = 1024;            ///< over 2.8 m around the avatar
+    int shadow_resolution = 1024;            ///< over 2.8 m around each avatar
     double board_pixels_per_metre = 1400.0;  ///< lowered where the board would pass 2048 pixels
 };
 
@@ -42,18 +42,18 @@ class Renderer {
     /// Draws into framebuffer `framebuffer` (0: the window) of the given size in pixels, resolved and in
     /// sRGB. The framebuffer needs no samples of its own and may, but need not, be sRGB-capable: it gets the
     /// same bytes as capture(). It stays bound, with blending, depth test and sRGB conversion off. Throws
-    /// std::invalid_argument where Scene::avatar_joints does not fit the avatar.
+    /// std::invalid_argument where one of Scene::avatars does not fit the avatar, or there are too many.
     void draw(const Scene& scene, int width, int height, unsigned int framebuffer = 0);
 
     /// Draws off screen and reads back.
     [[nodiscard]] Image capture(const Scene& scene, int width, int height);
 
     /// Draws both eyes (Scene::camera gives only near and far) into `target`, resolved, in sRGB. Skinning,
-    /// the shadow map and the list of what is drawn are made once for both. Where the scene has a board it is
-    /// left out as a hole: alpha 0 where the board would be seen, 1 elsewhere, colours premultiplied, so that
-    /// the board can be shown beneath this layer as a sharp layer of its own, rightly covered by whatever
-    /// stands before it. `mode` two_passes is always there, multiview where hasMultiview(). GL state
-    /// afterwards as after draw().
+    /// the shadow maps and the list of what is drawn are made once for both. The first of the scene's boards
+    /// is left out as a hole: alpha 0 where it would be seen, 1 elsewhere, colours premultiplied, so that it
+    /// can be shown beneath this layer as a sharp layer of its own, rightly covered by whatever stands before
+    /// it. Further boards are drawn. `mode` two_passes is always there, multiview where hasMultiview(). GL
+    /// state afterwards as after draw().
     void drawStereo(const Scene& scene, const Eyes& eyes, const StereoTarget& target, StereoMode mode);
     /// Whether the driver draws into two layers in one pass, with as many samples as Quality asks for
     /// (several take GL_EXT_multiview_texture_multisample too).
@@ -70,12 +70,15 @@ class Renderer {
     /// The lower left and upper right corner of the board's picture on the board, metres.
     [[nodiscard]] BoardRect boardExtent(const Board& board) const;
 
-    /// What the left eye saw last, its board filled in, into framebuffer `framebuffer` of this size, the
-    /// picture kept in shape and cut at the longer sides. Black before the first drawStereo().
+    /// What the left eye saw last, its first board filled in, into framebuffer `framebuffer` of this size,
+    /// the picture kept in shape and cut at the longer sides. Black before the first drawStereo().
     void drawMirror(const Scene& scene, const Eye& left, int width, int height, unsigned int framebuffer = 0);
 
     [[nodiscard]] std::string driver() const;  ///< GL_RENDERER and GL_VERSION
     [[nodiscard]] int boardPaints() const;     ///< how often a board's content was painted anew
+    /// Characters (UTF-8, in the order of their numbers) that boards had and no font has: a question mark
+    /// stands for each. It only grows.
+    [[nodiscard]] const std::string& missingCharacters() const;
 
   private:
     struct Impl;

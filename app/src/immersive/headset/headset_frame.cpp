@@ -186,8 +186,8 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
 // With a line on the first page, and where a pause begins, that says how to select.
 renderer::Scene HeadsetStation::State::sceneOf(const studies::PresentedFrame& of_frame) const {
     renderer::Scene scene = sceneFromFrame(of_frame, {});
-    if (scene.board && explainsControls(of_frame))
-        addFootLine(*scene.board, "Aim the ray at a button and pull the trigger.");
+    if (explainsControls(of_frame))
+        addFootLine(scene.boards.front(), "Aim the ray at a button and pull the trigger.");
     return scene;
 }
 

@@ -85,17 +85,18 @@ void HeadsetPicture::updateHiddenArea() {
 
 void HeadsetPicture::warmUp(const assets::Avatar& avatar) {
     renderer::Scene scene;
-    motion::worldPose(avatar.skeleton, motion::restPose(avatar.skeleton), scene.avatar_joints);
+    motion::worldPose(avatar.skeleton, motion::restPose(avatar.skeleton), scene.avatars.emplace_back());
     const Pose head{{0.0, 1.6, 3.0}, no_rotation};
     scene.balls.push_back({{0.5, 1.2, 1.0}});
-    scene.beam = renderer::Beam{{{0.2, 1.2, 2.8}, {0.0, 0.0, -1.0}}};
+    scene.balls.back().ring = true;
+    scene.beams.push_back({{{0.2, 1.2, 2.8}, {0.0, 0.0, -1.0}}});
     constexpr double side_rad = radiansFromDegrees(45.0);
     XrEyes eyes;
     eyes.tracking_from_eye = {head, head};
     eyes.fov.fill({-side_rad, side_rad, side_rad, -side_rad});
     setNotice("Warming up", head);
     for (const renderer::Board& board : {pageLikeBoard(), ratingLikeBoard()}) {
-        scene.board = board;
+        scene.boards = {board, pageLikeBoard()};
         (void)draw(scene, [&] { return std::optional<XrEyes>(eyes); }, {});
     }
     drawMirror(scene, session_.eyeSize().width, session_.eyeSize().height);
@@ -149,9 +150,8 @@ void HeadsetPicture::setNotice(const std::string& text, const Pose& tracking_fro
 XrLayers HeadsetPicture::draw(const renderer::Scene& scene, const LocateEyes& locate_eyes,
                               const studies::Placement& placement) {
     XrLayers layers;
-    // Boards first: a painter that has just painted the notice paints the page anew for the holes.
     if (notice_) layers.above = layerOf(*notice_, notice_picture_, {});
-    if (scene.board) layers.beneath = layerOf(*scene.board, page_, placement);
+    if (!scene.boards.empty()) layers.beneath = layerOf(scene.boards.front(), page_, placement);
     renderer::StereoTarget target;
     target.width = session_.eyeSize().width;
     target.height = session_.eyeSize().height;
