@@ -21,13 +21,15 @@ TargetSpace paperLike() {
     space.arc_deg = {-85.0, 85.0};
     space.radius_m = {1.9, 2.2};
     space.ball_diameter_m = 0.1;
-    space.distractors = 2;
-    space.distractor_distance_m = {0.2, 0.4};
     return space;
 }
 
-std::vector<TargetItem> sampled(const TargetSpace& space, std::uint64_t seed) {
-    Result<std::vector<TargetItem>> targets = sampleTargets(space, seed);
+/// "2 distractors ... within 20-40 cm away" (2.4.2, 2.4.3).
+const DistanceBand paper_band{"near", {0.2, 0.4}, 2};
+
+std::vector<TargetItem> sampled(const TargetSpace& space, std::uint64_t seed,
+                                const std::vector<DistanceBand>& bands = {paper_band}) {
+    Result<std::vector<TargetItem>> targets = sampleTargets(space, bands, seed);
     if (!targets) FAIL(targets.error().text());
     return *targets;
 }
@@ -63,27 +65,30 @@ TEST_SUITE("studies/targets") {
         "overlap.") {
         TargetSpace space = paperLike();
         space.count = 10;
-        space.distractors = 3;
+        const std::vector<DistanceBand> bands{{"near", {0.2, 0.4}, 3}, {"far", {0.9, 1.5}, 2}};
         int outside = 0;
         int off_band = 0;
         int overlapping = 0;
         for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-            for (const TargetItem& item : sampled(space, seed)) {
-                REQUIRE(item.distractors.size() == 3);
-                std::vector<Vec3> balls = item.distractors;
-                balls.push_back(item.target);
-                for (std::size_t i = 0; i < balls.size(); ++i) {
-                    const Vec3& ball = balls[i];
-                    const double slack_deg = degreesFromRadians(rounding_m / space.radius_m.low);
-                    outside += !within(ball.y, space.height_m, 0.0);
-                    outside += !within(std::hypot(ball.x, ball.z), space.radius_m, rounding_m);
-                    outside += !within(azimuthDeg(ball), space.arc_deg, slack_deg);
-                    for (std::size_t j = 0; j < i; ++j)
-                        overlapping += glm::distance(ball, balls[j]) < space.ball_diameter_m - 1e-12;
+            for (const TargetItem& item : sampled(space, seed, bands)) {
+                REQUIRE(item.distractors.size() == 2);
+                for (std::size_t band = 0; band < bands.size(); ++band) {
+                    std::vector<Vec3> balls = item.distractors[band];
+                    REQUIRE(static_cast<int>(balls.size()) == bands[band].distractors);
+                    for (const Vec3& distractor : balls)
+                        off_band +=
+                            !within(glm::distance(item.target, distractor), bands[band].distance_m, 1e-12);
+                    balls.push_back(item.target);
+                    for (std::size_t i = 0; i < balls.size(); ++i) {
+                        const Vec3& ball = balls[i];
+                        const double slack_deg = degreesFromRadians(rounding_m / space.radius_m.low);
+                        outside += !within(ball.y, space.height_m, 0.0);
+                        outside += !within(std::hypot(ball.x, ball.z), space.radius_m, rounding_m);
+                        outside += !within(azimuthDeg(ball), space.arc_deg, slack_deg);
+                        for (std::size_t j = 0; j < i; ++j)
+                            overlapping += glm::distance(ball, balls[j]) < space.ball_diameter_m - 1e-12;
+                    }
                 }
-                for (const Vec3& distractor : item.distractors)
-                    off_band +=
-                        !within(glm::distance(item.target, distractor), space.distractor_distance_m, 1e-12);
             }
         }
         CHECK(outside == 0);
@@ -132,25 +137,26 @@ TEST_SUITE("studies/targets") {
 
     TEST_CASE("Positions are whole tenths of a millimetre, so that printing keeps them.") {
         for (const TargetItem& item : sampled(paperLike(), 3))
-            for (const double value : {item.target.x, item.target.y, item.target.z, item.distractors[0].x})
+            for (const double value : {item.target.x, item.target.y, item.target.z, item.distractors[0][0].x})
                 CHECK(value == std::round(value * 1e4) / 1e4);
     }
 
     TEST_CASE("The same seed gives the same targets, another seed others.") {
-        const std::string csv = targetsCsv(sampled(paperLike(), 2023));
-        CHECK(csv == targetsCsv(sampled(paperLike(), 2023)));
-        CHECK(csv != targetsCsv(sampled(paperLike(), 2024)));
-        // Pinned: what a published study showed must not change with the program.
-        CHECK(sha256Hex(csv) == "b5eafe3da2b1303c8a89634a919ba3cc4874653cedd0a6990c0efc33741a4300");
+        const std::vector<DistanceBand> bands{paper_band};
+        const std::string csv = targetsCsv(sampled(paperLike(), 2023), bands);
+        CHECK(csv == targetsCsv(sampled(paperLike(), 2023), bands));
+        CHECK(csv != targetsCsv(sampled(paperLike(), 2024), bands));
+        // Pinned, from before there were bands: what a study showed must not change with the program.
+        const std::string rows = csv.substr(csv.find('\n'));
+        CHECK(sha256Hex("target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z" + rows) ==
+              "b5eafe3da2b1303c8a89634a919ba3cc4874653cedd0a6990c0efc33741a4300");
     }
 
     TEST_CASE("Targets depend neither on their number nor on the distractors' settings.") {
         TargetSpace space = paperLike();
         const std::vector<TargetItem> all = sampled(space, 5);
         space.count = 30;
-        space.distractor_distance_m = {0.3, 0.9};
-        space.distractors = 4;
-        const std::vector<TargetItem> some = sampled(space, 5);
+        const std::vector<TargetItem> some = sampled(space, 5, {{"wide", {0.3, 0.9}, 4}});
         REQUIRE(some.size() == 30);
         for (std::size_t i = 0; i < some.size(); ++i) {
             CHECK(some[i].target == all[i].target);
@@ -158,6 +164,70 @@ TEST_SUITE("studies/targets") {
         }
         CHECK(all.front().id == "T001");
         CHECK(all.back().id == "T100");
+        CHECK(sampled(space, 5, {}).front().distractors.empty());
+    }
+
+    TEST_CASE("A band's distractors are the same whatever other bands there are.") {
+        const DistanceBand far{"far", {0.8, 1.2}, 2};
+        const std::vector<TargetItem> alone = sampled(paperLike(), 5);
+        const std::vector<TargetItem> both = sampled(paperLike(), 5, {far, paper_band});
+        const std::vector<TargetItem> far_alone = sampled(paperLike(), 5, {far});
+        for (std::size_t i = 0; i < both.size(); ++i) {
+            CHECK(both[i].distractors[1] == alone[i].distractors[0]);
+            CHECK(both[i].distractors[0] == far_alone[i].distractors[0]);
+        }
+    }
+
+    TEST_CASE("The distractors of two bands do not hang together.") {
+        TargetSpace space = paperLike();
+        space.count = 5000;
+        const std::vector<TargetItem> targets =
+            sampled(space, 42, {{"near", {0.2, 0.4}, 1}, {"far", {0.5, 0.8}, 1}});
+        // The side of the target on which a band's distractor lies, left or right of it, above or below.
+        int same_side = 0;
+        int same_height = 0;
+        int used = 0;
+        for (const TargetItem& item : targets) {
+            // Far from the ranges' ends: near them both must lie towards the middle.
+            if (std::abs(azimuthDeg(item.target)) > 60.0 || std::abs(item.target.y - 1.1) > 0.2) continue;
+            ++used;
+            const Vec3 near = item.distractors[0][0];
+            const Vec3 far = item.distractors[1][0];
+            same_side +=
+                (azimuthDeg(near) > azimuthDeg(item.target)) == (azimuthDeg(far) > azimuthDeg(item.target));
+            same_height += (near.y > item.target.y) == (far.y > item.target.y);
+        }
+        REQUIRE(used > 500);
+        const double four_sd = 4.0 * std::sqrt(used) / 2.0;
+        CHECK(std::abs(same_side - used / 2.0) < four_sd);
+        CHECK(std::abs(same_height - used / 2.0) < four_sd);
+    }
+
+    TEST_CASE("Given items get distractors around their own targets, and those without a place none.") {
+        const TargetSpace space = paperLike();
+        std::vector<TargetItem> items(3);
+        items[0] = {"pointing-left", {1.2, 1.3, 1.6}};
+        items[1] = {"no-place", {0.0, 0.0, 0.0}, false};
+        items[2] = {"pointing-ahead", {0.00004, 1.0, 2.0}, true, {{{9.0, 9.0, 9.0}}}};
+        const Result<std::vector<TargetItem>> drawn = drawDistractors(items, space, {paper_band}, 3);
+        REQUIRE(drawn.has_value());
+        CHECK((*drawn)[1].distractors.empty());
+        for (const int i : {0, 2}) {
+            const TargetItem& item = (*drawn)[static_cast<std::size_t>(i)];
+            CHECK(item.target == items[static_cast<std::size_t>(i)].target);
+            REQUIRE(item.distractors.size() == 1);
+            REQUIRE(item.distractors[0].size() == 2);
+            for (const Vec3& distractor : item.distractors[0])
+                CHECK(within(glm::distance(item.target, distractor), paper_band.distance_m, rounding_m));
+        }
+        // By the item's id, whatever else there is.
+        const Result<std::vector<TargetItem>> alone = drawDistractors({items[2]}, space, {paper_band}, 3);
+        CHECK((*alone)[0].distractors == (*drawn)[2].distractors);
+        // Without bands no ranges are needed.
+        const Result<std::vector<TargetItem>> without = drawDistractors(items, TargetSpace{}, {}, 3);
+        REQUIRE(without.has_value());
+        CHECK((*without)[2].distractors.empty());
+        CHECK_FALSE(drawDistractors(items, TargetSpace{}, {paper_band}, 3).has_value());
     }
 
     TEST_CASE("Ranges in which no distractor can lie give an error that says what to widen.") {
@@ -165,10 +235,10 @@ TEST_SUITE("studies/targets") {
         space.height_m = {1.0, 1.1};
         space.arc_deg = {-2.0, 2.0};
         space.radius_m = {2.0, 2.05};  // no two points are 0.2 m apart: 0.14 by 0.1 by 0.05 m
-        Result<std::vector<TargetItem>> targets = sampleTargets(space, 1);
+        Result<std::vector<TargetItem>> targets = sampleTargets(space, {paper_band}, 1);
         REQUIRE_FALSE(targets.has_value());
         const std::string text = targets.error().text();
-        for (const char* part : {"targets.distractor_distance_m", "T001", "height 1 to 1.1 m", "0.2 to 0.4 m",
+        for (const char* part : {"distances.near.distance_m", "T001", "height 1 to 1.1 m", "0.2 to 0.4 m",
                                  "radius 2 to 2.05 m", "arc -2 to 2 degrees", "Widen"})
             CHECK_MESSAGE(text.find(part) != std::string::npos, part << " should stand in: " << text);
 
@@ -178,23 +248,31 @@ TEST_SUITE("studies/targets") {
         space.height_m = {1.0, 1.0};
         space.arc_deg = {-4.0, 4.0};
         space.radius_m = {2.0, 2.0};
-        space.distractors = 8;
-        space.distractor_distance_m = {0.1, 0.4};
-        CHECK_FALSE(sampleTargets(space, 1).has_value());
+        CHECK_FALSE(sampleTargets(space, {{"close", {0.1, 0.4}, 8}}, 1).has_value());
     }
 
     TEST_CASE("Ranges that are upside down or empty of sense are refused.") {
+        const auto refused = [](const TargetSpace& space, const DistanceBand& band = paper_band) {
+            return !sampleTargets(space, {band}, 1).has_value();
+        };
         TargetSpace space = paperLike();
+        CHECK_FALSE(refused(space));
+        CHECK(refused(space, {"upside-down", {0.4, 0.2}, 2}));
+        CHECK(refused(space, {"none", {0.2, std::nan("")}, 2}));
+        CHECK(refused(space, {"negative", {0.2, 0.4}, -1}));
         space.height_m = {2.0, 1.0};
-        CHECK_FALSE(sampleTargets(space, 1).has_value());
+        CHECK(refused(space));
         space = paperLike();
         space.radius_m = {0.0, std::nan("")};
-        CHECK_FALSE(sampleTargets(space, 1).has_value());
+        CHECK(refused(space));
+        space = paperLike();
+        space.count = 0;
+        CHECK(refused(space));
         space = paperLike();
         space.radius_m = {};
         space.fit_manifest = "clips.csv";
-        REQUIRE_FALSE(sampleTargets(space, 1).has_value());
-        CHECK(sampleTargets(space, 1).error().message.find("fitted") != std::string::npos);
+        REQUIRE(refused(space));
+        CHECK(sampleTargets(space, {}, 1).error().message.find("fitted") != std::string::npos);
     }
 
     TEST_CASE("Fitted ranges are the least and greatest height, azimuth and radius of the positions.") {
@@ -210,7 +288,7 @@ TEST_SUITE("studies/targets") {
         CHECK(fitted->radius_m.low == doctest::Approx(std::sqrt(2.0)));
         CHECK(fitted->radius_m.high == 2.0);
         CHECK(fitted->count == 100);
-        CHECK(sampleTargets(*fitted, 1).has_value());
+        CHECK(sampleTargets(*fitted, {}, 1).has_value());
 
         CHECK_FALSE(fitTargetSpace(space, {}).has_value());
         CHECK_FALSE(fitTargetSpace(space, {{0.0, 1.0, 0.0}}).has_value());
@@ -223,10 +301,10 @@ TEST_SUITE("studies/targets") {
 
     TEST_CASE("The CSV has the promised header and one row of ten fields a target, that read back exactly.") {
         const std::vector<TargetItem> targets = sampled(paperLike(), 9);
-        std::istringstream lines(targetsCsv(targets));
+        std::istringstream lines(targetsCsv(targets, {paper_band}));
         std::string line;
         std::getline(lines, line);
-        CHECK(line == "target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z");
+        CHECK(line == "target_id,x,y,z,near_d1_x,near_d1_y,near_d1_z,near_d2_x,near_d2_y,near_d2_z");
         std::size_t row = 0;
         while (std::getline(lines, line)) {
             REQUIRE(row < targets.size());
@@ -239,11 +317,33 @@ TEST_SUITE("studies/targets") {
             REQUIRE(numbers.size() == 9);
             CHECK(numbers[0] == targets[row].target.x);
             CHECK(numbers[2] == targets[row].target.z);
-            CHECK(numbers[4] == targets[row].distractors[0].y);
-            CHECK(numbers[8] == targets[row].distractors[1].z);
+            CHECK(numbers[4] == targets[row].distractors[0][0].y);
+            CHECK(numbers[8] == targets[row].distractors[0][1].z);
             ++row;
         }
         CHECK(row == 100);
+    }
+
+    TEST_CASE("The CSV of several bands names them, and leaves empty what has no place.") {
+        const std::vector<DistanceBand> bands{{"near", {0.2, 0.4}, 1}, {"far", {0.8, 1.2}, 1}};
+        const std::vector<TargetItem> items{
+            {"a", {0.0, 1.0, 2.0}, true, {{{1.0, 2.0, 3.0}}, {{4.0, 5.0, 6.0}}}}, {"b", {}, false}};
+        CHECK(targetsCsv(items, bands) ==
+              "target_id,x,y,z,near_d1_x,near_d1_y,near_d1_z,far_d1_x,far_d1_y,far_d1_z\n"
+              "a,0.0000,1.0000,2.0000,1.0000,2.0000,3.0000,4.0000,5.0000,6.0000\n"
+              "b,,,,,,,,,\n");
+    }
+
+    TEST_CASE("Items of a manifest are drawn without ranges, and without those that have no place.") {
+        TargetSpace space;
+        space.from_manifest = "clips.csv";
+        std::vector<TargetItem> items{{"a", {0.5, 1.0, 2.0}}, {"b", {-0.5, 1.2, 1.0}}, {"c", {}, false}};
+        const std::string svg = targetsSvg(space, items, {});
+        CHECK(svg.find("2 targets") != std::string::npos);
+        CHECK(svg.find("limits of the ranges") == std::string::npos);
+        CHECK(svg.find("stroke-dasharray") == std::string::npos);
+        CHECK(svg.find("nan") == std::string::npos);
+        CHECK(targetsSvg(paperLike(), items, {}).find("stroke-dasharray") != std::string::npos);
     }
 
     TEST_CASE("The picture shows every target in all three views, and demonstrations in their own colour.") {
