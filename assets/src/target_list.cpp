@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/files.hpp"
-#include "csv_records.hpp"
+#include "core/csv.hpp"
 
 namespace deixis::assets {
 

@@ -1,4 +1,4 @@
-// CSV as RFC 4180 has it; private to assets.
+// CSV as RFC 4180 has it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 
-namespace deixis::assets {
+namespace deixis {
 
 struct CsvRecord {
     int line = 1;  ///< on which it begins
@@ -21,4 +21,4 @@ struct CsvRecord {
 /// The field, quoted where it must be.
 [[nodiscard]] std::string csvField(std::string_view text);
 
-}  // namespace deixis::assets
+}  // namespace deixis

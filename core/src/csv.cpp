@@ -1,10 +1,10 @@
-#include "csv_records.hpp"
+#include "core/csv.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-namespace deixis::assets {
+namespace deixis {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::string csvField(std::string_view text) {
     return out + '"';
 }
 
-}  // namespace deixis::assets
+}  // namespace deixis
