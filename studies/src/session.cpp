@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "session_state.hpp"
@@ -11,248 +12,274 @@ namespace deixis::studies {
 namespace {
 
 constexpr double patience_with_disk_s = 1.5;
-constexpr double settle_s = 0.4;  ///< a page takes no input earlier: a double click must not skip it
+
+/// Of the game only an answer that hit the target is correct; elsewhere there is nothing to get wrong.
+bool countsAsCorrect(const Trial& trial, const Response& response) {
+    return trial.kind != StageKind::game || response.correct;
+}
 
 }  // namespace
 
-SessionRunner::State::State(const Study& study_in, const StudyPlan& plan, const ClipSource& clips_in,
-                            const motion::Skeleton& avatar_in, const motion::LocalPose& idle_in,
-                            const std::set<int>& answered)
+SessionRunner::State::State(const Study& study_in, const StudyPlan& plan_in, const ClipSource& clips,
+                            const motion::Skeleton& avatar, const motion::LocalPose& idle, Resume resume,
+                            bool keyboard)
     : study(study_in),
-      clips(clips_in),
-      avatar(avatar_in),
-      idle(idle_in),
-      agenda(buildAgenda(study_in, plan, answered)),
-      poser(avatar_in, idle_in),
-      place_guard(study_in.headset.place_tolerance_m),
-      playback(poser, idle_in) {
-    for (const Trial& trial : plan.trials) {
-        if (trial.practice) continue;
-        ++scored;
-        if (answered.count(trial.index) > 0) ++done;
-    }
-}
-
-int SessionRunner::State::trialIndex() const {
-    return started && phase != Phase::over && item().trial != nullptr ? trial().index : -1;
-}
-
-bool SessionRunner::State::settled() const {
-    return now.time_s - panel_since_s >= settle_s;
-}
-
-Moment SessionRunner::State::momentAt(double time_s) const {
-    return {time_s, now.utc_s + time_s - now.time_s};
-}
-
-bool SessionRunner::State::somethingToAimAt() const {
-    return paused || phase == Phase::page || (phase == Phase::answering && answer_open);
-}
-
-void SessionRunner::State::note(const char* kind, std::string detail) {
-    noteAt(now, kind, std::move(detail));
-}
-
-void SessionRunner::State::noteAt(const Moment& at, std::string kind, std::string detail) {
-    events.push_back(Note{std::move(kind), trialIndex(), at, std::move(detail)});
-}
-
-void SessionRunner::State::showState(const char* base) {
-    view.frame.state = base;
-    if (item().trial != nullptr && game()) view.frame.state += "-" + trial().layout;
-}
-
-void SessionRunner::State::openPanel(Panel panel, const InputFrame& input, PanelPlace place) {
-    const double head_m = input.stage_from_head.position.y;
-    const bool plausible = head_m > 0.9 && head_m < 2.2;
-    view.openPanel(std::move(panel), plausible ? head_m : study.eye_height_m, place);
-    panel_since_s = now.time_s;
-}
+      plan(plan_in),
+      begun(resume.begun),
+      core(study_in, clips, avatar, idle, keyboard),
+      course(study_in, plan_in, resume.answered, resume.gap_s),
+      checks(study_in, plan_in, resume),
+      place_guard(study_in.headset.place_tolerance_m) {}
 
 void SessionRunner::State::begin(const InputFrame& input) {
     started = true;
-    note("session_start", done > 0 ? fmt::format("resumed after {} of {} answers", done, scored) : "");
-    enter(input);
+    int units = 0;
+    int done = 0;
+    for (const Trial& trial : plan.trials) {
+        if (trial.practice) continue;
+        ++units;
+        if (course.answered().count(trial.index) > 0) ++done;
+    }
+    core.note("session_start",
+              course.answered().empty() ? "" : fmt::format("resumed after {} of {} answers", done, units));
+    proceed(input);
+}
+
+/// On to what comes next.
+void SessionRunner::State::proceed(const InputFrame& input) {
+    reselect = false;
+    core.trial_index = -1;
+    if (!course.closingEarly())
+        if (const Stage* failed = course.failedPractice()) {
+            exclude(fmt::format("practice failed: {}", failed->name));
+            course.close(SessionOutcome::excluded);
+        }
+    item = course.next();
+    if (item) {
+        enter(input);
+        return;
+    }
+    if (course.closing() == SessionOutcome::finished) core.note("finished");
+    end(course.closing(), "finished");
 }
 
 void SessionRunner::State::enter(const InputFrame& input) {
-    if (!item().starts_stage.empty()) note("stage_start", item().starts_stage);
-    view.frame.status = item().status;
-    const bool moved = view.place(*item().layout);
-    view.frame.balls.clear();
-    if (item().trial == nullptr)
-        enterPage(input);
-    else
-        enterTrial(moved);
-}
-
-void SessionRunner::State::enterPage(const InputFrame& input) {
-    phase = Phase::page;
-    poser.blendTo(idle, now.time_s);
-    if (item().page.kind == PageKind::rest) note("break_start");
-    openPage(input);
-}
-
-void SessionRunner::State::openPage(const InputFrame& input) {
-    const AgendaPage& page = item().page;
-    view.frame.state = pageName(page.kind);
-    const double progress = scored > 0 ? static_cast<double>(done) / scored : 1.0;
-    openPanel(messagePanel(page.title, page.body, page.emphasis, {{page.button, button_id::go_on}}, progress),
-              input, messagePose);
-}
-
-void SessionRunner::State::leave(const InputFrame& input) {
-    if (item().trial == nullptr && item().page.kind != PageKind::goodbye) {
-        if (item().page.kind == PageKind::rest)
-            note("break_end");
-        else
-            note("instructions_read", std::string(pageName(item().page.kind)));
+    SessionView& view = core.view;
+    if (item->stage != nullptr && item->stage->name != stage) {
+        stage = item->stage->name;
+        core.note("stage_start", course.begun(*item->stage) ? stage + ", continued" : stage);
     }
-    if (position + 1 == agenda.size()) {
-        note("finished");
-        finished = true;
-        end("finished");
+    view.frame.stage = item->stage != nullptr ? item->stage->name : "";
+    view.frame.status = item->status;
+    const bool moved = view.place(*item->layout);
+    view.closePanel();
+    view.closeSign();
+    view.frame.balls.clear();
+    core.share_done = course.share();
+    if (item->trial != nullptr) core.trial_index = item->trial->index;
+    unit = makeUnit(core, *item);
+    unit->enter(input, moved);
+    if (unit->done()) done_since_s = core.now.time_s;
+    if (auto response = unit->takeResponse()) keepAnswer(std::move(*response));
+}
+
+void SessionRunner::State::stepUnit(const InputFrame& input) {
+    const bool was_done = unit->done();
+    if (!was_done) {
+        unit->step(input);
+        if (!unit->done()) return;
+        done_since_s = core.now.time_s;
+        if (auto response = unit->takeResponse())
+            keepAnswer(std::move(*response));
+        else
+            course.read(item->page);
+        if (item->trial == nullptr) proceed(input);
         return;
     }
-    ++position;
-    enter(input);
+    if (unit->stepDone(input, core.now.time_s - done_since_s) && input.answers_kept) proceed(input);
 }
 
-void SessionRunner::State::end(const char* status) {
-    phase = Phase::over;
-    view.closePanel();
-    view.frame.balls.clear();
-    view.frame.status = status;
-    view.frame.state = "over";
+void SessionRunner::State::keepAnswer(Response response) {
+    const Trial& trial = *item->trial;
+    response.begun_before = begun.count(trial.index) > 0;
+    const auto check = checks.judge(response);
+    if (check) response.check_passed = check->passed;
+    checks.keep(response);
+    core.events.push_back(response);
+    course.answer(trial.index, countsAsCorrect(trial, response));
+    last_answered = trial.index;
+    if (trial.kind == StageKind::consent && response.answers.front().value == 0.0)
+        course.close(SessionOutcome::declined);
+    if (check && !check->passed) failCheck(trial, check->what);
+    if (trial.practice) judgePractice(trial);
 }
 
+void SessionRunner::State::failCheck(const Trial& trial, const std::string& what) {
+    core.note("check_failed", what);
+    const CheckRule rule = checks.ruleFor(trial);
+    if (rule == CheckRule::warn) course.warn();
+    if (rule != CheckRule::exclude && rule != CheckRule::end) return;
+    exclude(fmt::format("attention check failed: {}, trial {}", trial.stage, trial.index));
+    if (rule == CheckRule::end) course.close(SessionOutcome::excluded);
+}
+
+/// Tells how an attempt went once it is complete.
+void SessionRunner::State::judgePractice(const Trial& trial) {
+    const Stage& practised = *item->stage;
+    if (!practised.practice || practised.practice->criterion <= 0.0) return;
+    const std::vector<Attempt> attempts = practiceAttempts(plan, practised, course.answered());
+    const Attempt& attempt = attempts.at(static_cast<std::size_t>(trial.attempt));
+    if (!attempt.complete()) return;
+    core.note(attempt.met(practised.practice->criterion) ? "practice_met" : "practice_failed",
+              fmt::format("{:.2f}", attempt.share()));
+}
+
+void SessionRunner::State::exclude(const std::string& reason) {
+    if (excluded) return;
+    excluded = true;
+    core.events.push_back(Exclusion{reason, core.now});
+}
+
+void SessionRunner::State::end(SessionOutcome how, const char* status) {
+    outcome = how;
+    core.trial_index = -1;
+    core.view.closePanel();
+    core.view.closeSign();
+    core.view.frame.balls.clear();
+    core.view.frame.status = status;
+    core.view.frame.state = "over";
+    core.view.frame.stage.clear();
+}
+
+/// Who has declined or been excluded and does not wait for the closing page has not quit.
 void SessionRunner::State::endEarly(const std::string& reason) {
-    note("quit", reason);
-    quit = true;
-    end("ended early");
+    core.note("quit", reason);
+    end(course.closingEarly() ? course.closing() : SessionOutcome::quit, "ended early");
 }
 
 void SessionRunner::State::step(const InputFrame& input) {
+    SessionView& view = core.view;
     view.beginFrame();
-    now = {input.time_s, input.utc_s};
-    for (const StationNote& told : input.notes) noteAt(momentAt(told.time_s), told.kind, told.detail);
-    if (phase == Phase::over) return;
+    core.now = {input.time_s, input.utc_s};
+    for (const StationNote& told : input.notes)
+        core.noteAt(core.momentAt(told.time_s), told.kind, told.detail);
+    if (over()) return;
     if (!started) begin(input);
-    if (input.quit) {
+    for (const OperatorCommand& command : input.commands) obey(input, command);
+    if (over()) {
+        // An abort has ended it.
+    } else if (input.quit) {
         endEarly(input.quit_reason.empty() ? "quit" : input.quit_reason);
     } else if (paused) {
         stepPaused(input);
     } else if (input.pause) {
         pause(input);
     } else {
-        stepPhase(input);
+        core.advanceAvatars();
+        stepUnit(input);
     }
     guard(input);
     // A pause freezes the avatar as it is; but it must be there, also where the first frame is paused.
-    if (!paused || view.frame.avatar_joints.empty()) poser.write(view.frame.avatar_joints);
-}
-
-void SessionRunner::State::stepPhase(const InputFrame& input) {
-    noteEarlySelect(input);
-    switch (phase) {
-        case Phase::page: {
-            poser.advance(now.time_s);
-            const Aim met = view.aim(input.pointer, input.stage_from_head, false);
-            if (settled() && (input.confirm || (input.select && met.button == button_id::go_on)))
-                leave(input);
-            break;
-        }
-        case Phase::lead_in:
-            stepLeadIn();
-            break;
-        case Phase::playing:
-            stepPlaying();
-            break;
-        case Phase::answering:
-            stepAnswering(input);
-            break;
-        case Phase::confirmed:
-            stepConfirmed(input);
-            break;
-        case Phase::over:
-            break;
-    }
+    if (!paused || view.frame.avatar_joints.empty()) core.writeAvatars();
 }
 
 void SessionRunner::State::guard(const InputFrame& input) {
-    if (phase == Phase::over) {
-        view.notice("");
+    if (over()) {
+        core.view.notice("");
         return;
     }
-    const int trial_to_mark = paused ? -1 : trialIndex();
+    const int trial_to_mark = paused ? -1 : core.trial_index;
     const auto keep = [this](const std::optional<GuardNote>& asked) {
-        if (asked) note(asked->kind, asked->detail);
+        if (asked) core.note(asked->kind, asked->detail);
     };
     keep(place_guard.step(input.off_place_m, trial_to_mark));
     // While the station itself asks for the pause (nobody wears the headset, a menu is in front), no pointer
     // is expected.
-    const bool wanted = somethingToAimAt() && !input.pause;
-    keep(pointer_guard.step(input.pointer.has_value(), wanted, now.time_s, trial_to_mark));
-    const bool waits_for_disk = phase == Phase::confirmed && !input.answers_kept && !paused &&
-                                now.time_s - confirmed_since_s > patience_with_disk_s;
+    const bool wanted = (paused || unit->wantsPointer()) && !input.pause;
+    keep(pointer_guard.step(input.pointer.has_value(), wanted, core.now.time_s, trial_to_mark));
+    tell(unit->done() && !input.answers_kept && !paused &&
+         core.now.time_s - done_since_s > patience_with_disk_s);
+}
+
+/// One sentence at a time: what the participant must do comes before what is only told.
+void SessionRunner::State::tell(bool waits_for_disk) {
     if (waits_for_disk != told_of_disk) {
         told_of_disk = waits_for_disk;
-        if (!paused) view.frame.status = item().status + (waits_for_disk ? ", waiting for the disk" : "");
+        if (!paused) core.view.frame.status = item->status + (waits_for_disk ? ", waiting for the disk" : "");
     }
+    const LanguageTable& words = study.words;
     if (waits_for_disk)
-        view.notice("One moment, please: your answer is being saved.");
+        core.view.notice(words("notice_saving"));
     else if (pointer_guard.lost())
-        view.notice("Pick up a controller and press any button.");
+        core.view.notice(words("notice_pointer"));
     else if (place_guard.off())
-        view.notice("Please step back onto your place.");
+        core.view.notice(words("notice_place"));
     else
-        view.notice("");
+        core.view.notice(paused ? "" : unit->notice());
 }
 
 void SessionRunner::State::shown(const FrameReport& report) {
-    if (!report.shown || report.number > view.frame.number || paused) return;
-    const Moment at = momentAt(report.display_time_s);
-    if (phase == Phase::playing) {
-        const Shown first = playback.shown(report.number, at);
-        if (first == Shown::onset)
-            noteAt(at, "stimulus_onset", replays > 0 ? fmt::format("replay {}", replays) : "");
-        if (first == Shown::end) {
-            noteAt(at, "motion_end", "");
-            phase = Phase::answering;
-        }
-    } else if (phase == Phase::answering && answer_open && !answer_shown && report.number >= answer_frame) {
-        answer_shown = true;
-        answer_shown_s = at.time_s;
-    }
+    if (!report.shown || report.number > core.view.frame.number || paused || over() || !unit) return;
+    if (!unit->done()) unit->shown(report.number, core.momentAt(report.display_time_s));
 }
 
 SessionRunner::SessionRunner(const Study& study, const StudyPlan& plan, const ClipSource& clips,
                              const motion::Skeleton& avatar, const motion::LocalPose& idle_pose,
-                             std::set<int> answered)
-    : state_(std::make_unique<State>(study, plan, clips, avatar, idle_pose, answered)) {}
+                             Resume resume, bool keyboard)
+    : state_(std::make_unique<State>(study, plan, clips, avatar, idle_pose, std::move(resume), keyboard)) {}
 
 SessionRunner::~SessionRunner() = default;
 
 SessionStep SessionRunner::step(const InputFrame& input) {
     state_->step(input);
-    return {state_->view.frame, std::exchange(state_->events, {})};
+    return {state_->core.view.frame, std::exchange(state_->core.events, {})};
 }
 
 std::vector<SessionEvent> SessionRunner::shown(const FrameReport& report) {
     state_->shown(report);
-    return std::exchange(state_->events, {});
+    return std::exchange(state_->core.events, {});
 }
 
 int SessionRunner::trialUnderWay() const {
-    return state_->trialIndex();
+    return state_->core.trial_index;
 }
 
-bool SessionRunner::finished() const {
-    return state_->finished;
+SessionOutcome SessionRunner::outcome() const {
+    return state_->outcome;
 }
 
-bool SessionRunner::quit() const {
-    return state_->quit;
+SessionProgress SessionRunner::progress() const {
+    return state_->progress();
+}
+
+std::string_view sessionOutcomeName(SessionOutcome outcome) {
+    switch (outcome) {
+        case SessionOutcome::running:
+            return "running";
+        case SessionOutcome::finished:
+            return "finished";
+        case SessionOutcome::quit:
+            return "quit";
+        case SessionOutcome::aborted:
+            return "aborted";
+        case SessionOutcome::declined:
+            return "declined";
+        case SessionOutcome::excluded:
+            return "excluded";
+    }
+    return "";
+}
+
+std::string_view responseStatusName(ResponseStatus status) {
+    switch (status) {
+        case ResponseStatus::answered:
+            return "answered";
+        case ResponseStatus::timed_out:
+            return "timed_out";
+        case ResponseStatus::skipped:
+            return "skipped";
+    }
+    return "";
 }
 
 }  // namespace deixis::studies

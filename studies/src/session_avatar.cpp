@@ -7,6 +7,11 @@ namespace deixis::studies {
 AvatarPoser::AvatarPoser(const motion::Skeleton& skeleton, const motion::LocalPose& start)
     : skeleton_(skeleton), pose_(start), from_(start) {}
 
+void AvatarPoser::standAt(const Vec3& place) {
+    changed_ = changed_ || place_ != place;
+    place_ = place;
+}
+
 void AvatarPoser::blendTo(const motion::LocalPose& goal, double now_s) {
     from_.joints = pose_.joints;
     goal_ = &goal;
@@ -37,8 +42,9 @@ void AvatarPoser::advance(double now_s) {
 }
 
 void AvatarPoser::write(std::vector<Pose>& stage_from_joint) {
-    if (!changed_) return;
+    if (!changed_ && !stage_from_joint.empty()) return;
     motion::worldPose(skeleton_, pose_, stage_from_joint);
+    for (Pose& joint : stage_from_joint) joint.position += place_;
     changed_ = false;
 }
 

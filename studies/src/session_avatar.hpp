@@ -1,4 +1,4 @@
-// The avatar's pose between and during clips.
+// An avatar's pose between and during clips.
 #pragma once
 
 #include <vector>
@@ -15,6 +15,7 @@ class AvatarPoser {
 
     AvatarPoser(const motion::Skeleton& skeleton, const motion::LocalPose& start);
 
+    void standAt(const Vec3& place);                            ///< on the floor; at first the origin
     void blendTo(const motion::LocalPose& goal, double now_s);  ///< takes blend_s from now
     void show(const motion::Clip& clip, double clip_time_s);    ///< ends a blend
     void advance(double now_s);                                 ///< goes on with a blend, if one runs
@@ -29,6 +30,7 @@ class AvatarPoser {
     motion::LocalPose from_;
     const motion::LocalPose* goal_ = nullptr;
     double blend_start_s_ = 0.0;
+    Vec3 place_{0.0};
     bool changed_ = true;
 };
 

@@ -41,16 +41,38 @@ bool SessionView::place(const Layout& layout) {
 }
 
 void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace stand) {
-    panel.stage_from_panel = stand(panel, frame.stage_from_viewer, eye_height_m);
+    eye_height_m_ = eye_height_m;
+    stand_ = stand;
+    met_ = {};  // its buttons are others, also where their ids are the same
+    grabbed_ = 0;
+    updatePanel(std::move(panel));
+}
+
+void SessionView::updatePanel(Panel panel) {
+    panel.stage_from_panel = stand_(panel, frame.stage_from_viewer, eye_height_m_);
     frame.panel = std::move(panel);
     frame.key_moment = true;
-    met_ = {};  // its buttons are others, also where their ids are the same
+    lightUp(met_);
 }
 
 void SessionView::closePanel() {
     frame.key_moment = frame.key_moment || frame.panel.has_value();
     frame.panel.reset();
     frame.ray.reset();
+    grabbed_ = 0;
+}
+
+void SessionView::showSign(const std::string& sentence, const std::string& large, const Vec3& avatar_head,
+                           const Vec3& eyes) {
+    Panel sign = signPanel(sentence, large);
+    sign.stage_from_panel = signPose(sign, avatar_head, eyes);
+    frame.sign = std::move(sign);
+    frame.key_moment = true;
+}
+
+void SessionView::closeSign() {
+    frame.key_moment = frame.key_moment || frame.sign.has_value();
+    frame.sign.reset();
 }
 
 void SessionView::lookAtBalls(BallLook all, int place, BallLook one) {
@@ -63,40 +85,69 @@ void SessionView::lookAtBalls(BallLook all, int place, BallLook one) {
 
 Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_head, bool at_balls) {
     Aim met;
-    int button = -1;
     frame.ray.reset();
     if (pointer) {
         double length_m = distanceToFloor(*pointer);
         const auto hit = frame.panel ? meetPanel(*frame.panel, *pointer) : std::nullopt;
         if (hit && hit->distance_m < length_m) {
             length_m = hit->distance_m;
-            button = hit->button;
+            const auto idOf = [](const auto& parts, int index) {
+                return index < 0 ? 0 : parts[static_cast<std::size_t>(index)].id;
+            };
+            met.button = idOf(frame.panel->buttons, hit->button);
+            met.slider = idOf(frame.panel->sliders, hit->slider);
+            met.field = idOf(frame.panel->fields, hit->field);
         }
         for (std::size_t i = 0; at_balls && i < frame.balls.size(); ++i) {
             const BallView& ball = frame.balls[i];
             const double distance_m = distanceToSphere(*pointer, ball.centre, ball.radius_m);
             if (distance_m < 0.0 || distance_m >= length_m) continue;
             length_m = distance_m;
+            met = {};
             met.ball = static_cast<int>(i);
-            button = -1;
         }
         frame.ray = RayView{*pointer, length_m};
-        if (!sees(stage_from_head, pointer->origin + length_m * pointer->direction)) {
-            met.ball = -1;
-            button = -1;
-        }
+        if (!sees(stage_from_head, pointer->origin + length_m * pointer->direction)) met = {};
     }
-    for (std::size_t i = 0; frame.panel && i < frame.panel->buttons.size(); ++i) {
-        PanelButton& one = frame.panel->buttons[i];
-        const bool hovered = static_cast<int>(i) == button;
-        frame.key_moment = frame.key_moment || one.hovered != hovered;
-        one.hovered = hovered;
-        if (hovered) met.button = one.id;
-    }
+    lightUp(met);
     if (at_balls) lookAtBalls(BallLook::selectable, met.ball, BallLook::hovered);
     met_ = met;
     frame.tick = met != Aim{} && met != met_before_;
     return met;
+}
+
+void SessionView::lightUp(const Aim& met) {
+    if (!frame.panel) return;
+    const auto light = [this](auto& parts, int id) {
+        for (auto& one : parts) {
+            const bool hovered = id != 0 && one.id == id && one.enabled;
+            frame.key_moment = frame.key_moment || one.hovered != hovered;
+            one.hovered = hovered;
+        }
+    };
+    light(frame.panel->buttons, met.button);
+    light(frame.panel->sliders, met.slider);
+    light(frame.panel->fields, met.field);
+}
+
+std::optional<SliderSet> SessionView::drag(const InputFrame& input, const Aim& met, bool pressed) {
+    if (pressed) grabbed_ = met.slider;
+    if (!pressed && !input.select_held) grabbed_ = 0;
+    if (grabbed_ == 0 || !frame.panel || !input.pointer) return std::nullopt;
+    const Panel& panel = *frame.panel;
+    const auto x_m = alongPanel(panel, *input.pointer);
+    if (!x_m) return std::nullopt;
+    for (PanelSlider& slider : frame.panel->sliders) {
+        if (slider.id != grabbed_) continue;
+        const PanelRect track = slider.track();
+        const Vec3 there = transformPoint(panel.stage_from_panel, {*x_m, track.y, 0.0});
+        if (!slider.enabled || !sees(input.stage_from_head, there)) return std::nullopt;
+        const int value = slider.valueAt(*x_m);
+        frame.key_moment = frame.key_moment || slider.value != value;
+        slider.value = value;
+        return SliderSet{slider.id, value};
+    }
+    return std::nullopt;
 }
 
 void SessionView::confirmButton(int id) {
@@ -107,6 +158,9 @@ void SessionView::confirmButton(int id) {
         one.enabled = false;
         one.hovered = one.id == id;
     }
+    for (std::size_t i = 0; frame.panel && i < frame.panel->sliders.size(); ++i)
+        frame.panel->sliders[i].enabled = false;
+    grabbed_ = 0;
 }
 
 void SessionView::notice(std::string_view sentence) {

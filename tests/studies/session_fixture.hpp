@@ -1,10 +1,11 @@
-// A small study by hand, and somebody who drives a session through it frame by frame.
+// Small studies by hand, and somebody who drives a session through it frame by frame.
 #pragma once
 
 #include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,56 +17,107 @@ namespace deixis::tests {
 
 using namespace deixis::studies;
 
-/// Two systems, each with one practice trial and `items` trials a stage; the game alternates the layouts.
-inline StudyPlan handPlan(int items, bool practice = true) {
-    StudyPlan plan;
-    plan.participant = "P01";
-    plan.study_name = "hand";
-    const auto add = [&plan](StageKind stage, bool is_practice, int item, const char* system) {
-        Trial trial;
-        trial.index = static_cast<int>(plan.trials.size());
-        trial.stage = stage;
-        trial.practice = is_practice;
-        trial.system = system;
-        trial.target_id = "T00" + std::to_string(item + 1);
-        trial.layout = "across";
-        trial.target = {0.2 * item, 1.0 + 0.1 * item, 2.0};
-        if (stage == StageKind::game) {
-            trial.layout = trial.index % 2 == 0 ? "across" : "side-by-side";
-            trial.distractors = {trial.target + Vec3(0.3, 0.0, 0.0), trial.target + Vec3(0.0, 0.3, 0.0)};
-            trial.ball_order = {0, 1, 2};
-            for (int turn = 0; turn < trial.index % 3; ++turn)
-                trial.ball_order = {trial.ball_order[2], trial.ball_order[0], trial.ball_order[1]};
-        }
-        plan.trials.push_back(trial);
-    };
-    for (const StageKind stage : {StageKind::naturalness, StageKind::game}) {
-        if (practice) add(stage, true, items, "one");
-        for (int item = 0; item < items; ++item)
-            for (const char* system : {"one", "two"}) add(stage, false, item, system);
-    }
-    return plan;
+inline const Scale five_steps{
+    ScaleKind::steps, 1, 5, {"very unnatural", "unnatural", "neither", "natural", "very natural"}};
+
+inline Stage pageStage(const char* name, const char* text, StageKind kind = StageKind::instructions) {
+    Stage stage;
+    stage.name = name;
+    stage.kind = kind;
+    stage.text = text;
+    return stage;
 }
 
+inline Stage practiceOf(const Stage& stage) {
+    Stage practice = stage;
+    practice.name += "-practice";
+    practice.practice = Practice{stage.name, 0.0, 1, false, {}};
+    practice.break_every = 0;
+    practice.checks.clear();
+    return practice;
+}
+
+/// A rating stage and a game, each with its pages and a practice.
 inline Study handStudy() {
     Study study;
     study.name = "hand";
     study.title = "A study by hand";
-    study.welcome = "Hello.";
-    study.break_text = "Rest.";
-    study.goodbye = "Goodbye.";
+    study.words = LanguageTable::english();
     study.inter_trial_s = 0.6;
     study.layouts = {{"across", 0.0, 3.4, 180.0}, {"side-by-side", 0.7, -0.2, 0.0}};
     study.targets.ball_diameter_m = 0.1;
-    study.rating.layout = "across";
-    study.rating.question = "How natural do you find the animation?";
-    study.rating.labels = {"very unnatural", "unnatural", "neither", "natural", "very natural"};
-    study.rating.instructions = "Watch and rate.";
-    study.rating.break_every = 2;
-    study.game.layouts = {"across", "side-by-side"};
-    study.game.question = "Which ball?";
-    study.game.instructions = "Watch and choose.";
+    Stage rating;
+    rating.name = "naturalness";
+    rating.kind = StageKind::rating;
+    rating.measure = "naturalness";
+    rating.question = "How natural do you find the animation?";
+    rating.scale = five_steps;
+    rating.break_every = 2;
+    Stage game;
+    game.name = "game";
+    game.kind = StageKind::game;
+    game.question = "Which ball?";
+    study.stages = {pageStage("welcome", "Hello."),
+                    pageStage("naturalness-instructions", "Watch and rate."),
+                    practiceOf(rating),
+                    pageStage("naturalness-begin", "Now it counts."),
+                    rating,
+                    pageStage("game-instructions", "Watch and choose."),
+                    practiceOf(game),
+                    pageStage("game-begin", "Now it counts."),
+                    game,
+                    pageStage("goodbye", "Goodbye.")};
+    study.stages[1].emphasis = rating.question;
     return study;
+}
+
+inline void removeStage(Study& study, const std::string& name) {
+    for (std::size_t i = 0; i < study.stages.size(); ++i)
+        if (study.stages[i].name == name)
+            study.stages.erase(study.stages.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+/// A trial of a stage for item 0, 1, ..., put at the end of the plan.
+inline Trial& addTrial(StudyPlan& plan, const Stage& stage, int item, std::vector<std::string> systems) {
+    Trial trial;
+    trial.index = static_cast<int>(plan.trials.size());
+    trial.stage = stage.name;
+    trial.kind = stage.kind;
+    trial.practice = stage.practice.has_value();
+    trial.layout = "across";
+    const std::string id = "T00" + std::to_string(item + 1);
+    for (std::string& system : systems) trial.stimuli.push_back({std::move(system), id});
+    if (showsClips(stage.kind)) trial.target = {0.2 * item, 1.0 + 0.1 * item, 2.0};
+    if (stage.kind == StageKind::game) {
+        trial.layout = trial.index % 2 == 0 ? "across" : "side-by-side";
+        trial.distractors = {trial.target + Vec3(0.3, 0.0, 0.0), trial.target + Vec3(0.0, 0.3, 0.0)};
+        trial.ball_order = {0, 1, 2};
+        for (int turn = 0; turn < trial.index % 3; ++turn)
+            trial.ball_order = {trial.ball_order[2], trial.ball_order[0], trial.ball_order[1]};
+    }
+    plan.trials.push_back(std::move(trial));
+    return plan.trials.back();
+}
+
+/// The stages that the study has, without trials.
+inline StudyPlan emptyPlan(const Study& study) {
+    StudyPlan plan;
+    plan.participant = "P01";
+    plan.study_name = study.name;
+    for (const Stage& stage : study.stages) plan.stages.push_back(stage.name);
+    return plan;
+}
+
+/// Two systems for `items` items in each stage; practice has one trial.
+inline StudyPlan handPlan(const Study& study, int items) {
+    StudyPlan plan = emptyPlan(study);
+    for (const Stage& stage : study.stages) {
+        if (!showsClips(stage.kind)) continue;
+        if (stage.practice) addTrial(plan, stage, items, {"one"});
+        for (int item = 0; item < items && !stage.practice; ++item)
+            for (const char* system : {"one", "two"}) addTrial(plan, stage, item, {system});
+    }
+    return plan;
 }
 
 /// The right arm goes up in front within `length_s` and stays there.
@@ -88,7 +140,7 @@ inline motion::Clip handClip(double length_s, double fps = 30.0) {
 class OneClip : public ClipSource {
   public:
     explicit OneClip(motion::Clip clip) : clip_(std::move(clip)) {}
-    [[nodiscard]] const motion::Clip& clip(const Trial&) const override { return clip_; }
+    [[nodiscard]] const motion::Clip& clip(const Stimulus&) const override { return clip_; }
 
   private:
     motion::Clip clip_;
@@ -122,22 +174,61 @@ inline bool hasButton(const PresentedFrame& frame, int id) {
     return false;
 }
 
+/// Whether a single rating or a choice can be given.
 inline bool answersOpen(const PresentedFrame& frame) {
-    if (hasButton(frame, button_id::first_rating)) return true;
+    if (hasButton(frame, button_id::first_rating) && frame.state == "rating") return true;
     return !frame.balls.empty() && (frame.balls.front().look == BallLook::selectable ||
                                     frame.balls.front().look == BallLook::hovered);
 }
 
+/// Whether a page waits to be read.
 inline bool resting(const PresentedFrame& frame) {
-    return frame.panel && frame.panel->buttons.size() == 1;
+    static const std::set<std::string> pages{"instructions",   "break",     "welcome-back",
+                                             "practice-again", "attention", "closing"};
+    return frame.panel && pages.count(frame.state) > 0;
+}
+
+inline std::optional<double> answerTo(const Response& response, const std::string& question,
+                                      int stimulus = -1) {
+    for (const Answer& answer : response.answers)
+        if (answer.question == question && answer.stimulus == stimulus) return answer.value;
+    return std::nullopt;
+}
+
+inline std::string textOf(const Response& response, const std::string& question) {
+    for (const Answer& answer : response.answers)
+        if (answer.question == question) return answer.text;
+    return "(none)";
+}
+
+/// Of a single rating; 0: none was given.
+inline int ratingOf(const Response& response) {
+    return static_cast<int>(answerTo(response, "rating", 0).value_or(0.0));
+}
+
+inline std::string textOf(const Panel& panel) {
+    std::string all;
+    for (const PanelText& text : panel.texts) all += text.text + "\n";
+    return all;
 }
 
 /// Steps a session at a steady rate and keeps what it says.
 struct Driver {
-    explicit Driver(int items = 2, double clip_s = 1.0, bool practice = true)
-        : plan(handPlan(items, practice)), clips(handClip(clip_s)) {}
+    /// The study by hand.
+    explicit Driver(int items = 2, double clip_s = 1.0, bool practice = true) : clips(handClip(clip_s)) {
+        study = handStudy();
+        for (const char* name : {"naturalness-practice", "naturalness-begin", "game-practice", "game-begin"})
+            if (!practice) removeStage(study, name);
+        plan = handPlan(study, items);
+    }
+    /// Another one, to be planned.
+    explicit Driver(std::vector<Stage> stages, double clip_s = 0.5) : clips(handClip(clip_s)) {
+        study = handStudy();
+        study.stages = std::move(stages);
+        plan = emptyPlan(study);
+    }
 
-    Study study = handStudy();
+    Study study;
     StudyPlan plan;
     OneClip clips;
     const motion::Skeleton& avatar = motion::referenceHumanoid();
@@ -153,19 +244,58 @@ struct Driver {
     std::optional<Quat> looking;         ///< of the head; none: along the ray, or straight ahead
     std::optional<double> select_ago_s;  ///< how long before the frame select went down; none: not told
     PresentedFrame frame;                ///< the last one
-    std::vector<Response> responses;
+    bool keyboard = false;
+    std::vector<Response> responses;  ///< of what counts
+    std::vector<Response> practised;
+    std::vector<Superseded> superseded;
+    std::vector<Exclusion> exclusions;
     std::vector<Note> notes;
+    std::vector<SessionEvent> all_events;
+    Resume left;  ///< what a further sitting goes on from
 
-    void start(std::set<int> answered = {}) {
-        session.emplace(study, plan, clips, avatar, idle, std::move(answered));
+    [[nodiscard]] Stage& stage(const std::string& name) {
+        for (Stage& one : study.stages)
+            if (one.name == name) return one;
+        throw std::out_of_range(name);
+    }
+    Trial& add(const std::string& stage_name, int item, std::vector<std::string> systems) {
+        return addTrial(plan, stage(stage_name), item, std::move(systems));
+    }
+
+    void start(const std::set<int>& answered = {}) {
+        for (const int index : answered) left.answered[index] = true;
+        session.emplace(study, plan, clips, avatar, idle, left, keyboard);
+    }
+    /// Another sitting, from what this one left.
+    void restart() {
+        frame = {};
+        start();
+    }
+
+    void keep(const Response& response) {
+        const Trial& trial = plan.trials[static_cast<std::size_t>(response.trial_index)];
+        (trial.practice ? practised : responses).push_back(response);
+        left.answered[trial.index] = trial.kind != StageKind::game || response.correct;
+        left.first_answers.push_back(response);
+        if (response.check_passed == false) ++left.check_failures[trial.stage];
     }
 
     void keep(const std::vector<SessionEvent>& events) {
         for (const SessionEvent& event : events) {
-            if (const auto* response = std::get_if<Response>(&event)) responses.push_back(*response);
+            all_events.push_back(event);
+            if (const auto* response = std::get_if<Response>(&event)) keep(*response);
             if (const auto* note = std::get_if<Note>(&event)) notes.push_back(*note);
+            if (const auto* exclusion = std::get_if<Exclusion>(&event)) exclusions.push_back(*exclusion);
+            if (const auto* again = std::get_if<Superseded>(&event)) {
+                superseded.push_back(*again);
+                left.answered.erase(again->trial_index);
+            }
         }
     }
+
+    [[nodiscard]] bool finished() const { return session->outcome() == SessionOutcome::finished; }
+    [[nodiscard]] bool hasQuit() const { return session->outcome() == SessionOutcome::quit; }
+    [[nodiscard]] bool running() const { return session->outcome() == SessionOutcome::running; }
 
     void step(InputFrame input = {}, bool was_shown = true) {
         time_s += frame_time_s;
@@ -216,7 +346,7 @@ struct Driver {
     }
 
     bool leavePage() {
-        if (!waitUntil([this] { return resting(frame); })) return false;
+        if (!waitUntil([this] { return resting(frame) && hasButton(frame, button_id::go_on); })) return false;
         wait(0.5);
         press(button_id::go_on);
         return true;
@@ -237,6 +367,20 @@ struct Driver {
         return false;
     }
 
+    /// Reads every page until the session is in that state.
+    bool toState(const std::string& state) {
+        return waitUntil([&] {
+            if (frame.state != state && resting(frame)) leavePage();
+            return frame.state == state;
+        });
+    }
+
+    void order(OperatorAction action, const std::string& text = {}) {
+        InputFrame input;
+        input.commands.push_back({action, text});
+        step(input);
+    }
+
     void answerSomehow(int number) {
         if (frame.balls.empty())
             press(button_id::first_rating + number % 5);
@@ -247,13 +391,13 @@ struct Driver {
     /// Goes on to the end.
     bool finish() {
         for (int answers = 0; answers < 1000; ++answers) {
-            while (!answersOpen(frame) && !session->finished()) {
+            while (!answersOpen(frame) && !finished()) {
                 if (resting(frame))
                     leavePage();
                 else
                     step();
             }
-            if (session->finished()) return true;
+            if (finished()) return true;
             step();
             answerSomehow(answers);
         }

@@ -189,7 +189,7 @@ TEST_SUITE("studies/session_interruption") {
         CHECK(driver.session->trialUnderWay() == -1);
         driver.kept = false;  // nothing more waits for it
         REQUIRE(driver.leavePage());
-        CHECK(driver.session->finished());
+        CHECK(driver.finished());
     }
 
     TEST_CASE("an answer that is kept at once is shown as long as ever") {
@@ -218,7 +218,7 @@ TEST_SUITE("studies/session_interruption") {
         InputFrame quit;
         quit.quit = true;
         driver.step(quit);
-        CHECK(driver.session->quit());
+        CHECK(driver.hasQuit());
         CHECK(driver.frame.state == "over");
     }
 
@@ -242,7 +242,7 @@ TEST_SUITE("studies/session_interruption") {
         driver.step();
         CHECK(driver.session->trialUnderWay() == -1);
         std::vector<std::pair<std::string, int>> seen;
-        while (!driver.session->finished()) {
+        while (!driver.finished()) {
             if (answersOpen(driver.frame))
                 driver.answerSomehow(0);
             else if (resting(driver.frame))
@@ -282,7 +282,7 @@ TEST_SUITE("studies/session_interruption") {
             driver.start();
             std::set<int> answered;
             std::optional<double> open_since_s;  // as displayed
-            for (int i = 0; i < 200000 && !driver.session->finished() && !driver.session->quit(); ++i) {
+            for (int i = 0; i < 200000 && !driver.finished() && !driver.hasQuit(); ++i) {
                 const std::size_t responses = driver.responses.size();
                 const int onsets = driver.count("stimulus_onset");
                 const InputFrame input = person.act();
@@ -316,13 +316,13 @@ TEST_SUITE("studies/session_interruption") {
                     open_since_s.reset();
                 else if (was_shown && !open_since_s)
                     open_since_s = driver.time_s + driver.display_delay_s;
-                if (driver.session->quit()) {  // on the pause page: the rest in another sitting
+                if (driver.hasQuit()) {  // on the pause page: the rest in another sitting
                     driver.frame = {};
                     open_since_s.reset();
                     driver.start(answered);
                 }
             }
-            CHECK(driver.session->finished());
+            CHECK(driver.finished());
             CHECK(answered == std::set<int>{1, 2, 3, 4, 6, 7, 8, 9});
             CHECK(driver.responses.size() == answered.size());
             repeated += driver.count("trial_repeated");

@@ -56,8 +56,8 @@ TEST_SUITE("studies/session_panel") {
         for (const int sentences : {1, 8, 30}) {
             CAPTURE(sentences);
             Driver driver(1);
-            driver.study.welcome.clear();
-            for (int i = 0; i < sentences; ++i) driver.study.welcome += "Twenty-two characters. ";
+            driver.stage("welcome").text.clear();
+            for (int i = 0; i < sentences; ++i) driver.stage("welcome").text += "Twenty-two characters. ";
             driver.start();
             driver.step();
             REQUIRE(driver.frame.panel.has_value());
@@ -106,8 +106,8 @@ TEST_SUITE("studies/session_panel") {
         for (const std::size_t steps : {std::size_t{2}, std::size_t{5}, std::size_t{9}}) {
             CAPTURE(steps);
             Driver driver(1, 0.5, false);
-            driver.study.rating.max_replays = 1;
-            driver.study.rating.labels.assign(steps, "rather natural");
+            driver.stage("naturalness").max_replays = 1;
+            driver.stage("naturalness").scale.labels.assign(steps, "rather natural");
             driver.start();
             REQUIRE(driver.toAnswer());
             const Panel& panel = *driver.frame.panel;

@@ -66,7 +66,7 @@ TEST_SUITE("studies/session_pause") {
         REQUIRE(hasButton(driver.frame, button_id::resume));
         driver.wait(1.0);
         driver.press(button_id::resume);
-        CHECK(driver.frame.state == "welcome");
+        CHECK(driver.frame.state == "instructions");
     }
 
     TEST_CASE("a pause while the answer is open is taken off the response time and shows no clip again") {
@@ -129,7 +129,7 @@ TEST_SUITE("studies/session_pause") {
                 driver.step(pauseFor("escape"));
                 driver.wait(0.5);
                 driver.press(button_id::end_session);
-                CHECK_FALSE(driver.session->quit());
+                CHECK_FALSE(driver.hasQuit());
                 CHECK(driver.frame.panel->texts.front().text == "End the session?");
                 driver.wait(0.5);
                 driver.press(button_id::back);
@@ -142,8 +142,8 @@ TEST_SUITE("studies/session_pause") {
                 input.quit = true;
                 driver.step(input);
             }
-            CHECK(driver.session->quit());
-            CHECK_FALSE(driver.session->finished());
+            CHECK(driver.hasQuit());
+            CHECK_FALSE(driver.finished());
             CHECK(driver.count("quit") == 1);
             std::set<int> answered;
             for (const Response& response : driver.responses) answered.insert(response.trial_index);
@@ -151,7 +151,7 @@ TEST_SUITE("studies/session_pause") {
 
             driver.notes.clear();
             driver.frame = {};
-            driver.start(answered);
+            driver.start();
             driver.step();
             CHECK(driver.frame.panel->texts.front().text == "Welcome back");
             REQUIRE(driver.finish());
@@ -159,7 +159,7 @@ TEST_SUITE("studies/session_pause") {
             for (const Response& response : driver.responses) asked.push_back(response.trial_index);
             CHECK(asked == std::vector<int>{1, 2, 3, 4, 6, 7, 8, 9});
             // The begun stage is not practised again, the one not begun is.
-            CHECK(driver.count("practice_answer") == 1);
+            CHECK(driver.practised.size() == 2);
             CHECK(driver.last("session_start").detail == "resumed after 3 of 8 answers");
         }
     }
@@ -182,16 +182,15 @@ TEST_SUITE("studies/session_pause") {
             CAPTURE(seed);
             Random random(seed, "session fuzz");
             Driver driver(2, 0.4);
-            driver.study.rating.max_replays = static_cast<int>(random.below(3));
-            driver.study.game.max_replays = static_cast<int>(random.below(3));
-            driver.study.game.break_every = static_cast<int>(random.below(4));
+            driver.stage("naturalness").max_replays = static_cast<int>(random.below(3));
+            driver.stage("game").max_replays = static_cast<int>(random.below(3));
+            driver.stage("game").break_every = static_cast<int>(random.below(4));
             driver.frame_time_s = 1.0 / random.uniform(15.0, 90.0);
             std::set<int> answered;
             bool finished = false;
             for (int sittings = 0; sittings < 500 && !finished; ++sittings) {
-                driver.frame = {};
-                driver.start(answered);
-                for (int i = 0; i < 100000 && !driver.session->finished() && !driver.session->quit(); ++i) {
+                driver.restart();
+                for (int i = 0; i < 100000 && !driver.finished() && !driver.hasQuit(); ++i) {
                     const bool was_open = answersOpen(driver.frame);
                     const std::size_t before = driver.responses.size();
                     driver.step(anything(driver.frame, random), random.uniform() < 0.9);
@@ -201,7 +200,7 @@ TEST_SUITE("studies/session_pause") {
                         CHECK(answered.insert(driver.responses.back().trial_index).second);
                     }
                 }
-                finished = driver.session->finished();
+                finished = driver.finished();
             }
             CHECK(finished);
             CHECK(answered == std::set<int>{1, 2, 3, 4, 6, 7, 8, 9});
@@ -212,7 +211,7 @@ TEST_SUITE("studies/session_pause") {
                 CHECK(response.response_time_s <=
                       response.answered.time_s - response.motion_end.time_s + 1e-9);
                 const bool game = response.trial_index >= 5;
-                CHECK((response.rating >= 1 && response.rating <= 5) == !game);
+                CHECK((ratingOf(response) >= 1 && ratingOf(response) <= 5) == !game);
                 CHECK((response.chosen_place >= 0 && response.chosen_place <= 2) == game);
             }
         }

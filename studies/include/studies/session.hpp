@@ -28,6 +28,8 @@ struct Resume {
     std::map<int, bool> answered{};  ///< trial index -> correct (false only for a wrong choice of the game)
     std::set<int> begun{};           ///< unanswered trials whose clip had been begun
     std::map<std::string, int> check_failures{};  ///< by stage
+    /// Answers to trials that a check repeats (TrialCheck::of_trial). Without, such a repeat is not judged.
+    std::vector<Response> first_answers{};
     double gap_s = 0.0;  ///< from the last thing known of the sitting before until now; 0: there was none
 };
 

@@ -188,7 +188,7 @@ struct PresentedFrame {
     std::string notice;
     bool tick = false;  ///< the ray has just met a ball or a button: a light haptic tick
     /// What the session is doing, for screenshots and tests. Pages: "instructions", "consent",
-    /// "questionnaire", "break", "welcome-back", "practice-again", "attention" (a warning). Trials: "waiting",
+    /// "questionnaire", "break", "welcome-back", "practice-again", "attention" (a warning), "closing" (thanks, or why the session ends). Trials: "waiting",
     /// "playing", "pointing" (the clip's second half), "check" (a number to be given is shown), then "rating"
     /// and "rated"; parallel: "listening" (the page is open); pairwise: "comparing", "reasons"; the game, each
     /// with "-" and the layout: "waiting-across", "playing-...", "pointing-...", "choosing-...", "aiming-..."

@@ -1,0 +1,135 @@
+#include "session_checks.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr double rounding = 1e-9;
+
+std::optional<double> valueOf(const Response& response, const char* question, int stimulus) {
+    for (const Answer& answer : response.answers)
+        if (answer.question == question && answer.stimulus == stimulus) return answer.value;
+    return std::nullopt;
+}
+
+/// Which ball was chosen, whatever its place.
+int ballOf(const Trial& trial, const Response& response) {
+    if (response.chosen_place < 0) return -1;
+    return trial.ball_order.at(static_cast<std::size_t>(response.chosen_place));
+}
+
+CheckResult compared(double first, double now, double tolerance) {
+    return {std::abs(now - first) <= tolerance + rounding,
+            fmt::format("repeat: {} first, {} now", first, now)};
+}
+
+/// Ratings and preferences of a repeat against those of the first time; the stimuli may stand elsewhere.
+CheckResult compare(const Trial& trial, const Response& now, const Trial& first_trial, const Response& first,
+                    double tolerance) {
+    if (trial.kind == StageKind::game) {
+        const int before = ballOf(first_trial, first);
+        const int again = ballOf(trial, now);
+        return {before == again, fmt::format("repeat: ball {} first, {} now", before, again)};
+    }
+    if (trial.kind == StageKind::pairwise) {
+        const bool swapped = trial.stimuli != first_trial.stimuli;
+        const double before = valueOf(first, "preference", -1).value_or(0.0);
+        return compared(swapped ? -before : before, valueOf(now, "preference", -1).value_or(0.0), tolerance);
+    }
+    CheckResult result;
+    for (std::size_t i = 0; i < trial.stimuli.size(); ++i)
+        for (std::size_t j = 0; j < first_trial.stimuli.size(); ++j) {
+            if (trial.stimuli[i] != first_trial.stimuli[j]) continue;
+            const auto again = valueOf(now, "rating", static_cast<int>(i));
+            const auto before = valueOf(first, "rating", static_cast<int>(j));
+            if (!again || !before) continue;
+            CheckResult one = compared(*before, *again, tolerance);
+            if (result.passed) result = std::move(one);
+        }
+    return result;
+}
+
+}  // namespace
+
+CheckJudge::CheckJudge(const Study& study, const StudyPlan& plan, const Resume& resume)
+    : study_(study), plan_(plan), earlier_failures_(resume.check_failures) {
+    for (const Response& response : resume.first_answers) kept_[response.trial_index] = response;
+}
+
+const Trial& CheckJudge::trialOf(int index) const {
+    return plan_.trials.at(static_cast<std::size_t>(index));
+}
+
+const AttentionChecks* CheckJudge::checksOf(const Trial& trial) const {
+    const Stage* stage = study_.findStage(trial.stage);
+    if (stage == nullptr || !trial.check) return nullptr;
+    for (const AttentionChecks& checks : stage->checks)
+        if (checks.kind == trial.check->kind) return &checks;
+    return nullptr;
+}
+
+std::optional<CheckResult> CheckJudge::judge(const Response& response) const {
+    const Trial& trial = trialOf(response.trial_index);
+    if (!trial.check || response.status == ResponseStatus::skipped) return std::nullopt;
+    const AttentionChecks* checks = checksOf(trial);
+    const double tolerance = checks != nullptr ? checks->tolerance : 0.0;
+    const double expected = trial.check->expected;
+    switch (trial.check->kind) {
+        case CheckKind::number: {
+            const auto given = valueOf(response, "rating", trial.check->stimulus);
+            if (!given) return std::nullopt;
+            return CheckResult{std::abs(*given - expected) <= tolerance + rounding,
+                               fmt::format("number: {} expected, {} given", expected, *given)};
+        }
+        case CheckKind::catch_trial:
+            return CheckResult{response.correct, "catch"};
+        case CheckKind::repeat: {
+            const auto first = kept_.find(trial.check->of_trial);
+            const bool comparable = first != kept_.end() &&
+                                    first->second.status == ResponseStatus::answered &&
+                                    response.status == ResponseStatus::answered;
+            if (!comparable) return std::nullopt;
+            return compare(trial, response, trialOf(trial.check->of_trial), first->second, tolerance);
+        }
+    }
+    return std::nullopt;
+}
+
+void CheckJudge::keep(const Response& response) {
+    kept_[response.trial_index] = response;
+    if (response.check_passed) results_[response.trial_index] = *response.check_passed;
+}
+
+void CheckJudge::forget(int trial) {
+    kept_.erase(trial);
+    results_.erase(trial);
+}
+
+CheckRule CheckJudge::ruleFor(const Trial& trial) const {
+    const AttentionChecks* checks = checksOf(trial);
+    if (checks == nullptr) return CheckRule::note;
+    const auto earlier = earlier_failures_.find(trial.stage);
+    int failures = earlier != earlier_failures_.end() ? earlier->second : 0;
+    for (const auto& [index, passed] : results_)
+        if (!passed && trialOf(index).stage == trial.stage) ++failures;
+    return failures >= checks->after_failures ? checks->rule : CheckRule::note;
+}
+
+int CheckJudge::passed() const {
+    int count = 0;
+    for (const auto& result : results_)
+        if (result.second) ++count;
+    return count;
+}
+
+int CheckJudge::failed() const {
+    int count = static_cast<int>(results_.size()) - passed();
+    for (const auto& earlier : earlier_failures_) count += earlier.second;
+    return count;
+}
+
+}  // namespace deixis::studies

@@ -1,0 +1,176 @@
+// The referential game: which ball does the avatar point at? (Deichler et al. 2023, section 2.4.2.) After the
+// choice a study may ask how sure the participant is, and show the target.
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "session_clip_trial.hpp"
+#include "session_scale.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr double feedback_s = 1.0;
+constexpr double time_up_s = 1.0;          ///< how long it is told that the time is up
+constexpr int countdown_from = 5;          ///< seconds left at which they are told,
+constexpr double longest_untold_s = 10.0;  ///< of a time limit that is longer than this
+
+class GameTrial : public ClipTrial {
+  public:
+    GameTrial(SessionCore& core, const CourseItem& item) : ClipTrial(core, item) {
+        if (task_.confidence) confidence_.emplace(core, task_.confidence->text, task_.confidence->scale);
+    }
+
+    void enter(const InputFrame& input, bool moved) override {
+        for (std::size_t place = 0; place < trial_.ball_order.size(); ++place)
+            core_.view.frame.balls.push_back({trial_.ball(static_cast<int>(place)),
+                                              core_.study.targets.ball_diameter_m / 2.0, BallLook::waiting});
+        ClipTrial::enter(input, moved);
+    }
+
+    [[nodiscard]] bool stepDone(const InputFrame& /*input*/, double since_s) override {
+        if (draft_.status == ResponseStatus::skipped) return true;
+        const bool late = draft_.status == ResponseStatus::timed_out;
+        if (!task_.feedback) return since_s >= (late ? time_up_s : confirm_s);
+        const double chosen_shown_s = late ? 0.0 : confirm_s;
+        if (since_s < chosen_shown_s) return false;
+        if (!revealed_) {
+            revealed_ = true;
+            core_.note("feedback");
+            showDone();
+        }
+        return since_s >= chosen_shown_s + feedback_s;
+    }
+
+    void resumeDone(const InputFrame& /*input*/) override {
+        if (draft_.status != ResponseStatus::skipped) showDone();
+    }
+
+    [[nodiscard]] std::string notice() const override {
+        const LanguageTable& words = core_.words();
+        if (done_ && draft_.status == ResponseStatus::timed_out) return words("notice_time_up");
+        if (revealed_) return words(draft_.correct ? "feedback_correct" : "feedback_wrong");
+        if (done_ || seconds_left_ == 0) return {};
+        return words("notice_time_left", {{"seconds", std::to_string(seconds_left_)}});
+    }
+
+  private:
+    bool aiming_ = false;  ///< the ray is on a ball
+    bool chosen_ = false;
+    bool revealed_ = false;
+    int seconds_left_ = 0;  ///< told to the participant; 0: nothing is
+    std::optional<ScaleAnswer> confidence_{};
+
+    [[nodiscard]] bool committed() const override { return chosen_; }
+
+    void openAnswer(const InputFrame& input) override {
+        if (chosen_) {
+            openConfidence(input);
+            return;
+        }
+        aiming_ = false;
+        showState("choosing");
+        if (const auto again = replayButton())
+            core_.openPanel(gamePanel(task_.question, again), input, deskPose);
+        else
+            core_.view.closePanel();
+        core_.view.aim(input.pointer, input.stage_from_head, true);
+    }
+
+    void stepAnswer(const InputFrame& input) override {
+        if (chosen_) {
+            stepConfidence(input);
+            return;
+        }
+        const Aim met = core_.view.aim(input.pointer, input.stage_from_head, true);
+        if ((met.ball >= 0) != aiming_) {
+            aiming_ = met.ball >= 0;
+            showState(aiming_ ? "aiming" : "choosing");
+        }
+        if (!gate_.accepts()) return;
+        const bool selected = select(input);
+        if (selected && met.button == button_id::replay) {
+            seconds_left_ = 0;
+            replay();
+        } else if (selected && met.ball >= 0 && inTime(selectTime(input))) {
+            choose(input, met.ball);
+        } else {
+            watchTime(input);
+        }
+    }
+
+    [[nodiscard]] double taken(double at_s) const {
+        return at_s - draft_.motion_end.time_s - draft_.paused_s;
+    }
+    [[nodiscard]] bool inTime(double at_s) const {
+        return task_.time_limit_s <= 0.0 || taken(at_s) <= task_.time_limit_s;
+    }
+
+    void watchTime(const InputFrame& input) {
+        if (task_.time_limit_s <= 0.0) return;
+        const double left_s = task_.time_limit_s - taken(core_.now.time_s);
+        const int seconds = static_cast<int>(std::ceil(left_s));
+        const bool told = task_.time_limit_s > longest_untold_s && seconds <= countdown_from;
+        seconds_left_ = told ? std::max(seconds, 0) : 0;
+        if (left_s > 0.0) return;
+        give(input, draft_.motion_end.time_s + draft_.paused_s + task_.time_limit_s, "");
+        draft_.status = ResponseStatus::timed_out;
+        core_.view.closePanel();
+        finish();
+    }
+
+    void choose(const InputFrame& input, int place) {
+        draft_.chosen_place = place;
+        draft_.correct = place == trial_.targetPlace();
+        chosen_ = true;
+        seconds_left_ = 0;
+        give(input, selectTime(input), "ray");
+        if (confidence_)
+            reopenAnswer(input);
+        else
+            finish();
+    }
+
+    void openConfidence(const InputFrame& input) {
+        showState("confidence");
+        core_.view.lookAtBalls(BallLook::waiting, draft_.chosen_place, BallLook::chosen);
+        confidence_->open(input, std::nullopt, lecternPose);
+        core_.view.aim(input.pointer, input.stage_from_head, false);
+    }
+
+    void stepConfidence(const InputFrame& input) {
+        const Aim met = core_.view.aim(input.pointer, input.stage_from_head, false);
+        if (!core_.settled()) return;
+        const bool selected = input.select && gate_.admits(selectTime(input));
+        const auto given = confidence_->step(input, met, gate_, selected);
+        if (!given) return;
+        draft_.answers.push_back({"confidence", -1, static_cast<double>(given->value), {}});
+        confidence_->confirm(given->value);
+        finish();
+    }
+
+    void finish() {
+        core_.view.frame.ray.reset();
+        complete();
+        if (draft_.status == ResponseStatus::answered) showDone();
+    }
+
+    void showDone() {
+        showState(revealed_ ? "feedback" : "chosen");
+        core_.view.lookAtBalls(BallLook::selectable, draft_.chosen_place, BallLook::chosen);
+        if (!revealed_) return;
+        core_.view.closePanel();
+        PresentedFrame& frame = core_.view.frame;
+        frame.balls[static_cast<std::size_t>(trial_.targetPlace())].look = BallLook::revealed;
+        frame.key_moment = true;
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Unit> makeGame(SessionCore& core, const CourseItem& item) {
+    return std::make_unique<GameTrial>(core, item);
+}
+
+}  // namespace deixis::studies

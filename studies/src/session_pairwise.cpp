@@ -1,0 +1,91 @@
+// A pair: two avatars side by side, which is better, and where a study asks for it, why.
+#include <utility>
+
+#include "session_compare.hpp"
+#include "session_form.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+constexpr int preferences = 5;  ///< clearly left (-2) .. clearly right (2)
+
+class PairwiseTrial : public ComparePage {
+  public:
+    PairwiseTrial(SessionCore& core, const CourseItem& item) : ComparePage(core, item) {
+        const bool asks = task_.reasons && (core.keyboard || task_.reasons->kind != QuestionKind::text);
+        if (asks) reasons_.emplace(core, std::vector<const Question*>{&*task_.reasons}, FormSetting{});
+    }
+
+  private:
+    std::optional<int> preference_{};
+    std::optional<QuestionForm> reasons_{};
+    bool asking_ = false;  ///< for the reasons
+
+    [[nodiscard]] AvatarPoser& poserOf(std::size_t i) override {
+        return i == 0 ? core_.poser : core_.right_poser;
+    }
+    [[nodiscard]] const char* openState() const override { return "comparing"; }
+    [[nodiscard]] bool beyondBoard() const override { return asking_; }
+
+    [[nodiscard]] Panel board() const override {
+        PairwiseBoard board;
+        board.question = task_.question;
+        board.left = viewOf(0);
+        board.right = viewOf(1);
+        board.can_answer = gate_.isOpen();
+        board.preference = preference_;
+        if (!allSeen()) board.hint = core_.words()("play_both");
+        return pairwisePanel(board, core_.words());
+    }
+
+    bool stepBoard(const InputFrame& input, const Aim& met) override {
+        const int place = met.button - button_id::first_rating;
+        if (input.select && place >= 0 && place < preferences && gate_.admits(selectTime(input)))
+            prefer(input, place, selectTime(input), "ray");
+        else if (input.digit && *input.digit >= 1 && *input.digit <= preferences &&
+                 gate_.admits(keyTime(input)))
+            prefer(input, *input.digit - 1, keyTime(input), "key");
+        return false;
+    }
+
+    void prefer(const InputFrame& input, int place, double at_s, const char* by) {
+        preference_ = place - 2;
+        give(input, at_s, by);
+        draft_.answers.push_back({"preference", -1, static_cast<double>(*preference_), {}});
+        if (reasons_ && *preference_ != 0) {
+            asking_ = true;
+            openReasons(input);
+            return;
+        }
+        showState("rated");
+        core_.view.confirmButton(button_id::first_rating + place);
+        complete();
+    }
+
+    void openReasons(const InputFrame& input) {
+        showState("reasons");
+        reasons_->open(input);
+    }
+
+    void stepBeyond(const InputFrame& input) override {
+        if (!reasons_->step(input)) return;
+        for (Answer& answer : reasons_->answers()) {
+            answer.question = "reasons";
+            draft_.answers.push_back(std::move(answer));
+        }
+        showState("rated");
+        core_.view.confirmButton(button_id::go_on);
+        complete();
+    }
+
+    void resumeBeyond(const InputFrame& input) override { openReasons(input); }
+};
+
+}  // namespace
+
+std::unique_ptr<Unit> makePairwise(SessionCore& core, const CourseItem& item) {
+    return std::make_unique<PairwiseTrial>(core, item);
+}
+
+}  // namespace deixis::studies

@@ -1,0 +1,88 @@
+#include "session_unit.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+namespace deixis::studies {
+
+TrialUnit::TrialUnit(SessionCore& core, const CourseItem& item)
+    : Unit(core), trial_(*item.trial), stage_(*item.stage), task_(taskOf(core.study, *item.stage)) {
+    draft_.trial_index = trial_.index;
+    draft_.plays.assign(trial_.stimuli.size(), 0);
+}
+
+void TrialUnit::showState(const char* base) {
+    core_.view.frame.state = base;
+    if (trial_.kind == StageKind::game) core_.view.frame.state += "-" + trial_.layout;
+}
+
+bool TrialUnit::checked(int i) const {
+    return trial_.check && trial_.check->kind == CheckKind::number && trial_.check->stimulus == i;
+}
+
+void TrialUnit::showSign(const InputFrame& input, bool on_right) {
+    const PresentedFrame& frame = core_.view.frame;
+    const std::vector<Pose>& joints = on_right ? frame.right_avatar_joints : frame.avatar_joints;
+    const int found = core_.avatar.find("head");
+    const auto head = static_cast<std::size_t>(found < 0 ? 0 : found);
+    const std::string number = fmt::format("{}", trial_.check->expected);
+    core_.view.showSign(core_.words()("attention_number", {{"number", number}}), number,
+                        joints.at(head).position, core_.eyes(input));
+}
+
+void TrialUnit::give(const InputFrame& input, double given_s, const char* by) {
+    draft_.answered = core_.momentAt(given_s);
+    if (!onset_known_) draft_.onset = draft_.motion_end = draft_.answered;
+    draft_.response_time_s = given_s - draft_.motion_end.time_s - draft_.paused_s;
+    draft_.input = by;
+    draft_.stage_from_head = input.stage_from_head;
+    draft_.pointer = input.pointer;
+}
+
+void TrialUnit::complete() {
+    response_ = draft_;
+    done_ = true;
+    core_.view.frame.key_moment = true;
+}
+
+bool TrialUnit::skip(const InputFrame& input, const std::string& reason) {
+    give(input, core_.now.time_s, "");
+    draft_.status = ResponseStatus::skipped;
+    draft_.reason = reason;
+    draft_.answers.clear();
+    draft_.chosen_place = -1;
+    draft_.correct = false;
+    if (draft_.onset.time_s > draft_.motion_end.time_s) draft_.motion_end = draft_.answered;
+    draft_.response_time_s = draft_.answered.time_s - draft_.motion_end.time_s - draft_.paused_s;
+    core_.view.closePanel();
+    core_.view.closeSign();
+    core_.view.lookAtBalls(BallLook::waiting);
+    complete();
+    return true;
+}
+
+std::unique_ptr<Unit> makeUnit(SessionCore& core, const CourseItem& item) {
+    if (item.trial == nullptr) return makePage(core, item);
+    switch (item.trial->kind) {
+        case StageKind::instructions:
+        case StageKind::rest:
+            break;
+        case StageKind::consent:
+            return makeConsent(core, item);
+        case StageKind::questionnaire:
+            return makeQuestionnaire(core, item);
+        case StageKind::rating:
+            return makeRating(core, item);
+        case StageKind::parallel_rating:
+            return makeParallelRating(core, item);
+        case StageKind::pairwise:
+            return makePairwise(core, item);
+        case StageKind::game:
+            return makeGame(core, item);
+    }
+    throw std::invalid_argument(
+        fmt::format("trial {} of the plan is of a kind that is not answered", item.trial->index));
+}
+
+}  // namespace deixis::studies
