@@ -1,0 +1,39 @@
+// The tables of an export: what stands in each column and where it comes from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "csv_table.hpp"
+
+namespace deixis::results {
+
+/// What becomes of a column where an export is anonymised.
+enum class Privacy : unsigned char {
+    kept,
+    participant,  ///< another id stands for it
+    session,      ///< likewise
+    clock,        ///< seconds since the session's start stand for it
+    left_out
+};
+
+struct ExportColumn {
+    ColumnSpec spec;
+    const char* sql;  ///< in the query of the table
+    Privacy privacy = Privacy::kept;
+    const char* anonymous_sql = nullptr;  ///< in the place of `sql`, anonymised
+};
+
+/// One CSV file. The query is "SELECT <columns> <from>" for one participant, ?1; a column named `session`
+/// must stand before any clock.
+struct ExportTable {
+    const char* file;
+    const char* description;
+    const char* from;
+    std::vector<ExportColumn> columns;
+};
+
+/// responses.csv, trials.csv, sessions.csv and events.csv.
+[[nodiscard]] const std::vector<ExportTable>& exportTables();
+
+}  // namespace deixis::results

@@ -1,0 +1,295 @@
+// Several stations' databases of one study as one.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/hash.hpp"
+#include "database_open.hpp"
+#include "results/data_export.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+namespace fs = std::filesystem;
+using SQLite::Statement;
+
+/// A table, and which of its columns are numbers that each database counts for itself.
+struct Table {
+    const char* name;
+    const char* own_id;            ///< counted anew in the joined database; null: none
+    const char* session;           ///< column that refers to sessions.id; null: none
+    const char* response;          ///< column that refers to responses.id; null: none
+    const char* participant_rows;  ///< the rows of a participant (?1)
+};
+
+/// What describes the study: the same in each of its databases, but for the language of its texts.
+constexpr std::array<const char*, 7> study_tables{"study",     "stages",    "systems", "layouts",
+                                                  "distances", "questions", "scores"};
+
+/// In an order in which each row finds what it refers to.
+constexpr std::array<Table, 15> people_tables{{
+    {"participants", nullptr, nullptr, nullptr, "id = ?1"},
+    {"participant_groups", nullptr, nullptr, nullptr, "participant = ?1"},
+    {"participant_fields", nullptr, nullptr, nullptr, "participant = ?1"},
+    {"plans", nullptr, nullptr, nullptr, "participant = ?1"},
+    {"trials", nullptr, nullptr, nullptr, "participant = ?1"},
+    {"trial_stimuli", nullptr, nullptr, nullptr, "participant = ?1"},
+    {"sessions", "id", nullptr, nullptr, "participant = ?1"},
+    {"session_properties", nullptr, "session", nullptr,
+     "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
+    {"consents", nullptr, "session", nullptr, "participant = ?1"},
+    {"responses", "id", "session", nullptr, "participant = ?1"},
+    {"response_stimuli", nullptr, nullptr, "response",
+     "response IN (SELECT id FROM responses WHERE participant = ?1)"},
+    {"answers", nullptr, nullptr, "response",
+     "response IN (SELECT id FROM responses WHERE participant = ?1)"},
+    {"events", "id", "session", nullptr, "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
+    {"tracking_blocks", "id", "session", nullptr,
+     "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
+    {"hand_joints", nullptr, "session", nullptr,
+     "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
+}};
+constexpr Table trial_tracking{"trial_tracking", nullptr, "session", nullptr,
+                               "session IN (SELECT id FROM sessions WHERE participant = ?1)"};
+
+void bindSame(Statement& to, int place, const SQLite::Column& value) {
+    if (value.isNull())
+        to.bind(place);
+    else if (value.isInteger())
+        to.bind(place, value.getInt64());
+    else if (value.isFloat())
+        to.bind(place, value.getDouble());
+    else if (value.isBlob())
+        to.bind(place, value.getBlob(), value.getBytes());
+    else
+        to.bind(place, value.getString());
+}
+
+struct Source {
+    fs::path path;
+    std::string study_hash;
+    std::string study_name;
+    std::vector<std::string> participants;
+    std::map<std::string, int> numbers;
+    std::map<std::string, std::string> kept;  ///< by participant: a hash of all that is kept of them
+};
+
+// All that is kept of a participant, whatever numbers a database counts by itself.
+std::string contentHash(SQLite::Database& database, const std::string& participant) {
+    std::string content;
+    const auto add = [&](const Table& table) {
+        Statement rows(database, fmt::format("SELECT * FROM {} WHERE {} ORDER BY 1, 2", table.name,
+                                             table.participant_rows));
+        rows.bind(1, participant);
+        content += fmt::format("[{}]", table.name);
+        while (rows.executeStep())
+            for (int i = 0; i < rows.getColumnCount(); ++i) {
+                const std::string name = rows.getColumnName(i);
+                const auto is = [&](const char* counted) { return counted != nullptr && name == counted; };
+                if (is(table.own_id) || is(table.session) || is(table.response)) continue;
+                const SQLite::Column value = rows.getColumn(i);
+                content += fmt::format("{}:{};", value.getBytes(),
+                                       std::string(static_cast<const char*>(value.getBlob()),
+                                                   static_cast<std::size_t>(value.getBytes())));
+            }
+    };
+    for (const Table& table : people_tables) add(table);
+    add(trial_tracking);
+    return sha256Hex(content);
+}
+
+Result<Source> readSource(const fs::path& path) {
+    return readDatabase(path, [&](SQLite::Database& database) -> Result<Source> {
+        Source source;
+        source.path = path;
+        Statement study(database, "SELECT name, hash FROM study");
+        if (!study.executeStep())
+            return fail(path.string(), "the database holds no study yet", "Leave it out");
+        source.study_name = study.getColumn(0).getString();
+        source.study_hash = study.getColumn(1).getString();
+        Statement people(database, "SELECT id, number FROM participants ORDER BY id");
+        while (people.executeStep()) {
+            const std::string id = people.getColumn(0).getString();
+            source.participants.push_back(id);
+            source.numbers[id] = people.getColumn(1).getInt();
+            source.kept[id] = contentHash(database, id);
+        }
+        return source;
+    });
+}
+
+// Everything for which the databases cannot be joined.
+std::vector<Error> findClashes(const std::vector<Source>& sources) {
+    std::vector<Error> problems;
+    struct Known {
+        const Source* source;
+        std::string participant;
+    };
+    std::map<std::string, const Source*> by_id;
+    std::map<int, Known> by_number;
+    for (const Source& source : sources) {
+        const Source& first = sources.front();
+        if (source.study_hash != first.study_hash)
+            problems.push_back(
+                {source.path.string(),
+                 fmt::format("holds the study '{}' ({}), but {} holds '{}' ({})", source.study_name,
+                             source.study_hash.substr(0, 12), first.path.string(), first.study_name,
+                             first.study_hash.substr(0, 12)),
+                 "Only databases of one study file, unchanged, can be joined"});
+        for (const std::string& id : source.participants) {
+            const auto [same, is_new] = by_id.emplace(id, &source);
+            if (!is_new) {
+                if (same->second->kept.at(id) != source.kept.at(id))
+                    problems.push_back({source.path.string(),
+                                        fmt::format("participant {} stands in {} too, with other answers", id,
+                                                    same->second->path.string()),
+                                        "Two people must not share an id"});
+                continue;
+            }
+            const int number = source.numbers.at(id);
+            const auto [other, free] = by_number.emplace(number, Known{&source, id});
+            if (!free)
+                problems.push_back(
+                    {source.path.string(),
+                     fmt::format("participant {} has the number {}, which {} of {} has too", id, number,
+                                 other->second.participant, other->second.source->path.string()),
+                     "Give each station ids with numbers of its own, such as A001 and B101"});
+        }
+    }
+    return problems;
+}
+
+// Copies rows and gives counted numbers anew.
+class Copier {
+  public:
+    Copier(SQLite::Database& from, SQLite::Database& to) : from_(from), to_(to) {}
+
+    void study() {
+        for (const char* table : study_tables) copy({table, nullptr, nullptr, nullptr, "?1 = ?1"}, "");
+    }
+    void withdrawals() { copy({"withdrawals", "id", nullptr, nullptr, "?1 = ?1"}, ""); }
+    void participant(const std::string& id) {
+        for (const Table& table : people_tables) copy(table, id);
+        copy(trial_tracking, id);
+    }
+
+  private:
+    void copy(const Table& table, const std::string& participant) {
+        Statement rows(
+            from_, fmt::format("SELECT * FROM {} WHERE {} ORDER BY 1", table.name, table.participant_rows));
+        rows.bind(1, participant);
+        std::string names, places;
+        for (int i = 0; i < rows.getColumnCount(); ++i) {
+            names += (i > 0 ? ", " : "") + std::string(rows.getColumnName(i));
+            places += i > 0 ? ", ?" : "?";
+        }
+        Statement insert(to_, fmt::format("INSERT INTO {} ({}) VALUES ({})", table.name, names, places));
+        while (rows.executeStep()) {
+            long long old_id = 0;
+            for (int i = 0; i < rows.getColumnCount(); ++i) {
+                const std::string name = rows.getColumnName(i);
+                const SQLite::Column value = rows.getColumn(i);
+                if (table.own_id != nullptr && name == table.own_id) {
+                    old_id = value.getInt64();
+                    insert.bind(i + 1);  // the next free one
+                } else if (table.session != nullptr && name == table.session) {
+                    insert.bind(i + 1, static_cast<std::int64_t>(sessions_.at(value.getInt64())));
+                } else if (table.response != nullptr && name == table.response) {
+                    insert.bind(i + 1, static_cast<std::int64_t>(responses_.at(value.getInt64())));
+                } else {
+                    bindSame(insert, i + 1, value);
+                }
+            }
+            insert.exec();
+            insert.reset();
+            if (std::string_view(table.name) == "sessions") sessions_[old_id] = to_.getLastInsertRowid();
+            if (std::string_view(table.name) == "responses") responses_[old_id] = to_.getLastInsertRowid();
+        }
+    }
+
+    SQLite::Database& from_;
+    SQLite::Database& to_;
+    std::map<long long, long long> sessions_;
+    std::map<long long, long long> responses_;
+};
+
+Result<void> writeJoined(const std::vector<Source>& sources, const fs::path& partial) {
+    auto joined = openToWrite(partial, Missing::create);
+    if (!joined) return tl::unexpected(joined.error());
+    joined->exec("BEGIN");
+    std::set<std::string> there;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        // It may be read a second time, where a session wrote to it meanwhile.
+        const std::set<std::string> before = there;
+        joined->exec("SAVEPOINT source");
+        const auto copied = readDatabase(sources[i].path, [&](SQLite::Database& from) -> Result<int> {
+            joined->exec("ROLLBACK TO source");
+            there = before;
+            Copier copier(from, *joined);
+            if (i == 0) copier.study();
+            copier.withdrawals();
+            for (const std::string& id : sources[i].participants)
+                if (there.insert(id).second) copier.participant(id);
+            return 0;
+        });
+        if (!copied) return tl::unexpected(copied.error());
+    }
+    joined->exec("COMMIT");
+    // One file, without a log beside it.
+    joined->exec("PRAGMA journal_mode = DELETE");
+    return {};
+}
+
+void removeDatabase(const fs::path& path) {
+    std::error_code code;
+    for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path.string() + suffix, code);
+}
+
+}  // namespace
+
+tl::expected<void, std::vector<Error>> mergeDatabases(const std::vector<fs::path>& databases,
+                                                      const fs::path& output) {
+    std::vector<Error> problems;
+    std::error_code code;
+    if (fs::exists(output, code))
+        problems.push_back(
+            {output.string(), "exists already; nothing is written over", "Name another file with -o"});
+    std::vector<Source> sources;
+    for (const fs::path& path : databases) {
+        auto source = readSource(path);
+        if (!source)
+            problems.push_back(source.error());
+        else
+            sources.push_back(std::move(*source));
+    }
+    for (Error& clash : findClashes(sources)) problems.push_back(std::move(clash));
+    if (!problems.empty()) return tl::unexpected(std::move(problems));
+
+    // Written beside and renamed at the end: no half database.
+    const fs::path partial = output.string() + ".partial";
+    removeDatabase(partial);
+    Result<void> written = fail(partial.string(), "not written");
+    try {
+        written = writeJoined(sources, partial);
+    } catch (...) {
+        removeDatabase(partial);
+        throw;
+    }
+    if (written) {
+        fs::rename(partial, output, code);
+        if (!code) return {};
+        written = fail(output.string(), "cannot be written: " + code.message());
+    }
+    removeDatabase(partial);
+    return tl::unexpected(std::vector<Error>{written.error()});
+}
+
+}  // namespace deixis::results
