@@ -12,7 +12,7 @@ namespace {
 constexpr double row_gap_m = 0.014;
 constexpr double play_width_m = 0.2;  // with its words as a caption
 constexpr double play_height_m = 0.15;
-constexpr double many_height_m = 0.112;  // five or six rows, one under the other
+constexpr double many_height_m = 0.11;  // five or six rows, one under the other
 
 const std::string& playWord(PlayState state, const LanguageTable& words) {
     switch (state) {
@@ -35,7 +35,7 @@ std::string letter(std::size_t i) {
 double widestPlayLabel(const LanguageTable& words) {
     double width_m = 0.0;
     for (const PlayState state : {PlayState::unplayed, PlayState::playing, PlayState::played})
-        width_m = std::max(width_m, panel::buttonWidth("A  " + playWord(state, words)));
+        width_m = std::max(width_m, panel::buttonWidth("A  " + playWord(state, words), ButtonRole::play));
     return width_m;
 }
 
@@ -67,7 +67,7 @@ Panel ratingPanel(const RatingBoard& board) {
                                  board.enabled};
     const double top = made.top();
     if (board.confirm && board.scale.kind == ScaleKind::slider) {
-        const double button_m = panel::buttonWidth(board.confirm->label);
+        const double button_m = panel::buttonWidth(board.confirm->label, board.confirm->role);
         made.scale(scale, panel::margin_m, top, made.inner() - button_m - panel::gap_m);
         made.button(*board.confirm, panel::wide_m - panel::margin_m - button_m, top, button_m,
                     panel::button_height_m);
@@ -122,7 +122,7 @@ Panel parallelPanel(const ParallelBoard& board, const LanguageTable& words) {
             if (captions) made.lastButton().caption = word;
             row_m = std::max(row_m, made.scale({board.scale, button_id::first_option + 100 * place,
                                                 button_id::first_slider + place, stimulus.value,
-                                                stimulus.can_rate, false, grid.height_m},
+                                                stimulus.can_rate, false, false, grid.height_m},
                                                left, made.top(), scale_m));
         }
         made.advance(row_m, row_gap_m);
@@ -132,7 +132,8 @@ Panel parallelPanel(const ParallelBoard& board, const LanguageTable& words) {
 
 Panel pairwisePanel(const PairwiseBoard& board, const LanguageTable& words) {
     panel::Builder made(panel::wide_m);
-    const double play_m = std::max(panel::buttonWidth(words("left")), panel::buttonWidth(words("right")));
+    const double play_m = std::max(panel::buttonWidth(words("left"), ButtonRole::play),
+                                   panel::buttonWidth(words("right"), ButtonRole::play));
     const auto play = [&](const StimulusView& stimulus, const char* side, int place, double x) {
         made.button({words(side), button_id::first_play + place, ButtonRole::play, stimulus.can_play}, x,
                     made.top(), play_m, panel::caption_height_m);
@@ -154,7 +155,7 @@ Panel pairwisePanel(const PairwiseBoard& board, const LanguageTable& words) {
                                                      "prefer_neither", "prefer_right_slightly",
                                                      "prefer_right_clearly"};
     constexpr auto count = static_cast<double>(preferences.size());
-    constexpr double between_m = 0.02;
+    constexpr double between_m = 0.016;
     const double option_m = (made.inner() - (count - 1.0) * between_m) / count;
     for (std::size_t i = 0; i < preferences.size(); ++i) {
         const int place = static_cast<int>(i);

@@ -12,6 +12,8 @@ namespace {
 constexpr double line_spacing = 1.15;  // leaves room for fonts that run a little wider than estimated
 constexpr double progress_height_m = 0.03;
 constexpr double button_inset_m = 0.03;  // on either side of a label
+constexpr double least_button_m = 0.26;
+constexpr double play_mark_m = 0.036;
 constexpr double label_inset_m = 0.012;
 constexpr double widest_step_m = 0.3;
 constexpr double label_gap_m = 0.012;  // between a scale and its labels
@@ -39,6 +41,19 @@ StepGrid stepGrid(const Scale& scale, double x, double width_m) {
     return grid;
 }
 
+struct Span {
+    double low = 0.0;
+    double high = 0.0;
+};
+
+/// What a label of a track may take: up to the middle to its neighbours, at the ends what the box has.
+Span labelSpan(const PanelRect& track, std::size_t count, std::size_t place, const PanelRect& box) {
+    const double pitch_m = track.width / static_cast<double>(count - 1);
+    const double middle = track.x + static_cast<double>(place) * pitch_m;
+    const double half_m = (1.0 - label_apart) / 2.0 * pitch_m;
+    return {std::max(box.x, middle - half_m), std::min(box.x + box.width, middle + half_m)};
+}
+
 bool everyStepLabelled(const Scale& scale) {
     return !scale.labels.empty() && static_cast<int>(scale.labels.size()) == scale.steps() &&
            scale.steps() != 2;
@@ -50,14 +65,21 @@ double textHeight(const std::string& text, double size_m, double width_m) {
     return text.empty() ? 0.0 : estimateLines(text, size_m, width_m) * size_m * line_spacing;
 }
 
-double buttonWidth(const std::string& label) {
-    return std::max(0.26, estimateWidth(label, button_size_m) + 2.0 * button_inset_m);
+double buttonWidth(const std::string& label, ButtonRole role) {
+    const double mark_m = role == ButtonRole::play ? play_mark_m : 0.0;
+    return std::max(least_button_m, estimateWidth(label, button_size_m) + 2.0 * button_inset_m + mark_m);
 }
 
-bool fitAsLabels(const std::vector<std::string>& labels, double width_m) {
+bool fitsAsLabel(const std::string& text, double button_m) {
+    constexpr double least_share = 0.7;
+    return text.find('\n') == std::string::npos &&
+           estimateWidth(text, least_share * button_size_m) <= button_m - 2.0 * label_inset_m;
+}
+
+bool fitAsCaptions(const std::vector<std::string>& labels, double button_m) {
     return std::all_of(labels.begin(), labels.end(), [&](const std::string& label) {
         return label.find('\n') == std::string::npos &&
-               estimateWidth(label, label_size_m) <= width_m - 2.0 * label_inset_m;
+               estimateWidth(label, label_size_m) <= button_m - 2.0 * label_inset_m;
     });
 }
 
@@ -93,14 +115,15 @@ double Builder::buttons(const std::vector<ButtonSpec>& specs, double x, double t
         std::size_t end = first;
         double row_m = -button_gap_m;
         for (; end < specs.size(); ++end) {
-            const double more = std::min(buttonWidth(specs[end].label), width_m) + button_gap_m;
+            const double more =
+                std::min(buttonWidth(specs[end].label, specs[end].role), width_m) + button_gap_m;
             if (end > first && row_m + more > width_m + 1e-9) break;
             row_m += more;
         }
         if (first > 0) used_m += button_gap_m;
         double at = centred ? x + (width_m - row_m) / 2.0 : x;
         for (; first < end; ++first) {
-            const double one_m = std::min(buttonWidth(specs[first].label), width_m);
+            const double one_m = std::min(buttonWidth(specs[first].label, specs[first].role), width_m);
             button(specs[first], at, top - used_m, one_m, height_m);
             at += one_m + button_gap_m;
         }
@@ -118,8 +141,11 @@ double Builder::steps(const ScalePart& part, double x, double top, double width_
     const Scale& scale = part.scale;
     const StepGrid grid = stepGrid(scale, x, width_m);
     const bool each = part.labelled && everyStepLabelled(scale);
+    const bool names = each && part.named &&
+                       std::all_of(scale.labels.begin(), scale.labels.end(),
+                                   [&](const std::string& one) { return fitsAsLabel(one, grid.step_m); });
     const bool captions =
-        each && part.button_height_m >= button_height_m && fitAsLabels(scale.labels, grid.step_m);
+        !names && each && part.button_height_m >= button_height_m && fitAsCaptions(scale.labels, grid.step_m);
     const double height_m =
         captions ? std::max(caption_height_m, part.button_height_m) : part.button_height_m;
 
@@ -136,7 +162,9 @@ double Builder::steps(const ScalePart& part, double x, double top, double width_
             lastButton().chosen = part.value == value;
             if (!each) continue;
             const std::string& label = scale.labels[static_cast<std::size_t>(i)];
-            if (captions)
+            if (names)
+                lastButton().label = label;
+            else if (captions)
                 lastButton().caption = label;
             else
                 labels_m = std::max(labels_m, text(label, at, row_top - height_m - label_gap_m, grid.step_m,
@@ -149,30 +177,26 @@ double Builder::steps(const ScalePart& part, double x, double top, double width_
 }
 
 double Builder::slider(const ScalePart& part, double x, double top, double width_m) {
-    const std::vector<std::string>& labels = part.scale.labels;
     PanelSlider made;
     made.id = part.slider_id;
     made.low = part.scale.low;
     made.high = part.scale.high;
     made.value = part.value;
     made.enabled = part.enabled;
-    double height_m = std::max(slider_height_m, part.labelled ? 0.0 : part.button_height_m);
-    made.box = {x, top - height_m, width_m, height_m};
-    if (!part.labelled || labels.empty()) {
-        panel_.sliders.push_back(std::move(made));
-        return height_m;
+    made.box = {x, top, width_m, std::max(slider_height_m, part.labelled ? 0.0 : part.button_height_m)};
+    if (part.labelled && !part.scale.labels.empty()) {
+        made.labels = part.scale.labels;
+        int lines = 1;
+        for (std::size_t i = 0; i < made.labels.size(); ++i) {
+            const Span span = labelSpan(made.track(), made.labels.size(), i, made.box);
+            lines = std::max(lines, estimateLines(made.labels[i], label_size_m, span.high - span.low));
+        }
+        made.box.height = slider_label_drop_m + lines * label_size_m * line_spacing;
     }
-    const double pitch_m =
-        made.track().width / static_cast<double>(std::max<std::size_t>(1, labels.size() - 1));
-    if (fitAsLabels(labels, pitch_m)) {
-        height_m += slider_labels_m;
-        made.labels = labels;
-        made.box = {x, top - height_m, width_m, height_m};
-        panel_.sliders.push_back(std::move(made));
-        return height_m;
-    }
+    const double height_m = made.box.height;
+    made.box.y = top - height_m;
     panel_.sliders.push_back(std::move(made));
-    return height_m + scaleLabels(part.scale, x, top - height_m, width_m);
+    return height_m;
 }
 
 double Builder::scaleLabels(const Scale& scale, double x, double top, double width_m) {
@@ -186,19 +210,15 @@ double Builder::scaleLabels(const Scale& scale, double x, double top, double wid
     if (labels.size() == 2)
         return endLabels(labels.front(), labels.back(), steps ? grid.left : x, top,
                          steps ? grid.width_m : width_m);
-    // At its step, or its place on the track; the outer labels of a track have what is left of it.
     PanelSlider slider;
     slider.box = {x, 0.0, width_m, slider_height_m};
-    const PanelRect track = slider.track();
-    const double pitch_m = steps ? grid.pitch_m : track.width / static_cast<double>(labels.size() - 1);
-    const double first = steps ? grid.left + grid.step_m / 2.0 : track.x;
-    const double half_m = steps ? grid.step_m / 2.0 : (1.0 - label_apart) / 2.0 * pitch_m;
     double height_m = 0.0;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const double middle = first + static_cast<double>(i) * pitch_m;
-        const double low = std::max(x, middle - half_m);
-        const double high = std::min(x + width_m, middle + half_m);
-        height_m = std::max(height_m, text(labels[i], low, top, high - low, {label_size_m, false, true}));
+        const double step_left = grid.left + static_cast<double>(i) * grid.pitch_m;
+        const Span span = steps ? Span{step_left, step_left + grid.step_m}
+                                : labelSpan(slider.track(), labels.size(), i, slider.box);
+        height_m = std::max(
+            height_m, text(labels[i], span.low, top, span.high - span.low, {label_size_m, false, true}));
     }
     return height_m;
 }
@@ -222,7 +242,7 @@ void Builder::paragraph(const std::string& words, const TextStyle& style) {
 
 void Builder::question(const std::string& question, const std::string& hint,
                        const std::optional<ButtonSpec>& spec) {
-    const double button_m = spec ? std::min(buttonWidth(spec->label), 0.5 * inner()) : 0.0;
+    const double button_m = spec ? std::min(buttonWidth(spec->label, spec->role), 0.5 * inner()) : 0.0;
     const double width_m = inner() - (spec ? button_m + gap_m : 0.0);
     const double question_m = textHeight(question, question_size_m, width_m);
     const double hint_m = textHeight(hint, label_size_m, width_m);

@@ -25,7 +25,7 @@ constexpr double low_button_height_m = 0.11;
 constexpr double caption_height_m = 0.17;  ///< of a button with a caption
 constexpr double button_gap_m = 0.03;
 constexpr double slider_height_m = 0.11;
-constexpr double slider_labels_m = 0.05;  ///< added under it for its labels
+constexpr double slider_label_drop_m = 0.095;  ///< from its top to its labels, where it has any
 constexpr int most_in_row = 11;
 
 struct TextStyle {
@@ -37,11 +37,14 @@ struct TextStyle {
 
 [[nodiscard]] double textHeight(const std::string& text, double size_m, double width_m);
 
-/// Wide enough for its label on one line.
-[[nodiscard]] double buttonWidth(const std::string& label);
+/// Wide enough for its label on one line, and for the mark of a play button.
+[[nodiscard]] double buttonWidth(const std::string& label, ButtonRole role = ButtonRole::other);
 
-/// Whether all of them fit on one line of `width_m` each, as captions of buttons or labels of a slider do.
-[[nodiscard]] bool fitAsLabels(const std::vector<std::string>& labels, double width_m);
+/// Whether all of them fit on one line as captions of buttons so wide.
+[[nodiscard]] bool fitAsCaptions(const std::vector<std::string>& labels, double button_m);
+
+/// Whether a text fits a button as its label, at no less than 0.7 of its size.
+[[nodiscard]] bool fitsAsLabel(const std::string& text, double button_m);
 
 /// A scale and its answer, to be placed.
 struct ScalePart {
@@ -51,6 +54,7 @@ struct ScalePart {
     std::optional<int> value{};
     bool enabled = true;
     bool labelled = true;
+    bool named = false;  ///< steps that all have a label show it in place of their number, where it fits
     double button_height_m = panel::button_height_m;
 };
 

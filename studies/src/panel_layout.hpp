@@ -1,8 +1,9 @@
 // Boards in the world: what they say, how large they are, where they stand, and what a ray meets on them.
 //
 // Sizes follow what is comfortable to read in a headset at about 1.5 m: lines of at least 35 mm (1.3
-// degrees), buttons of at least 0.13 m (5 degrees), or 0.1 m where many stand in a row. Boards are at
-// most 1.6 m wide and, but for texts beyond all measure, 1.1 m high.
+// degrees), buttons of at least 0.13 m (5 degrees), or 0.1 m where many stand in a row (0.065 m: more than
+// seven steps for each of several stimuli). Boards are at most 1.6 m wide and, but for texts beyond all
+// measure, 1.1 m high.
 #pragma once
 
 #include <optional>
@@ -41,7 +42,7 @@ struct RatingBoard {
     std::optional<int> value{};           ///< set now
     bool enabled = true;                  ///< whether the scale takes a value
     std::optional<ButtonSpec> replay{};   ///< beside the question
-    std::optional<ButtonSpec> confirm{};  ///< under the scale; a slider needs one
+    std::optional<ButtonSpec> confirm{};  ///< beside a slider, which needs one; under steps
 };
 
 /// Steps are buttons with their number from first_rating (the lowest) on, up to 11 in a row, role option; a
@@ -64,7 +65,7 @@ struct StimulusView {
 struct ParallelBoard {
     std::string question;
     Scale scale;
-    std::vector<StimulusView> stimuli;  ///< 2 to 6
+    std::vector<StimulusView> stimuli{};  ///< 2 to 6
     bool can_confirm = false;
     std::string hint{};  ///< a faint line under the question: what is still to be done; may be empty
 };
@@ -120,7 +121,7 @@ struct QuestionnaireBoard {
 
 /// Question i of the page: the steps of a scale first_option + 100 i + value - low, the options of a choice
 /// first_option + 100 i + place (all with role option, the present ones `chosen`), sliders and fields
-/// first_field + i.
+/// first_field + i. Steps that all have a short label show it in place of their number.
 [[nodiscard]] Panel questionnairePanel(const QuestionnaireBoard& board, const LanguageTable& words);
 
 /// The questions of a questionnaire by pages: at most per_page, fewer where the board would grow too high.
@@ -144,9 +145,12 @@ struct QuestionnaireBoard {
 [[nodiscard]] Pose messagePose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
 /// Low before the viewer and tilted up like a lectern: under the avatar's chest as seen from the viewer's
-/// place, so that face and torso stay free. A high board stands lower and lies flatter: ratings, parallel
-/// ratings, pairs.
+/// place, so that face and torso stay free. A high board stands lower and lies flatter. Ratings.
 [[nodiscard]] Pose lecternPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
+
+/// Like it, but low enough that the avatar is free from the hips up: boards that are open while clips play
+/// (parallel ratings, pairs).
+[[nodiscard]] Pose benchPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
 /// Lower and nearer still, where balls are shown that it must not cover: the game.
 [[nodiscard]] Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);

@@ -14,6 +14,7 @@ constexpr double lectern_distance_m = 1.3;
 constexpr double lectern_below_eyes_m = 0.47;
 constexpr double lectern_top_below_eyes_m = 0.25;  // of a board that is too high for that
 constexpr double lectern_tilt_rad = radiansFromDegrees(18.0);
+constexpr double bench_top_below_eyes_m = 0.39;  // 15 degrees: the hips of an avatar 3 m away
 constexpr double desk_distance_m = 1.1;
 constexpr double desk_below_eyes_m = 0.72;
 constexpr double desk_tilt_rad = radiansFromDegrees(32.0);
@@ -46,6 +47,17 @@ Pose stand(const Panel& panel, const Pose& stage_from_viewer, double distance_m,
     return stage_from_viewer * turned * turned_from_centre * centre_from_corner;
 }
 
+/// A lectern, or lower and lying flatter where its top would reach higher than told.
+Pose lectern(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
+             double top_below_eyes_m) {
+    const double half_m = panel.height_m / 2.0 * std::cos(lectern_tilt_rad);
+    const double below_eyes_m = std::max(lectern_below_eyes_m, top_below_eyes_m + half_m);
+    // Square to the line of sight, as far as the usual one is.
+    const double tilt_rad = lectern_tilt_rad + std::atan2(below_eyes_m, lectern_distance_m) -
+                            std::atan2(lectern_below_eyes_m, lectern_distance_m);
+    return stand(panel, stage_from_viewer, lectern_distance_m, eye_height_m - below_eyes_m, tilt_rad);
+}
+
 }  // namespace
 
 Pose messagePose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
@@ -53,12 +65,11 @@ Pose messagePose(const Panel& panel, const Pose& stage_from_viewer, double eye_h
 }
 
 Pose lecternPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
-    const double half_m = panel.height_m / 2.0 * std::cos(lectern_tilt_rad);
-    const double below_eyes_m = std::max(lectern_below_eyes_m, lectern_top_below_eyes_m + half_m);
-    // Square to the line of sight, as far as the usual one is.
-    const double tilt_rad = lectern_tilt_rad + std::atan2(below_eyes_m, lectern_distance_m) -
-                            std::atan2(lectern_below_eyes_m, lectern_distance_m);
-    return stand(panel, stage_from_viewer, lectern_distance_m, eye_height_m - below_eyes_m, tilt_rad);
+    return lectern(panel, stage_from_viewer, eye_height_m, lectern_top_below_eyes_m);
+}
+
+Pose benchPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
+    return lectern(panel, stage_from_viewer, eye_height_m, bench_top_below_eyes_m);
 }
 
 Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {

@@ -8,12 +8,12 @@ namespace deixis::studies {
 
 namespace {
 
-constexpr double question_gap_m = 0.045;
+constexpr double question_gap_m = 0.035;
 constexpr double part_gap_m = 0.015;  // between a question and its answer under it
 constexpr double beside_m = 0.82;     // of the answer where it stands beside the question
 constexpr double field_width_m = 0.5;
+constexpr double pad_key_m = 0.11;
 constexpr double pad_gap_m = 0.012;
-constexpr double least_label_share = 0.7;  // of its size a label may shrink to, to fit a button
 
 struct Item {
     const Question& question;
@@ -35,16 +35,19 @@ panel::ScalePart scaleOf(const Item& item) {
             item.answer.value,
             true,
             true,
+            true,
             panel::low_button_height_m};
 }
 
-/// Few steps, or a slider, stand beside the question.
+/// Few steps, or a slider with few labels, stand beside the question.
 bool standsBeside(const Question& question) {
     const Scale& scale = question.scale;
-    if (scale.kind == ScaleKind::slider) return panel::fitAsLabels(scale.labels, beside_m / 3.0);
+    if (scale.kind == ScaleKind::slider) return scale.labels.size() <= 3;
     if (scale.steps() > 5) return false;
     const double step_m = (beside_m - (scale.steps() - 1) * panel::button_gap_m) / scale.steps();
-    return scale.labels.size() <= 2 || panel::fitAsLabels(scale.labels, step_m);
+    return scale.labels.size() <= 2 ||
+           std::all_of(scale.labels.begin(), scale.labels.end(),
+                       [&](const std::string& label) { return panel::fitsAsLabel(label, step_m); });
 }
 
 double addScale(panel::Builder& board, const Item& item, double top) {
@@ -81,7 +84,7 @@ double addOptions(panel::Builder& board, const Item& item, double top) {
     for (std::size_t i = 0; i < item.question.options.size(); ++i) {
         const std::string& words = item.question.options[i].text;
         const int option = static_cast<int>(i);
-        if (estimateWidth(words, least_label_share * panel::button_size_m) <= board.inner() - 0.06) {
+        if (panel::fitsAsLabel(words, board.inner())) {
             row.push_back({words, item.firstOption() + option, ButtonRole::option});
             continue;
         }
@@ -123,11 +126,14 @@ std::string plainNumber(double value) {
     return text;
 }
 
-/// Two rows of keys from `right` to the left.
-double addPad(panel::Builder& board, const Item& item, double right, double top, const LanguageTable& words) {
-    constexpr double key_m = 0.11;
+double padWidth(const LanguageTable& words) {
+    return 5.0 * (pad_key_m + pad_gap_m) + panel::buttonWidth(words("erase"));
+}
+
+/// Two rows of keys: the digits, and at their right what else there is.
+double addPad(panel::Builder& board, const Item& item, double left, double top, const LanguageTable& words) {
+    constexpr double key_m = pad_key_m;
     const double erase_m = panel::buttonWidth(words("erase"));
-    const double left = right - erase_m - 5.0 * (key_m + pad_gap_m);
     for (int row = 0; row < 2; ++row) {
         const double at = top - row * (key_m + pad_gap_m);
         for (int column = 0; column < 5; ++column) {
@@ -136,7 +142,7 @@ double addPad(panel::Builder& board, const Item& item, double right, double top,
                          left + column * (key_m + pad_gap_m), at, key_m, key_m);
         }
     }
-    const double x = right - erase_m;
+    const double x = left + 5.0 * (key_m + pad_gap_m);
     board.button({words("erase"), item.firstOption() + pad_key::erase}, x, top, erase_m, key_m);
     const double half_m = (erase_m - pad_gap_m) / 2.0;
     const double below = top - key_m - pad_gap_m;
@@ -152,8 +158,8 @@ double addNumber(panel::Builder& board, const Item& item, double top, const Lang
     const std::string hint = words(
         "number_hint", {{"low", plainNumber(item.question.low)}, {"high", plainNumber(item.question.high)}});
     const double right = panel::margin_m + board.inner();
-    const double text_width_m = item.keyboard ? board.inner() - field_width_m - panel::gap_m
-                                              : board.inner() - beside_m - panel::gap_m;
+    const double answer_m = item.keyboard ? field_width_m : padWidth(words);
+    const double text_width_m = board.inner() - answer_m - panel::gap_m;
     const panel::TextStyle style{panel::item_size_m, true};
     const double text_m = board.text(item.question.text, panel::margin_m, top, text_width_m, style);
     if (item.keyboard) {
@@ -163,11 +169,11 @@ double addNumber(panel::Builder& board, const Item& item, double top, const Lang
                  hint);
         return std::max(text_m, panel::low_button_height_m);
     }
-    const double pad_m = addPad(board, item, right, top, words);
+    const double pad_m = addPad(board, item, right - answer_m, top, words);
     const double field_top = top - text_m - part_gap_m;
     addField(
         board, item,
-        {panel::margin_m, field_top - panel::low_button_height_m, field_width_m, panel::low_button_height_m},
+        {panel::margin_m, field_top - panel::low_button_height_m, text_width_m, panel::low_button_height_m},
         hint);
     return std::max(text_m + part_gap_m + panel::low_button_height_m, pad_m);
 }
@@ -194,7 +200,7 @@ double addQuestion(panel::Builder& board, const Item& item, const LanguageTable&
 void addFoot(panel::Builder& board, const QuestionnaireBoard& content, const LanguageTable& words) {
     double buttons_m = -panel::button_gap_m;
     for (const ButtonSpec& spec : content.buttons)
-        buttons_m += panel::buttonWidth(spec.label) + panel::button_gap_m;
+        buttons_m += panel::buttonWidth(spec.label, spec.role) + panel::button_gap_m;
     const bool beside = buttons_m <= 0.6 * board.inner();
     const double text_m = beside ? board.inner() - std::max(0.0, buttons_m) - panel::gap_m : board.inner();
     const panel::TextStyle faint{panel::label_size_m, false, false, true};

@@ -1,0 +1,242 @@
+// Pages and signs, where boards stand, and what a ray meets on them.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "panel_fixture.hpp"
+#include "studies/session.hpp"
+
+using namespace deixis;
+using namespace deixis::tests;
+
+namespace {
+
+Vec3 centreOf(const Panel& panel) {
+    return transformPoint(panel.stage_from_panel, {panel.width_m / 2.0, panel.height_m / 2.0, 0.0});
+}
+
+Vec3 centreOf(const Panel& panel, const PanelRect& box) {
+    return transformPoint(panel.stage_from_panel, {box.x + box.width / 2.0, box.y + box.height / 2.0, 0.0});
+}
+
+Ray towards(const Vec3& eye, const Vec3& point) {
+    return {eye, glm::normalize(point - eye)};
+}
+
+bool hides(const Panel& panel, const Vec3& eye, const Vec3& point) {
+    const auto hit = meetPanel(panel, towards(eye, point));
+    return hit && hit->distance_m < glm::length(point - eye);
+}
+
+/// A viewer 3.4 m before the avatar, looking at it.
+const Pose across{{0.0, 0.0, 3.4}, yawRotation(0.0)};
+
+Panel ratingBoard() {
+    RatingBoard board{"How natural is this?", {ScaleKind::slider, 0, 100, {"bad", "good"}}};
+    board.confirm = ButtonSpec{"Confirm", button_id::go_on};
+    board.replay = ButtonSpec{"Show again", button_id::replay};
+    return ratingPanel(board);
+}
+
+Panel parallelBoard(std::size_t count) {
+    ParallelBoard board{"Rate each.",
+                        {ScaleKind::slider, 0, 100, {"bad", "poor", "fair", "good", "excellent"}}};
+    board.stimuli.resize(count);
+    return parallelPanel(board, LanguageTable::english());
+}
+
+}  // namespace
+
+TEST_SUITE("studies/panel_layout") {
+    TEST_CASE("pages and signs stay tidy with short and long texts in all four languages") {
+        for (const std::string& code : languageCodes()) {
+            const LanguageTable words = languageTable(code);
+            RandomTexts texts(words, 5);
+            for (int round = 0; round < 200; ++round) {
+                CAPTURE(code);
+                CAPTURE(round);
+                std::vector<ButtonSpec> buttons{{texts(1, 3), 1}};
+                for (int i = texts.between(0, 2); i > 0; --i) buttons.push_back({texts(1, 4), 1 + i});
+                const Panel page =
+                    messagePanel(texts(1, 5), texts(1, texts.flip() ? 20 : 150),
+                                 texts.flip() ? texts(1, 15) : "", buttons, texts.flip() ? 0.5 : -1.0);
+                checkTidy(page, 0.13);
+                CHECK(page.buttons.size() == buttons.size());
+                checkTidy(signPanel(texts(1, 6), texts.flip() ? "4" : ""), 0.0);
+            }
+        }
+    }
+
+    TEST_CASE("a page has its title on top, then text, emphasis and buttons, with a bar below them") {
+        const Panel page = messagePanel("Title", "Body", "Emphasis",
+                                        {{"I agree", button_id::agree, ButtonRole::go_on, false},
+                                         {"I do not agree", button_id::decline, ButtonRole::leave}},
+                                        0.25);
+        REQUIRE(page.texts.size() == 3);
+        CHECK(page.texts[0].text == "Title");
+        CHECK(page.texts[0].box.y > page.texts[1].box.y);
+        CHECK(page.texts[1].box.y > page.texts[2].box.y);
+        REQUIRE(page.buttons.size() == 2);
+        CHECK(page.buttons[0].box.y + page.buttons[0].box.height < page.texts[2].box.y);
+        CHECK(page.buttons[0].box.x < page.buttons[1].box.x);
+        CHECK_FALSE(page.buttons[0].enabled);
+        CHECK(page.buttons[1].role == ButtonRole::leave);
+        CHECK(page.progress == 0.25);
+        CHECK(page.height_m > messagePanel("Title", "Body", "Emphasis", {{"a", 1}}, -1.0).height_m);
+    }
+
+    TEST_CASE("consent forms of a thousand characters stay within the board's height in all four languages") {
+        for (const std::string& code : languageCodes()) {
+            CAPTURE(code);
+            const LanguageTable words = languageTable(code);
+            const std::string& sentence = words("paused_tracking_text");
+            std::string body;
+            while (estimateWidth(body, 1.0) < 450.0) body += sentence + " ";
+            const Panel page = messagePanel(words("consent_title"), body, "",
+                                            {{words("agree"), 7}, {words("decline"), 8}}, 0.1);
+            CHECK(page.height_m <= 1.1);
+            checkTidy(page, 0.13);
+        }
+    }
+
+    TEST_CASE("Korean characters are taken to be as wide as the line is high") {
+        CHECK(estimateWidth("한국어", 0.05) == doctest::Approx(0.15));
+        CHECK(estimateWidth("abc", 0.05) == doctest::Approx(0.0675));
+        CHECK(estimateWidth("äöü", 0.05) == estimateWidth("aou", 0.05));
+        CHECK(estimateLines("한국어한국어한국", 0.05, 0.2) == 2);
+        CHECK(estimateLines("가나 다라", 0.1, 0.45) == 1);
+        CHECK(estimateLines("가나 다라", 0.1, 0.44) == 2);
+        CHECK(estimateLines("", 0.05, 1.0) == 1);
+        CHECK(estimateLines("one\n\ntwo", 0.05, 1.0) == 3);
+        CHECK(estimateLines("aaaa bbbb", 1.0, 4.05) == 1);
+        CHECK(estimateLines("aaaa bbbb", 1.0, 4.0) == 2);
+        CHECK(estimateLines("aaaaaaaaaa", 1.0, 1.8) == 3);  // four fit on a line
+    }
+
+    TEST_CASE(
+        "every enabled button, slider and field is met by a ray through its centre, and nothing disabled") {
+        const LanguageTable& words = LanguageTable::english();
+        Question number;
+        number.kind = QuestionKind::number;
+        Question text;
+        text.kind = QuestionKind::text;
+        Question scale;
+        QuestionnaireBoard questions;
+        questions.questions = {&number, &text, &scale};
+        questions.buttons = {{"Continue", 1, ButtonRole::go_on, false}};
+        PairwiseBoard pair{"Which?"};
+        pair.can_answer = true;
+        using Stand = Pose (*)(const Panel&, const Pose&, double);
+        for (const Stand stand : {Stand(messagePose), Stand(lecternPose), Stand(deskPose)})
+            for (Panel panel :
+                 {ratingBoard(), parallelBoard(2), parallelBoard(6), pairwisePanel(pair, words),
+                  gamePanel("Where?", ButtonSpec{"Show again", 4}), questionnairePanel(questions, words),
+                  messagePanel("a", "b", "c", {{"d", 1}, {"e", 2, ButtonRole::other, false}}, 0.5)}) {
+                panel.stage_from_panel = stand(panel, across, 1.62);
+                const Vec3 eye(0.1, 1.6, 3.5);
+                const auto met = [&](const PanelRect& box) {
+                    const auto hit = meetPanel(panel, towards(eye, centreOf(panel, box)));
+                    REQUIRE(hit.has_value());
+                    return *hit;
+                };
+                for (std::size_t i = 0; i < panel.buttons.size(); ++i)
+                    CHECK(met(panel.buttons[i].box).button ==
+                          (panel.buttons[i].enabled ? static_cast<int>(i) : -1));
+                for (std::size_t i = 0; i < panel.sliders.size(); ++i) {
+                    const PanelHit hit = met(panel.sliders[i].box);
+                    CHECK(hit.slider == static_cast<int>(i));
+                    CHECK(hit.button == -1);
+                    const PanelRect& box = panel.sliders[i].box;
+                    CHECK(hit.x_m == doctest::Approx(box.x + box.width / 2.0));
+                }
+                for (std::size_t i = 0; i < panel.fields.size(); ++i)
+                    CHECK(met(panel.fields[i].box).field == static_cast<int>(i));
+                for (PanelSlider& slider : panel.sliders) slider.enabled = false;
+                for (PanelField& field : panel.fields) field.enabled = false;
+                for (const PanelSlider& slider : panel.sliders) CHECK(met(slider.box).slider == -1);
+                for (const PanelField& field : panel.fields) CHECK(met(field.box).field == -1);
+                CHECK_FALSE(meetPanel(panel, towards(eye, eye + Vec3(0.0, 1.0, 0.2))).has_value());
+            }
+    }
+
+    TEST_CASE(
+        "each value of a slider is what is read back at its place, and the ends hold beyond the track") {
+        for (const auto& [low, high] : {std::pair{0, 100}, {1, 7}, {-50, 50}, {0, 1}}) {
+            PanelSlider slider;
+            slider.box = {0.07, 0.1, 1.4, 0.16};
+            slider.low = low;
+            slider.high = high;
+            const PanelRect track = slider.track();
+            for (int value = low; value <= high; ++value) {
+                const double x = track.x + track.width * (value - low) / (high - low);
+                CHECK(slider.valueAt(x) == value);
+                if (value < high) CHECK(slider.valueAt(x + 0.49 * track.width / (high - low)) == value);
+            }
+            CHECK(slider.valueAt(-3.0) == low);
+            CHECK(slider.valueAt(3.0) == high);
+        }
+    }
+
+    TEST_CASE("a dragged ray keeps its place along the board when it has left the board") {
+        Panel panel = ratingBoard();
+        panel.stage_from_panel = lecternPose(panel, across, 1.62);
+        const Vec3 eye(0.0, 1.6, 3.4);
+        for (const double x : {-0.5, 0.0, 0.7, 1.55, 2.2}) {
+            const Vec3 above = transformPoint(panel.stage_from_panel, {x, panel.height_m + 0.3, 0.0});
+            CHECK_FALSE(meetPanel(panel, towards(eye, above)).has_value());
+            const auto along = alongPanel(panel, towards(eye, above));
+            REQUIRE(along.has_value());
+            CHECK(*along == doctest::Approx(x));
+        }
+        CHECK_FALSE(alongPanel(panel, towards(eye, eye + Vec3(0.0, 1.0, 1.0))).has_value());
+    }
+
+    TEST_CASE(
+        "boards that are open while clips play leave the avatar free from the hips up and face the eyes") {
+        // Hips, hands before the chest, head of a person of 1.75 m who stands at the origin.
+        const std::vector<Vec3> body{{0.0, 1.0, 0.1}, {0.3, 1.1, 0.4}, {-0.3, 1.1, 0.4}, {0.0, 1.65, 0.1}};
+        for (const double eye_m : {1.5, 1.62, 1.8})
+            for (Panel panel : {ratingBoard(), parallelBoard(3), parallelBoard(6),
+                                pairwisePanel({"Which?"}, LanguageTable::english())}) {
+                CAPTURE(eye_m);
+                CAPTURE(panel.height_m);
+                panel.stage_from_panel = benchPose(panel, across, eye_m);
+                const Vec3 eye = across.position + Vec3(0.0, eye_m, 0.0);
+                for (const Vec3& point : body) CHECK_FALSE(hides(panel, eye, point));
+                const Vec3 facing = panel.stage_from_panel.orientation * Vec3(0.0, 0.0, 1.0);
+                CHECK(glm::dot(facing, glm::normalize(eye - centreOf(panel))) > 0.97);
+                CHECK(glm::length(eye - centreOf(panel)) < 1.6);
+            }
+    }
+
+    TEST_CASE("no board reaches into the floor before a seated person") {
+        for (Panel panel : {ratingBoard(), parallelBoard(6),
+                            messagePanel("a", std::string(3000, 'x'), "", {{"b", 1}}, 0.5)})
+            for (const auto stand : {&messagePose, &lecternPose, &benchPose, &deskPose}) {
+                panel.stage_from_panel = stand(panel, across, 1.1);
+                CHECK(panel.stage_from_panel.position.y > 0.1);
+            }
+    }
+
+    TEST_CASE("a sign stands above the avatar's head and is read squarely from wherever the viewer stands") {
+        Panel sign = signPanel("Please rate this movement:", "4");
+        const Vec3 head(0.0, 1.6, 0.0);
+        for (const double bearing : {0.0, 1.0, 2.0, 3.1, -2.0, -0.7})
+            for (const double eye_m : {1.2, 1.6, 1.9}) {
+                const Vec3 eye(2.0 * std::sin(bearing), eye_m, 2.0 * std::cos(bearing));
+                sign.stage_from_panel = signPose(sign, head, eye);
+                const Vec3 centre = centreOf(sign);
+                CHECK(glm::length(Vec3(centre.x, 0.0, centre.z)) < 1e-9);
+                const Vec3 facing = sign.stage_from_panel.orientation * Vec3(0.0, 0.0, 1.0);
+                CHECK(glm::dot(facing, glm::normalize(eye - centre)) > 1.0 - 1e-9);
+                // Upright: its right hand side is level.
+                const Vec3 right = sign.stage_from_panel.orientation * Vec3(1.0, 0.0, 0.0);
+                CHECK(std::abs(right.y) < 1e-12);
+                CHECK(glm::dot(sign.stage_from_panel.orientation * Vec3(0.0, 1.0, 0.0), up) > 0.7);
+                for (const double x : {0.0, sign.width_m}) {
+                    const Vec3 corner = transformPoint(sign.stage_from_panel, {x, 0.0, 0.0});
+                    CHECK(corner.y > head.y + 0.2);
+                }
+                CHECK_FALSE(hides(sign, eye, head));
+            }
+    }
+}
