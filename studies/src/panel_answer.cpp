@@ -44,16 +44,23 @@ void markPlay(PanelButton& button, const StimulusView& stimulus) {
     button.chosen = stimulus.state == PlayState::playing;
 }
 
-/// Rows one under the other, or two columns where these are enough for the scale and the board gets lower.
+double columnWidth(double inner_m, std::size_t columns) {
+    const auto count = static_cast<double>(columns);
+    return (inner_m - (count - 1.0) * panel::gap_m) / count;
+}
+
+/// Rows one under the other, or two columns where these leave room for the scale and the board gets lower.
 struct Grid {
     std::size_t columns = 1;
     std::size_t rows = 1;
     double height_m = panel::button_height_m;
 };
 
-Grid gridOf(const ParallelBoard& board) {
+Grid gridOf(const ParallelBoard& board, double inner_m) {
     const std::size_t count = board.stimuli.size();
-    const bool narrow = board.scale.kind == ScaleKind::slider || board.scale.steps() <= 5;
+    const double scale_m = columnWidth(inner_m, 2) - play_width_m - panel::button_gap_m;
+    const bool narrow = (board.scale.kind == ScaleKind::slider || board.scale.steps() <= 5) &&
+                        panel::labelsFit(board.scale, scale_m);
     if (count > 3 && narrow) return {2, (count + 1) / 2, play_height_m};
     return {1, count, count > 4 ? many_height_m : panel::button_height_m};
 }
@@ -90,10 +97,9 @@ Panel parallelPanel(const ParallelBoard& board, const LanguageTable& words) {
     panel::Builder made(panel::wide_m);
     made.question(board.question, board.hint,
                   ButtonSpec{words("confirm"), button_id::go_on, ButtonRole::go_on, board.can_confirm});
-    const Grid grid = gridOf(board);
+    const Grid grid = gridOf(board, made.inner());
     const bool captions = grid.columns > 1;
-    const double column_m = (made.inner() - static_cast<double>(grid.columns - 1) * panel::gap_m) /
-                            static_cast<double>(grid.columns);
+    const double column_m = columnWidth(made.inner(), grid.columns);
     const double play_m = captions ? play_width_m : widestPlayLabel(words);
     const double scale_m = column_m - play_m - panel::button_gap_m;
     const auto scaleLeft = [&](std::size_t column) {

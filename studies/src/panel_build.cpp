@@ -54,6 +54,28 @@ Span labelSpan(const PanelRect& track, std::size_t count, std::size_t place, con
     return {std::max(box.x, middle - half_m), std::min(box.x + box.width, middle + half_m)};
 }
 
+Span labelSpan(const Scale& scale, std::size_t place, double x, double width_m) {
+    if (scale.kind == ScaleKind::steps) {
+        const StepGrid grid = stepGrid(scale, x, width_m);
+        const double left = grid.left + static_cast<double>(place) * grid.pitch_m;
+        return {left, left + grid.step_m};
+    }
+    PanelSlider slider;
+    slider.box = {x, 0.0, width_m, slider_height_m};
+    return labelSpan(slider.track(), scale.labels.size(), place, slider.box);
+}
+
+double longestWord(const std::string& text, double size_m) {
+    double longest_m = 0.0;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t to = std::min(text.find_first_of(" \n", from), text.size());
+        longest_m =
+            std::max(longest_m, estimateWidth(std::string_view(text).substr(from, to - from), size_m));
+        from = to + 1;
+    }
+    return longest_m;
+}
+
 bool everyStepLabelled(const Scale& scale) {
     return !scale.labels.empty() && static_cast<int>(scale.labels.size()) == scale.steps() &&
            scale.steps() != 2;
@@ -81,6 +103,15 @@ bool fitAsCaptions(const std::vector<std::string>& labels, double button_m) {
         return label.find('\n') == std::string::npos &&
                estimateWidth(label, label_size_m) <= button_m - 2.0 * label_inset_m;
     });
+}
+
+bool labelsFit(const Scale& scale, double width_m) {
+    if (scale.kind == ScaleKind::steps && !everyStepLabelled(scale)) return true;
+    for (std::size_t i = 0; i < scale.labels.size(); ++i) {
+        const Span span = labelSpan(scale, i, 0.0, width_m);
+        if (longestWord(scale.labels[i], label_size_m) > span.high - span.low) return false;
+    }
+    return true;
 }
 
 double Builder::text(const std::string& words, double x, double top, double width_m, const TextStyle& style) {
@@ -210,13 +241,9 @@ double Builder::scaleLabels(const Scale& scale, double x, double top, double wid
     if (labels.size() == 2)
         return endLabels(labels.front(), labels.back(), steps ? grid.left : x, top,
                          steps ? grid.width_m : width_m);
-    PanelSlider slider;
-    slider.box = {x, 0.0, width_m, slider_height_m};
     double height_m = 0.0;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const double step_left = grid.left + static_cast<double>(i) * grid.pitch_m;
-        const Span span = steps ? Span{step_left, step_left + grid.step_m}
-                                : labelSpan(slider.track(), labels.size(), i, slider.box);
+        const Span span = labelSpan(scale, i, x, width_m);
         height_m = std::max(
             height_m, text(labels[i], span.low, top, span.high - span.low, {label_size_m, false, true}));
     }

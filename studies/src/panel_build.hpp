@@ -46,6 +46,9 @@ struct TextStyle {
 /// Whether a text fits a button as its label, at no less than 0.7 of its size.
 [[nodiscard]] bool fitsAsLabel(const std::string& text, double button_m);
 
+/// Whether no word of the labels must be broken where the scale is so wide.
+[[nodiscard]] bool labelsFit(const Scale& scale, double width_m);
+
 /// A scale and its answer, to be placed.
 struct ScalePart {
     const Scale& scale;

@@ -202,6 +202,24 @@ TEST_SUITE("studies/panel_answer") {
             }
     }
 
+    TEST_CASE("four to six stimuli stand in two columns where the labels of their scale have room") {
+        const auto columns = [](const Scale& scale, std::size_t count) {
+            ParallelBoard board{"?", scale};
+            board.stimuli.resize(count);
+            std::vector<double> left;
+            for (const PanelButton& button : parallelPanel(board, LanguageTable::english()).buttons)
+                if (button.role == ButtonRole::play) left.push_back(button.box.x);
+            std::sort(left.begin(), left.end());
+            return std::unique(left.begin(), left.end()) - left.begin();
+        };
+        CHECK(columns(slider(0, 100, {"bad", "good"}), 3) == 1);
+        CHECK(columns(slider(0, 100, {"bad", "good"}), 4) == 2);
+        CHECK(columns(slider(0, 100), 6) == 2);
+        CHECK(columns(slider(0, 100, {"bad", "poor", "fair", "good", "excellent"}), 6) == 1);
+        CHECK(columns(steps(1, 5), 6) == 2);
+        CHECK(columns(steps(1, 7), 6) == 1);
+    }
+
     TEST_CASE("a play button keeps its place and size whatever its stimulus does") {
         for (const std::string& code : languageCodes()) {
             const LanguageTable words = languageTable(code);
