@@ -26,6 +26,12 @@ std::string refusal(const std::filesystem::path& path) {
     return store.error().message;
 }
 
+std::set<int> answered(const Store& store, const std::string& participant) {
+    std::set<int> out;
+    for (const auto& [trial, _] : store.resume(participant, 0.0).answered) out.insert(trial);
+    return out;
+}
+
 bool contains(const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
 }
@@ -33,109 +39,6 @@ bool contains(const std::string& text, const char* part) {
 }  // namespace
 
 TEST_SUITE("results/store") {
-    TEST_CASE("A response is kept with everything that was shown and done") {
-        const fixtures::Folder folder;
-        const auto study = fixtures::study({"direct", "stiff"});
-        const auto plan = fixtures::plan(study, "P01", 1);
-        {
-            Store store = fixtures::open(folder / "a.sqlite");
-            REQUIRE(store.storePlan(study, plan));
-            store.beginSession(fixtures::session("P01", true));
-            store.record(studies::Note{"stage_start", -1, {1.0, 1.7e9 + 1.0}, "game"}, plan,
-                         fixtures::clips(plan));
-            auto response = fixtures::answer(plan.trials[1], 4);
-            response.replays = 1;
-            response.input = "key";
-            store.record(response, plan, fixtures::clips(plan));
-            auto choice = fixtures::answer(plan.trials[4], 0);
-            choice.pauses = 2;
-            choice.paused_s = 7.5;
-            store.record(choice, plan, fixtures::clips(plan));
-            store.endSession("quit", 1.7e9 + 99.0);
-        }
-        SQLite::Database database((folder / "a.sqlite").string());
-        SQLite::Statement row(database, "SELECT * FROM responses_flat");
-        REQUIRE(row.executeStep());
-        CHECK(row.getColumn("participant").getString() == "P01");
-        CHECK(row.getColumn("trial_index").getInt() == 1);
-        CHECK(row.getColumn("stage").getString() == "naturalness");
-        CHECK(row.getColumn("system").getString() == "direct");
-        CHECK(row.getColumn("rating").getInt() == 4);
-        CHECK(row.getColumn("correct").isNull());
-        CHECK(row.getColumn("balls").isNull());
-        CHECK(row.getColumn("replays").getInt() == 1);
-        CHECK(row.getColumn("input").getString() == "key");
-        CHECK(row.getColumn("ray_x_m").isNull());
-        CHECK(row.getColumn("synthetic").getInt() == 1);
-        REQUIRE(row.executeStep());
-        CHECK(row.getColumn("stage").getString() == "game");
-        CHECK(row.getColumn("system").getString() == "stiff");
-        CHECK(row.getColumn("layout").getString() == "across");
-        CHECK(row.getColumn("viewer_z_m").getDouble() == 2.0);
-        CHECK(row.getColumn("rating").isNull());
-        CHECK(row.getColumn("chosen_place").getInt() == 2);
-        CHECK(row.getColumn("target_place").getInt() == 1);
-        CHECK(row.getColumn("correct").getInt() == 0);
-        CHECK(row.getColumn("pauses").getInt() == 2);
-        CHECK(row.getColumn("paused_s").getDouble() == 7.5);
-        CHECK(row.getColumn("dropped_frames").isNull());  // nothing was tracked
-        CHECK(row.getColumn("target_y_m").getDouble() == 1.25);
-        CHECK(row.getColumn("distractors").getString() == "[[0.3,1.5,0.5],[-0.3,1,0.5]]");
-        // Shown in the order 2, 0, 1: the second distractor, the target, the first distractor.
-        CHECK(row.getColumn("balls").getString() == "[[-0.3,1,0.5],[0,1.25,0.75],[0.3,1.5,0.5]]");
-        CHECK(row.getColumn("clip_file").getString() == "stiff-T000.bvh");
-        CHECK(row.getColumn("clip_hash").getString() == std::string(64, 'c'));
-        CHECK(row.getColumn("onset_s").getDouble() == 40.0);
-        CHECK(row.getColumn("motion_end_s").getDouble() == 43.0);
-        CHECK(row.getColumn("answered_s").getDouble() == 44.25);
-        CHECK(row.getColumn("answered_utc").getString() == "2023-11-14T22:14:04.250Z");
-        CHECK(row.getColumn("response_time_s").getDouble() == 1.25);
-        CHECK(row.getColumn("head_y_m").getDouble() == 1.65);
-        CHECK(row.getColumn("head_qw").getDouble() == 1.0);
-        CHECK(row.getColumn("ray_dz").getDouble() == -1.0);
-        CHECK_FALSE(row.executeStep());
-        CHECK(database.execAndGet("SELECT kind || ' ' || detail FROM events").getString() ==
-              "stage_start game");
-        CHECK(database.execAndGet("SELECT trial_index IS NULL FROM events").getInt() == 1);
-        CHECK(database.execAndGet("SELECT outcome FROM sessions").getString() == "quit");
-        CHECK(database.execAndGet("SELECT seed FROM plans").getString() == "18446744073709551615");
-        CHECK(database.execAndGet("PRAGMA journal_mode").getString() == "wal");
-        CHECK(database.execAndGet("SELECT count(*) FROM pragma_foreign_key_check").getInt() == 0);
-        CHECK(database.execAndGet("PRAGMA integrity_check").getString() == "ok");
-    }
-
-    TEST_CASE("The stored plan comes back as it was, and storing it again changes nothing") {
-        const fixtures::Folder folder;
-        const auto study = fixtures::study({"direct", "stiff"});
-        const auto plan = fixtures::plan(study, "P01", 2);
-        Store store = fixtures::open(folder / "a.sqlite");
-        CHECK_FALSE(store.plan("P01").has_value());
-        REQUIRE(store.storePlan(study, plan));
-        REQUIRE(store.storePlan(study, plan));
-        const auto back = store.plan("P01");
-        REQUIRE(back.has_value());
-        CHECK(studies::planJson(*back) == studies::planJson(plan));
-        CHECK(store.participants() == std::vector<std::string>{"P01"});
-    }
-
-    TEST_CASE("Another plan for the participant and another study are refused by name") {
-        const fixtures::Folder folder;
-        const auto study = fixtures::study({"direct", "stiff"});
-        Store store = fixtures::open(folder / "a.sqlite");
-        REQUIRE(store.storePlan(study, fixtures::plan(study, "P01", 1)));
-        const auto other_plan = store.storePlan(study, fixtures::plan(study, "P01", 2));
-        REQUIRE_FALSE(other_plan);
-        CHECK(contains(other_plan.error().message, "another plan for participant P01"));
-        auto other = study;
-        other.name = "other";
-        other.hash = std::string(64, 'b');
-        const auto other_study = store.storePlan(other, fixtures::plan(other, "P02", 1));
-        REQUIRE_FALSE(other_study);
-        CHECK(contains(other_study.error().message, "study 'small' (hash aaaaaaaaaaaa)"));
-        CHECK(contains(other_study.error().message, "'other' (hash bbbbbbbbbbbb)"));
-        CHECK(store.participants() == std::vector<std::string>{"P01"});
-    }
-
     TEST_CASE("No trial can be answered twice, in the same session or a later one") {
         const fixtures::Folder folder;
         const auto study = fixtures::study({"direct"});
@@ -143,19 +46,19 @@ TEST_SUITE("results/store") {
         const auto first = fixtures::answer(plan.trials[1], 5);
         const auto second = fixtures::answer(plan.trials[1], 1);
         Store store = fixtures::open(folder / "a.sqlite");
-        REQUIRE(store.storePlan(study, plan));
+        fixtures::store(store, study, plan);
         store.beginSession(fixtures::session("P01", false));
-        store.record(first, plan, fixtures::clips(plan));
-        CHECK_THROWS_AS(store.record(second, plan, fixtures::clips(plan)), SQLite::Exception);
+        store.record(first, study, plan, fixtures::clips(plan));
+        CHECK_THROWS_AS(store.record(second, study, plan, fixtures::clips(plan)), SQLite::Exception);
         // A refused answer leaves the store usable.
-        store.record(fixtures::answer(plan.trials[2], 1), plan, fixtures::clips(plan));
-        store.endSession("quit", 1.7e9 + 9.0);
+        store.record(fixtures::answer(plan.trials[2], 1), study, plan, fixtures::clips(plan));
+        store.endSession(studies::SessionOutcome::quit, 1.7e9 + 9.0);
         store.beginSession(fixtures::session("P01", false));
-        CHECK_THROWS_AS(store.record(second, plan, fixtures::clips(plan)), SQLite::Exception);
-        CHECK(store.answeredTrials("P01") == std::set<int>{1, 2});
-        CHECK(store.answeredTrials("P02").empty());
+        CHECK_THROWS_AS(store.record(second, study, plan, fixtures::clips(plan)), SQLite::Exception);
+        CHECK(answered(store, "P01") == std::set<int>{1, 2});
+        CHECK(answered(store, "P02").empty());
         SQLite::Database reader((folder / "a.sqlite").string());
-        CHECK(reader.execAndGet("SELECT rating FROM responses WHERE trial_index = 1").getInt() == 5);
+        CHECK(reader.execAndGet("SELECT value FROM responses_flat WHERE trial_index = 1").getInt() == 5);
     }
 
     TEST_CASE("A session takes no other participant's records") {
@@ -164,13 +67,13 @@ TEST_SUITE("results/store") {
         const auto mine = fixtures::plan(study, "P01", 1);
         const auto theirs = fixtures::plan(study, "P02", 1);
         Store store = fixtures::open(folder / "a.sqlite");
-        REQUIRE(store.storePlan(study, mine));
-        REQUIRE(store.storePlan(study, theirs));
+        fixtures::store(store, study, mine);
+        fixtures::store(store, study, theirs);
         const auto response = fixtures::answer(mine.trials[1], 3);
-        CHECK_THROWS_AS(store.record(response, mine, fixtures::clips(mine)), std::logic_error);
+        CHECK_THROWS_AS(store.record(response, study, mine, fixtures::clips(mine)), std::logic_error);
         store.beginSession(fixtures::session("P01", false));
-        CHECK_THROWS_AS(store.record(response, theirs, fixtures::clips(theirs)), std::logic_error);
-        CHECK(store.answeredTrials("P02").empty());
+        CHECK_THROWS_AS(store.record(response, study, theirs, fixtures::clips(theirs)), std::logic_error);
+        CHECK(answered(store, "P02").empty());
     }
 
     TEST_CASE("A whole run is kept by its commit, and nothing of it without one") {
@@ -179,17 +82,17 @@ TEST_SUITE("results/store") {
         const auto plan = fixtures::plan(study, "P01", 1);
         for (const bool commit : {false, true}) {
             Store store = fixtures::open(folder / "a.sqlite", Durability::whole_run);
-            REQUIRE(store.storePlan(study, plan));
+            fixtures::store(store, study, plan);
             store.beginSession(fixtures::session("P01", true));
-            store.record(fixtures::answer(plan.trials[1], 5), plan, fixtures::clips(plan));
-            store.endSession("finished", 1.7e9 + 9.0);
+            store.record(fixtures::answer(plan.trials[1], 5), study, plan, fixtures::clips(plan));
+            store.endSession(studies::SessionOutcome::finished, 1.7e9 + 9.0);
             if (commit) store.commit();
             if (!commit) {
                 store = fixtures::open(folder / "b.sqlite");
                 CHECK(fixtures::open(folder / "a.sqlite").participants().empty());
             }
         }
-        CHECK(fixtures::open(folder / "a.sqlite").answeredTrials("P01") == std::set<int>{1});
+        CHECK(answered(fixtures::open(folder / "a.sqlite"), "P01") == std::set<int>{1});
         CHECK_FALSE(std::filesystem::exists(folder / "a.sqlite-wal"));
     }
 }
@@ -206,11 +109,12 @@ TEST_SUITE("results/store durability") {
         REQUIRE(child >= 0);
         if (child == 0) {
             Store store = fixtures::open(path);
-            if (!store.storePlan(study, plan)) ::_exit(1);
+            if (!store.storePlan(study, fixtures::registration(plan), plan)) ::_exit(1);
             store.beginSession(fixtures::session("P01", false));
-            store.record(fixtures::answer(plan.trials[1], 5), plan, fixtures::clips(plan));
-            store.record(fixtures::answer(plan.trials[2], 2), plan, fixtures::clips(plan));
-            store.record(studies::Note{"stimulus_onset", 3, {30.0, 1.7e9}, ""}, plan, fixtures::clips(plan));
+            store.record(fixtures::answer(plan.trials[1], 5), study, plan, fixtures::clips(plan));
+            store.record(fixtures::answer(plan.trials[2], 2), study, plan, fixtures::clips(plan));
+            store.record(studies::Note{"stimulus_onset", 3, {30.0, 1.7e9}, ""}, study, plan,
+                         fixtures::clips(plan));
             if (::write(ready[1], "x", 1) != 1) ::_exit(1);
             for (;;) ::pause();
         }
@@ -224,11 +128,11 @@ TEST_SUITE("results/store durability") {
         REQUIRE(WIFSIGNALED(status));
 
         Store store = fixtures::open(path);
-        CHECK(store.answeredTrials("P01") == std::set<int>{1, 2});
+        CHECK(answered(store, "P01") == std::set<int>{1, 2});
         CHECK(store.plan("P01").has_value());
-        REQUIRE(store.storePlan(study, plan));
+        fixtures::store(store, study, plan);
         store.beginSession(fixtures::session("P01", false));
-        store.record(fixtures::answer(plan.trials[3], 3), plan, fixtures::clips(plan));
+        store.record(fixtures::answer(plan.trials[3], 3), study, plan, fixtures::clips(plan));
         SQLite::Database reader(path.string());
         CHECK(reader.execAndGet("SELECT count(*) FROM events").getInt() == 1);
         CHECK(reader.execAndGet("SELECT count(*) FROM sessions WHERE outcome IS NULL").getInt() == 2);
@@ -289,7 +193,7 @@ TEST_SUITE("results/store opening") {
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
         const auto message = refusal(folder / "a.sqlite");
         CHECK(contains(message, "version 7"));
-        CHECK(contains(message, "up to 2"));
+        CHECK(contains(message, "up to 3"));
     }
 
     TEST_CASE("A database locked by another program is refused") {

@@ -223,6 +223,7 @@ struct Study {
     HeadsetOptions headset{};
 
     std::filesystem::path file{};  ///< where it was read from
+    std::string source{};          ///< the file's text; kept with the data
     std::string hash{};            ///< SHA-256 of the file's bytes and of the questionnaire files it names
 
     [[nodiscard]] const Layout* findLayout(std::string_view name) const;

@@ -1,0 +1,125 @@
+#include "database_open.hpp"
+
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include <cctype>
+#include <system_error>
+
+#include "migration.hpp"
+#include "schema.hpp"
+
+namespace deixis::results {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A writer is, or was when it died, at work on the database: its latest answers stand in the log.
+bool hasLog(const fs::path& database) {
+    fs::path log = database;
+    log += "-wal";
+    std::error_code missing;
+    const auto size = fs::file_size(log, missing);
+    return !missing && size > 0;
+}
+
+std::string immutableUri(const fs::path& database) {
+    std::string uri = "file:";
+    for (const char c : fs::absolute(database).string()) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0 || c == '/' || c == '-' || c == '_' || c == '.')
+            uri += c;
+        else
+            uri += fmt::format("%{:02X}", byte);
+    }
+    return uri + "?immutable=1";
+}
+
+tl::unexpected<Error> noSuchFile(const fs::path& path) {
+    return fail(path.string(), "no such file, expected a database made by deixis",
+                "Check the path; a run prints the path of its database");
+}
+
+/// In one transaction, and only if all of it succeeds. Foreign keys must not be enforced.
+Result<void> migrateWhole(SQLite::Database& database, const fs::path& path) {
+    database.exec("BEGIN IMMEDIATE");
+    // Whose it is is asked under the write lock: another process may have set the file up in between.
+    const auto whose = identify(database, path);
+    const Result<void> done =
+        whose ? migrate(database, whose->version, path) : Result<void>(tl::unexpected(whose.error()));
+    database.exec(done ? "COMMIT" : "ROLLBACK");
+    return done;
+}
+
+SQLite::Database upToDateCopy(SQLite::Database& source) {
+    SQLite::Database copy(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    sqlite3_backup* backup = sqlite3_backup_init(copy.getHandle(), "main", source.getHandle(), "main");
+    if (backup == nullptr) throw SQLite::Exception(copy.getHandle());
+    constexpr int every_page = -1;
+    const int stepped = sqlite3_backup_step(backup, every_page);
+    sqlite3_backup_finish(backup);
+    if (stepped != SQLITE_DONE) throw SQLite::Exception("the database cannot be copied", stepped);
+    return copy;
+}
+
+}  // namespace
+
+Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored))
+        return fail(path.string(), "found a folder, expected a database file", "Name a file in it");
+    if (missing == Missing::refuse && !fs::is_regular_file(path, ignored)) return noSuchFile(path);
+    const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (!fs::is_directory(folder, ignored))
+        return fail(path.string(), fmt::format("the folder '{}' does not exist", folder.string()),
+                    "Create it, or name a file elsewhere");
+    const int create = missing == Missing::create ? SQLite::OPEN_CREATE : 0;
+    SQLite::Database database(path.string(), SQLite::OPEN_READWRITE | create, busy_timeout_ms);
+    // Before anything is changed in it.
+    if (const auto whose = identify(database, path); !whose) return tl::unexpected(whose.error());
+    if (sqlite3_db_readonly(database.getHandle(), "main") != 0)
+        return fail(path.string(), "the database can be read but not written",
+                    "Give yourself write permission for the file and its folder, or name another file");
+    // Switching to WAL answers with the mode in force.
+    if (database.execAndGet("PRAGMA journal_mode = WAL").getString() != "wal")
+        return fail(path.string(), "the file system does not allow SQLite's write-ahead log",
+                    "Keep the database on a local disk");
+    database.exec("PRAGMA synchronous = FULL; PRAGMA foreign_keys = OFF");
+    if (auto ready = migrateWhole(database, path); !ready) return tl::unexpected(ready.error());
+    database.exec("PRAGMA foreign_keys = ON");
+    return database;
+}
+
+Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
+    std::error_code problem;
+    if (!fs::is_regular_file(path, problem)) return noSuchFile(path);
+    try {
+        // Without a log the file is all there is. Read as immutable it needs no files beside it, and so no
+        // permission to write.
+        const bool without_log = log == WithLog::where_there_is_one && !hasLog(path);
+        const auto written = fs::last_write_time(path, problem);
+        SQLite::Database database =
+            without_log ? SQLite::Database(immutableUri(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI)
+                        : SQLite::Database(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+        const auto whose = identify(database, path);
+        if (!whose) return tl::unexpected(whose.error());
+        if (whose->version == 0)
+            return fail(path.string(), "the database holds no study yet", "Run a session with it first");
+        if (whose->version < schema_version) {
+            database = upToDateCopy(database);
+            if (auto ready = migrateWhole(database, path); !ready) return tl::unexpected(ready.error());
+            database.exec("PRAGMA query_only = ON");
+        }
+        return ReadOnlyDatabase(std::move(database), path, without_log, written);
+    } catch (const SQLite::Exception& caught) {
+        return tl::unexpected(describe(path, caught));
+    }
+}
+
+bool ReadOnlyDatabase::undisturbed() const {
+    std::error_code problem;
+    return !without_log_ || (!hasLog(path_) && std::filesystem::last_write_time(path_, problem) == written_);
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,81 @@
+// Opening the database files of a study: for a run, for changing participants, and only to read.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include <filesystem>
+#include <type_traits>
+#include <utility>
+
+#include "core/error.hpp"
+#include "database_errors.hpp"
+
+namespace deixis::results {
+
+/// Another program's lock is waited for this long.
+inline constexpr int busy_timeout_ms = 1000;
+
+enum class Missing : unsigned char {
+    create,  ///< a file that is not there is made, with the newest tables
+    refuse
+};
+
+/// Opens for writing and brings an older database to the newest version. Foreign keys are enforced, the
+/// journal is a write-ahead log, and each transaction waits for the disk. Failing SQLite calls throw.
+[[nodiscard]] Result<SQLite::Database> openToWrite(const std::filesystem::path& path, Missing missing);
+
+enum class WithLog : unsigned char {
+    where_there_is_one,  ///< else the file is all there is, and needs no file beside it
+    yes
+};
+
+/// A database opened only to be read, in the newest schema. Nothing in the file or beside it is changed: one
+/// of an older version is copied into memory and brought up to date there.
+class ReadOnlyDatabase {
+  public:
+    [[nodiscard]] SQLite::Database& operator*() { return database_; }
+    [[nodiscard]] SQLite::Database* operator->() { return &database_; }
+    /// Whether what was read can be relied on: false where a writer has begun since and the file was read
+    /// without its log. Then read again with openReadOnly(path, WithLog::yes).
+    [[nodiscard]] bool undisturbed() const;
+
+  private:
+    friend Result<ReadOnlyDatabase> openReadOnly(const std::filesystem::path& path, WithLog log);
+    ReadOnlyDatabase(SQLite::Database database, std::filesystem::path path, bool without_log,
+                     std::filesystem::file_time_type written)
+        : database_(std::move(database)),
+          path_(std::move(path)),
+          without_log_(without_log),
+          written_(written) {}
+
+    SQLite::Database database_;
+    std::filesystem::path path_;
+    bool without_log_ = false;
+    std::filesystem::file_time_type written_{};
+};
+
+/// Errors: no such file, not one of ours, a newer version, no tables in it yet, locked.
+[[nodiscard]] Result<ReadOnlyDatabase> openReadOnly(const std::filesystem::path& path,
+                                                    WithLog log = WithLog::where_there_is_one);
+
+/// Opens and gives to `read` (SQLite::Database& -> Result<...>), within one read transaction: one moment of
+/// the database. Reads again where a writer came in between. Failing SQLite calls become errors.
+template <typename Read>
+[[nodiscard]] auto readDatabase(const std::filesystem::path& path, const Read& read)
+    -> std::invoke_result_t<Read, SQLite::Database&> {
+    try {
+        auto opened = openReadOnly(path);
+        if (!opened) return tl::unexpected(opened.error());
+        (*opened)->exec("BEGIN");
+        auto out = read(**opened);
+        if (opened->undisturbed()) return out;
+        opened = openReadOnly(path, WithLog::yes);
+        if (!opened) return tl::unexpected(opened.error());
+        (*opened)->exec("BEGIN");
+        return read(**opened);
+    } catch (const SQLite::Exception& problem) {
+        return tl::unexpected(describe(path, problem));
+    }
+}
+
+}  // namespace deixis::results
