@@ -1,41 +1,18 @@
-// Whole simulated studies with the built-in systems.
+// Whole simulated studies, from file to answers, with the built-in systems.
 #include <doctest/doctest.h>
 
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
 #include <map>
 
-#include "core/random.hpp"
-#include "motion/generator.hpp"
-#include "session_fixture.hpp"
-#include "studies/simulated_participant.hpp"
+#include "simulated_run.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;
 
 namespace {
-
-/// Clips of the built-in systems, made when asked for.
-class GeneratedClips : public ClipSource {
-  public:
-    GeneratedClips() {
-        for (const std::string& name : motion::generatorNames()) {
-            auto made = motion::makeGenerator(name, motion::referenceHumanoid(), {});
-            REQUIRE(made.has_value());
-            generators_.emplace(name, std::move(*made));
-        }
-    }
-    [[nodiscard]] const motion::Clip& clip(const Trial& trial) const override {
-        const auto key = std::make_pair(trial.system, trial.target_id);
-        const auto found = clips_.find(key);
-        if (found != clips_.end()) return found->second;
-        const motion::GenerationRequest request{trial.target_id, trial.target,
-                                                deriveSeed(1, trial.target_id)};
-        return clips_.emplace(key, generators_.at(trial.system)->generate(request).clip).first->second;
-    }
-
-  private:
-    std::map<std::string, std::unique_ptr<motion::Generator>> generators_;
-    mutable std::map<std::pair<std::string, std::string>, motion::Clip> clips_;
-};
 
 struct Tally {
     double ratings = 0.0;
@@ -47,106 +24,221 @@ struct Tally {
     [[nodiscard]] double accuracy() const { return static_cast<double>(correct) / chosen; }
 };
 
-/// Thirty targets, each shown by all four systems in both stages.
-StudyPlan thirtyTargets() {
-    TargetSpace space;
-    space.count = 30;
-    space.height_m = {0.1, 2.1};
-    space.arc_deg = {-85.0, 85.0};
-    space.radius_m = {1.9, 2.2};
-    space.ball_diameter_m = 0.1;
-    space.distractor_distance_m = {0.2, 0.4};
-    const auto targets = sampleTargets(space, 5);
-    REQUIRE(targets.has_value());
-    StudyPlan plan;
-    for (const StageKind stage : {StageKind::naturalness, StageKind::game})
-        for (std::size_t i = 0; i < targets->size(); ++i)
-            for (const std::string& system : motion::generatorNames()) {
-                Trial trial;
-                trial.index = static_cast<int>(plan.trials.size());
-                trial.stage = stage;
-                trial.system = system;
-                trial.target_id = (*targets)[i].id;
-                trial.target = (*targets)[i].target;
-                trial.layout = "across";
-                if (stage == StageKind::game) {
-                    trial.layout = i % 2 == 0 ? "across" : "side-by-side";
-                    trial.distractors = (*targets)[i].distractors;
-                    const int turn = trial.index % 3;
-                    trial.ball_order = {turn, (turn + 1) % 3, (turn + 2) % 3};
-                }
-                plan.trials.push_back(trial);
-            }
-    return plan;
+/// Thirty targets, each shown by the systems in both stages.
+std::string thirtyTargets(const std::vector<std::string>& systems) {
+    std::string text = R"(
+[study]
+name = "thirty"
+title = "Thirty targets"
+seed = 5
+[targets]
+count = 60
+height_m = [0.1, 2.1]
+arc_deg = [-85.0, 85.0]
+radius_m = [1.9, 2.2]
+[[distances]]
+name = "near"
+distance_m = [0.2, 0.4]
+distractors = 2
+[[layouts]]
+name = "across"
+viewer_m = [0.0, 3.4]
+heading_deg = 180.0
+[[layouts]]
+name = "side-by-side"
+viewer_m = [-0.75, -0.25]
+heading_deg = 10.0
+[[stages]]
+name = "naturalness"
+kind = "rating"
+items = 30
+layouts = ["across"]
+question = "How natural?"
+scale = {low = 1, high = 5}
+[[stages]]
+name = "game"
+kind = "referential-game"
+items = 30
+layouts = ["across", "side-by-side"]
+distances = ["near"]
+question = "Which ball?"
+)";
+    for (const std::string& system : systems)
+        text += fmt::format("[[systems]]\nname = \"{0}\"\ngenerator = \"{0}\"\n", system);
+    return text;
 }
 
-std::map<std::string, Tally> run(const StudyPlan& plan, const ClipSource& clips,
-                                 const SimulatedParameters& parameters, int participants) {
-    Study study = handStudy();
-    study.layouts[1] = {"side-by-side", -0.75, -0.25, 10.0};
-    study.rating.break_every = 0;
-    const motion::Skeleton& avatar = motion::referenceHumanoid();
-    const motion::LocalPose idle = motion::relaxedPose(avatar);
-    std::map<std::string, Tally> tallies;
+std::map<std::string, Tally> tallies(const Prepared& prepared, const SimulatedParameters& parameters,
+                                     int participants) {
+    std::map<std::string, Tally> found;
     for (int person = 1; person <= participants; ++person) {
-        SimulatedStation station(parameters, avatar, static_cast<std::uint64_t>(person));
-        SessionRunner session(study, plan, clips, avatar, idle, {});
-        int answers = 0;
-        for (int i = 0; i < 200000 && !session.finished(); ++i) {
-            const SessionStep step = session.step(station.beginFrame());
-            for (const SessionEvent& event : step.events) {
-                const auto* response = std::get_if<Response>(&event);
-                if (response == nullptr) continue;
-                ++answers;
-                Tally& tally = tallies[plan.trials[static_cast<std::size_t>(response->trial_index)].system];
-                if (response->rating > 0) {
-                    tally.ratings += response->rating;
-                    ++tally.rated;
-                } else {
-                    ++tally.chosen;
-                    tally.correct += response->correct ? 1 : 0;
-                }
+        const Outcome outcome = simulate(prepared, static_cast<std::uint64_t>(person), parameters);
+        CHECK(outcome.responses.size() == prepared.plan.trials.size());
+        for (const Response& response : outcome.responses) {
+            const Trial& trial = prepared.plan.trials[static_cast<std::size_t>(response.trial_index)];
+            Tally& tally = found[trial.stimuli.at(0).system];
+            if (trial.kind == StageKind::rating) {
+                tally.ratings += *response.answers.at(0).value;
+                ++tally.rated;
+            } else {
+                ++tally.chosen;
+                tally.correct += response.correct ? 1 : 0;
             }
-            (void)session.shown(station.present(step.frame));
         }
-        CHECK(answers == static_cast<int>(plan.trials.size()));
     }
-    return tallies;
+    return found;
 }
 
 }  // namespace
 
 TEST_SUITE("studies/simulated_study") {
+    TEST_CASE("it goes through a study of every kind of stage and answers everything once") {
+        const Prepared prepared(everyKind());
+        for (const bool keyboard : {true, false}) {
+            for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+                CAPTURE(keyboard);
+                CAPTURE(seed);
+                const Outcome outcome = simulate(prepared, seed, {}, keyboard);
+                checkWhole(prepared, outcome);
+                CHECK(outcome.count("check_failed") <= 2);  // catch trials may be missed
+                for (const Response& response : outcome.responses) {
+                    const Trial& trial = prepared.plan.trials[static_cast<std::size_t>(response.trial_index)];
+                    CAPTURE(trial.stage);
+                    if (trial.check && trial.check->kind != CheckKind::catch_trial)
+                        CHECK(response.check_passed == true);
+                    if (trial.kind == StageKind::parallel_rating)
+                        CHECK(response.answers.size() == trial.stimuli.size());
+                    if (trial.stage == "before") CHECK_FALSE(response.answers.empty());
+                    if (trial.stage == "game" || trial.stage == "quick-game") {
+                        REQUIRE(response.answers.size() == 1);
+                        CHECK(response.answers[0].question == "confidence");
+                    }
+                    const std::size_t plays =
+                        trial.stage.rfind("rating", 0) == 0 || trial.stage == "page-steps" ? 2 : 1;
+                    for (const int times : response.plays) CHECK(times == static_cast<int>(plays));
+                }
+            }
+        }
+    }
+
+    TEST_CASE("every question has its answer: words where there is a keyboard") {
+        const Prepared prepared(everyKind());
+        for (const bool keyboard : {true, false}) {
+            std::map<std::string, Answer> about;
+            std::vector<std::string> reasons;
+            for (const Response& response : simulate(prepared, 2, {}, keyboard).responses)
+                for (const Answer& answer : response.answers) {
+                    const std::string& stage =
+                        prepared.plan.trials[static_cast<std::size_t>(response.trial_index)].stage;
+                    if (stage == "before") about[answer.question] = answer;
+                    if (stage == "pairs-words" && answer.question == "reasons")
+                        reasons.push_back(answer.text);
+                }
+            CHECK(about.size() == (keyboard ? 7U : 6U));
+            CHECK(about.count("words") == (keyboard ? 1U : 0U));
+            CHECK(*about["age"].value >= 18.0);
+            CHECK(*about["age"].value <= 99.0);
+            CHECK(std::abs(*about["height"].value) <= 2.5);
+            for (const std::string& words : reasons) CHECK(words == "simulated answer");
+            if (!keyboard) CHECK(reasons.empty());
+        }
+    }
+
+    TEST_CASE("who lapses in attention fails the checks by a number") {
+        const Prepared prepared(everyKind());
+        SimulatedParameters inattentive;
+        inattentive.attention_lapse_rate = 1.0;
+        int failed = 0;
+        int warned = 0;
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+            const Outcome outcome = simulate(prepared, seed, inattentive);
+            CHECK(outcome.session == SessionOutcome::finished);
+            failed += outcome.count("check_failed");
+            warned += outcome.count("warned");
+        }
+        CHECK(failed >= 3);
+        CHECK(warned >= 1);
+    }
+
+    TEST_CASE("the same seed gives the same answers at the same times, another seed others") {
+        const Prepared prepared(everyKind());
+        const auto told = [&prepared](std::uint64_t seed) {
+            std::string text;
+            for (const Response& response : simulate(prepared, seed).responses) {
+                text += fmt::format("{} {} {:.17g}", response.trial_index, response.chosen_place,
+                                    response.answered.time_s);
+                for (const Answer& answer : response.answers)
+                    text +=
+                        fmt::format(" {} {} {}", answer.question, answer.value.value_or(-99.0), answer.text);
+                text += "\n";
+            }
+            return text;
+        };
+        const std::string first = told(11);
+        CHECK(first == told(11));
+        CHECK(first != told(12));
+    }
+
+    TEST_CASE("it does not know the answer: with another ball as the target it chooses the same places") {
+        const Prepared prepared(written(thirtyTargets({"direct"})));
+        StudyPlan other = prepared.plan;
+        for (Trial& trial : other.trials) {
+            if (trial.kind != StageKind::game) continue;
+            std::swap(trial.target, trial.distractors[0]);
+            for (int& ball : trial.ball_order) ball = ball == 0 ? 1 : ball == 1 ? 0 : ball;
+        }
+        int correct = 0;
+        int correct_other = 0;
+        for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+            const Outcome here = simulate(prepared, seed);
+            const Outcome there = simulate(prepared, other, seed);
+            REQUIRE(here.responses.size() == there.responses.size());
+            for (std::size_t i = 0; i < here.responses.size(); ++i) {
+                CHECK(here.responses[i].chosen_place == there.responses[i].chosen_place);
+                CHECK(here.responses[i].answered.time_s == there.responses[i].answered.time_s);
+                correct += here.responses[i].correct ? 1 : 0;
+                correct_other += there.responses[i].correct ? 1 : 0;
+            }
+        }
+        CHECK(correct > 5 * correct_other);
+    }
+
     TEST_CASE(
         "over 30 targets stiff is the least natural of the accurate systems and drifting the least "
         "accurate") {
-        const StudyPlan plan = thirtyTargets();
-        const GeneratedClips clips;
-        auto tallies = run(plan, clips, {}, 3);
-        REQUIRE(tallies.size() == 4);
-        CHECK(tallies["demonstration-nn"].naturalness() > 3.7);
-        CHECK(tallies["demonstration-nn"].naturalness() < 4.3);
-        CHECK(tallies["direct"].naturalness() > 3.7);
-        CHECK(tallies["stiff"].naturalness() > 2.1);
-        CHECK(tallies["stiff"].naturalness() < 2.9);
-        CHECK(tallies["drifting"].naturalness() > 2.3);
-        CHECK(tallies["drifting"].naturalness() < 3.2);
-        CHECK(tallies["drifting"].accuracy() < tallies["demonstration-nn"].accuracy() - 0.1);
-        CHECK(tallies["demonstration-nn"].accuracy() < tallies["direct"].accuracy());
-        CHECK(tallies["direct"].accuracy() > 0.85);
-        CHECK(tallies["stiff"].accuracy() > 0.85);
+        const Prepared prepared(written(thirtyTargets(motion::generatorNames())));
+        auto found = tallies(prepared, {}, 3);
+        REQUIRE(found.size() == 4);
+        CHECK(found["demonstration-nn"].naturalness() > 3.7);
+        CHECK(found["demonstration-nn"].naturalness() < 4.3);
+        CHECK(found["direct"].naturalness() > 3.7);
+        CHECK(found["stiff"].naturalness() > 2.1);
+        CHECK(found["stiff"].naturalness() < 2.9);
+        CHECK(found["drifting"].naturalness() > 2.3);
+        CHECK(found["drifting"].naturalness() < 3.2);
+        CHECK(found["drifting"].accuracy() < found["demonstration-nn"].accuracy() - 0.1);
+        CHECK(found["demonstration-nn"].accuracy() < found["direct"].accuracy());
+        CHECK(found["direct"].accuracy() > 0.85);
+        CHECK(found["stiff"].accuracy() > 0.85);
     }
 
     TEST_CASE("without noise it finds every target of a system that points exactly") {
-        StudyPlan plan = thirtyTargets();
-        std::erase_if(plan.trials, [](const Trial& trial) {
-            return trial.stage == StageKind::naturalness || trial.system != "stiff";
-        });
-        for (std::size_t i = 0; i < plan.trials.size(); ++i) plan.trials[i].index = static_cast<int>(i);
         SimulatedParameters exact;
         exact.pointing_noise_deg = 0.0;
         exact.lapse_rate = 0.0;
-        const GeneratedClips clips;
-        CHECK(run(plan, clips, exact, 1)["stiff"].accuracy() == 1.0);
+        const Prepared prepared(written(thirtyTargets({"stiff"})));
+        CHECK(tallies(prepared, exact, 1)["stiff"].accuracy() == 1.0);
+    }
+
+    TEST_CASE("it goes through every study that ships") {
+        for (const auto& entry : std::filesystem::directory_iterator(source / "assets/data/studies")) {
+            if (entry.path().extension() != ".toml") continue;
+            CAPTURE(entry.path().filename().string());
+            for (const int number : {1, 2}) {
+                CAPTURE(number);
+                const Prepared prepared(loaded(entry.path()), number);
+                checkWhole(prepared, simulate(prepared, static_cast<std::uint64_t>(number), {}, number == 1));
+            }
+        }
     }
 }
