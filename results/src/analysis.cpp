@@ -17,14 +17,6 @@ using Scores = std::vector<double>;
 /// Condition -> participant -> scores. std::map keeps the participants in order.
 using Cells = std::map<std::string, std::map<std::string, Scores>>;
 
-bool isGame(const ResponseRow& row) {
-    return row.stage == "game";
-}
-
-double score(const ResponseRow& row) {
-    return isGame(row) ? (row.correct ? 1.0 : 0.0) : row.rating;
-}
-
 std::vector<double> participantMeans(const Cells& cells, const std::string& condition) {
     std::vector<double> means;
     if (const auto cell = cells.find(condition); cell != cells.end())
@@ -43,7 +35,7 @@ std::vector<double> allTrials(const Cells& cells, const std::string& condition) 
 Summary summarise(const Cells& cells, const std::string& system) {
     const auto means = participantMeans(cells, system);
     const auto trials = allTrials(cells, system);
-    return {mean(means), sampleSd(means), sampleSd(trials), static_cast<int>(trials.size())};
+    return {mean(means), sampleSd(means), sampleSd(trials), static_cast<int>(trials.size()), means};
 }
 
 /// Participants' means under `a` minus those under `b`, for the participants who have both.
@@ -64,8 +56,9 @@ void test(Comparison& comparison, const Cells& cells) {
     comparison.test = signedRankTest(differences);
 }
 
-/// Holm over a family of comparisons, and what is significant after it.
-void adjust(std::vector<Comparison>::iterator first, std::vector<Comparison>::iterator last, double alpha) {
+/// Holm over a family of tests, and what is significant after it.
+template <typename Iterator>
+void adjust(Iterator first, Iterator last, double alpha) {
     std::vector<double> p;
     for (auto it = first; it != last; ++it) p.push_back(it->test.p);
     const auto adjusted = holm(p);
@@ -92,13 +85,101 @@ void comparePairs(const Cells& cells, const std::string& measure, AnalysisResult
     adjust(result.pairwise.begin() + family, result.pairwise.end(), result.table.alpha);
 }
 
+/// The rows of one measure by the levels of a factor: of each system, and of all.
+struct LevelCells {
+    std::map<std::string, Cells> by_system;
+    Cells of_all;
+};
+
+LevelCells levelCells(const ResponseTable& table, const std::string& measure,
+                      const std::string ResponseRow::*level) {
+    LevelCells cells;
+    for (const auto& row : table.rows) {
+        if (row.measure != measure) continue;
+        cells.by_system[row.system][row.*level][row.participant].push_back(row.value);
+        cells.of_all[row.*level][row.participant].push_back(row.value);
+    }
+    return cells;
+}
+
+/// Means of each level, and tests of all pairs of levels within each system: one family over the systems.
+void compareLevels(const Measure& measure, const std::string& factor, const std::vector<std::string>& levels,
+                   const std::string ResponseRow::*level, AnalysisResult& result) {
+    if (levels.empty()) return;
+    LevelCells cells = levelCells(result.table, measure.name, level);
+    const auto addLevels = [&](const std::string& system, const Cells& of_system) {
+        for (const auto& name : levels) {
+            const auto trials = allTrials(of_system, name);
+            result.levels.push_back({measure.name, factor, system, name, mean(trials), sampleSd(trials),
+                                     static_cast<int>(trials.size())});
+        }
+    };
+    addLevels("all", cells.of_all);
+    for (const auto& system : result.table.systems) addLevels(system, cells.by_system[system]);
+    const auto family = static_cast<std::ptrdiff_t>(result.level_tests.size());
+    for (const auto& system : result.table.systems)
+        for (std::size_t i = 0; i < levels.size(); ++i)
+            for (std::size_t j = i + 1; j < levels.size(); ++j) {
+                Comparison pair{measure.name, factor, system, levels[i], levels[j], 0.0, {}, 1.0, false};
+                test(pair, cells.by_system[system]);
+                result.level_tests.push_back(pair);
+            }
+    adjust(result.level_tests.begin() + family, result.level_tests.end(), result.table.alpha);
+}
+
+/// Each pair of systems that stood side by side, whichever stood left.
+void comparePreferences(AnalysisResult& result) {
+    const auto& systems = result.table.systems;
+    const auto order = [&](const std::string& system) {
+        return std::find(systems.begin(), systems.end(), system) - systems.begin();
+    };
+    std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, std::map<std::string, Scores>> pairs;
+    for (const auto& row : result.table.rows) {
+        if (row.measure != "preference") continue;
+        const auto left = order(row.system);
+        const auto right = order(row.other_system);
+        // Positive: for the one that comes first in the study.
+        const double for_first = left < right ? -row.value : row.value;
+        pairs[{std::min(left, right), std::max(left, right)}][row.participant].push_back(for_first);
+    }
+    for (const auto& [pair, participants] : pairs) {
+        PreferenceResult& out = result.preferences.emplace_back();
+        out.a = systems[static_cast<std::size_t>(pair.first)];
+        out.b = systems[static_cast<std::size_t>(pair.second)];
+        std::vector<double> means;
+        for (const auto& [participant, scores] : participants) {
+            means.push_back(mean(scores));
+            for (const double score : scores)
+                (score > 0.0 ? out.prefers_a : score < 0.0 ? out.prefers_b : out.ties) += 1;
+        }
+        out.mean = mean(means);
+        out.test = signedRankTest(means);
+    }
+    adjust(result.preferences.begin(), result.preferences.end(), result.table.alpha);
+}
+
+void summariseScores(AnalysisResult& result) {
+    std::vector<std::pair<std::string, std::string>> order;
+    std::map<std::pair<std::string, std::string>, Scores> values;
+    for (const ScoreRow& row : result.table.scores) {
+        auto& of_score = values[{row.stage, row.score}];
+        if (of_score.empty()) order.emplace_back(row.stage, row.score);
+        of_score.push_back(row.value);
+    }
+    for (const auto& key : order) {
+        const Scores& scores = values[key];
+        result.scores.push_back(
+            {key.first, key.second, mean(scores), sampleSd(scores), static_cast<int>(scores.size())});
+    }
+}
+
 /// A participant who lacks answers under one of two conditions is missing from their comparison.
 void remarkLeftOut(const std::vector<Comparison>& comparisons, const std::string& measure,
-                   AnalysisResult& result) {
+                   const std::string& factor, AnalysisResult& result) {
     int fewest = result.participants;
     int most = 0;
     for (const auto& comparison : comparisons) {
-        if (comparison.measure != measure) continue;
+        if (comparison.measure != measure || comparison.factor != factor) continue;
         fewest = std::min(fewest, comparison.test.n);
         most = std::max(most, comparison.test.n);
     }
@@ -106,14 +187,17 @@ void remarkLeftOut(const std::vector<Comparison>& comparisons, const std::string
     result.remarks.push_back(fmt::format(
         "Tests of {}: participants without answers under one of the two conditions are left out; {} of {} "
         "participants enter.",
-        measure, fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most),
+        factor.empty() ? measure : factor,
+        fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most),
         result.participants));
 }
 
 /// The signed-rank test of n pairs cannot give a p below 2^(1-n).
 void remarkPower(AnalysisResult& result) {
+    if (result.measures.empty()) return;
+    const std::string& measure = result.measures.front().name;
     const auto pairs = std::count_if(result.pairwise.begin(), result.pairwise.end(),
-                                     [](const Comparison& c) { return c.measure == "accuracy"; });
+                                     [&](const Comparison& c) { return c.measure == measure; });
     const double smallest = std::exp2(1 - result.participants);
     if (pairs == 0 || smallest * static_cast<double>(pairs) <= result.table.alpha) return;
     result.remarks.push_back(fmt::format(
@@ -124,27 +208,31 @@ void remarkPower(AnalysisResult& result) {
 }
 
 void remarkAnswers(const ResponseTable& table, AnalysisResult& result) {
-    int ratings = 0;
-    int choices = 0;
+    std::map<std::string, int> answered;
     int interrupted = 0;
     int synthetic = 0;
     for (const auto& row : table.rows) {
-        (isGame(row) ? choices : ratings) += 1;
+        ++answered[row.measure];
         interrupted += row.pauses > 0 ? 1 : 0;
         synthetic += row.synthetic ? 1 : 0;
     }
     auto& remarks = result.remarks;
-    if (ratings == 0) remarks.push_back("There are no ratings: naturalness is not reported.");
-    if (choices == 0) remarks.push_back("There are no choices: accuracy is not reported.");
-    if (synthetic > 0 && synthetic < ratings + choices)
+    const int all = static_cast<int>(table.rows.size());
+    std::string missing;
+    for (const Measure& measure : table.measures) {
+        if (answered[measure.name] == 0)
+            remarks.push_back(fmt::format("There are no answers on {}: it is not reported.", measure.name));
+        if (answered[measure.name] != measure.planned)
+            missing += fmt::format("{}{} of {} planned on {}", missing.empty() ? "" : ", ",
+                                   answered[measure.name], measure.planned, measure.name);
+    }
+    if (synthetic > 0 && synthetic < all)
         remarks.push_back(
             fmt::format("{} of {} answers come from simulated participants, the others from people: "
                         "analyse them apart.",
-                        synthetic, ratings + choices));
-    if (ratings != table.planned_ratings || choices != table.planned_choices)
-        remarks.push_back(fmt::format(
-            "The data are incomplete: {} of {} planned ratings and {} of {} planned choices are answered.",
-            ratings, table.planned_ratings, choices, table.planned_choices));
+                        synthetic, all));
+    if (!missing.empty())
+        remarks.push_back(fmt::format("The data are incomplete: {} are answered.", missing));
     if (result.participants != table.planned_participants)
         remarks.push_back(fmt::format("{} of {} participants with a plan have answered.", result.participants,
                                       table.planned_participants));
@@ -152,6 +240,12 @@ void remarkAnswers(const ResponseTable& table, AnalysisResult& result) {
         remarks.push_back(fmt::format(
             "{} answers were given to trials that had been interrupted and shown again from the start.",
             interrupted));
+    if (table.withdrawn > 0)
+        remarks.push_back(fmt::format("{} {} withdrew; nothing of theirs is kept.", table.withdrawn,
+                                      table.withdrawn == 1 ? "participant" : "participants"));
+    for (const std::string& factor : table.between)
+        remarks.push_back(fmt::format(
+            "Participants differ in {}, which is not compared here: all are taken together.", factor));
 }
 
 }  // namespace
@@ -159,56 +253,39 @@ void remarkAnswers(const ResponseTable& table, AnalysisResult& result) {
 AnalysisResult analyse(const ResponseTable& table) {
     AnalysisResult result;
     result.table = table;
-    Cells accuracy;
-    Cells naturalness;
-    std::map<std::string, Cells> accuracy_by_layout;  // of each system
-    Cells accuracy_of_all;                            // by layout
+    std::map<std::string, Cells> cells;  // by measure
     std::set<std::string> participants;
     for (const auto& row : table.rows) {
         participants.insert(row.participant);
         result.synthetic = result.synthetic || row.synthetic;
-        (isGame(row) ? accuracy : naturalness)[row.system][row.participant].push_back(score(row));
-        if (isGame(row)) {
-            accuracy_by_layout[row.system][row.layout][row.participant].push_back(score(row));
-            accuracy_of_all[row.layout][row.participant].push_back(score(row));
-        }
+        cells[row.measure][row.system][row.participant].push_back(row.value);
     }
+    // Who has filled in questionnaires only has taken part, too.
+    for (const auto& row : table.scores) participants.insert(row.participant);
+    for (const auto& station : table.stations) result.synthetic = result.synthetic || station.synthetic;
     result.participants = static_cast<int>(participants.size());
     remarkAnswers(table, result);
+    for (const Measure& measure : table.measures)
+        if (measure.kind != MeasureKind::preference) result.measures.push_back(measure);
 
-    const auto addLayouts = [&](const std::string& system, const Cells& cells) {
-        for (const auto& layout : table.layouts) {
-            const auto trials = allTrials(cells, layout);
-            result.layouts.push_back(
-                {system, layout, mean(trials), sampleSd(trials), static_cast<int>(trials.size())});
-        }
-    };
-    addLayouts("all", accuracy_of_all);
     for (const auto& system : table.systems) {
-        result.systems.push_back({system, summarise(accuracy, system), summarise(naturalness, system),
-                                  participantMeans(accuracy, system), participantMeans(naturalness, system)});
-        addLayouts(system, accuracy_by_layout[system]);
+        SystemResult& row = result.systems.emplace_back();
+        row.system = system;
+        for (const Measure& measure : result.measures)
+            row.measures.push_back(summarise(cells[measure.name], system));
     }
+    for (const Measure& measure : result.measures) comparePairs(cells[measure.name], measure.name, result);
+    for (const Measure& measure : result.measures) {
+        if (measure.kind != MeasureKind::accuracy) continue;
+        compareLevels(measure, "layout", table.layouts, &ResponseRow::layout, result);
+        compareLevels(measure, "distance", table.distances, &ResponseRow::distance, result);
+    }
+    comparePreferences(result);
+    summariseScores(result);
 
-    comparePairs(accuracy, "accuracy", result);
-    comparePairs(naturalness, "naturalness", result);
-    // Two layouts make one test a system; more make all pairs, still one family over the systems.
-    for (const auto& system : table.systems)
-        for (std::size_t i = 0; i < table.layouts.size(); ++i)
-            for (std::size_t j = i + 1; j < table.layouts.size(); ++j) {
-                Comparison pair;
-                pair.measure = "layout";
-                pair.system = system;
-                pair.a = table.layouts[i];
-                pair.b = table.layouts[j];
-                test(pair, accuracy_by_layout[system]);
-                result.layout_tests.push_back(pair);
-            }
-    adjust(result.layout_tests.begin(), result.layout_tests.end(), table.alpha);
-
-    remarkLeftOut(result.pairwise, "accuracy", result);
-    remarkLeftOut(result.pairwise, "naturalness", result);
-    remarkLeftOut(result.layout_tests, "layout", result);
+    for (const Measure& measure : result.measures) remarkLeftOut(result.pairwise, measure.name, "", result);
+    for (const char* factor : {"layout", "distance"})
+        remarkLeftOut(result.level_tests, "accuracy", factor, result);
     remarkPower(result);
     return result;
 }

@@ -4,14 +4,12 @@
 
 #include <array>
 #include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "questionnaire_scores.hpp"
 #include "results/tracking_blocks.hpp"
-#include "studies/questionnaire.hpp"
 
 namespace deixis::results {
 
@@ -108,48 +106,6 @@ ExportedFile participantsFile(SQLite::Database& database, const Naming& naming, 
     return out;
 }
 
-namespace {
-
-/// A score and the questions that it is made of, as the database keeps them.
-struct KeptScore {
-    std::string stage;
-    studies::Score score;
-};
-
-std::vector<KeptScore> readScores(SQLite::Database& database,
-                                  std::map<std::string, studies::Questionnaire>& questionnaires) {
-    Statement questions(database,
-                        "SELECT stage, question, low, high FROM questions WHERE kind = 'scale' AND low IS "
-                        "NOT NULL ORDER BY stage, position");
-    while (questions.executeStep()) {
-        studies::Question question;
-        question.id = questions.getColumn(1).getString();
-        question.scale.low = static_cast<int>(questions.getColumn(2).getDouble());
-        question.scale.high = static_cast<int>(questions.getColumn(3).getDouble());
-        questionnaires[questions.getColumn(0).getString()].questions.push_back(std::move(question));
-    }
-    std::vector<KeptScore> scores;
-    Statement stored(database,
-                     "SELECT stage, name, items, reversed, mean, factor, offset_ FROM scores ORDER BY stage, "
-                     "position");
-    while (stored.executeStep()) {
-        KeptScore kept;
-        kept.stage = stored.getColumn(0).getString();
-        kept.score.name = stored.getColumn(1).getString();
-        kept.score.items =
-            nlohmann::json::parse(stored.getColumn(2).getString()).get<std::vector<std::string>>();
-        kept.score.reversed =
-            nlohmann::json::parse(stored.getColumn(3).getString()).get<std::vector<std::string>>();
-        kept.score.mean = stored.getColumn(4).getInt() != 0;
-        kept.score.factor = stored.getColumn(5).getDouble();
-        kept.score.offset = stored.getColumn(6).getDouble();
-        scores.push_back(std::move(kept));
-    }
-    return scores;
-}
-
-}  // namespace
-
 ExportedFile scoresFile(SQLite::Database& database, const Naming& naming) {
     ExportedFile out{
         "scores.csv",
@@ -158,33 +114,19 @@ ExportedFile scoresFile(SQLite::Database& database, const Naming& naming) {
                   {"stage", text, "Name of the stage in the study file"},
                   {"score", text, "Name of the score"},
                   {"value", number, "Its value"}})};
-    std::map<std::string, studies::Questionnaire> questionnaires;
-    const std::vector<KeptScore> scores = readScores(database, questionnaires);
-    for (const std::string& participant : naming.participants()) {
-        std::map<std::string, std::map<std::string, double>> answers;  // by stage and question
-        Statement given(
-            database,
-            "SELECT t.stage, a.question, a.value FROM responses AS r "
-            "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
-            "JOIN answers AS a ON a.response = r.id WHERE r.participant = ? AND r.superseded IS NULL AND "
-            "t.kind = 'questionnaire' AND a.value IS NOT NULL");
-        given.bind(1, participant);
-        while (given.executeStep())
-            answers[given.getColumn(0).getString()][given.getColumn(1).getString()] =
-                given.getColumn(2).getDouble();
-        for (const KeptScore& kept : scores) {
-            if (answers.count(kept.stage) == 0) continue;
+    const auto scores = readQuestionnaireScores(database);
+    for (const std::string& participant : naming.participants())
+        for (const QuestionnaireScore& score : scores) {
+            if (score.participant != participant) continue;
             out.table.text(naming.nameOf(participant));
-            out.table.text(kept.stage);
-            out.table.text(kept.score.name);
-            if (const auto value =
-                    studies::computeScore(questionnaires[kept.stage], kept.score, answers[kept.stage]))
-                out.table.number(*value);
+            out.table.text(score.stage);
+            out.table.text(score.score);
+            if (score.value)
+                out.table.number(*score.value);
             else
                 out.table.empty();
             out.table.endRow();
         }
-    }
     return out;
 }
 

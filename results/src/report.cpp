@@ -9,111 +9,201 @@ namespace deixis::results {
 
 namespace {
 
-std::string cells(const Summary& summary, std::size_t participants, const std::string& measure) {
+/// Tables are numbered in the order in which they stand.
+class Numbering {
+  public:
+    std::string next() { return fmt::format("<b>Table {}.</b>", ++last_); }
+
+  private:
+    int last_ = 0;
+};
+
+const char* const dash = "&#8211;";
+
+std::string cells(const Summary& summary, const Measure& measure) {
     const auto number = [&](bool known, double value) {
-        return known ? scoreText(measure, value) : std::string("&#8211;");
+        return known ? scoreText(measure, value) : std::string(dash);
     };
     return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", number(summary.n > 0, summary.mean),
-                       number(participants > 1, summary.sd_participants),
+                       number(summary.by_participant.size() > 1, summary.sd_participants),
                        number(summary.n > 1, summary.sd_trials), summary.n);
 }
 
-std::string meansTable(const AnalysisResult& result) {
-    std::string out =
-        "<div class=\"scroll\"><table><caption><b>Table 1.</b> Accuracy and naturalness of each system. n "
-        "counts "
-        "answers.</caption><thead><tr class=\"over\"><th></th><th colspan=\"4\">Accuracy</th><th "
-        "colspan=\"4\">"
-        "Naturalness</th></tr><tr><th>System</th>";
-    for (int measure = 0; measure < 2; ++measure)
+std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.measures.empty()) return "";
+    std::string measures;
+    std::string over;
+    for (const Measure& measure : result.measures) {
+        over += fmt::format("<th colspan=\"4\">{}</th>", escapeHtml(capitalised(measure.name)));
+        measures += (measures.empty() ? "" : ", ") + escapeHtml(measure.name);
+    }
+    std::string out = fmt::format(
+        "<div class=\"scroll\"><table><caption>{} Means of each system: {}. n counts "
+        "answers.</caption><thead><tr class=\"over\"><th></th>{}</tr><tr><th>System</th>",
+        numbering.next(), measures, over);
+    for (std::size_t i = 0; i < result.measures.size(); ++i)
         out += "<th>Mean</th><th>SD participants</th><th>SD trials</th><th>n</th>";
     out += "</tr></thead><tbody>";
-    for (const auto& system : result.systems)
-        out +=
-            fmt::format("<tr><th scope=\"row\">{}</th>{}{}</tr>", escapeHtml(system.system),
-                        cells(system.accuracy, system.accuracy_by_participant.size(), "accuracy"),
-                        cells(system.naturalness, system.naturalness_by_participant.size(), "naturalness"));
-    return out + "</tbody></table></div>";
-}
-
-/// The results of one row group of result.layouts stand next to each other, in the order of table.layouts.
-std::string layoutTable(const AnalysisResult& result) {
-    const auto& layouts = result.table.layouts;
-    if (layouts.empty()) return "";
-    std::string out =
-        "<div class=\"scroll\"><table><caption><b>Table 2.</b> Accuracy by layout: proportion correct, mean "
-        "&#177; "
-        "standard deviation over trials (the paper's Table 1).</caption><thead><tr><th>System</th>";
-    for (const auto& layout : layouts) out += fmt::format("<th>{}</th><th>n</th>", escapeHtml(layout));
-    out += "</tr></thead><tbody>";
-    for (std::size_t i = 0; i < result.layouts.size(); ++i) {
-        const LayoutResult& row = result.layouts[i];
-        if (i % layouts.size() == 0)
-            out += fmt::format("<tr{}><th scope=\"row\">{}</th>", i == 0 ? " class=\"all\"" : "",
-                               escapeHtml(row.system));
-        if (row.n == 0)
-            out += "<td>&#8211;</td>";
-        else
-            out += fmt::format("<td>{:.2f} &#177; {}</td>", row.mean,
-                               row.n > 1 ? fmt::format("{:.2f}", row.sd_trials) : std::string("&#8211;"));
-        out += fmt::format("<td>{}</td>", row.n);
-        if (i % layouts.size() == layouts.size() - 1) out += "</tr>";
+    for (const auto& system : result.systems) {
+        out += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(system.system));
+        for (std::size_t i = 0; i < result.measures.size(); ++i)
+            out += cells(system.measures[i], result.measures[i]);
+        out += "</tr>";
     }
     return out + "</tbody></table></div>";
 }
 
-std::string verdict(const Comparison& comparison) {
-    if (comparison.test.n == 0) return "<td class=\"text not\">no participant has both</td>";
-    if (!comparison.significant) return "<td class=\"text not\">not significant</td>";
-    return fmt::format("<td class=\"text sig\">{} higher</td>",
-                       comparison.test.w_plus > comparison.test.w_minus ? "A" : "B");
+/// Rows of one system stand next to each other, in the order of `levels`.
+std::string levelTable(const AnalysisResult& result, const std::string& factor,
+                       const std::vector<std::string>& levels, Numbering& numbering) {
+    if (levels.empty()) return "";
+    std::string out = fmt::format(
+        "<div class=\"scroll\"><table><caption>{} Accuracy by {}: proportion correct, mean &#177; standard "
+        "deviation over trials{}.</caption><thead><tr><th>System</th>",
+        numbering.next(), factor, factor == "layout" ? " (the paper's Table 1)" : "");
+    for (const auto& level : levels) out += fmt::format("<th>{}</th><th>n</th>", escapeHtml(level));
+    out += "</tr></thead><tbody>";
+    std::size_t i = 0;
+    for (const LevelResult& row : result.levels) {
+        if (row.factor != factor) continue;
+        if (i % levels.size() == 0)
+            out += fmt::format("<tr{}><th scope=\"row\">{}</th>", i == 0 ? " class=\"all\"" : "",
+                               escapeHtml(row.system));
+        if (row.n == 0)
+            out += fmt::format("<td>{}</td>", dash);
+        else
+            out += fmt::format("<td>{:.2f} &#177; {}</td>", row.mean,
+                               row.n > 1 ? fmt::format("{:.2f}", row.sd_trials) : std::string(dash));
+        out += fmt::format("<td>{}</td>", row.n);
+        if (++i % levels.size() == 0) out += "</tr>";
+    }
+    return out + "</tbody></table></div>";
+}
+
+std::string verdict(const SignedRankTest& test, bool significant) {
+    if (test.n == 0) return "<td class=\"text not\">no participant has both</td>";
+    if (!significant) return "<td class=\"text not\">not significant</td>";
+    return fmt::format("<td class=\"text sig\">{} higher</td>", test.w_plus > test.w_minus ? "A" : "B");
 }
 
 /// Empty where no participant has answers to compare.
-std::string testTable(const std::vector<Comparison>& comparisons, const std::string& measure,
-                      const std::string& caption) {
-    const auto tested = [&](const Comparison& c) { return c.measure == measure && c.test.n > 0; };
-    if (std::none_of(comparisons.begin(), comparisons.end(), tested)) return "";
-    const bool layout = measure == "layout";
+std::string testTable(const std::vector<Comparison>& comparisons, const Measure& measure,
+                      const std::string& factor, const std::string& caption, Numbering& numbering) {
+    const auto belongs = [&](const Comparison& c) { return c.measure == measure.name && c.factor == factor; };
+    if (std::none_of(comparisons.begin(), comparisons.end(),
+                     [&](const Comparison& c) { return belongs(c) && c.test.n > 0; }))
+        return "";
     std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{}</caption><thead><tr>{}<th class=\"text\">A</th>"
-        "<th class=\"text\">B</th><th>A &#8722; B</th><th>n</th><th>zeros</th><th>W+</th>"
+        "<div class=\"scroll\"><table><caption>{} {}{} n counts participants.</caption><thead><tr>{}<th "
+        "class=\"text\">A</th><th class=\"text\">B</th><th>A &#8722; "
+        "B</th><th>n</th><th>zeros</th><th>W+</th>"
         "<th>W&#8722;</th><th>p</th><th>p (Holm)</th><th class=\"text\">Result</th></tr></thead><tbody>",
-        caption, layout ? "<th>System</th>" : "");
+        numbering.next(), caption,
+        measure.kind == MeasureKind::accuracy ? " (A &#8722; B in percentage points)." : ".",
+        factor.empty() ? "" : "<th>System</th>");
     for (const auto& comparison : comparisons) {
-        if (comparison.measure != measure) continue;
+        if (!belongs(comparison)) continue;
         const SignedRankTest& test = comparison.test;
         out += "<tr>";
-        if (layout) out += fmt::format("<th scope=\"row\">{}</th>", escapeHtml(comparison.system));
+        if (!factor.empty()) out += fmt::format("<th scope=\"row\">{}</th>", escapeHtml(comparison.system));
         out += fmt::format(
             "<td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{}</td><td>{}</td><td>{}</td>{}</tr>",
             escapeHtml(comparison.a), escapeHtml(comparison.b),
-            test.n > 0 ? scoreText(measure, comparison.mean_difference) : "&#8211;", test.n, test.n_zero,
-            test.w_plus, test.w_minus, pText(test.p), pText(comparison.p_holm), verdict(comparison));
+            test.n > 0 ? scoreText(measure, comparison.mean_difference) : dash, test.n, test.n_zero,
+            test.w_plus, test.w_minus, pText(test.p), pText(comparison.p_holm),
+            verdict(test, comparison.significant));
     }
     return out + "</tbody></table></div>";
 }
 
-std::string tests(const AnalysisResult& result) {
+std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.preferences.empty()) return "";
+    std::string out = fmt::format(
+        "<div class=\"scroll\"><table><caption>{} Preferences: answers for A, for neither and for B; mean of "
+        "the "
+        "participants' means (positive: A). n counts participants.</caption><thead><tr><th "
+        "class=\"text\">A</th>"
+        "<th class=\"text\">B</th><th>for A</th><th>equal</th><th>for "
+        "B</th><th>Mean</th><th>n</th><th>zeros</th>"
+        "<th>W+</th><th>W&#8722;</th><th>p</th><th>p (Holm)</th><th "
+        "class=\"text\">Result</th></tr></thead><tbody>",
+        numbering.next());
+    const Measure scale{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0};
+    for (const auto& pair : result.preferences)
+        out += fmt::format(
+            "<tr><td class=\"text\">{}</td><td "
+            "class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}</tr>",
+            escapeHtml(pair.a), escapeHtml(pair.b), pair.prefers_a, pair.ties, pair.prefers_b,
+            scoreText(scale, pair.mean), pair.test.n, pair.test.n_zero, pair.test.w_plus, pair.test.w_minus,
+            pText(pair.test.p), pText(pair.p_holm), verdict(pair.test, pair.significant));
+    return out + "</tbody></table></div>";
+}
+
+std::string tests(const AnalysisResult& result, Numbering& numbering) {
     std::string out = "<h2>Tests</h2>";
     if (result.participants < 2)
         return out +
                "<p>The tests compare participants' means over participants. With one participant there is "
                "nothing to "
                "test yet; the tests appear here from the second participant on.</p>";
-    if (result.systems.size() > 1) {
-        out += testTable(result.pairwise, "accuracy",
-                         "<b>Table 3.</b> Accuracy, all pairs of systems (A &#8722; B in percentage points). "
-                         "n counts participants.");
-        out += testTable(result.pairwise, "naturalness",
-                         "<b>Table 4.</b> Naturalness, all pairs of systems. n counts participants.");
+    std::string tables;
+    if (result.systems.size() > 1)
+        for (const Measure& measure : result.measures)
+            tables += testTable(result.pairwise, measure, "",
+                                escapeHtml(capitalised(measure.name)) + ", all pairs of systems", numbering);
+    for (const Measure& measure : result.measures)
+        for (const char* factor : {"layout", "distance"})
+            tables += testTable(
+                result.level_tests, measure, factor,
+                fmt::format("{}, {}s within each system", escapeHtml(capitalised(measure.name)), factor),
+                numbering);
+    tables += preferenceTable(result, numbering);
+    return tables.empty() ? "" : out + tables;
+}
+
+std::string scoresTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.scores.empty()) return "";
+    std::string out = fmt::format(
+        "<h2>Questionnaires</h2><div class=\"scroll\"><table><caption>{} Scores over "
+        "participants.</caption><thead>"
+        "<tr><th>Stage</th><th "
+        "class=\"text\">Score</th><th>Mean</th><th>SD</th><th>n</th></tr></thead><tbody>",
+        numbering.next());
+    for (const auto& score : result.scores)
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td "
+            "class=\"text\">{}</td><td>{:.2f}</td><td>{}</td><td>{}</td></tr>",
+            escapeHtml(score.stage), escapeHtml(score.score), score.mean,
+            score.n > 1 ? fmt::format("{:.2f}", score.sd) : std::string(dash), score.n);
+    return out + "</tbody></table></div>";
+}
+
+std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering) {
+    const ResponseTable& table = result.table;
+    if (table.checks.empty() && table.left_out.empty()) return "";
+    std::string out = "<h2>Attention checks and exclusions</h2>";
+    if (!table.checks.empty()) {
+        out += fmt::format(
+            "<div class=\"scroll\"><table><caption>{} Attention checks of all participants, the excluded "
+            "ones "
+            "too.</caption><thead><tr><th>Stage</th><th "
+            "class=\"text\">Kind</th><th>passed</th><th>failed</th></tr>"
+            "</thead><tbody>",
+            numbering.next());
+        for (const auto& check : table.checks)
+            out += fmt::format(
+                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td></tr>",
+                escapeHtml(check.stage), escapeHtml(check.kind), check.passed, check.failed);
+        out += "</tbody></table></div>";
     }
-    if (!result.layout_tests.empty())
-        out += testTable(result.layout_tests, "layout",
-                         "<b>Table 5.</b> Accuracy, layouts within each system (A &#8722; B in percentage "
-                         "points). n counts participants.");
-    return out;
+    if (table.left_out.empty()) return out + "<p>Nobody is left out.</p>";
+    out += "<p>The answers of these participants are left out:</p><ul>";
+    for (const auto& one : table.left_out)
+        out += fmt::format("<li>{}: {} ({})</li>", escapeHtml(one.participant),
+                           one.dropped ? "dropped out" : "excluded", escapeHtml(one.reason));
+    return out + "</ul>";
 }
 
 std::string joined(const std::vector<std::string>& items) {
@@ -172,13 +262,27 @@ std::string renderReport(const AnalysisResult& result) {
             "about people.</p>\n";
     out += findingsHtml(result);
     out += "\n<div class=\"plots\">";
-    for (const auto& [measure, title] :
-         {std::pair{"accuracy", "Referential accuracy"}, std::pair{"naturalness", "Naturalness"}})
+    for (std::size_t i = 0; i < result.measures.size(); ++i)
         out +=
             fmt::format("\n<figure><figcaption><b>{}</b> &#183; participants' means</figcaption>{}</figure>",
-                        title, boxPlotSvg(result, measure));
-    out +=
-        "</div>\n<h2>Means</h2>\n" + meansTable(result) + "\n" + layoutTable(result) + "\n" + tests(result);
+                        result.measures[i].kind == MeasureKind::accuracy
+                            ? "Referential accuracy"
+                            : escapeHtml(capitalised(result.measures[i].name)),
+                        boxPlotSvg(result, i));
+    if (!result.preferences.empty())
+        out += fmt::format(
+            "\n<figure><figcaption><b>Preference</b> &#183; answers for the one, for neither, for the "
+            "other</figcaption>{}</figure>",
+            preferencesSvg(result));
+    out += "</div>";
+    Numbering numbering;
+    if (!result.measures.empty())
+        out += "\n<h2>Means</h2>\n" + meansTable(result, numbering) + "\n" +
+               levelTable(result, "layout", table.layouts, numbering) + "\n" +
+               levelTable(result, "distance", table.distances, numbering);
+    out += "\n" + tests(result, numbering);
+    out += "\n" + scoresTable(result, numbering);
+    out += "\n" + checksAndLeftOut(result, numbering);
     if (!result.remarks.empty()) {
         out += "\n<h2>Remarks</h2><ul class=\"findings\">";
         for (const auto& remark : result.remarks) out += "<li>" + escapeHtml(remark) + "</li>";

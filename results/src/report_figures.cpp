@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "report_text.hpp"
 
@@ -98,41 +100,88 @@ std::string box(const Axis& axis, double centre, const std::vector<double>& valu
 
 }  // namespace
 
-std::string boxPlotSvg(const AnalysisResult& result, const std::string& measure) {
-    const bool accuracy = measure == "accuracy";
+namespace {
+
+/// Grid lines at whole steps of a scale, at most some ten.
+std::string ratingGrid(const Axis& axis, double right, const Measure& measure) {
+    const double range = measure.high - measure.low;
+    const int every = range <= 10.0    ? 1
+                      : range <= 50.0  ? 5
+                      : range <= 100.0 ? 20
+                                       : static_cast<int>(range / 5.0);
+    std::string out;
+    for (int step = static_cast<int>(measure.low); step <= static_cast<int>(measure.high); step += every)
+        out += gridLine(axis, right, step, fmt::format("{}", step));
+    return out;
+}
+
+}  // namespace
+
+std::string boxPlotSvg(const AnalysisResult& result, std::size_t index) {
+    const Measure& measure = result.measures[index];
+    const bool accuracy = measure.kind == MeasureKind::accuracy;
     // Room above and below, so that points at the ends of the scale are whole.
-    const double steps = std::max(2, result.table.rating_steps);
-    const Axis axis =
-        accuracy ? Axis{-0.03, 1.03} : Axis{1.0 - 0.03 * (steps - 1.0), steps + 0.03 * (steps - 1.0)};
+    const double room = 0.03 * std::max(1e-9, measure.high - measure.low);
+    const Axis axis{measure.low - room, measure.high + room};
     const double right = left + column * static_cast<double>(std::max<std::size_t>(1, result.systems.size()));
     const double width = right + margin_right;
     const double height = top + plot_height + bottom;
     std::string out = fmt::format(
         R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:.0f} {:.0f}" role="img" aria-label="Box plot of {} by system">)",
-        width, height, measure);
+        width, height, escapeHtml(measure.name));
     if (accuracy) {
         for (int percent = 0; percent <= 100; percent += 20)
             out += gridLine(axis, right, percent / 100.0, fmt::format("{} %", percent));
-        if (result.table.balls > 1) {
-            const double chance = 1.0 / result.table.balls;
+        if (measure.balls > 1) {
+            const double chance = 1.0 / measure.balls;
             out += line(left, axis.y(chance), right, axis.y(chance),
                         R"(stroke="#8a8a85" stroke-dasharray="5 4")");
             out += label(right + 5.0, axis.y(chance) + 4.5, "start", "chance");
         }
     } else {
-        const int every = static_cast<int>(std::ceil((steps - 1.0) / 10.0));
-        for (int step = 1; step <= static_cast<int>(steps); step += every)
-            out += gridLine(axis, right, step, fmt::format("{}", step));
+        out += ratingGrid(axis, right, measure);
     }
     for (std::size_t i = 0; i < result.systems.size(); ++i) {
         const SystemResult& system = result.systems[i];
         const double centre = left + column * (static_cast<double>(i) + 0.5);
-        const auto& values = accuracy ? system.accuracy_by_participant : system.naturalness_by_participant;
+        const auto& values = system.measures[index].by_participant;
         if (values.empty())
             out += label(centre, top + plot_height / 2.0, "middle", "no answers");
         else
             out += box(axis, centre, values, colours[i % colours.size()]);
         out += columnLabel(centre, system.system);
+    }
+    return out + "</svg>";
+}
+
+std::string preferencesSvg(const AnalysisResult& result) {
+    constexpr double row_height = 46.0;
+    constexpr double bar_height = 22.0;
+    constexpr double bar_left = 150.0;
+    constexpr double bar_width = 320.0;
+    const double height = 8.0 + row_height * static_cast<double>(result.preferences.size());
+    std::string out = fmt::format(
+        R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 620 {:.0f}" role="img" aria-label="Preferences of each pair of systems">)",
+        height);
+    double y = 8.0;
+    for (const auto& pair : result.preferences) {
+        const double all = std::max(1, pair.prefers_a + pair.ties + pair.prefers_b);
+        double x = bar_left;
+        for (const auto& [count, colour] :
+             {std::pair{pair.prefers_a, colours[0]}, std::pair{pair.ties, "#d6d6d1"},
+              std::pair{pair.prefers_b, colours[1]}}) {
+            const double part = bar_width * count / all;
+            out += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)", x,
+                               y, part, bar_height, colour);
+            if (part > 26.0)
+                out += fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="middle" fill="{}">{}</text>)",
+                                   x + part / 2.0, y + 16.0,
+                                   std::string_view(colour) == colours[0] ? "#ffffff" : "#1c1c1a", count);
+            x += part;
+        }
+        out += label(bar_left - 8.0, y + 16.0, "end", pair.a);
+        out += label(bar_left + bar_width + 8.0, y + 16.0, "start", pair.b);
+        y += row_height;
     }
     return out + "</svg>";
 }

@@ -35,30 +35,37 @@ std::string pText(double p) {
     return p < 0.001 ? "&lt;0.001" : fmt::format("{:.3f}", p);
 }
 
-std::string scoreText(const std::string& measure, double value) {
-    const bool rating = measure == "naturalness";
+std::string scoreText(const Measure& measure, double value) {
+    const bool percent = measure.kind == MeasureKind::accuracy;
     const std::string digits =
-        rating ? fmt::format("{:.2f}", std::abs(value)) : fmt::format("{:.1f}", 100.0 * std::abs(value));
+        percent ? fmt::format("{:.1f}", 100.0 * std::abs(value)) : fmt::format("{:.2f}", std::abs(value));
     const bool zero = digits.find_first_not_of("0.") == std::string::npos;
-    return (value < 0.0 && !zero ? "&#8722;" : "") + digits + (rating ? "" : "&#160;%");
+    return (value < 0.0 && !zero ? "&#8722;" : "") + digits + (percent ? "&#160;%" : "");
+}
+
+std::string capitalised(std::string_view text) {
+    std::string out(text);
+    if (!out.empty() && out.front() >= 'a' && out.front() <= 'z')
+        out.front() = static_cast<char>(out.front() - 32);
+    return out;
 }
 
 namespace {
 
-std::string extremes(const AnalysisResult& result, const std::string& measure) {
-    const bool accuracy = measure == "accuracy";
+std::string extremes(const AnalysisResult& result, std::size_t measure) {
     std::vector<const SystemResult*> answered;
     for (const auto& system : result.systems)
-        if ((accuracy ? system.accuracy : system.naturalness).n > 0) answered.push_back(&system);
+        if (system.measures[measure].n > 0) answered.push_back(&system);
     if (answered.size() < 2) return "";
-    const auto value = [&](const SystemResult* s) { return (accuracy ? s->accuracy : s->naturalness).mean; };
+    const auto value = [&](const SystemResult* s) { return s->measures[measure].mean; };
     std::stable_sort(answered.begin(), answered.end(),
                      [&](const auto* a, const auto* b) { return value(a) > value(b); });
     const auto named = [&](const SystemResult* s) {
-        return fmt::format("<b>{}</b> ({})", escapeHtml(s->system), scoreText(measure, value(s)));
+        return fmt::format("<b>{}</b> ({})", escapeHtml(s->system),
+                           scoreText(result.measures[measure], value(s)));
     };
-    return fmt::format("{} had the highest mean {}, {} the lowest.", named(answered.front()), measure,
-                       named(answered.back()));
+    return fmt::format("{} had the highest mean {}, {} the lowest.", named(answered.front()),
+                       escapeHtml(result.measures[measure].name), named(answered.back()));
 }
 
 std::string significance(const AnalysisResult& result, const std::string& measure) {
@@ -75,35 +82,54 @@ std::string significance(const AnalysisResult& result, const std::string& measur
                                  escapeHtml(comparison.b));
     }
     if (pairs == 0) return "";
-    std::string out =
-        fmt::format("{} of {} pairs of systems differ significantly in {}", significant, pairs, measure);
+    std::string out = fmt::format("{} of {} pairs of systems differ significantly in {}", significant, pairs,
+                                  escapeHtml(measure));
     if (significant > 0 && !equal.empty()) out += " (not: " + equal + ")";
     return out + ".";
 }
 
-std::string layoutSentence(const AnalysisResult& result) {
-    std::string systems;
+std::string levelSentence(const AnalysisResult& result, const std::string& factor) {
+    std::vector<std::string> systems;
     bool tested = false;
-    for (const auto& comparison : result.layout_tests) {
+    for (const auto& comparison : result.level_tests) {
+        if (comparison.factor != factor) continue;
         tested = tested || comparison.test.n > 0;
-        if (comparison.significant) systems += (systems.empty() ? "" : ", ") + escapeHtml(comparison.system);
+        if (comparison.significant && (systems.empty() || systems.back() != comparison.system))
+            systems.push_back(comparison.system);
     }
     if (!tested) return "";
-    return systems.empty() ? "The layout made no significant difference to accuracy for any system."
-                           : "The layout made a significant difference to accuracy for " + systems + ".";
+    std::string names;
+    for (const auto& system : systems) names += (names.empty() ? "" : ", ") + escapeHtml(system);
+    return systems.empty()
+               ? fmt::format("The {} made no significant difference to accuracy for any system.", factor)
+               : fmt::format("The {} made a significant difference to accuracy for {}.", factor, names);
+}
+
+std::string preferenceSentence(const AnalysisResult& result) {
+    if (result.preferences.empty()) return "";
+    std::string out;
+    for (const auto& pair : result.preferences)
+        if (pair.significant)
+            out += fmt::format("{}<b>{}</b> to {}", out.empty() ? "" : ", ",
+                               escapeHtml(pair.mean > 0.0 ? pair.a : pair.b),
+                               escapeHtml(pair.mean > 0.0 ? pair.b : pair.a));
+    return out.empty() ? "No system was significantly preferred to another."
+                       : "Significantly preferred: " + out + ".";
 }
 
 }  // namespace
 
 std::string findingsHtml(const AnalysisResult& result) {
     std::string out;
-    for (const char* measure : {"accuracy", "naturalness"}) {
+    for (std::size_t measure = 0; measure < result.measures.size(); ++measure) {
         std::string item = extremes(result, measure);
-        if (result.participants > 1) item += " " + significance(result, measure);
+        if (result.participants > 1) item += " " + significance(result, result.measures[measure].name);
         if (item.size() > 1) out += "<li>" + item + "</li>";
     }
     if (result.participants > 1)
-        if (const auto item = layoutSentence(result); !item.empty()) out += "<li>" + item + "</li>";
+        for (const auto& item :
+             {levelSentence(result, "layout"), levelSentence(result, "distance"), preferenceSentence(result)})
+            if (!item.empty()) out += "<li>" + item + "</li>";
     if (out.empty()) return "";
     out = "<ul class=\"findings\">" + out + "</ul>";
     if (result.participants > 1)
@@ -114,50 +140,73 @@ std::string findingsHtml(const AnalysisResult& result) {
     return out;
 }
 
+namespace {
+
+std::string measureSentences(const AnalysisResult& result) {
+    std::string out;
+    for (const Measure& measure : result.table.measures) {
+        const std::string name = escapeHtml(capitalised(measure.name));
+        if (measure.kind == MeasureKind::accuracy)
+            out += fmt::format(
+                " {} is the share of trials of the referential game in which the target was chosen{}.", name,
+                measure.balls > 1 ? fmt::format(" among {} balls (chance: {:.1f}&#160;%)", measure.balls,
+                                                100.0 / measure.balls)
+                                  : std::string());
+        else if (measure.kind == MeasureKind::rating)
+            out +=
+                fmt::format(" {} is the rating on the scale from {} to {}.", name, measure.low, measure.high);
+        else
+            out += fmt::format(
+                " {} runs from 2 (clearly the one) over 0 (equal) to &#8722;2 (clearly the other), whichever "
+                "stood left.",
+                name);
+    }
+    return out;
+}
+
+}  // namespace
+
 std::string methodsHtml(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     const auto pairs = table.systems.size() * (table.systems.size() - 1) / 2;
     std::string out = fmt::format(
-        "<p>The analysis follows section 3.1 of Deichler, Wang, Alexanderson and Beskow (2023). Naturalness "
-        "is the "
-        "rating on the scale from 1 to {}. Accuracy is the share of trials of the referential game in which "
-        "the "
-        "target was chosen{}. Practice trials are left out.</p>",
-        table.rating_steps,
-        table.balls > 1
-            ? fmt::format(" among {} balls (chance: {:.1f}&#160;%)", table.balls, 100.0 / table.balls)
-            : std::string());
+        "<p>The analysis follows section 3.1 of Deichler, Wang, Alexanderson and Beskow (2023).{} Practice "
+        "trials "
+        "and attention checks are left out; of a stimulus that was shown twice as a check the first answer "
+        "counts.</p>",
+        measureSentences(result));
     out +=
         "<p><b>Means and standard deviations.</b> First each participant's answers to one system are "
-        "averaged; the "
-        "means given are means of these participants' means. \"SD participants\" is the standard deviation "
-        "of the "
-        "participants' means, \"SD trials\" that of all single answers, which for right or wrong answers is "
-        "about "
-        "&#8730;(p(1&#8722;p)). Table&#160;2, like Table&#160;1 of the paper, gives mean and standard "
-        "deviation over "
-        "trials. Both divide by n&#160;&#8722;&#160;1.</p>";
+        "averaged; the means given are means of these participants' means. \"SD participants\" is the "
+        "standard "
+        "deviation of the participants' means, \"SD trials\" that of all single answers, which for right or "
+        "wrong "
+        "answers is about &#8730;(p(1&#8722;p)). Tables by layout and by distance, like Table&#160;1 of the "
+        "paper, "
+        "give mean and standard deviation over trials. Both divide by n&#160;&#8722;&#160;1.</p>";
     out += fmt::format(
         "<p><b>Tests.</b> Two systems are compared by the two-sided Wilcoxon signed-rank test of the "
-        "participants' "
-        "means. Differences of zero are dropped before ranking (Wilcoxon's rule), equal differences share "
-        "their mean "
-        "rank. W+ and W&#8722; are the rank sums of positive and negative differences. p is exact, with ties "
-        "too, for "
-        "up to 100 differences; beyond, it is a normal approximation with tie and continuity corrections. "
-        "Holm's "
-        "correction covers the {} pairs of systems within one measure, and for the layouts the tests of all "
-        "systems; "
-        "corrected p values up to &#945;&#160;=&#160;{} count as significant. A participant without answers "
-        "under one "
-        "of two conditions is left out of their comparison; nothing is filled in.</p>",
-        pairs, table.alpha);
+        "participants' means. Differences of zero are dropped before ranking (Wilcoxon's rule), equal "
+        "differences "
+        "share their mean rank. W+ and W&#8722; are the rank sums of positive and negative differences. p is "
+        "exact, "
+        "with ties too, for up to 100 differences; beyond, it is a normal approximation with tie and "
+        "continuity "
+        "corrections. Holm's correction covers the {} pairs of systems within one measure, and for layouts "
+        "and "
+        "distances each the tests of all systems; corrected p values up to &#945;&#160;=&#160;{} count as "
+        "significant. A participant without answers under one of two conditions is left out of their "
+        "comparison; "
+        "nothing is filled in.{}</p>",
+        pairs, table.alpha,
+        result.preferences.empty() ? ""
+                                   : " Preferences: the same test of the participants' mean preferences "
+                                     "against none, Holm over all pairs.");
     out +=
         "<p><b>Box plots.</b> Box: 25th to 75th percentile of the participants' means (linear interpolation, "
-        "R's "
-        "type&#160;7); line: median; diamond: mean; whiskers: the farthest values within 1.5 box heights of "
-        "the box "
-        "(Tukey); points: the participants.</p>";
+        "R's type&#160;7); line: median; diamond: mean; whiskers: the farthest values within 1.5 box heights "
+        "of "
+        "the box (Tukey); points: the participants.</p>";
     return out;
 }
 

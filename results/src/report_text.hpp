@@ -1,6 +1,7 @@
 // Text for the report: escaped for HTML, numbers rounded for reading.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -15,13 +16,19 @@ namespace deixis::results {
 [[nodiscard]] std::string pText(double p);
 
 /// A participant's mean, a mean or an SD of a measure: percent with one decimal, or scale points with two.
-[[nodiscard]] std::string scoreText(const std::string& measure, double value);
+[[nodiscard]] std::string scoreText(const Measure& measure, double value);
+
+/// "Accuracy", "Human-likeness".
+[[nodiscard]] std::string capitalised(std::string_view text);
 
 /// The page's style sheet.
 extern const char* const report_css;
 
-/// One of the two box plots, as an SVG element. `measure` is "accuracy" or "naturalness".
-[[nodiscard]] std::string boxPlotSvg(const AnalysisResult& result, const std::string& measure);
+/// Box plot of one of AnalysisResult::measures, as an SVG element.
+[[nodiscard]] std::string boxPlotSvg(const AnalysisResult& result, std::size_t measure);
+
+/// Preferences as stacked bars, one a pair of systems, as an SVG element.
+[[nodiscard]] std::string preferencesSvg(const AnalysisResult& result);
 
 /// What stands at the head of the page: the main findings in a few sentences, HTML.
 [[nodiscard]] std::string findingsHtml(const AnalysisResult& result);

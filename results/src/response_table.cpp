@@ -3,72 +3,109 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/core.h>
 
-#include <cctype>
+#include <algorithm>
 
-#include "database_errors.hpp"
+#include "database_open.hpp"
+#include "questionnaire_scores.hpp"
 
 namespace deixis::results {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A writer is, or was when it died, at work on the database: its latest answers stand in the log.
-bool hasLog(const fs::path& database) {
-    fs::path log = database;
-    log += "-wal";
-    std::error_code missing;
-    const auto size = fs::file_size(log, missing);
-    return !missing && size > 0;
-}
-
-std::string immutableUri(const fs::path& database) {
-    std::string uri = "file:";
-    for (const char c : fs::absolute(database).string()) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isalnum(byte) != 0 || c == '/' || c == '-' || c == '_' || c == '.')
-            uri += c;
-        else
-            uri += fmt::format("%{:02X}", byte);
-    }
-    return uri + "?immutable=1";
-}
+using SQLite::Statement;
 
 std::vector<std::string> column(SQLite::Database& database, const char* sql) {
     std::vector<std::string> out;
-    SQLite::Statement query(database, sql);
+    Statement query(database, sql);
     while (query.executeStep()) out.push_back(query.getColumn(0).getString());
     return out;
 }
 
 void readStudy(SQLite::Database& database, ResponseTable& table) {
-    SQLite::Statement study(database, "SELECT name, title, hash, alpha, rating_steps FROM study");
+    Statement study(database, "SELECT name, title, hash, alpha FROM study");
     study.executeStep();
     table.study_name = study.getColumn(0).getString();
     table.study_title = study.getColumn(1).getString();
     table.study_hash = study.getColumn(2).getString();
     table.alpha = study.getColumn(3).getDouble();
-    table.rating_steps = study.getColumn(4).getInt();
-    table.systems = column(database, "SELECT name FROM systems ORDER BY position");
+    table.systems =
+        column(database,
+               "SELECT name FROM systems WHERE name IN (SELECT system FROM trial_stimuli WHERE scored) "
+               "ORDER BY position");
     table.layouts = column(database,
-                           "SELECT name FROM layouts WHERE name IN (SELECT layout FROM trials "
-                           "WHERE stage = 'game' AND NOT practice) ORDER BY position");
-    SQLite::Statement planned(
+                           "SELECT name FROM layouts WHERE name IN (SELECT layout FROM trials WHERE kind = "
+                           "'referential-game' AND NOT practice) ORDER BY position");
+    table.distances =
+        column(database,
+               "SELECT name FROM distances WHERE name IN (SELECT distance FROM trials WHERE NOT "
+               "practice AND check_kind IS NOT 'catch') ORDER BY position");
+    table.between = column(database, "SELECT DISTINCT factor FROM participant_groups ORDER BY 1");
+    table.planned_participants =
+        database.execAndGet("SELECT count(*) FROM participants WHERE status = 'active'").getInt();
+    table.withdrawn = database.execAndGet("SELECT count(*) FROM withdrawals").getInt();
+}
+
+// How many values of the scored trials of a stage were planned, of participants who count.
+int planned(SQLite::Database& database, const std::string& stage) {
+    Statement count(
         database,
-        "SELECT coalesce(sum(stage = 'naturalness'), 0), coalesce(sum(stage = 'game'), 0), "
-        "count(DISTINCT participant), coalesce(max(json_array_length(balls)), 0) FROM trials WHERE NOT "
-        "practice");
-    planned.executeStep();
-    table.planned_ratings = planned.getColumn(0).getInt();
-    table.planned_choices = planned.getColumn(1).getInt();
-    table.planned_participants = planned.getColumn(2).getInt();
-    table.balls = planned.getColumn(3).getInt();
+        "SELECT count(*) FROM trial_stimuli AS s JOIN trials AS t USING (participant, trial_index) "
+        "JOIN participants AS p ON p.id = t.participant "
+        "WHERE s.scored AND p.status = 'active' AND t.stage = ? AND (t.kind <> 'pairwise' OR s.position = "
+        "0)");
+    count.bind(1, stage);
+    count.executeStep();
+    return count.getColumn(0).getInt();
+}
+
+void addMeasure(ResponseTable& table, const Measure& measure) {
+    const auto same = std::find_if(table.measures.begin(), table.measures.end(),
+                                   [&](const Measure& known) { return known.name == measure.name; });
+    if (same == table.measures.end()) {
+        table.measures.push_back(measure);
+        return;
+    }
+    same->planned += measure.planned;
+    same->balls = std::max(same->balls, measure.balls);
+    same->low = std::min(same->low, measure.low);
+    same->high = std::max(same->high, measure.high);
+}
+
+void readMeasures(SQLite::Database& database, ResponseTable& table) {
+    Statement games(
+        database,
+        "SELECT s.name, (SELECT max(json_array_length(balls)) FROM trials AS t WHERE t.stage = s.name AND "
+        "check_kind IS NOT 'catch') FROM stages AS s WHERE kind = 'referential-game' AND practice_of IS NULL "
+        "ORDER BY position");
+    while (games.executeStep())
+        if (!games.getColumn(1).isNull())
+            addMeasure(table, {"accuracy", MeasureKind::accuracy, 0.0, 1.0, games.getColumn(1).getInt(),
+                               planned(database, games.getColumn(0).getString())});
+    Statement stages(
+        database,
+        "SELECT s.name, s.kind, s.measure, s.scale_low, s.scale_high, q.low, q.high FROM stages AS s LEFT "
+        "JOIN questions AS q ON q.stage = s.name AND q.question = 'confidence' WHERE practice_of IS NULL AND "
+        "s.name IN (SELECT stage FROM trials) ORDER BY s.position");
+    while (stages.executeStep()) {
+        const std::string name = stages.getColumn(0).getString();
+        const std::string kind = stages.getColumn(1).getString();
+        if (kind == "pairwise")
+            addMeasure(table, {"preference", MeasureKind::preference, -2.0, 2.0, 0, planned(database, name)});
+        else if (kind == "rating" || kind == "parallel-rating")
+            addMeasure(table,
+                       {stages.getColumn(2).getString(), MeasureKind::rating, stages.getColumn(3).getDouble(),
+                        stages.getColumn(4).getDouble(), 0, planned(database, name)});
+        else if (kind == "referential-game" && !stages.getColumn(5).isNull())
+            addMeasure(table, {"confidence", MeasureKind::rating, stages.getColumn(5).getDouble(),
+                               stages.getColumn(6).getDouble(), 0, planned(database, name)});
+    }
 }
 
 void readSessions(SQLite::Database& database, ResponseTable& table) {
-    SQLite::Statement stations(database,
-                               "SELECT station, station_details, synthetic, count(*) FROM sessions "
-                               "GROUP BY 1, 2, 3 ORDER BY 1, 2, 3");
+    Statement stations(database,
+                       "SELECT station, station_details, synthetic, count(*) FROM sessions "
+                       "GROUP BY 1, 2, 3 ORDER BY 1, 2, 3");
     while (stations.executeStep())
         table.stations.push_back({stations.getColumn(0).getString(), stations.getColumn(1).getString(),
                                   stations.getColumn(2).getInt() != 0, stations.getColumn(3).getInt()});
@@ -76,38 +113,107 @@ void readSessions(SQLite::Database& database, ResponseTable& table) {
     table.avatar_hashes = column(database, "SELECT DISTINCT avatar_hash FROM sessions ORDER BY 1");
 }
 
-void readRows(SQLite::Database& database, ResponseTable& table) {
-    SQLite::Statement rows(database,
-                           "SELECT participant, stage, system, layout, target_id, rating, correct, "
-                           "response_time_s, synthetic, pauses FROM responses_flat WHERE NOT practice "
-                           "ORDER BY participant, trial_index");
+void readLeftOut(SQLite::Database& database, ResponseTable& table) {
+    Statement left(database,
+                   "SELECT id, status, reason FROM participants WHERE status <> 'active' ORDER BY id");
+    while (left.executeStep())
+        table.left_out.push_back({left.getColumn(0).getString(), left.getColumn(1).getString() == "dropped",
+                                  left.getColumn(2).getString()});
+    Statement checks(
+        database,
+        "SELECT t.stage, t.check_kind, sum(r.check_passed), sum(NOT r.check_passed) FROM responses AS r "
+        "JOIN trials AS t USING (participant, trial_index) JOIN stages AS s ON s.name = t.stage "
+        "WHERE r.superseded IS NULL AND r.check_passed IS NOT NULL GROUP BY s.position, t.check_kind "
+        "ORDER BY s.position, t.check_kind");
+    while (checks.executeStep())
+        table.checks.push_back({checks.getColumn(0).getString(), checks.getColumn(1).getString(),
+                                checks.getColumn(2).getInt(), checks.getColumn(3).getInt()});
+}
+
+// What all rows of a measure have in common.
+constexpr const char* row_columns =
+    "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses";
+constexpr const char* row_tables =
+    "FROM responses AS r JOIN participants AS p ON p.id = r.participant "
+    "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+    "JOIN sessions AS e ON e.id = r.session ";
+constexpr const char* row_counts = "r.superseded IS NULL AND p.status = 'active' AND s.scored ";
+
+ResponseRow baseRow(Statement& rows, const std::string& measure) {
+    ResponseRow row;
+    row.participant = rows.getColumn(0).getString();
+    row.measure = measure;
+    row.system = rows.getColumn(1).getString();
+    row.layout = rows.getColumn(2).getString();
+    row.distance = rows.getColumn(3).getString();
+    row.target_id = rows.getColumn(4).getString();
+    row.response_time_s = rows.getColumn(5).getDouble();
+    row.synthetic = rows.getColumn(6).getInt() != 0;
+    row.pauses = rows.getColumn(7).getInt();
+    return row;
+}
+
+void readRatings(SQLite::Database& database, ResponseTable& table) {
+    Statement rows(database,
+                   fmt::format("SELECT {}, a.value, g.measure, a.question {}"
+                               "JOIN stages AS g ON g.name = t.stage JOIN answers AS a ON a.response = r.id "
+                               "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
+                               "r.trial_index AND s.position = coalesce(a.stimulus, 0) "
+                               "WHERE {} AND a.question IN ('rating', 'confidence') AND a.value IS NOT NULL "
+                               "ORDER BY r.participant, r.trial_index, s.position, a.position",
+                               row_columns, row_tables, row_counts));
     while (rows.executeStep()) {
-        ResponseRow& row = table.rows.emplace_back();
-        row.participant = rows.getColumn(0).getString();
-        row.stage = rows.getColumn(1).getString();
-        row.system = rows.getColumn(2).getString();
-        row.layout = rows.getColumn(3).getString();
-        row.target_id = rows.getColumn(4).getString();
-        row.rating = rows.getColumn(5).getDouble();
-        row.correct = rows.getColumn(6).getInt() != 0;
-        row.response_time_s = rows.getColumn(7).getDouble();
-        row.synthetic = rows.getColumn(8).getInt() != 0;
-        row.pauses = rows.getColumn(9).getInt();
+        const bool confidence = rows.getColumn(10).getString() == "confidence";
+        table.rows.push_back(baseRow(rows, confidence ? "confidence" : rows.getColumn(9).getString()));
+        table.rows.back().value = rows.getColumn(8).getDouble();
     }
 }
 
-Result<ResponseTable> load(const fs::path& path, SQLite::Database&& database) {
-    const auto whose = identify(database, path);
-    if (!whose) return tl::unexpected(whose.error());
-    if (whose->version == 0 || database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
+void readChoices(SQLite::Database& database, ResponseTable& table) {
+    Statement rows(
+        database,
+        fmt::format("SELECT {}, r.correct {}JOIN trial_stimuli AS s ON s.participant = r.participant AND "
+                    "s.trial_index = r.trial_index AND s.position = 0 WHERE {} AND t.kind = "
+                    "'referential-game' AND r.chosen_place IS NOT NULL ORDER BY r.participant, r.trial_index",
+                    row_columns, row_tables, row_counts));
+    while (rows.executeStep()) {
+        table.rows.push_back(baseRow(rows, "accuracy"));
+        table.rows.back().value = rows.getColumn(8).getInt();
+    }
+}
+
+void readPreferences(SQLite::Database& database, ResponseTable& table) {
+    Statement rows(
+        database,
+        fmt::format(
+            "SELECT {}, a.value, o.system {}JOIN answers AS a ON a.response = r.id AND a.question = "
+            "'preference' JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
+            "r.trial_index AND s.position = 0 JOIN trial_stimuli AS o ON o.participant = r.participant "
+            "AND o.trial_index = r.trial_index AND o.position = 1 WHERE {} "
+            "ORDER BY r.participant, r.trial_index",
+            row_columns, row_tables, row_counts));
+    while (rows.executeStep()) {
+        table.rows.push_back(baseRow(rows, "preference"));
+        table.rows.back().value = rows.getColumn(8).getDouble();
+        table.rows.back().other_system = rows.getColumn(9).getString();
+    }
+}
+
+Result<ResponseTable> read(SQLite::Database& database, const fs::path& path) {
+    if (database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
         return fail(path.string(), "the database holds no study yet", "Run a session with it first");
-    database.exec("BEGIN");  // one moment of the database, should somebody be writing
     ResponseTable table;
     table.database = path.filename().string();
     readStudy(database, table);
+    readMeasures(database, table);
     readSessions(database, table);
-    readRows(database, table);
-    if (table.rows.empty())
+    readLeftOut(database, table);
+    readChoices(database, table);
+    readRatings(database, table);
+    readPreferences(database, table);
+    for (QuestionnaireScore& score : readQuestionnaireScores(database))
+        if (score.value) table.scores.push_back({score.participant, score.stage, score.score, *score.value});
+    if (table.rows.empty() && table.scores.empty())
         return fail(path.string(),
                     fmt::format("the database holds no answers yet ({} participants planned)",
                                 table.planned_participants),
@@ -118,23 +224,7 @@ Result<ResponseTable> load(const fs::path& path, SQLite::Database&& database) {
 }  // namespace
 
 Result<ResponseTable> loadResponses(const fs::path& database) {
-    std::error_code problem;
-    if (!fs::is_regular_file(database, problem))
-        return fail(database.string(), "no such file, expected a database made by deixis",
-                    "Check the path; a run prints the path of its database");
-    try {
-        // Without a log the file is all there is. Read as immutable it needs no files beside it, and so no
-        // permission to write. Should a writer begin in just that moment, it is read again.
-        if (!hasLog(database)) {
-            const auto before = fs::last_write_time(database, problem);
-            auto table = load(
-                database, SQLite::Database(immutableUri(database), SQLite::OPEN_READONLY | SQLite::OPEN_URI));
-            if (!hasLog(database) && fs::last_write_time(database, problem) == before) return table;
-        }
-        return load(database, SQLite::Database(database.string(), SQLite::OPEN_READONLY, 1000));
-    } catch (const SQLite::Exception& caught) {
-        return tl::unexpected(describe(database, caught));
-    }
+    return readDatabase(database, [&](SQLite::Database& opened) { return read(opened, database); });
 }
 
 }  // namespace deixis::results

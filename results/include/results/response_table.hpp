@@ -9,17 +9,35 @@
 
 namespace deixis::results {
 
+enum class MeasureKind : unsigned char {
+    accuracy,   ///< of the game: 1 correct, 0 wrong
+    rating,     ///< on a scale; also confidence
+    preference  ///< of a pair: -2 clearly the left one .. 2 clearly the right one
+};
+
+/// What was measured, in one stage or in several of the same measure.
+struct Measure {
+    std::string name;  ///< "accuracy", "confidence", "preference", or Stage::measure
+    MeasureKind kind = MeasureKind::rating;
+    double low = 0.0;  ///< of the scale
+    double high = 1.0;
+    int balls = 0;    ///< accuracy: shown in a trial, the most there are; 0 else
+    int planned = 0;  ///< values planned, of participants who count; confidence: as many as choices
+};
+
+/// One value. Practice and attention checks are not among them, nor who is excluded or dropped out.
 struct ResponseRow {
     std::string participant;
-    std::string stage;  ///< "naturalness" or "game"
+    std::string measure;
     std::string system;
-    std::string layout;
-    std::string target_id;
-    double rating = 0.0;   ///< naturalness
-    bool correct = false;  ///< game
+    std::string layout{};
+    std::string distance{};
+    std::string target_id{};
+    double value = 0.0;
+    std::string other_system{};  ///< preference: `system` stood left, this one right
     double response_time_s = 0.0;
     bool synthetic = false;  ///< answered by a simulated participant
-    int pauses = 0;          ///< the trial was interrupted this often and its clip shown again
+    int pauses = 0;          ///< the trial was interrupted this often
 };
 
 /// The sessions of one kind of station.
@@ -30,23 +48,49 @@ struct StationUse {
     int sessions = 0;
 };
 
+/// Whose answers are left out, and why.
+struct LeftOut {
+    std::string participant;
+    bool dropped = false;  ///< left the study; else excluded
+    std::string reason;
+};
+
+/// Attention checks of one kind in one stage, over all participants, the excluded ones too.
+struct CheckCount {
+    std::string stage;
+    std::string kind;  ///< "number", "catch", "repeat"
+    int passed = 0;
+    int failed = 0;
+};
+
+/// A questionnaire's score of one participant.
+struct ScoreRow {
+    std::string participant;
+    std::string stage;
+    std::string score;
+    double value = 0.0;
+};
+
 struct ResponseTable {
     std::string study_name;
     std::string study_title;
     std::string study_hash;
     double alpha = 0.01;
-    std::vector<std::string> systems;  ///< in the study file's order
-    std::vector<std::string> layouts;  ///< of the game, likewise
-    int rating_steps = 5;
-    int planned_ratings = 0;  ///< trials planned, answered or not
-    int planned_choices = 0;
-    int planned_participants = 0;
-    int balls = 0;         ///< shown in a trial of the game; 0 where there is none
-    std::string database;  ///< file name without its folder
-    std::vector<StationUse> stations;
-    std::vector<std::string> program_versions;  ///< that recorded the sessions, in order of their text
-    std::vector<std::string> avatar_hashes;     ///< likewise
-    std::vector<ResponseRow> rows;              ///< ordered by participant, then trial; practice left out
+    std::vector<std::string> systems{};    ///< in the study file's order
+    std::vector<std::string> layouts{};    ///< of scored trials, likewise
+    std::vector<std::string> distances{};  ///< likewise
+    std::vector<Measure> measures{};       ///< accuracy first, then in the order of the stages
+    int planned_participants = 0;          ///< those left out are not counted
+    int withdrawn = 0;
+    std::vector<LeftOut> left_out{};
+    std::vector<CheckCount> checks{};
+    std::vector<ScoreRow> scores{};
+    std::vector<std::string> between{};  ///< factors between participants
+    std::string database{};              ///< file name without its folder
+    std::vector<StationUse> stations{};
+    std::vector<std::string> program_versions{};  ///< that recorded the sessions, in order of their text
+    std::vector<std::string> avatar_hashes{};     ///< likewise
+    std::vector<ResponseRow> rows{};              ///< ordered by participant, then trial
 };
 
 /// Reads a database made by Store; changes nothing in it or beside it. Errors: no such file, not one of ours,
