@@ -12,7 +12,7 @@
 #include "head_watch.hpp"
 #include "headset_picture.hpp"
 #include "headset_station.hpp"
-#include "operator_window.hpp"
+#include "../operator/operator_window.hpp"
 #include "participant_place.hpp"
 #include "pointing_hand.hpp"
 #include "xr_input.hpp"

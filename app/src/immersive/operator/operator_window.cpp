@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "operator_panel.hpp"
-#include "operator_progress.hpp"
+#include "operator_words.hpp"
 
 namespace deixis::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "operator_progress.hpp"
+#include "operator_words.hpp"
 
 namespace deixis::app {
 

@@ -1,4 +1,4 @@
-#include "operator_progress.hpp"
+#include "operator_words.hpp"
 
 #include <fmt/format.h>
 

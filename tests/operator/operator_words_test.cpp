@@ -1,5 +1,5 @@
 // What the operator's panel says, and the question asked twice.
-#include "operator_progress.hpp"
+#include "operator_words.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 using namespace deixis::app;
 
-TEST_SUITE("headset/operator_progress") {
+TEST_SUITE("operator/operator_words") {
     TEST_CASE("a trial's status gives stage, place and how much lies behind") {
         const StudyProgress progress = studyProgress("game 12/40");
         CHECK(progress.stage == "Game");
