@@ -4,345 +4,400 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <set>
-#include <utility>
+#include <string>
+#include <tuple>
 
 #include "core/hash.hpp"
+#include "plan_fixture.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;
+using namespace deixis::studies::plan_fixture;
 
 namespace {
 
-const Study& pointing2023() {
-    static const Study study = [] {
-        Result<Study> loaded =
-            loadStudy(std::filesystem::path(DEIXIS_SOURCE_DIR) / "assets/data/studies/pointing2023.toml");
-        if (!loaded) FAIL(loaded.error().text());
-        return *loaded;
-    }();
-    return study;
-}
-
-const std::vector<TargetItem>& itsTargets() {
-    static const std::vector<TargetItem> targets =
-        sampleTargets(pointing2023().targets, pointing2023().seed).value();
+const std::vector<TargetItem>& hundred() {
+    static const std::vector<TargetItem> targets = targetsFor(pointing(), 100);
     return targets;
 }
 
-StudyPlan planFor(const Study& study, std::string_view participant) {
-    Result<StudyPlan> plan = buildPlan(study, itsTargets(), participant);
-    if (!plan) FAIL(plan.error().text());
-    return *plan;
+std::string errorOf(const Study& study, int targets, const Groups& groups = {}) {
+    const Result<StudyPlan> plan = buildPlan(study, targetsFor(study, targets), "P01", 1, groups);
+    return plan ? "" : plan.error().text();
 }
 
-std::string participantId(int number) {
-    return fmt::format("P{:04}", number);
+/// A small study with every kind of stage, for the pinned plan.
+Study everyKind() {
+    Study study = studyOf({"one", "two", "three"});
+    study.between = {{"who", {"us", "them"}}};
+    Stage rating = trials(study, "rating", StageKind::rating, 4);
+    rating.design.no_target_twice_running = true;
+    rating.design.max_run_of_system = 2;
+    rating.checks = {check(CheckKind::number, 1), check(CheckKind::repeat, 1)};
+    Stage game = trials(study, "game", StageKind::game, 4);
+    game.design.distances = {"near", "far"};
+    game.design.block_by = "system";
+    game.design.block_order = BlockOrder::williams;
+    game.checks = {check(CheckKind::catch_trial, 2)};
+    Stage pages = trials(study, "pages", StageKind::parallel_rating, 3);
+    pages.when = {{"who", "us"}};
+    Stage pairs = trials(study, "pairs", StageKind::pairwise, 2);
+    pairs.session = 2;
+    study.stages = {page("consent", StageKind::consent),
+                    questionnaire("before", 5, 2),
+                    practiceOf(rating, 2),
+                    rating,
+                    pages,
+                    practiceOf(game, 2, 2),
+                    game,
+                    page("goodbye", StageKind::instructions),
+                    pairs};
+    return study;
 }
 
 }  // namespace
 
 TEST_SUITE("studies/plan") {
-    TEST_CASE("For 1,000 participants every plan is balanced as the paper's design asks.") {
-        int wrong = 0;
-        for (int number = 0; number < 1000; ++number) {
-            const StudyPlan plan = planFor(pointing2023(), participantId(number));
-            std::map<std::string, std::set<std::string>> rated, played, across, beside;
-            std::set<std::string> scored, practised;
-            for (const Trial& trial : plan.trials) {
-                const bool game = trial.stage == StageKind::game;
-                if (trial.practice) {
-                    wrong += !practised.insert(trial.target_id).second;
-                    continue;
-                }
-                scored.insert(trial.target_id);
-                wrong += !(game ? played : rated)[trial.system].insert(trial.target_id).second;
-                if (game)
-                    wrong += !(trial.layout == "across" ? across : beside)[trial.system]
-                                  .insert(trial.target_id)
-                                  .second;
-                if (!game)
-                    wrong +=
-                        trial.layout != "across" || !trial.ball_order.empty() || trial.targetPlace() != -1;
-            }
-            wrong += rated.size() != 4 || played.size() != 4 || scored.size() != 15 || practised.size() != 4;
-            for (const auto& [system, targets] : rated)
-                wrong += targets.size() != 5 || targets != rated["stiff"];
-            for (const auto& [system, targets] : played)
-                wrong += targets.size() != 10 || targets != played["stiff"];
-            for (const auto& [system, targets] : across)
-                wrong += targets.size() != 5 || targets != across["stiff"];
-            for (const auto& [system, targets] : beside)
-                wrong += targets.size() != 5 || targets != beside["stiff"];
-            for (const std::string& target : practised) wrong += static_cast<int>(scored.count(target));
-        }
-        CHECK(wrong == 0);
-    }
-
-    TEST_CASE("A session is practice and ratings, then practice and games, numbered through.") {
-        const StudyPlan plan = planFor(pointing2023(), "P01");
+    TEST_CASE("The study of Deichler et al. is practice and ratings, then practice and games.") {
+        const StudyPlan plan = planOf(pointing(), hundred(), 1);
         REQUIRE(plan.trials.size() == 2 + 20 + 2 + 40);
         for (std::size_t i = 0; i < plan.trials.size(); ++i) {
             const Trial& trial = plan.trials[i];
             CHECK(trial.index == static_cast<int>(i));
-            CHECK(trial.stage == (i < 22 ? StageKind::naturalness : StageKind::game));
+            CHECK(trial.kind == (i < 22 ? StageKind::rating : StageKind::game));
             CHECK(trial.practice == (i < 2 || i == 22 || i == 23));
+            CHECK(trial.scored() == !trial.practice);
+            CHECK_FALSE(trial.scored(1));
         }
-        CHECK(plan.participant == "P01");
+        CHECK(plan.participant == "P0001");
+        CHECK(plan.number == 1);
         CHECK(plan.study_name == "pointing2023");
-        CHECK(plan.study_hash == pointing2023().hash);
+        CHECK(plan.study_hash == pointing().hash);
         CHECK(plan.seed == 2023);
+        CHECK(plan.stages == std::vector<std::string>{"welcome", "practice-naturalness", "naturalness",
+                                                      "pause", "practice-game", "game", "goodbye"});
     }
 
-    TEST_CASE("Practice shows four systems in four trials and both layouts of the game.") {
-        for (int number = 0; number < 50; ++number) {
+    TEST_CASE("Practice shows four systems in four trials, and both layouts of the game.") {
+        for (int number = 1; number <= 50; ++number) {
             std::set<std::string> systems, layouts;
-            for (const Trial& trial : planFor(pointing2023(), participantId(number)).trials) {
+            for (const Trial& trial : planOf(pointing(), hundred(), number).trials) {
                 if (!trial.practice) continue;
-                systems.insert(trial.system);
-                if (trial.stage == StageKind::game) layouts.insert(trial.layout);
+                systems.insert(trial.stimuli.front().system);
+                if (trial.kind == StageKind::game) layouts.insert(trial.layout);
             }
             CHECK(systems.size() == 4);
             CHECK(layouts.size() == 2);
         }
     }
 
-    TEST_CASE(
-        "A trial carries the positions of its target and distractors, and its balls are a permutation of "
-        "them.") {
+    TEST_CASE("Every attempt at a practice has items of its own and is numbered.") {
+        Study study = pointing();
+        study.stages[4] = practiceOf(study.stages[5], 3, 4);
+        const std::vector<Trial> practice = trialsOf(planOf(study, hundred(), 3), "practice-game");
+        REQUIRE(practice.size() == 12);
+        std::set<std::string> items;
+        for (std::size_t i = 0; i < practice.size(); ++i) {
+            CHECK(practice[i].practice);
+            CHECK(practice[i].attempt == static_cast<int>(i) / 3);
+            CHECK(practice[i].kind == StageKind::game);
+            CHECK(practice[i].ball_order.size() == 3);
+            items.insert(practice[i].stimuli.front().item);
+        }
+        CHECK(items.size() == 12);
+        // Attempts after the first are rarely done: the next practice goes on where the first ended.
+        std::swap(study.stages[1], study.stages[4]);
+        std::set<std::string> systems;
+        for (const Trial& trial : planOf(study, hundred(), 3).trials)
+            if (trial.practice && trial.attempt == 0) systems.insert(trial.stimuli.front().system);
+        CHECK(systems.size() == 4);
+    }
+
+    TEST_CASE("A trial carries the positions of its target and distractors; its balls are these, shuffled.") {
+        Study study = pointing();
+        study.distances = studyOf({}).distances;
+        study.stages[5].design.distances = {"far", "near"};
+        const std::vector<TargetItem> targets = targetsFor(study, 100);
         std::map<std::string, TargetItem> by_id;
-        for (const TargetItem& item : itsTargets()) by_id[item.id] = item;
-        for (const Trial& trial : planFor(pointing2023(), "P17").trials) {
-            const TargetItem& item = by_id.at(trial.target_id);
+        for (const TargetItem& item : targets) by_id[item.id] = item;
+        std::set<std::string> bands;
+        for (const Trial& trial : planOf(study, targets, 17).trials) {
+            const TargetItem& item = by_id.at(trial.stimuli.front().item);
             CHECK(trial.target == item.target);
-            if (trial.stage == StageKind::naturalness) continue;
-            CHECK(trial.distractors == item.distractors);
+            if (trial.kind == StageKind::rating) {
+                CHECK(trial.distractors.empty());
+                CHECK(trial.ball_order.empty());
+                CHECK(trial.distance.empty());
+                CHECK(trial.targetPlace() == -1);
+                continue;
+            }
+            CHECK(trial.distractors == item.distractors[trial.distance == "near" ? 0 : 1]);
+            bands.insert(trial.distance);
             REQUIRE(trial.ball_order.size() == 3);
             CHECK(trial.ball(trial.targetPlace()) == item.target);
-            std::vector<Vec3> shown{trial.ball(0), trial.ball(1), trial.ball(2)};
-            for (const Vec3& distractor : item.distractors)
+            const std::vector<Vec3> shown{trial.ball(0), trial.ball(1), trial.ball(2)};
+            for (const Vec3& distractor : trial.distractors)
                 CHECK(std::count(shown.begin(), shown.end(), distractor) == 1);
             CHECK_THROWS(std::ignore = trial.ball(3));
         }
+        CHECK(bands.size() == 2);
     }
 
-    TEST_CASE("Orders differ between participants and systems come equally early and late.") {
-        std::set<std::string> orders;
-        std::map<std::string, double> place;
-        constexpr int participants = 400;
-        for (int number = 0; number < participants; ++number) {
+    TEST_CASE("A page of a parallel rating shows one item under all systems, a pair two of them.") {
+        Study study = studyOf({"a", "b", "c", "d"});
+        study.stages = {trials(study, "pages", StageKind::parallel_rating, 6),
+                        trials(study, "pairs", StageKind::pairwise, 3)};
+        const StudyPlan plan = planOf(study, hundred(), 2);
+        const std::vector<Trial> pages = trialsOf(plan, "pages");
+        REQUIRE(pages.size() == 6);
+        std::set<std::string> page_items, orders;
+        for (const Trial& trial : pages) {
+            REQUIRE(trial.stimuli.size() == 4);
+            std::set<std::string> systems;
             std::string order;
-            for (const Trial& trial : planFor(pointing2023(), participantId(number)).trials) {
-                if (trial.practice || trial.stage == StageKind::naturalness) continue;
-                order += trial.system + trial.target_id + " ";
-                place[trial.system] += (trial.index - 24) / (10.0 * participants);
+            for (const Stimulus& stimulus : trial.stimuli) {
+                systems.insert(stimulus.system);
+                order += stimulus.system;
+                CHECK(stimulus.item == trial.stimuli[0].item);
             }
+            CHECK(systems.size() == 4);
+            CHECK(trial.scored(3));
+            CHECK_FALSE(trial.scored(4));
+            page_items.insert(trial.stimuli[0].item);
             orders.insert(order);
         }
-        CHECK(orders.size() == participants);
-        // The mean place of a system's 10 trials among 40: expected 19.5; SD of one participant's mean 3.2
-        // (sampling without replacement: sqrt((40^2 - 1) / 12 / 10 * 30 / 39)), so 0.16 over 400.
-        for (const auto& [system, mean] : place)
-            CHECK(mean == doctest::Approx(19.5).epsilon(4 * 0.16 / 19.5));
-    }
+        CHECK(page_items.size() == 6);
+        CHECK(orders.size() > 1);
 
-    TEST_CASE("Every target serves about equally often, and the target's place among the balls is uniform.") {
-        std::map<std::string, int> used;
-        int places[3] = {0, 0, 0};
-        int first_index[3] = {0, 0, 0};
-        constexpr int participants = 1000;
-        for (int number = 0; number < participants; ++number) {
-            bool first = true;
-            for (const Trial& trial : planFor(pointing2023(), participantId(number)).trials) {
-                if (trial.stage == StageKind::naturalness) continue;
-                ++places[trial.targetPlace()];
-                if (first) ++first_index[trial.targetPlace()];
-                first = false;
-                if (!trial.practice && trial.system == "direct") ++used[trial.target_id];
-            }
+        const std::vector<Trial> pairs = trialsOf(plan, "pairs");
+        REQUIRE(pairs.size() == 3 * 6);
+        std::set<std::tuple<std::string, std::string, std::string>> shown;
+        for (const Trial& trial : pairs) {
+            REQUIRE(trial.stimuli.size() == 2);
+            const auto& [left, right] = std::tie(trial.stimuli[0], trial.stimuli[1]);
+            CHECK(left.item == right.item);
+            CHECK(page_items.count(left.item) == 0);
+            CHECK(left.system != right.system);
+            shown.emplace(std::min(left.system, right.system), std::max(left.system, right.system),
+                          left.item);
         }
-        const auto chiSquared = [](const int(&counts)[3]) {
-            const double expected = (counts[0] + counts[1] + counts[2]) / 3.0;
-            double sum = 0.0;
-            for (const int count : counts) sum += (count - expected) * (count - expected) / expected;
-            return sum;
-        };
-        CHECK(places[0] + places[1] + places[2] == participants * 42);
-        CHECK(chiSquared(places) < 13.816);  // 2 degrees of freedom, p = 0.001
-        CHECK(chiSquared(first_index) < 13.816);
-        CHECK(used.size() == 100);
-        double sum = 0.0;
-        for (const auto& [target, count] : used) sum += (count - 100.0) * (count - 100.0) / 100.0;
-        CHECK(sum < 148.23);  // 99 degrees of freedom, p = 0.001; drawing without replacement only narrows it
-        CHECK(sum > 50.0);    // and it is chance, not a rota
+        CHECK(shown.size() == 18);
     }
 
-    TEST_CASE(
-        "Where items do not divide by layouts all systems share the split, and the odd item evens out.") {
-        Study study = pointing2023();
-        study.game.items = 9;
-        int more_across = 0;
-        for (int number = 0; number < 400; ++number) {
-            std::map<std::string, int> across;
-            for (const Trial& trial : planFor(study, participantId(number)).trials)
-                if (!trial.practice && trial.stage == StageKind::game)
-                    across[trial.system] += trial.layout == "across";
-            for (const auto& [system, count] : across) {
-                CHECK(count == across["direct"]);
-                CHECK((count == 4 || count == 5));
-            }
-            more_across += across["direct"] == 5;
+    TEST_CASE("Consent and each page of a questionnaire are trials without stimuli, in a layout.") {
+        Study study = pointing();
+        study.stages.insert(study.stages.begin(), questionnaire("before", 9, 4));
+        study.stages.insert(study.stages.begin(), page("consent", StageKind::consent));
+        study.stages.push_back(questionnaire("after", 4, 4));
+        const StudyPlan plan = planOf(study, hundred(), 1);
+        const std::vector<Trial> before = trialsOf(plan, "before");
+        REQUIRE(before.size() == 3);
+        for (int i = 0; i < 3; ++i) {
+            CHECK(before[static_cast<std::size_t>(i)].page == i);
+            CHECK(before[static_cast<std::size_t>(i)].index == i + 1);
         }
-        CHECK(std::abs(more_across - 200) < 40);  // four standard deviations of a fair coin
+        CHECK(trialsOf(plan, "consent").size() == 1);
+        CHECK(trialsOf(plan, "after").size() == 1);
+        // Nobody is moved for the sake of a page.
+        CHECK(plan.trials.front().layout == "across");
+        CHECK(plan.trials.back().layout == plan.trials[plan.trials.size() - 2].layout);
+        for (const Trial& trial : plan.trials) {
+            if (!trial.stimuli.empty()) continue;
+            CHECK_FALSE(trial.scored());
+            CHECK_FALSE(trial.practice);
+            CHECK(trial.targetPlace() == -1);
+        }
+        Study pages_only = study;
+        pages_only.stages = {page("consent", StageKind::consent)};
+        CHECK(planOf(pages_only, {}, 1).trials.front().layout == "across");
+        pages_only.layouts.clear();
+        CHECK(planOf(pages_only, {}, 1).trials.front().layout.empty());
     }
 
-    TEST_CASE("The plan of P01 in the study that ships is the same on every machine and compiler.") {
-        StudyPlan plan = planFor(pointing2023(), "P01");
-        plan.study_hash.clear();  // changes with every comment in the study file; the trials must not
-        CHECK(sha256Hex(planJson(plan)) ==
-              "f0ad0621acc156a68d93c43a6178b01c04ff017b9872ebd1e5b6563ad95b8e63");
+    TEST_CASE("Stages for other groups are left out, and their items are not needed.") {
+        const Study study = rating();
+        const std::vector<TargetItem> targets = targetsFor(study, 13);
+        for (const std::string level : {"human-likeness", "appropriateness"}) {
+            const StudyPlan plan = planOf(study, targets, 4, {{"measure", level}});
+            CHECK(plan.groups.at("measure") == level);
+            CHECK(plan.stages ==
+                  std::vector<std::string>{"consent", "practice-" + level, level, "about-you"});
+            CHECK(plan.trials.size() == 1 + 1 + 12 + 2);
+        }
+        Study both = study;
+        for (Stage& stage : both.stages) stage.when.clear();
+        CHECK_FALSE(buildPlan(both, targets, "P04", 4, {{"measure", "human-likeness"}}).has_value());
     }
 
-    TEST_CASE("Plans follow the seed and the participant, and not the study's texts.") {
-        const std::string before = planJson(planFor(pointing2023(), "P01"));
-        Study study = pointing2023();
-        study.welcome = "Something else.";
-        CHECK(planJson(planFor(study, "P01")) == before);
-        study.seed += 1;
-        CHECK(planJson(planFor(study, "P01")) != before);
-        const auto trialsOf = [](std::string_view participant) {
-            const std::string json = planJson(planFor(pointing2023(), participant));
-            return json.substr(json.find("\"trials\""));
-        };
-        CHECK(trialsOf("P01") == trialsOf("P01"));
-        CHECK(trialsOf("P01") != trialsOf("P02"));
+    TEST_CASE("Later sessions go on with the numbers and have items of their own.") {
+        Study study = pointing();
+        Stage second = study.stages[2];
+        second.name = "again";
+        second.session = 2;
+        study.stages.push_back(second);
+        const StudyPlan plan = planOf(study, hundred(), 1);
+        const std::vector<Trial> again = trialsOf(plan, "again");
+        REQUIRE(again.size() == 20);
+        CHECK(again.front().index == 64);
+        std::set<std::string> items;
+        for (const Trial& trial : plan.trials) items.insert(trial.stimuli.front().item);
+        CHECK(items.size() == 2 + 5 + 2 + 10 + 5);
     }
 
-    TEST_CASE("Too few targets and ids that cannot name a participant are refused.") {
-        const std::vector<TargetItem> few(itsTargets().begin(), itsTargets().begin() + 18);
-        const Result<StudyPlan> plan = buildPlan(pointing2023(), few, "P01");
+    TEST_CASE("Items without a place can be rated, and games get those that have one.") {
+        Study study = pointing();
+        std::vector<TargetItem> targets = targetsFor(study, 19);
+        for (std::size_t i = 0; i < 7; ++i) {
+            targets[2 * i].placed = false;
+            targets[2 * i].target = Vec3(0.0);
+            targets[2 * i].distractors.clear();
+        }
+        for (int number = 1; number <= 100; ++number) {
+            int wrong = 0;
+            for (const Trial& trial : planOf(study, targets, number).trials)
+                wrong += (trial.kind == StageKind::game) != (trial.target != Vec3(0.0));
+            CHECK(wrong == 0);  // 12 have a place and the games need them all
+        }
+        targets[1].placed = false;
+        const Result<StudyPlan> plan = buildPlan(study, targets, "P01", 1, {});
         REQUIRE_FALSE(plan.has_value());
-        CHECK(plan.error().where == "targets.count");
-        CHECK(plan.error().message.find("found 18 targets, expected at least 19") != std::string::npos);
-        for (const std::string& bad :
-             {std::string(), std::string("P 01"), std::string("../P01"), std::string(33, 'a'),
-              std::string("P\0", 2), std::string("Zo\xc3\xab")}) {
-            CHECK_FALSE(validParticipant(bad));
-            CHECK_FALSE(buildPlan(pointing2023(), itsTargets(), bad).has_value());
-        }
-        for (const std::string& good : {std::string("P01"), std::string("a_b-C9"), std::string(32, 'a')})
-            CHECK(validParticipant(good));
-    }
-}
-
-TEST_SUITE("studies/plan_json") {
-    TEST_CASE("A round trip through JSON gives the same plan and the same bytes.") {
-        const StudyPlan plan = planFor(pointing2023(), "P01");
-        const std::string json = planJson(plan);
-        const Result<StudyPlan> back = planFromJson(json);
-        if (!back) FAIL(back.error().text());
-        CHECK(planJson(*back) == json);
-        REQUIRE(back->trials.size() == plan.trials.size());
-        for (std::size_t i = 0; i < plan.trials.size(); ++i) {
-            const Trial& a = plan.trials[i];
-            const Trial& b = back->trials[i];
-            CHECK(a.target == b.target);
-            CHECK(a.distractors == b.distractors);
-            CHECK(a.ball_order == b.ball_order);
-            CHECK(std::pair(a.system, a.layout) == std::pair(b.system, b.layout));
-            CHECK(std::pair(a.stage, a.practice) == std::pair(b.stage, b.practice));
-        }
-        StudyPlan hard = plan;
-        hard.seed = 18446744073709551615ULL;
-        hard.study_name = "a \"quoted\" name\n";
-        hard.trials[0].target = Vec3(0.1 + 0.2, 1.0 / 3.0, -5e-324);
-        const Result<StudyPlan> hard_back = planFromJson(planJson(hard));
-        REQUIRE(hard_back.has_value());
-        CHECK(hard_back->seed == hard.seed);
-        CHECK(hard_back->study_name == hard.study_name);
-        CHECK(hard_back->trials[0].target == hard.trials[0].target);
+        CHECK(
+            plan.error().message.find("found 11 with a place in the room and distractors, expected at least "
+                                      "12") != std::string::npos);
     }
 
-    TEST_CASE("Each trial has the keys on which scripts rely.") {
-        const auto json = nlohmann::json::parse(planJson(planFor(pointing2023(), "P01")));
-        CHECK(json.at("participant") == "P01");
-        CHECK(json.at("trials").size() == 64);
-        const auto& trial = json.at("trials").at(30);
-        for (const char* key : {"stage", "system", "target_id", "layout", "practice", "index", "target",
-                                "distractors", "ball_order"})
-            CHECK_MESSAGE(trial.contains(key), key);
-        CHECK(trial.at("stage") == "game");
-        CHECK(trial.at("index") == 30);
-        CHECK(trial.at("target").size() == 3);
-        CHECK(trial.at("distractors").size() == 2);
-    }
-
-    TEST_CASE("JSON that is no plan is refused with the place and the reason.") {
-        const auto whole = nlohmann::ordered_json::parse(planJson(planFor(pointing2023(), "P01")));
-        struct BadPlan {
-            std::string pointer, value, where;
+    TEST_CASE("The order of blocks is as listed, by the number, or chance's.") {
+        Study study = studyOf({"a", "b", "c", "d"});
+        study.stages = {trials(study, "game", StageKind::game, 4)};
+        TrialDesign& design = study.stages[0].design;
+        const std::vector<TargetItem> targets = targetsFor(study, 20);
+        const auto blocks = [&](int number) {
+            std::string out;
+            for (const Trial& trial : planOf(study, targets, number).trials) {
+                const std::string& level =
+                    design.block_by == "layout" ? trial.layout : trial.stimuli.front().system;
+                if (out.size() < level.size() || out.substr(out.size() - level.size()) != level) out += level;
+            }
+            return out;
         };
-        const std::vector<BadPlan> bad{
-            {"/participant", "5", "plan: participant"},
-            {"/participant", "\"a b\"", "plan: participant"},
-            {"/seed", "-1", "plan: seed"},
-            {"/trials", "{}", "plan: trials"},
-            {"/more", "1", "plan"},
-            {"/trials/3", "[]", "plan: trials[3]"},
-            {"/trials/3/index", "4", "plan: trials[3].index"},
-            {"/trials/3/stage", "\"gane\"", "plan: trials[3].stage"},
-            {"/trials/3/practice", "1", "plan: trials[3].practice"},
-            {"/trials/3/target", "[1, 2]", "plan: trials[3].target"},
-            {"/trials/3/target", "[1, 2, null]", "plan: trials[3].target"},
-            {"/trials/3/distractors", "[[1, 2, 3]]", "plan: trials[3].distractors"},
-            {"/trials/3/colour", "1", "plan: trials[3]"},
-            {"/trials/30/ball_order", "[0, 1]", "plan: trials[30].ball_order"},
-            {"/trials/30/ball_order", "[0, 1, 1]", "plan: trials[30].ball_order"},
-            {"/trials/30/ball_order", "[0, 1, 3]", "plan: trials[30].ball_order"},
-            {"/trials/30/ball_order", "[0, 1, 2, 0]", "plan: trials[30].ball_order"},
-            {"/trials/30/ball_order", "[0, 1, -2]", "plan: trials[30].ball_order"},
+        design.block_by = "system";
+        design.block_order = BlockOrder::listed;
+        CHECK(blocks(1) == "abcd");
+        CHECK(blocks(2) == "abcd");
+        design.block_order = BlockOrder::williams;
+        CHECK(blocks(1) == "abdc");
+        CHECK(blocks(2) == "bcad");
+        CHECK(blocks(4) == "dacb");
+        CHECK(blocks(5) == "abdc");
+        design.block_order = BlockOrder::shuffled;
+        std::set<std::string> orders;
+        for (int number = 1; number <= 200; ++number) orders.insert(blocks(number));
+        CHECK(orders.size() == 24);
+        for (const std::string& order : orders) CHECK(order.size() == 4);
+        design.block_by = "layout";
+        design.block_order = BlockOrder::williams;
+        CHECK(blocks(1) == "acrossside-by-side");
+        CHECK(blocks(2) == "side-by-sideacross");
+    }
+
+    TEST_CASE("The plan of a small study with every kind of stage is the same on every machine.") {
+        const Study study = everyKind();
+        const StudyPlan plan = planOf(study, targetsFor(study, 40), 7, {{"who", "us"}});
+        CHECK(sha256Hex(planJson(plan)) ==
+              "5093cc108297cc2b82e38b6b7d91b6583e6cfa5b14d497727aad78e9fb4bd16f");
+        const StudyPlan other = planOf(pointing(), hundred(), 1);
+        CHECK(sha256Hex(planJson(other)) ==
+              "000e8b851e91b76dc42867d5ff4b5512b0099507a91c2da9a467794c12309851");
+    }
+
+    TEST_CASE("A plan follows seed, number, groups and design, and neither the id nor texts nor language.") {
+        const Study study = everyKind();
+        const std::vector<TargetItem> targets = targetsFor(study, 40);
+        const Groups us{{"who", "us"}};
+        const std::string before = fingerprint(planOf(study, targets, 7, us));
+        CHECK(fingerprint(buildPlan(study, targets, "somebody-else", 7, us).value()) == before);
+        Study said_otherwise = study;
+        said_otherwise.title = said_otherwise.description = "Something else.";
+        said_otherwise.languages = {"de", "en"};
+        said_otherwise.language = "de";
+        for (Stage& stage : said_otherwise.stages) {
+            stage.text = stage.question = stage.break_text = stage.measure = "Etwas anderes.";
+            stage.scale.labels = {"schlecht", "gut"};
+            for (Question& question : stage.questionnaire.questions) question.text = "Wie?";
+        }
+        CHECK(fingerprint(planOf(said_otherwise, targets, 7, us)) == before);
+
+        CHECK(fingerprint(planOf(study, targets, 8, us)) != before);
+        Study other_seed = study;
+        other_seed.seed += 1;
+        StudyPlan from_other_seed = planOf(other_seed, targets, 7, us);
+        from_other_seed.seed = study.seed;
+        CHECK(fingerprint(from_other_seed) != before);
+
+        // A stage's order depends on its own design: one more question or stage leaves the others alone.
+        Study longer = study;
+        longer.stages.push_back(trials(longer, "more", StageKind::rating, 3));
+        const auto ordersOf = [](const StudyPlan& plan) {
+            std::string out;
+            for (const Trial& trial : trialsOf(plan, "game"))
+                out += trial.stimuli[0].system + trial.layout + trial.distance;
+            return out;
         };
-        for (const BadPlan& edit : bad) {
-            CAPTURE(edit.pointer);
-            CAPTURE(edit.value);
-            auto json = whole;
-            json[nlohmann::ordered_json::json_pointer(edit.pointer)] =
-                nlohmann::ordered_json::parse(edit.value);
-            const Result<StudyPlan> plan = planFromJson(json.dump());
-            REQUIRE_FALSE(plan.has_value());
-            CHECK(plan.error().where == edit.where);
-            CHECK_FALSE(plan.error().message.empty());
-        }
-        for (const char* key : {"index", "stage", "practice", "system", "target_id", "layout", "target",
-                                "distractors", "ball_order"}) {
-            auto json = whole;
-            json["trials"][7].erase(key);
-            const Result<StudyPlan> plan = planFromJson(json.dump());
-            REQUIRE_FALSE(plan.has_value());
-            CHECK(plan.error().text() == fmt::format("plan: trials[7].{}: missing", key));
-        }
-        for (const char* text : {"", "[]", "5", "{\"participant\":", "\xff"})
-            CHECK_FALSE(planFromJson(text).has_value());
+        CHECK(ordersOf(planOf(longer, targets, 7, us)) == ordersOf(planOf(study, targets, 7, us)));
     }
 
-    TEST_CASE("Cut anywhere, the JSON of a plan is refused.") {
-        const std::string json = planJson(planFor(pointing2023(), "P01"));
-        for (std::size_t length = 0; length + 2 < json.size(); length += 97)
-            CHECK_FALSE(planFromJson(std::string_view(json).substr(0, length)).has_value());
+    TEST_CASE("Participants and groups that the study does not know are refused.") {
+        const Study study = rating();
+        const std::vector<TargetItem> targets = targetsFor(study, 40);
+        const Groups groups{{"measure", "appropriateness"}};
+        CHECK(buildPlan(study, targets, "P01", 1, groups).has_value());
+        CHECK_FALSE(buildPlan(study, targets, "P 01", 1, groups).has_value());
+        CHECK_FALSE(buildPlan(study, targets, "P01", 0, groups).has_value());
+        CHECK(errorOf(study, 40).find("groups.measure: found none, expected one of \"human-likeness\", "
+                                      "\"appropriateness\"") == 0);
+        CHECK(errorOf(study, 40, {{"measure", "beauty"}}).find("groups.measure: found \"beauty\"") == 0);
+        CHECK(errorOf(study, 40, {{"measure", "appropriateness"}, {"age", "old"}}).find("groups.age") == 0);
     }
 
-    TEST_CASE("The table has a line for each trial, under a head that names participant, study and seed.") {
-        const StudyPlan plan = planFor(pointing2023(), "P01");
-        const std::string table = planTable(plan);
-        CHECK(std::count(table.begin(), table.end(), '\n') == 2 + 64);
-        CHECK(table.rfind("participant P01, study pointing2023, seed 2023\n", 0) == 0);
-        const Trial& trial = plan.trials[40];
-        const std::string line =
-            fmt::format("   40  game         scored    {:<16}  {}    {:<12}  ball {} of 3\n", trial.system,
-                        trial.target_id, trial.layout, trial.targetPlace() + 1);
-        CHECK_MESSAGE(table.find(line) != std::string::npos, line);
+    TEST_CASE("Too few targets are refused with the number needed.") {
+        CHECK(errorOf(pointing(), 19).empty());
+        CHECK(errorOf(pointing(), 18).find("targets.count: found 18 targets, expected at least 19") == 0);
+        const Study study = everyKind();
+        CHECK(errorOf(study, 18, {{"who", "them"}}).empty());
+        CHECK(errorOf(study, 21, {{"who", "us"}}).empty());
+        CHECK(errorOf(study, 17, {{"who", "them"}}).find("expected at least 18") != std::string::npos);
+        CHECK(errorOf(study, 20, {{"who", "us"}}).find("expected at least 21") != std::string::npos);
+    }
+
+    TEST_CASE("A design that lacks what its trials are made of is refused by key.") {
+        const auto refused = [](const auto& spoil) {
+            Study study = pointing();
+            study.stages = {study.stages[5]};
+            spoil(study.stages[0]);
+            return errorOf(study, 40);
+        };
+        CHECK(refused([](Stage&) {}).empty());
+        CHECK(refused([](Stage& stage) { stage.design.systems.clear(); }).find("stages.game.systems") == 0);
+        CHECK(refused([](Stage& stage) { stage.design.systems = {"x"}; }).find("stages.game.systems") == 0);
+        CHECK(refused([](Stage& stage) { stage.design.layouts.clear(); }).find("stages.game.layouts") == 0);
+        CHECK(refused([](Stage& stage) { stage.design.layouts = {"x"}; }).find("stages.game.layouts") == 0);
+        CHECK(refused([](Stage& stage) { stage.design.distances.clear(); }).find("stages.game.distances") ==
+              0);
+        CHECK(refused([](Stage& stage) { stage.design.distances = {"x"}; }).find("stages.game.distances") ==
+              0);
+        CHECK(refused([](Stage& stage) { stage.design.items = 0; }).find("stages.game.items") == 0);
+        CHECK(refused([](Stage& stage) {
+                  stage.kind = StageKind::pairwise;
+                  stage.design.systems = {"direct"};
+              }).find("stages.game.systems: found 1, expected at least 2") == 0);
+        CHECK(refused([](Stage& stage) {
+                  stage.kind = StageKind::parallel_rating;
+                  stage.design.system_meets = Meeting::nested;
+              }).find("stages.game.system_meets") == 0);
+        CHECK(refused([](Stage& stage) {
+                  stage.practice = Practice{};
+                  stage.practice->of = "nothing";
+              }).find("stages.game.of: found \"nothing\"") == 0);
     }
 }
