@@ -8,7 +8,8 @@
 namespace deixis::renderer {
 namespace {
 
-constexpr double least_shrink = 0.6;  // of a text that is too long for its box
+constexpr double least_shrink = 0.6;             // of a text that is too long for its box
+constexpr double least_shrink_for_words = 0.75;  // of one that has a word too long for its line
 constexpr int least_pixels = 9;
 constexpr int most_pixels = 240;
 constexpr double field_inset_m = 0.018;
@@ -130,19 +131,25 @@ FontKey BoardLayout::fittedFont(const PlacedText& placed) const {
     if (!placed.shrinks) return placed.key;
     const ImFont& font = *fonts_.font(placed.key);
     const float width = widthOf(placed);
-    const auto fits = [&](int pixels) {
+    const auto fits = [&](int pixels, bool may_cut) {
         const auto size = static_cast<float>(pixels);
         const auto lines = wrapText(font, size, *placed.text, placed.wrapped ? width : 0.0F);
-        const bool wide = std::any_of(lines.begin(), lines.end(),
-                                      [&](const TextLine& line) { return line.width > width + 1.0F; });
+        const bool wrong = std::any_of(lines.begin(), lines.end(), [&](const TextLine& line) {
+            return line.width > width + 1.0F || (line.cut && !may_cut);
+        });
         const float height = placed.high.y - placed.low.y;
-        return !wide && (!placed.wrapped || static_cast<float>(lines.size()) * size <= height + 1.0F ||
-                         lines.size() == 1);
+        return !wrong && (!placed.wrapped || static_cast<float>(lines.size()) * size <= height + 1.0F ||
+                          lines.size() == 1);
     };
-    const int least = std::max(least_pixels, static_cast<int>(least_shrink * placed.key.pixels));
-    int pixels = placed.key.pixels;
-    while (pixels > least && !fits(pixels)) pixels = std::max(least, pixels * 15 / 16);
-    return {placed.key.bold, pixels};
+    // The largest size that fits, rather somewhat smaller than with a word cut.
+    for (const bool may_cut : {false, true}) {
+        const double share = may_cut ? least_shrink : least_shrink_for_words;
+        const int least = std::max(least_pixels, static_cast<int>(share * placed.key.pixels));
+        int pixels = placed.key.pixels;
+        while (pixels > least && !fits(pixels, may_cut)) pixels = std::max(least, pixels * 15 / 16);
+        if (may_cut || fits(pixels, may_cut)) return {placed.key.bold, pixels};
+    }
+    return placed.key;
 }
 
 FittedText BoardLayout::fitted(const PlacedText& placed) const {

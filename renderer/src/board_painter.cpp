@@ -26,7 +26,8 @@ constexpr ImU32 hovered_colour = IM_COL32(0xFF, 0xD5, 0x7A, 255);
 constexpr ImU32 hovered_edge = IM_COL32(0xFF, 0xEC, 0xC4, 255);
 constexpr ImU32 disabled_colour = IM_COL32(0x28, 0x34, 0x3E, 255);
 constexpr ImU32 disabled_text = IM_COL32(0x6C, 0x79, 0x84, 255);
-constexpr ImU32 track_colour = IM_COL32(0x5B, 0x70, 0x81, 255);
+constexpr ImU32 track_colour = IM_COL32(0x78, 0x90, 0xA2, 255);
+constexpr ImU32 disabled_track = IM_COL32(0x45, 0x52, 0x5D, 255);
 constexpr ImU32 field_colour = IM_COL32(0x11, 0x18, 0x1E, 255);
 constexpr ImU32 progress_back = IM_COL32(0x38, 0x45, 0x50, 255);
 constexpr ImU32 progress_front = IM_COL32(0x7F, 0xB8, 0xA6, 255);
@@ -113,7 +114,7 @@ void drawButton(const BoardButton& button, const BoardLayout& layout, ImDrawList
 // The track is hollow until a value is set.
 void drawSlider(const BoardSlider& slider, const BoardLayout& layout, ImDrawList& list) {
     const bool lit = slider.enabled && slider.hovered;
-    const ImU32 line_colour = !slider.enabled ? disabled_text : lit ? hovered_colour : track_colour;
+    const ImU32 line_colour = !slider.enabled ? disabled_track : lit ? hovered_colour : track_colour;
     const BoardRect& track = slider.track;
     const double middle_m = track.y + 0.5 * track.height;
     const std::size_t ticks = std::max<std::size_t>(2, slider.labels.size());
@@ -154,7 +155,8 @@ void drawField(const BoardField& field, const BoardLayout& layout, ImDrawList& l
                                  : disabled_text,
                  corner, 0, layout.stroke(field.active ? 0.004 : 0.002));
     const FittedText text = layout.fitted(layout.content(field));
-    const ImU32 colour = !field.enabled ? disabled_text : field.text.empty() ? faint_colour : text_colour;
+    // What stands in a field that cannot be pressed is still to be read.
+    const ImU32 colour = !field.text.empty() ? text_colour : field.enabled ? faint_colour : disabled_text;
     layout.draw(text, colour, list);
     if (!field.active) return;
     // At the end of what is typed; steady, because a board is painted only where it changes.

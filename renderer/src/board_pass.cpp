@@ -37,8 +37,11 @@ layout(location = 2) in vec4 srgb;
 layout(location = 0) uniform vec2 size;
 out vec2 font_uv;
 out vec4 premultiplied;
+out float thinness;
 void main() {
     font_uv = uv;
+    // Blended in linear light, dark letters on a light ground look thinner than light ones on a dark ground.
+    thinness = mix(0.55, 1.0, smoothstep(0.1, 0.6, srgb.g));
     vec3 linear = mix(srgb.rgb / 12.92, pow((srgb.rgb + 0.055) / 1.055, vec3(2.4)), step(0.04045, srgb.rgb));
     premultiplied = vec4(linear * srgb.a, srgb.a);
     gl_Position = vec4(position / size * 2.0 - 1.0, 0.0, 1.0);
@@ -49,8 +52,9 @@ const std::string_view text_fragment_glsl = R"(
 layout(binding = 0) uniform sampler2D font;
 in vec2 font_uv;
 in vec4 premultiplied;
+in float thinness;
 out vec4 colour;
-void main() { colour = premultiplied * texture(font, font_uv).r; }
+void main() { colour = premultiplied * pow(texture(font, font_uv).r, thinness); }
 )";
 
 // The texture's first row is the board's top.

@@ -52,6 +52,14 @@ void appendUtf8(std::string& text, unsigned code_point) {
     add(0x80U | (code_point & 0x3FU));
 }
 
+// Whether a line that ends here parts what belongs together: neither spaces nor punctuation stand there.
+bool cutsWord(const char* begin, const char* stop, const char* end) {
+    const auto within = [](char c) {
+        return std::string_view(" \t\n.,;!?\"-").find(c) == std::string_view::npos;
+    };
+    return stop > begin && stop < end && within(*stop) && within(*(stop - 1));
+}
+
 }  // namespace
 
 Result<BoardFonts> BoardFonts::load() {
@@ -141,7 +149,7 @@ std::vector<TextLine> wrapText(const ImFont& font, float pixels, std::string_vie
         do {
             const char* stop = width > 0.0F ? font.CalcWordWrapPositionA(scale, at, feed, width) : feed;
             if (stop == at && stop < feed) stop = afterCharacter(at, feed);  // it is wider than the box
-            lines.push_back({at, stop, textWidth(font, pixels, at, stop)});
+            lines.push_back({at, stop, textWidth(font, pixels, at, stop), cutsWord(at, stop, feed)});
             at = stop;
             while (at < feed && *at == ' ') ++at;
         } while (at < feed);

@@ -51,6 +51,7 @@ struct TextLine {
     const char* begin = nullptr;
     const char* end = nullptr;
     float width = 0.0F;
+    bool cut = false;  ///< it ends within a word
 };
 
 /// Behind the character (UTF-8) that begins at `at`.

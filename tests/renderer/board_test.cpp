@@ -1,4 +1,4 @@
-#include "gl_fixture.hpp"
+#include "board_fixture.hpp"
 
 using namespace deixis;
 using namespace deixis::renderer;
@@ -6,8 +6,8 @@ using namespace deixis::tests;
 
 namespace {
 
-constexpr int width = 640;
-constexpr int height = 360;
+constexpr int width = board_picture_width;
+constexpr int height = board_picture_height;
 
 Board questionBoard() {
     Board board;
@@ -18,31 +18,6 @@ Board questionBoard() {
     board.buttons.push_back({{0.1, 0.1, 0.2, 0.15}, "1", "not at all", true, false});
     board.buttons.push_back({{0.6, 0.1, 0.2, 0.15}, "5", "completely", true, false});
     return board;
-}
-
-struct Region {
-    int darkest = 255, brightest = 0;
-    double mean = 0.0;
-};
-
-/// Green bytes over a rectangle of the board.
-Region region(const Image& image, const Scene& scene, const BoardRect& box) {
-    const Pose& pose = scene.boards[0].stage_from_board;
-    const auto [x0, y1] = project(scene.camera, transformPoint(pose, {box.x, box.y, 0.0}), width, height);
-    const auto [x1, y0] = project(
-        scene.camera, transformPoint(pose, {box.x + box.width, box.y + box.height, 0.0}), width, height);
-    Region found;
-    int count = 0;
-    for (int y = y0; y <= y1; ++y)
-        for (int x = x0; x <= x1; ++x) {
-            const int value = pixel(image, x, y).g;
-            found.darkest = std::min(found.darkest, value);
-            found.brightest = std::max(found.brightest, value);
-            found.mean += value;
-            ++count;
-        }
-    found.mean /= count;
-    return found;
 }
 
 Scene boardScene() {

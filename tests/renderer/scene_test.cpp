@@ -127,6 +127,109 @@ TEST_SUITE("renderer/avatar") {
     }
 }
 
+TEST_SUITE("renderer/two_avatars") {
+    TEST_CASE("Two avatars stand where their poses put them, and each throws its shadow on the floor") {
+        Gl gl;
+        Scene scene = emptyScene();
+        scene.camera = lookingFrom({0.4, 2.2, 2.6}, {0.1, 0.2, 0.0});
+        const Image empty = gl.renderer->capture(scene, width, height);
+        // A post at either side, whose upper half lies along +x.
+        const auto leaning = [](double x) {
+            std::vector<Pose> pose = postPose();
+            for (Pose& joint : pose) joint.position.x += x;
+            pose[1].orientation = glm::angleAxis(radiansFromDegrees(-90.0), Vec3(0.0, 0.0, 1.0));
+            return pose;
+        };
+        const double left = -0.7;
+        const double right = 0.5;
+        const Vec3 under(0.45, 0.0, -0.13);  // as for one that leans
+        const auto darker = [&](const Image& image, double x) {
+            const Vec3 p = under + Vec3(x, 0.0, 0.0);
+            return pixelAt(empty, scene.camera, p).sum() - pixelAt(image, scene.camera, p).sum();
+        };
+        const auto red = [&](const Image& image, double x) {
+            const Bytes c = pixelAt(image, scene.camera, {x, 0.4, 0.12});
+            return c.r > 2 * c.g;
+        };
+        scene.avatars = {leaning(left), leaning(right)};
+        const Image both = gl.renderer->capture(scene, width, height);
+        scene.avatars = {leaning(right)};
+        const Image one = gl.renderer->capture(scene, width, height);
+        CHECK(red(both, left));
+        CHECK(red(both, right));
+        CHECK(darker(both, left) > 60);
+        CHECK(darker(both, right) > 60);
+        CHECK_FALSE(red(one, left));
+        CHECK(red(one, right));
+        CHECK(std::abs(darker(one, left)) < 8);
+        CHECK(darker(one, right) > 60);
+    }
+}
+
+TEST_SUITE("renderer/ring") {
+    TEST_CASE("A ringed ball has a bright ring around it with a gap between, from wherever it is seen") {
+        Gl gl;
+        for (const Vec3 from : {Vec3(0.0, 1.5, 3.0), Vec3(2.2, 0.7, 1.5)}) {
+            Scene scene = emptyScene();
+            const Vec3 centre(0.0, 1.2, 0.4);
+            scene.camera = lookingFrom(from, centre);
+            scene.balls = {{centre, 0.1, glm::vec3(0.02F), {}}};
+            const Image plain = gl.renderer->capture(scene, width, height);
+            scene.balls[0].ring = true;
+            const Image ringed = gl.renderer->capture(scene, width, height);
+            const Vec3 towards = glm::normalize(from - centre);
+            const Vec3 side = glm::normalize(glm::cross(up, towards));
+            const Vec3 above = glm::cross(towards, side);
+            for (int i = 0; i < 8; ++i) {
+                const double angle = 0.25 * pi * i;
+                const Vec3 out = std::cos(angle) * side + std::sin(angle) * above;
+                CHECK(pixelAt(ringed, scene.camera, centre + 0.155 * out).g > 220);
+                const Vec3 gap = centre + 0.12 * out;
+                CHECK(std::abs(pixelAt(ringed, scene.camera, gap).g - pixelAt(plain, scene.camera, gap).g) <
+                      40);
+                CHECK(pixelAt(ringed, scene.camera, centre + 0.25 * out).sum() ==
+                      pixelAt(plain, scene.camera, centre + 0.25 * out).sum());
+            }
+        }
+    }
+}
+
+TEST_SUITE("renderer/replay") {
+    TEST_CASE("A trail is seen along its way, and the fainter the older") {
+        Gl gl;
+        Scene scene = emptyScene();
+        const Image empty = gl.renderer->capture(scene, width, height);
+        Trail trail;
+        for (int i = 0; i <= 40; ++i) trail.points.emplace_back(-0.8 + 0.04 * i, 1.2, 0.5);
+        trail.colour = glm::vec3(0.02F, 0.1F, 1.0F);
+        scene.trails = {trail, Trail{}, Trail{{Vec3(0.0)}, {}}};  // those of no way draw nothing
+        const Image image = gl.renderer->capture(scene, width, height);
+        const auto change = [&](double x, double y) {
+            const Vec3 p(x, y, 0.5);
+            return pixelAt(empty, scene.camera, p).r - pixelAt(image, scene.camera, p).r;
+        };
+        CHECK(change(0.7, 1.2) > 60);
+        CHECK(change(0.7, 1.2) > change(0.0, 1.2) + 15);
+        CHECK(change(0.0, 1.2) > change(-0.7, 1.2) + 15);
+        CHECK(change(0.7, 1.35) == 0);
+    }
+
+    TEST_CASE("A head shows by its dark front where it looks") {
+        Gl gl;
+        Scene scene = emptyScene();
+        const Vec3 eyes(0.0, 1.3, 1.2);
+        scene.camera = lookingFrom({0.0, 1.3, 2.4}, eyes);
+        scene.heads = {{{eyes, yawRotation(pi)}, glm::vec3(0.6F)}};  // towards the camera
+        const Image front = gl.renderer->capture(scene, width, height);
+        scene.heads[0].stage_from_head.orientation = no_rotation;  // away from it
+        const Image back = gl.renderer->capture(scene, width, height);
+        CHECK(brightestOf(pixelAt(front, scene.camera, eyes)) < 90);
+        CHECK(brightestOf(pixelAt(back, scene.camera, eyes)) > 130);
+        // The head lies behind the eyes, whose height is a little over its middle.
+        CHECK(brightestOf(pixelAt(front, scene.camera, eyes + Vec3(0.0, -0.085, 0.0))) > 130);
+    }
+}
+
 TEST_SUITE("renderer/beam") {
     TEST_CASE("The beam is red along its way, and hidden behind a ball") {
         Gl gl;

@@ -221,12 +221,15 @@ inline renderer::Ball greenBall(const Vec3& centre, double radius_m) {
     return {centre, radius_m, glm::vec3(0.0F), {0.0F, 0.6F, 0.0F}};
 }
 
-/// Avatar, balls and beam.
+/// Avatars, balls, a ring, a beam, a trail and a head.
 inline renderer::Scene fullScene() {
     renderer::Scene scene = emptyScene();
-    scene.avatars = {postPose()};
+    scene.avatars = {postPose(), postPose()};
+    for (Pose& joint : scene.avatars[1]) joint.position += Vec3(-0.9, 0.0, -0.4);
+    scene.trails = {{{{-0.7, 1.6, 0.9}, {-0.3, 1.7, 0.8}, {0.2, 1.6, 0.7}}, {0.1F, 0.3F, 1.0F}}};
+    scene.heads = {{{{0.75, 1.5, 0.3}, yawRotation(0.6)}, glm::vec3(0.5F)}};
     scene.balls = {{{0.5, 1.3, 0.4}, 0.1, glm::vec3(0.9F), {}},
-                   {{-0.4, 1.1, 0.9}, 0.08, glm::vec3(0.02F), {}}};
+                   {{-0.4, 1.1, 0.9}, 0.08, glm::vec3(0.02F), {}, true}};
     scene.beams = {{{{0.3, 1.2, 2.4}, glm::normalize(Vec3(0.2, 0.1, -2.0))}, 1.9, {1.0F, 0.1F, 0.05F}}};
     return scene;
 }

@@ -135,6 +135,8 @@ class Transport {
     /// Advances, and draws the bar over the picture; turns and zooms the orbit by the mouse outside the bar.
     void frame(const motion::Clip& clip, const std::string& title, const std::string& description,
                const PressedKeys& keys, Orbit& orbit) {
+        gui_.require(title);
+        gui_.require(description);
         gui_.beginFrame();
         const ImGuiIO& io = ImGui::GetIO();
         const auto end_s = static_cast<float>(clip.duration_s());

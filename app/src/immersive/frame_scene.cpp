@@ -1,6 +1,8 @@
 #include "frame_scene.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 
 namespace deixis::app {
 
@@ -84,6 +86,19 @@ renderer::Board boardFromPanel(const studies::Panel& panel) {
     return board;
 }
 
+// At the two spaces between sentences that are nearest to the middle.
+std::string brokenInTheMiddle(const std::string& words) {
+    const auto middle = static_cast<std::ptrdiff_t>(words.size() / 2);
+    std::size_t best = std::string::npos;
+    for (std::size_t at = words.find("  "); at != std::string::npos; at = words.find("  ", at + 2)) {
+        const auto off = [&](std::size_t place) {
+            return std::abs(static_cast<std::ptrdiff_t>(place) - middle);
+        };
+        if (best == std::string::npos || off(at) < off(best)) best = at;
+    }
+    return best == std::string::npos ? words : words.substr(0, best) + "\n" + words.substr(best + 2);
+}
+
 }  // namespace
 
 renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose& stage_from_eye) {
@@ -112,7 +127,12 @@ bool explainsControls(const studies::PresentedFrame& frame) {
 
 void addFootLine(renderer::Board& board, const std::string& words) {
     constexpr double line_m = 0.036;
-    constexpr double added_m = 2.2 * line_m;
+    constexpr double letter_m = 0.45 * line_m;
+    const double width_m = board.width_m - 0.08;
+    const bool two_lines = letter_m * static_cast<double>(words.size()) > width_m;
+    const double lines = two_lines ? 2.0 : 1.0;
+    const double foot_m = board.progress >= 0.0 ? 1.1 * line_m : 0.7 * line_m;  // over the bar
+    const double added_m = foot_m + (lines + 0.4) * line_m;
     for (auto& text : board.texts) text.box.y += added_m;
     for (auto& button : board.buttons) button.box.y += added_m;
     for (auto& field : board.fields) field.box.y += added_m;
@@ -123,8 +143,8 @@ void addFootLine(renderer::Board& board, const std::string& words) {
     board.stage_from_board.position -= board.stage_from_board.orientation * Vec3(0.0, added_m, 0.0);
     board.height_m += added_m;
     renderer::BoardText line;
-    line.box = {0.02, 0.6 * line_m, board.width_m - 0.04, line_m};
-    line.text = words;
+    line.box = {0.04, foot_m, width_m, lines * line_m};
+    line.text = two_lines ? brokenInTheMiddle(words) : words;
     line.size_m = line_m;
     line.centred = true;
     line.faint = true;

@@ -3,6 +3,9 @@
 
 #include <imgui/imgui.h>
 
+#include <set>
+#include <string_view>
+
 struct GLFWwindow;
 
 namespace deixis::app {
@@ -38,6 +41,8 @@ class WindowGui {
     /// To be called before the window's events are handled where other contexts are about.
     void makeCurrent() const;
     void beginFrame();
+    /// Makes the letters of this text (UTF-8) be there from the next frame on. Latin ones are.
+    void require(std::string_view text);
     /// Draws into the bound framebuffer; leaves GL state as it was.
     void endFrame();
 
@@ -54,6 +59,8 @@ class WindowGui {
     GLFWwindow* window_;
     ImGuiContext* context_;
     float scale_ = 0.0F;
+    std::set<ImWchar> letters_;  // beyond Latin
+    bool has_letters_ = true;    // all of them
     ImFont* small_ = nullptr;
     ImFont* regular_ = nullptr;
     ImFont* bold_ = nullptr;
