@@ -205,6 +205,7 @@ void readTargets(StudyReader& reader) {
                 table.refuse(key, "together with from_manifest, since no game draws distractors");
     } else {
         space.count = table.count("count", 1, 10000);
+        if (table.faulty("count")) space.count = 0;  // asks no more of it
     }
     if (reader.has_game || !table.has("from_manifest")) readRanges(table, reader.folder, space);
 }

@@ -1,6 +1,7 @@
 // The parts of a study file, read one after another; private to studies.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -14,11 +15,13 @@
 
 namespace deixis::studies {
 
+/// The names, each once.
 template <typename Entry>
 std::vector<std::string_view> namesIn(const std::vector<Entry>& entries) {
     std::vector<std::string_view> out;
     for (const Entry& entry : entries)
-        if (!entry.name.empty()) out.push_back(entry.name);
+        if (!entry.name.empty() && std::find(out.begin(), out.end(), entry.name) == out.end())
+            out.push_back(entry.name);
     return out;
 }
 

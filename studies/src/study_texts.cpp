@@ -99,18 +99,22 @@ void TextBook::read(const toml::table& file, const std::vector<std::string>& lan
                                   languages.front()));
         return;
     }
-    const std::vector<std::string_view> codes(languages.begin(), languages.end());
+    std::vector<std::string_view> lacking;
+    for (const std::string& code : languages)
+        if (!texts->contains(code)) lacking.emplace_back(code);
     std::set<std::string_view> meant;
     for (const auto& [code, table] : *texts) {
         const std::string dotted = fmt::format("texts.{}", code.str());
-        if (std::find(codes.begin(), codes.end(), code.str()) == codes.end()) {
-            meant.insert(nearestName(code.str(), codes));
+        if (std::find(languages.begin(), languages.end(), code.str()) == languages.end()) {
+            const std::string_view nearest = nearestName(code.str(), lacking);
+            meant.insert(nearest);
             const bool language_text = table.is_table();
             problems_.add(code.source().begin, dotted,
-                          language_text ? fmt::format("\"{}\" is not among languages", code.str())
+                          language_text ? fmt::format("\"{}\" is not among languages ({})", code.str(),
+                                                      fmt::join(languages, ", "))
                                         : fmt::format("found {}, expected sections such as [texts.{}]",
                                                       describe(table), languages.front()),
-                          language_text ? proposeName(code.str(), codes) : "");
+                          nearest.empty() ? "" : fmt::format("Did you mean {}?", nearest));
         } else if (!table.is_table()) {
             problems_.add(code.source().begin, dotted,
                           fmt::format("found {}, expected a section [{}]", describe(table), dotted));
@@ -118,9 +122,9 @@ void TextBook::read(const toml::table& file, const std::vector<std::string>& lan
             readLanguage(std::string(code.str()), *table.as_table());
         }
     }
-    for (const std::string& code : languages)
-        if (texts->get(code) == nullptr && meant.count(code) == 0 && !keys_.empty())
-            problems_.add(texts->source().begin, "texts." + code,
+    for (const std::string_view code : lacking)
+        if (meant.count(code) == 0 && !keys_.empty())
+            problems_.add(texts->source().begin, fmt::format("texts.{}", code),
                           fmt::format("missing; expected a section [texts.{}], since \"{}\" is among "
                                       "languages",
                                       code, code));

@@ -103,7 +103,8 @@ Result<toml::table> parseToml(const std::string& file, std::string_view bytes) {
 
 std::string_view nearestName(std::string_view found, std::span<const std::string_view> names) {
     std::string_view nearest;
-    std::size_t least = std::max<std::size_t>(2, found.size() / 3) + 1;
+    // Two letters that changed places are two edits; of a name as short as "en" nothing would be left.
+    std::size_t least = (found.size() < 4 ? 1 : std::max<std::size_t>(2, found.size() / 3)) + 1;
     for (const std::string_view name : names) {
         const std::size_t distance = editDistance(found, name);
         if (distance >= least) continue;
@@ -135,8 +136,7 @@ TomlTable::TomlTable(const toml::table* table, std::string prefix, Names known, 
         const std::string_view nearest = nearestName(key.str(), missing);
         if (!nearest.empty()) meant_.emplace(nearest);
         problems_->add(
-            key.source().begin, dotted(key.str()),
-            prefix_.empty() ? "unknown section or key" : fmt::format("unknown key in [{}]", prefix_),
+            key.source().begin, dotted(key.str()), prefix_.empty() ? "unknown section or key" : "unknown key",
             nearest.empty() ? proposeName(key.str(), known_) : fmt::format("Did you mean {}?", nearest));
     }
 }
