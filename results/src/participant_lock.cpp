@@ -1,3 +1,5 @@
+#include "participant_lock.hpp"
+
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
@@ -28,10 +30,15 @@ std::string fileNamePart(const std::string& id) {
 
 }  // namespace
 
-Result<ParticipantLock> ParticipantLock::take(const std::filesystem::path& database,
-                                              const std::string& participant) {
+std::filesystem::path lockFile(const std::filesystem::path& database, const std::string& participant) {
     std::filesystem::path path = database;
     path += "." + fileNamePart(participant) + ".lock";
+    return path;
+}
+
+Result<ParticipantLock> ParticipantLock::take(const std::filesystem::path& database,
+                                              const std::string& participant) {
+    const std::filesystem::path path = lockFile(database, participant);
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0)
         return fail(path.string(),

@@ -11,12 +11,15 @@
 #include <thread>
 #include <utility>
 
+#include "results/tracking_blocks.hpp"
+
 namespace deixis::results {
 
 namespace {
 
-constexpr std::size_t samples_together = 64;            ///< in one transaction
-constexpr std::chrono::milliseconds longest_wait{250};  ///< of a sample, unless the disk is slow
+constexpr std::size_t samples_together = most_frames_in_block;  ///< in one transaction
+/// Of a sample, unless the disk is slow: long enough for a block to fill at 72 frames a second.
+constexpr std::chrono::milliseconds longest_wait{1000};
 constexpr std::size_t usual_events = 64;
 
 void add(TrialTracking& trial, const studies::TrackingSample& sample) {
@@ -38,9 +41,9 @@ struct RecordingThread::Impl {
         std::vector<TrialTracking> trials;
     };
 
-    Impl(Store& store_in, const studies::StudyPlan& plan_in, std::vector<ClipRecord> clips_in,
-         RecordingOptions options_in)
-        : store(store_in), plan(plan_in), clips(std::move(clips_in)), options(options_in) {
+    Impl(Store& store_in, const studies::Study& study_in, const studies::StudyPlan& plan_in,
+         ClipRecords clips_in, RecordingOptions options_in)
+        : store(store_in), study(study_in), plan(plan_in), clips(std::move(clips_in)), options(options_in) {
         for (Batch* batch : {&handed_over, &taken}) {
             batch->events.reserve(usual_events);
             batch->samples.reserve(options.most_waiting_samples);
@@ -50,8 +53,9 @@ struct RecordingThread::Impl {
     }
 
     Store& store;
+    const studies::Study& study;
     const studies::StudyPlan& plan;
-    const std::vector<ClipRecord> clips;
+    const ClipRecords clips;
     const RecordingOptions options;
 
     // The session's side only.
@@ -195,7 +199,7 @@ struct RecordingThread::Impl {
     void writeEvents() {
         for (const studies::SessionEvent& event : taken.events) {
             beginTransaction();
-            store.record(event, plan, clips);
+            store.record(event, study, plan, clips);
             events_waiting.fetch_sub(1, std::memory_order_release);
         }
         taken.events.clear();
@@ -207,9 +211,9 @@ struct RecordingThread::Impl {
     }
 };
 
-RecordingThread::RecordingThread(Store& store, const studies::StudyPlan& plan,
-                                 std::vector<ClipRecord> clips_by_trial, RecordingOptions options)
-    : impl_(std::make_unique<Impl>(store, plan, std::move(clips_by_trial), options)) {}
+RecordingThread::RecordingThread(Store& store, const studies::Study& study, const studies::StudyPlan& plan,
+                                 ClipRecords clips, RecordingOptions options)
+    : impl_(std::make_unique<Impl>(store, study, plan, std::move(clips), options)) {}
 
 RecordingThread::~RecordingThread() {
     try {

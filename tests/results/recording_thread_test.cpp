@@ -38,9 +38,9 @@ struct Recorded {
     std::optional<RecordingThread> thread;
 
     explicit Recorded(const RecordingOptions& options = {}) {
-        REQUIRE(store.storePlan(study, plan));
+        fixtures::store(store, study, plan);
         store.beginSession(fixtures::session("P01", false));
-        thread.emplace(store, plan, fixtures::clips(plan), options);
+        thread.emplace(store, study, plan, fixtures::clips(plan), options);
     }
     [[nodiscard]] studies::Response answer(std::size_t trial, int value) const {
         return fixtures::answer(plan.trials[trial], value);
@@ -49,6 +49,10 @@ struct Recorded {
         return SQLite::Database((folder / "a.sqlite").string(), SQLite::OPEN_READONLY, 1000)
             .execAndGet(query)
             .getInt();
+    }
+    /// How many frames are kept.
+    [[nodiscard]] int frames(const std::string& where = "") const {
+        return number("SELECT coalesce(sum(frames), 0) FROM tracking_blocks " + where);
     }
     [[nodiscard]] std::string text(const std::string& query) const {
         return SQLite::Database((folder / "a.sqlite").string(), SQLite::OPEN_READONLY, 1000)
@@ -76,7 +80,7 @@ TEST_SUITE("results/recording thread") {
         for (std::size_t trial = 1; trial <= 5; ++trial) {
             session.thread->record(session.answer(trial, static_cast<int>(trial)));
             REQUIRE(eventuallyKept(*session.thread));
-            CHECK(session.number("SELECT rating FROM responses ORDER BY id DESC LIMIT 1") ==
+            CHECK(session.number("SELECT value FROM answers ORDER BY response DESC LIMIT 1") ==
                   static_cast<int>(trial));
         }
     }
@@ -124,10 +128,11 @@ TEST_SUITE("results/recording thread") {
         session.thread->record(session.answer(2, 3));
         session.thread->finish();
 
-        CHECK(session.number("SELECT count(*) FROM tracking") == 250);
-        CHECK(session.number("SELECT count(*) FROM tracking WHERE trial_index IS NULL") == 50);
-        CHECK(session.number("SELECT count(*) FROM tracking WHERE trial_index = 0") == 100);
-        CHECK(session.number("SELECT max(frame) FROM tracking WHERE trial_index = 0") == 130);
+        CHECK(session.frames() == 250);
+        CHECK(session.frames("WHERE trial_index IS NULL") == 50);
+        CHECK(session.frames("WHERE trial_index = 0") == 100);
+        CHECK(session.number(
+                  "SELECT max(first_frame + frames) - 1 FROM tracking_blocks WHERE trial_index = 0") == 130);
         CHECK(session.text(
                   "SELECT group_concat(trial_index || ':' || frames || ':' || dropped_frames || ':' || "
                   "samples_missing || ':' || head_untracked_frames, ' ') FROM trial_tracking") ==
@@ -146,9 +151,9 @@ TEST_SUITE("results/recording thread") {
         session.thread->sample(fixtures::frame(1), 1);
         session.thread->sample(fixtures::frame(2), -1);
         const auto begin = Clock::now();
-        while (session.number("SELECT count(*) FROM tracking") < 2 && secondsSince(begin) < 20.0)
+        while (session.frames() < 2 && secondsSince(begin) < 20.0)
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
-        CHECK(session.number("SELECT count(*) FROM tracking") == 2);
+        CHECK(session.frames() == 2);
         CHECK(session.number("SELECT frames FROM trial_tracking WHERE trial_index = 1") == 1);
     }
 
@@ -163,8 +168,8 @@ TEST_SUITE("results/recording thread") {
         CHECK(secondsSince(begin) < delay_s / 2);
         session.thread->finish();
 
-        const int first = session.number("SELECT count(*) FROM tracking WHERE trial_index = 1");
-        const int second = session.number("SELECT count(*) FROM tracking WHERE trial_index = 2");
+        const int first = session.frames("WHERE trial_index = 1");
+        const int second = session.frames("WHERE trial_index = 2");
         CHECK(first >= 100);
         CHECK(first + second < 600);
         CHECK(session.number("SELECT samples_missing FROM trial_tracking WHERE trial_index = 1") ==
@@ -174,13 +179,16 @@ TEST_SUITE("results/recording thread") {
         CHECK(session.number("SELECT sum(frames) FROM trial_tracking") == 1000);
         CHECK(session.number("SELECT samples_missing FROM responses_flat") == 400 - second);
         // The first to come are kept.
-        CHECK(session.number("SELECT count(*) FROM tracking WHERE frame <= 100") == 100);
+        CHECK(
+            session.number(
+                "SELECT sum(min(frames, 101 - first_frame)) FROM tracking_blocks WHERE first_frame <= 100") ==
+            100);
 
         // And there is room again.
         session.thread->sample(fixtures::frame(1001), 3);
         session.thread->finish();
         CHECK(session.number("SELECT samples_missing FROM trial_tracking WHERE trial_index = 3") == 0);
-        CHECK(session.number("SELECT count(*) FROM tracking WHERE frame = 1001") == 1);
+        CHECK(session.frames("WHERE first_frame = 1001") == 1);
     }
 
     TEST_CASE("An answer overtakes samples that wait") {
@@ -189,7 +197,7 @@ TEST_SUITE("results/recording thread") {
         session.thread->record(session.answer(1, 3));
         REQUIRE(eventuallyKept(*session.thread));
         CHECK(session.number("SELECT count(*) FROM responses") == 1);
-        CHECK(session.number("SELECT count(*) FROM tracking") < 640);
+        CHECK(session.frames() < 640);
     }
 
     TEST_CASE("What goes wrong beside the session is thrown into it, and what was kept before stands") {
@@ -202,9 +210,9 @@ TEST_SUITE("results/recording thread") {
         CHECK_THROWS_AS(session.thread->sample(fixtures::frame(1), 2), SQLite::Exception);
         CHECK_THROWS_AS(session.thread->finish(), SQLite::Exception);
         session.thread.reset();
-        CHECK(session.number("SELECT group_concat(rating) FROM responses") == 4);
+        CHECK(session.number("SELECT group_concat(cast(value AS INTEGER)) FROM answers") == 4);
         // The store is its owner's again.
-        session.store.endSession("quit", 1.7e9 + 9.0);
+        session.store.endSession(studies::SessionOutcome::quit, 1.7e9 + 9.0);
         CHECK(session.text("SELECT outcome FROM sessions") == "quit");
     }
 
@@ -224,7 +232,7 @@ TEST_SUITE("results/recording thread") {
         CHECK(session.number("SELECT count(*) FROM responses") == 1);
         CHECK(session.number("SELECT count(*) FROM events") == 1);
         CHECK(session.number("SELECT frames FROM trial_tracking") == 10);
-        CHECK(session.number("SELECT count(*) FROM tracking") == 10);
+        CHECK(session.frames() == 10);
     }
 
     TEST_CASE("Every answer that was called kept survives the process, killed amid writing") {
@@ -238,9 +246,9 @@ TEST_SUITE("results/recording thread") {
         REQUIRE(child >= 0);
         if (child == 0) {
             Store store = fixtures::open(path);
-            if (!store.storePlan(study, plan)) ::_exit(1);
+            if (!store.storePlan(study, fixtures::registration(plan), plan)) ::_exit(1);
             store.beginSession(fixtures::session("P01", false));
-            RecordingThread thread(store, plan, fixtures::clips(plan), {});
+            RecordingThread thread(store, study, plan, fixtures::clips(plan), {});
             std::uint64_t frame = 0;
             for (std::size_t trial = 1; trial < plan.trials.size(); ++trial) {
                 for (int i = 0; i < 100; ++i)
@@ -263,7 +271,7 @@ TEST_SUITE("results/recording thread") {
         REQUIRE(WIFSIGNALED(status));
         REQUIRE(acknowledged >= 20);
 
-        const auto answered = fixtures::open(path).answeredTrials("P01");
+        const auto answered = fixtures::open(path).resume("P01", 1.8e9).answered;
         for (int trial = 1; trial <= acknowledged; ++trial) CHECK(answered.contains(trial));
         // At most the one that was on its way is there beyond them.
         CHECK(static_cast<int>(answered.size()) <= acknowledged + 1);

@@ -1,0 +1,165 @@
+#include "results/participants.hpp"
+
+#include <fmt/core.h>
+
+#include <optional>
+
+#include "database_open.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+constexpr const char* rows_sql = R"sql(
+SELECT p.id, p.number, p.language, p.status, coalesce(p.reason, ''),
+       coalesce((SELECT max(synthetic) FROM sessions WHERE participant = p.id), 0),
+       (SELECT count(*) FROM sessions WHERE participant = p.id),
+       (SELECT count(*) FROM responses WHERE participant = p.id AND superseded IS NULL),
+       (SELECT count(*) FROM trials WHERE participant = p.id),
+       (SELECT count(*) FROM responses WHERE participant = p.id AND superseded IS NULL AND check_passed = 0),
+       coalesce((SELECT max(max(s.started_utc_s, coalesce(s.ended_utc_s, 0.0), coalesce(r.utc_s, 0.0)))
+                   FROM sessions AS s LEFT JOIN (SELECT session, max(answered_utc_s) AS utc_s FROM responses
+                        WHERE participant = p.id GROUP BY session) AS r ON r.session = s.id
+                  WHERE s.participant = p.id), 0.0),
+       coalesce((SELECT CASE min(agreed) WHEN 1 THEN 'agreed' WHEN 0 THEN 'declined' END FROM consents AS c WHERE participant = p.id AND
+                 session = (SELECT max(session) FROM consents WHERE participant = p.id AND stage = c.stage)),
+                '')
+  FROM participants AS p ORDER BY p.number
+)sql";
+
+std::vector<ParticipantRow> readRows(SQLite::Database& database) {
+    std::vector<ParticipantRow> out;
+    SQLite::Statement row(database, rows_sql);
+    while (row.executeStep()) {
+        ParticipantRow& one = out.emplace_back();
+        one.id = row.getColumn(0).getString();
+        one.number = row.getColumn(1).getInt();
+        one.language = row.getColumn(2).getString();
+        one.status = row.getColumn(3).getString();
+        one.reason = row.getColumn(4).getString();
+        one.synthetic = row.getColumn(5).getInt() != 0;
+        one.sessions = row.getColumn(6).getInt();
+        one.answered = row.getColumn(7).getInt();
+        one.planned = row.getColumn(8).getInt();
+        one.checks_failed = row.getColumn(9).getInt();
+        one.last_utc_s = row.getColumn(10).getDouble();
+        one.consent = row.getColumn(11).getString();
+        SQLite::Statement group(database,
+                                "SELECT factor, level FROM participant_groups WHERE participant = ?");
+        group.bind(1, one.id);
+        while (group.executeStep())
+            one.groups[group.getColumn(0).getString()] = group.getColumn(1).getString();
+    }
+    return out;
+}
+
+std::vector<std::pair<std::string, std::string>> readFields(SQLite::Database& database,
+                                                            const std::string& participant) {
+    SQLite::Statement row(
+        database,
+        "SELECT field, value, text FROM participant_fields WHERE participant = ? "
+        "ORDER BY (SELECT min(100 * s.position + q.position) FROM questions AS q JOIN stages "
+        "AS s ON s.name = q.stage WHERE q.question = field), field");
+    row.bind(1, participant);
+    std::vector<std::pair<std::string, std::string>> out;
+    while (row.executeStep()) {
+        const auto value = row.getColumn(1);
+        const auto text = row.getColumn(2);
+        // An option's id says more than its place.
+        out.emplace_back(row.getColumn(0).getString(), text.isNull() && !value.isNull()
+                                                           ? fmt::format("{}", value.getDouble())
+                                                           : text.getString());
+    }
+    return out;
+}
+
+std::vector<std::string> lines(SQLite::Database& database, const char* sql, const std::string& participant) {
+    SQLite::Statement row(database, sql);
+    row.bind(1, participant);
+    std::vector<std::string> out;
+    while (row.executeStep()) out.push_back(row.getColumn(0).getString());
+    return out;
+}
+
+constexpr const char* sessions_sql = R"sql(
+SELECT s.id || ': ' || strftime('%Y-%m-%d %H:%M UTC', s.started_utc_s, 'unixepoch') || ', ' || s.station ||
+       ', ' || coalesce(s.outcome || ' after ' || CAST(round((s.ended_utc_s - s.started_utc_s) / 60.0) AS INTEGER)
+                        || ' min', 'not ended') || ', ' ||
+       (SELECT count(*) FROM responses WHERE session = s.id AND superseded IS NULL) || ' answered'
+  FROM sessions AS s WHERE s.participant = ? ORDER BY s.id
+)sql";
+
+constexpr const char* events_sql = R"sql(
+SELECT strftime('%Y-%m-%d %H:%M:%S', at, 'unixepoch') || ' ' || what FROM (
+    SELECT e.utc_s AS at, e.kind || coalesce(' in trial ' || e.trial_index, '') ||
+           iif(e.detail = '', '', ': ' || e.detail) AS what
+      FROM events AS e JOIN sessions AS s ON s.id = e.session
+     WHERE s.participant = ?1 AND (e.kind LIKE 'operator_%' OR e.kind IN ('pause', 'quit', 'check_failed',
+           'warned', 'practice_failed', 'excluded', 'trial_repeated'))
+    UNION ALL
+    SELECT superseded_utc_s, 'answer of trial ' || trial_index || ' superseded: ' || superseded
+      FROM responses WHERE participant = ?1 AND superseded IS NOT NULL
+    UNION ALL
+    SELECT answered_utc_s, 'trial ' || trial_index || ' ' || replace(status, '_', ' ') ||
+           coalesce(': ' || reason, '')
+      FROM responses WHERE participant = ?1 AND status <> 'answered')
+ ORDER BY at, what
+)sql";
+
+tl::unexpected<Error> nobody(const std::filesystem::path& database, const std::string& participant) {
+    return fail(database.string(), fmt::format("there is no participant {}", participant),
+                "'deixis participants list' tells who there is");
+}
+
+/// Sets status and reason; the id must be there.
+Result<void> setStatus(const std::filesystem::path& path, const std::string& participant, const char* status,
+                       const std::optional<std::string>& reason) {
+    try {
+        auto database = openToWrite(path, Missing::refuse);
+        if (!database) return tl::unexpected(database.error());
+        SQLite::Statement update(*database, "UPDATE participants SET status = ?, reason = ? WHERE id = ?");
+        update.bind(1, status);
+        if (reason) update.bind(2, *reason);
+        update.bind(3, participant);
+        if (update.exec() != 1) return nobody(path, participant);
+        return {};
+    } catch (const SQLite::Exception& problem) {
+        return tl::unexpected(describe(path, problem));
+    }
+}
+
+}  // namespace
+
+Result<ParticipantList> listParticipants(const std::filesystem::path& database) {
+    return readDatabase(database, [](SQLite::Database& open) -> Result<ParticipantList> {
+        return ParticipantList{readRows(open), open.execAndGet("SELECT count(*) FROM withdrawals").getInt()};
+    });
+}
+
+Result<ParticipantDetails> showParticipant(const std::filesystem::path& database,
+                                           const std::string& participant) {
+    return readDatabase(database, [&](SQLite::Database& open) -> Result<ParticipantDetails> {
+        for (ParticipantRow& row : readRows(open)) {
+            if (row.id != participant) continue;
+            return ParticipantDetails{std::move(row), readFields(open, participant),
+                                      lines(open, sessions_sql, participant),
+                                      lines(open, events_sql, participant)};
+        }
+        return nobody(database, participant);
+    });
+}
+
+Result<void> excludeParticipant(const std::filesystem::path& database, const std::string& participant,
+                                const std::string& reason) {
+    if (reason.find_first_not_of(" \t\n") == std::string::npos)
+        return fail(database.string(),
+                    fmt::format("participant {} is to be excluded, but no reason is given", participant),
+                    "Say why: the reason is kept and reported");
+    return setStatus(database, participant, "excluded", reason);
+}
+
+Result<void> includeParticipant(const std::filesystem::path& database, const std::string& participant) {
+    return setStatus(database, participant, "active", std::nullopt);
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,161 @@
+#include "results/participants.hpp"
+
+#include <doctest/doctest.h>
+
+#include "fixtures.hpp"
+
+using namespace deixis;
+using results::excludeParticipant;
+using results::includeParticipant;
+using results::listParticipants;
+using results::showParticipant;
+using results::Store;
+using results::withdrawParticipant;
+using studies::SessionOutcome;
+
+namespace {
+
+bool contains(const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// P01 went through a study of every kind of stage and was interrupted; P02 declined; P03 never came.
+void makeDatabase(const std::filesystem::path& path) {
+    const auto study = fixtures::wideStudy();
+    Store store = fixtures::open(path);
+    for (const char* id : {"P03", "P01", "P02"}) fixtures::store(store, study, fixtures::widePlan(study, id));
+    const auto plan = fixtures::widePlan(study, "P01");
+    const auto record = [&](const studies::SessionEvent& event, const studies::StudyPlan& of) {
+        store.record(event, study, of, fixtures::clips(of));
+    };
+    const auto page = [](const studies::StudyPlan& of, std::size_t trial,
+                         std::vector<studies::Answer> answers) {
+        auto out = fixtures::response(of.trials[trial]);
+        out.answers = std::move(answers);
+        return out;
+    };
+    store.beginSession(fixtures::session("P01", false));
+    record(page(plan, 0, {{"consent", -1, 1.0}}), plan);
+    record(page(plan, 1, {{"age", -1, 34.0}, {"gender", -1, 1.0, "m"}}), plan);
+    record(studies::Note{"pause", 5, {55.0, 1.7e9 + 55.0}, "headset taken off"}, plan);
+    record(studies::Note{"stimulus_onset", 5, {56.0, 1.7e9 + 56.0}, "0"}, plan);
+    record(fixtures::answer(plan.trials[5], 0), plan);
+    record(studies::Superseded{5, "a phone rang", {60.0, 1.7e9 + 60.0}}, plan);
+    record(fixtures::answer(plan.trials[5], 1), plan);
+    auto failed = fixtures::answer(plan.trials[6], 0);
+    failed.check_passed = false;
+    record(failed, plan);
+    auto skipped = fixtures::response(plan.trials[7]);
+    skipped.status = studies::ResponseStatus::skipped;
+    skipped.reason = "no sound";
+    record(skipped, plan);
+    store.endSession(SessionOutcome::quit, 1.7e9 + 600.0);
+    const auto theirs = fixtures::widePlan(study, "P02");
+    store.beginSession(fixtures::session("P02", true));
+    record(page(theirs, 0, {{"consent", -1, 0.0}}), theirs);
+    store.endSession(SessionOutcome::declined, 1.7e9 + 30.0);
+}
+
+}  // namespace
+
+TEST_SUITE("results/participants") {
+    TEST_CASE("Everybody is listed by number, with what is kept of them") {
+        const fixtures::Folder folder;
+        makeDatabase(folder / "a.sqlite");
+        const auto list = listParticipants(folder / "a.sqlite");
+        REQUIRE(list);
+        CHECK(list->withdrawn == 0);
+        REQUIRE(list->rows.size() == 3);
+        const auto& first = list->rows[0];
+        CHECK(first.id == "P01");
+        CHECK(first.number == 1);
+        CHECK(first.language == "en");
+        CHECK(first.status == "active");
+        CHECK(first.groups == studies::Groups{{"style", "calm"}});
+        CHECK_FALSE(first.synthetic);
+        CHECK(first.sessions == 1);
+        CHECK(first.answered == 5);
+        CHECK(first.planned == 10);
+        CHECK(first.checks_failed == 1);
+        CHECK(first.last_utc_s == 1.7e9 + 600.0);
+        CHECK(first.consent == "agreed");
+        const auto& second = list->rows[1];
+        CHECK(second.id == "P02");
+        CHECK(second.status == "dropped");
+        CHECK(second.reason == "consent was declined");
+        CHECK(second.synthetic);
+        CHECK(second.consent == "declined");
+        const auto& third = list->rows[2];
+        CHECK(third.id == "P03");
+        CHECK(third.sessions == 0);
+        CHECK(third.last_utc_s == 0.0);
+        CHECK(third.consent.empty());
+    }
+
+    TEST_CASE("One participant is told in lines for people") {
+        const fixtures::Folder folder;
+        makeDatabase(folder / "a.sqlite");
+        const auto shown = showParticipant(folder / "a.sqlite", "P01");
+        REQUIRE(shown);
+        CHECK(shown->row.id == "P01");
+        CHECK(shown->fields ==
+              std::vector<std::pair<std::string, std::string>>{{"age", "34"}, {"gender", "m"}});
+        CHECK(shown->sessions ==
+              std::vector<std::string>{"1: 2023-11-14 22:13 UTC, desktop, quit after 10 min, 5 answered"});
+        CHECK(shown->events ==
+              std::vector<std::string>{"2023-11-14 22:14:15 pause in trial 5: headset taken off",
+                                       "2023-11-14 22:14:20 answer of trial 5 superseded: a phone rang",
+                                       "2023-11-14 22:14:34 trial 7 skipped: no sound"});
+    }
+
+    TEST_CASE("Exclusion takes a reason, inclusion undoes it, and nothing is lost") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        makeDatabase(path);
+        for (const char* reason : {"", "  \n"}) {
+            const auto refused = excludeParticipant(path, "P01", reason);
+            REQUIRE_FALSE(refused);
+            CHECK(contains(refused.error().message, "no reason"));
+        }
+        REQUIRE(excludeParticipant(path, "P01", "knew the systems"));
+        CHECK(showParticipant(path, "P01")->row.status == "excluded");
+        CHECK(showParticipant(path, "P01")->row.reason == "knew the systems");
+        CHECK(showParticipant(path, "P01")->row.answered == 5);
+        CHECK(fixtures::open(path).groupsTaken().size() == 1);  // P03
+        REQUIRE(includeParticipant(path, "P01"));
+        CHECK(showParticipant(path, "P01")->row.status == "active");
+        CHECK(showParticipant(path, "P01")->row.reason.empty());
+        CHECK(fixtures::open(path).groupsTaken().size() == 2);
+    }
+
+    TEST_CASE("Somebody unknown and a database that is not there are told by name, and none is made") {
+        const fixtures::Folder folder;
+        makeDatabase(folder / "a.sqlite");
+        const auto here = folder / "a.sqlite";
+        for (const auto& message :
+             {showParticipant(here, "P09").error().message, includeParticipant(here, "P09").error().message,
+              excludeParticipant(here, "P09", "why").error().message,
+              withdrawParticipant(here, "P09", 0.0).error().message})
+            CHECK(message == "there is no participant P09");
+        const auto nowhere = folder / "nowhere.sqlite";
+        CHECK(contains(listParticipants(nowhere).error().message, "no such file"));
+        CHECK(contains(showParticipant(nowhere, "P01").error().message, "no such file"));
+        CHECK(contains(excludeParticipant(nowhere, "P01", "why").error().message, "no such file"));
+        CHECK(contains(includeParticipant(nowhere, "P01").error().message, "no such file"));
+        CHECK(contains(withdrawParticipant(nowhere, "P01", 0.0).error().message, "no such file"));
+        CHECK_FALSE(std::filesystem::exists(nowhere));
+    }
+
+    TEST_CASE("A list can be had while a session writes") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::study({"direct"});
+        const auto plan = fixtures::plan(study, "P01", 1);
+        Store store = fixtures::open(folder / "a.sqlite");
+        fixtures::store(store, study, plan);
+        store.beginSession(fixtures::session("P01", false));
+        store.record(fixtures::answer(plan.trials[1], 3), study, plan, fixtures::clips(plan));
+        CHECK(listParticipants(folder / "a.sqlite")->rows.at(0).answered == 1);
+        store.record(fixtures::answer(plan.trials[2], 1), study, plan, fixtures::clips(plan));
+        CHECK(listParticipants(folder / "a.sqlite")->rows.at(0).answered == 2);
+    }
+}
