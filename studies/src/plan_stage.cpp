@@ -181,13 +181,13 @@ void shuffle(std::vector<int>& values, Random& random) {
 }
 
 /// Pairwise: by unit, whether the second of the pair stands left. Evenly over a pair's trials, and over those
-/// in each layout.
+/// in each layout; a repeat's side is chance's.
 std::vector<char> drawSides(const std::vector<TrialUnit>& units, std::size_t pairs, Random random) {
     std::vector<char> swapped(units.size());
     for (std::size_t pair = 0; pair < pairs; ++pair) {
         std::vector<int> members;
         for (std::size_t i = 0; i < units.size(); ++i)
-            if (static_cast<std::size_t>(units[i].shown) == pair && units[i].repeat_of < 0)
+            if (units[i].shown == static_cast<int>(pair) && units[i].repeat_of < 0)
                 members.push_back(static_cast<int>(i));
         shuffle(members, random);
         std::stable_sort(members.begin(), members.end(),
@@ -198,6 +198,8 @@ std::vector<char> drawSides(const std::vector<TrialUnit>& units, std::size_t pai
             swap = !swap;
         }
     }
+    for (std::size_t i = 0; i < units.size(); ++i)
+        if (units[i].repeat_of >= 0) swapped[i] = random.below(2) == 1;
     return swapped;
 }
 
@@ -311,17 +313,12 @@ Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
     trials.reserve(order->size());
     for (const int i : *order) {
         const TrialUnit& unit = units[i];
-        if (unit.repeat_of >= 0) {  // the very same again, so that the answers can be compared
-            const int first = trial_of_unit[unit.repeat_of];
-            Trial again = trials[first];
-            again.check = TrialCheck{CheckKind::repeat, 0, 0.0, first};
-            trials.push_back(std::move(again));
-        } else {
-            Trial trial = makeTrial(study, stage, stage, unit, levels.shown[unit.shown], random);
-            if (swapped[i]) std::swap(trial.stimuli[0], trial.stimuli[1]);
-            if (unit.is_catch) trial.check = TrialCheck{CheckKind::catch_trial};
-            trials.push_back(std::move(trial));
-        }
+        Trial trial = makeTrial(study, stage, stage, unit, levels.shown[unit.shown], random);
+        if (swapped[i]) std::swap(trial.stimuli[0], trial.stimuli[1]);
+        if (unit.is_catch) trial.check = TrialCheck{CheckKind::catch_trial};
+        if (unit.repeat_of >= 0)
+            trial.check = TrialCheck{CheckKind::repeat, 0, 0.0, trial_of_unit[unit.repeat_of]};
+        trials.push_back(std::move(trial));
         trial_of_unit[i] = trials.back().index = static_cast<int>(trials.size()) - 1;
     }
     if (const Result<void> added = addNumbers(stage, trials, Random(seed, "numbers")); !added)

@@ -115,7 +115,7 @@ TEST_SUITE("studies/plan_checks") {
         CHECK(unevenness(places) < 77.42);  // 43 degrees of freedom, p = 0.001
     }
 
-    TEST_CASE("A repeat is the same again, in the same block, a quarter of it later or more.") {
+    TEST_CASE("A repeat is the same once more, in the same block, a quarter of it later or more.") {
         Study study = studyOf({"a", "b", "c"});
         for (const StageKind kind :
              {StageKind::rating, StageKind::pairwise, StageKind::parallel_rating, StageKind::game}) {
@@ -127,6 +127,7 @@ TEST_SUITE("studies/plan_checks") {
             stage.checks = {check(CheckKind::repeat, 2)};
             const int plain = kind == StageKind::parallel_rating ? 8 : 24;
             int wrong = 0;
+            int shown_otherwise = 0;
             std::set<int> places;
             for (int number = 1; number <= 300; ++number) {
                 const StudyPlan plan = planOf(study, targetsFor(study, 20), number);
@@ -146,14 +147,22 @@ TEST_SUITE("studies/plan_checks") {
                     first_times.insert(first.index);
                     places.insert(trial.index);
                     wrong += first.check.has_value() || !first.scored();
-                    wrong += first.stimuli != trial.stimuli || first.layout != trial.layout ||
-                             first.ball_order != trial.ball_order || first.distractors != trial.distractors;
+                    wrong += first.layout != trial.layout || first.distractors != trial.distractors ||
+                             first.target != trial.target ||
+                             !std::is_permutation(first.stimuli.begin(), first.stimuli.end(),
+                                                  trial.stimuli.begin(), trial.stimuli.end());
+                    shown_otherwise += first.stimuli != trial.stimuli || first.ball_order != trial.ball_order;
                     wrong += trial.index - first.index - 1 < plain / 2 / 4;
                 }
                 wrong += first_times.size() != 2 || changes != 1;
             }
             CHECK(wrong == 0);
             CHECK(static_cast<int>(places.size()) > plain / 2);
+            // Of 600: the stimuli of a pair or page and the balls are shuffled anew.
+            if (kind == StageKind::rating) CHECK(shown_otherwise == 0);
+            if (kind == StageKind::pairwise) CHECK(std::abs(shown_otherwise - 300) < 49);
+            if (kind == StageKind::parallel_rating || kind == StageKind::game)
+                CHECK(std::abs(shown_otherwise - 500) < 4 * 9.2);  // 5 of 6 orders of three
         }
     }
 
