@@ -66,11 +66,13 @@ TEST_SUITE("studies/language") {
         CHECK(LanguageTable::english().code() == "en");
         const std::string bytes = bytesOf("en");
         std::size_t before = 0;
-        for (const auto& [key, text] : languageKeys()) {
+        for (const auto& entry : languageKeys()) {
+            const std::string key(entry.first);
+            const std::string text(entry.second);
             CAPTURE(key);
             CHECK((*table)(key) == text);
             CHECK(LanguageTable::english()(key) == text);
-            const std::size_t at = bytes.find("\n" + std::string(key) + " = ");
+            const std::size_t at = bytes.find("\n" + key + " = ");
             REQUIRE(at != std::string::npos);
             CHECK(at > before);
             before = at;
@@ -83,10 +85,11 @@ TEST_SUITE("studies/language") {
             const auto table = LanguageTable::load(shipped / (code + ".toml"));
             REQUIRE_MESSAGE(table.has_value(), (table ? "" : table.error().text()));
             CHECK(table->code() == code);
-            for (const auto& [key, english] : languageKeys()) {
+            for (const auto& entry : languageKeys()) {
+                const std::string key(entry.first);
                 CAPTURE(key);
                 const std::string& text = (*table)(key);
-                if (key != "number_hint") CHECK(text != english);
+                if (key != "number_hint") CHECK(text != entry.second);
                 if (code == "ko" && key != "number_hint") CHECK(hasHangul(text));
             }
         }
