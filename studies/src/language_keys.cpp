@@ -23,17 +23,10 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
         {"erase", "Erase"},
 
         // Pages. A title stands above a text of the study's own.
-        {"welcome_title", "Welcome"},
         {"instructions_title", "Instructions"},
         {"consent_title", "Consent"},
-        {"questionnaire_title", "Questions"},
-        {"practice_title", "Practice"},
-        {"practice_text", "First, a few for practice. They do not count."},
         {"practice_again_title", "Practice again"},
         {"practice_again_text", "Please go through the practice once more. It does not count."},
-        {"counts_title", "Now it counts"},
-        {"counts_text",
-         "The practice is over. From here on your answers are kept. If something is unclear, ask now."},
         {"break_title", "Time for a break"},
         {"break_text", "Rest as long as you like."},
         {"break_seconds", "You can go on in {seconds} seconds."},
