@@ -115,6 +115,9 @@ BoardReading readBoard(const Panel& panel) {
     readButtons(panel, read);
     readSliders(panel, read);
     readFields(panel, read);
+    for (const PanelButton& button : panel.buttons) read.parts.push_back(button.id);
+    for (const PanelSlider& slider : panel.sliders) read.parts.push_back(slider.id);
+    for (const PanelField& field : panel.fields) read.parts.push_back(field.id);
     // Where movements are rated step by step, the steps are numbered as a page's questions are.
     if (!read.plays.empty())
         for (Ask& ask : read.asks) ask.of_movement = true;
@@ -129,9 +132,17 @@ std::optional<int> numberOn(const PanelButton& option) {
     return number;
 }
 
-bool isScale(const std::vector<const PanelButton*>& options) {
+bool isNumbered(const std::vector<const PanelButton*>& options) {
     return std::all_of(options.begin(), options.end(),
                        [](const PanelButton* option) { return numberOn(*option).has_value(); });
+}
+
+bool isScale(const std::vector<const PanelButton*>& options) {
+    if (isNumbered(options)) return true;
+    const auto alike = [&options](const PanelButton* option) {
+        return std::abs(option->box.width - options.front()->box.width) < 1e-6;
+    };
+    return options.size() > 2 && std::all_of(options.begin(), options.end(), alike);
 }
 
 void DecidedAnswers::forget() {

@@ -37,6 +37,7 @@ struct BoardReading {
     std::vector<Ask> asks;
     std::vector<const PanelButton*> plays;  ///< of movements shown on demand, in their order
     const PanelButton* go_on = nullptr;     ///< where it can be pressed
+    std::vector<int> parts;                 ///< ids of all that stands on it: another board has others
 
     /// Whether an answer can be given to anything.
     [[nodiscard]] bool open() const;
@@ -51,7 +52,8 @@ struct BoardReading {
 
 /// The number on an option of a scale; none: it has words.
 [[nodiscard]] std::optional<int> numberOn(const PanelButton& option);
-/// Whether all of them are numbered, as the steps of a scale are.
+[[nodiscard]] bool isNumbered(const std::vector<const PanelButton*>& options);
+/// Whether they look like the steps of a scale: numbered, or several of one width.
 [[nodiscard]] bool isScale(const std::vector<const PanelButton*>& options);
 
 /// The answers decided on for one board, so that what is not there yet is given as it was meant.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/random.hpp"
 #include "simulated_boards.hpp"
@@ -74,6 +75,7 @@ struct SimulatedParticipant::State {
 
     Situation situation = Situation::watching;
     double since_s = 0.0;
+    std::vector<int> board_parts;      ///< of the board seen last
     std::optional<BallChoice> choice;  ///< among the balls that are open
     std::optional<double> margin_rad;  ///< of the choice just made, until it has said how sure it is
     std::optional<double> sureness;
@@ -122,6 +124,11 @@ struct SimulatedParticipant::State {
 
     void watchOrAnswer(const PresentedFrame& frame, const BoardReading& board, double time_s) {
         const Situation now = situationOf(frame, board);
+        if (now == situation && board.parts != board_parts) {
+            dropPlan();  // what it was about to press is gone
+            not_before_s = time_s;
+        }
+        board_parts = board.parts;
         if (now != situation) {
             situation = now;
             since_s = time_s;
@@ -238,12 +245,12 @@ struct SimulatedParticipant::State {
         if (board.pair())
             return preference(parameters, watcher.verdictOn(0).judgement, watcher.verdictOn(1).judgement,
                               count);
-        if (isScale(ask.buttons)) {
+        if (isNumbered(ask.buttons)) {
             const int low = *numberOn(*ask.buttons.front());
             const int value = valueFor(board, ask, low, *numberOn(*ask.buttons.back()));
             return static_cast<std::size_t>(value - low);
         }
-        if (!ask.of_movement) return judge.anyOption(count);
+        if (!ask.of_movement && !isScale(ask.buttons)) return judge.anyOption(count);
         return static_cast<std::size_t>(valueFor(board, ask, 0, static_cast<int>(count) - 1));
     }
 

@@ -1,6 +1,7 @@
 // Boards that a simulated participant fills in, made by hand.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
 #include "simulated_room.hpp"
@@ -107,6 +108,26 @@ TEST_SUITE("studies/simulated_boards") {
         // Means of six that share a bias: variance 15^2 + 15^2 / 6; without one it would be 6.1^2.
         CHECK(std::sqrt(squares_between / people) > 11.0);
         CHECK(std::sqrt(squares_between / people) < 21.0);
+    }
+
+    TEST_CASE("words of one width are read as a scale, others as options without an order") {
+        const auto counted = [](double wider_m) {
+            std::array<int, 5> times{};
+            for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+                Room room(seed);
+                BoardByHand board;
+                for (int i = 0; i < 5; ++i)
+                    board.button(button_id::first_option + i, ButtonRole::option, "words").box.width +=
+                        i * wider_m;
+                room.frame.panel = board.panel;
+                REQUIRE(room.until([&room] { return !room.pressed.empty(); }));
+                ++times[static_cast<std::size_t>(room.pressed.front() - button_id::first_option)];
+            }
+            return times;
+        };
+        const auto scale = counted(0.0);
+        CHECK(scale[1] + scale[2] + scale[3] >= 70);
+        for (const int times : counted(0.001)) CHECK(times >= 7);  // 16 expected, SD 3.6
     }
 
     TEST_CASE("the same judgement is spread over any scale: five steps, seven, eleven from 0, a slider") {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -109,9 +110,9 @@ struct Outcome {
     }
 };
 
-/// One sitting.
+/// One sitting. `disturb` may change what the station tells, such as a pause.
 inline void sit(const Prepared& prepared, const StudyPlan& plan, SimulatedStation& station, bool keyboard,
-                Resume resume, Outcome& outcome) {
+                Resume resume, Outcome& outcome, const std::function<void(InputFrame&)>& disturb = {}) {
     SessionRunner session(prepared.study, plan, prepared.clips, prepared.avatar, prepared.idle,
                           std::move(resume), keyboard);
     std::optional<RayView> shown_ray;
@@ -122,7 +123,8 @@ inline void sit(const Prepared& prepared, const StudyPlan& plan, SimulatedStatio
         }
     };
     for (int i = 0; i < 500000 && session.outcome() == SessionOutcome::running; ++i) {
-        const InputFrame input = station.beginFrame();
+        InputFrame input = station.beginFrame();
+        if (disturb) disturb(input);
         if (input.select) {
             ++outcome.presses;
             REQUIRE(shown_ray.has_value());

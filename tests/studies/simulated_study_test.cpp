@@ -160,6 +160,34 @@ TEST_SUITE("studies/simulated_study") {
         CHECK(warned >= 1);
     }
 
+    TEST_CASE("paused again and again it goes on each time, and still answers everything once") {
+        const Prepared prepared(everyKind());
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            CAPTURE(seed);
+            Random chance(seed);
+            int pauses = 0;
+            const auto pause = [&](InputFrame& input) {
+                input.pause = chance.below(300) == 0;
+                input.pause_reason = "escape";
+                if (input.pause) ++pauses;
+            };
+            SimulatedStation station({}, prepared.avatar, seed);
+            Outcome outcome;
+            sit(prepared, prepared.plan, station, true, {}, outcome, pause);
+            CHECK(outcome.session == SessionOutcome::finished);
+            CHECK(pauses > 20);
+            std::map<int, bool> answered;
+            for (const Response& response : outcome.responses) {
+                CHECK(answered.count(response.trial_index) == 0);
+                answered[response.trial_index] = true;
+            }
+            for (const int left : trialsLeft(prepared.study, prepared.plan, answered)) {
+                const Trial& trial = prepared.plan.trials[static_cast<std::size_t>(left)];
+                CHECK(prepared.study.findStage(trial.stage)->session == 2);
+            }
+        }
+    }
+
     TEST_CASE("the same seed gives the same answers at the same times, another seed others") {
         const Prepared prepared(everyKind());
         const auto told = [&prepared](std::uint64_t seed) {
