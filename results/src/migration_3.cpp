@@ -28,7 +28,7 @@ constexpr std::array old_tables{
     "tracking", "hand_joints", "trial_tracking"};
 
 constexpr const char* copy_rows = R"sql(
-INSERT INTO study SELECT id, name, title, hash, source, alpha FROM before_3_study;
+INSERT INTO study SELECT id, name, title, hash, source, alpha, NULL FROM before_3_study;
 
 INSERT INTO systems SELECT position, name, generator, manifest, '{}' FROM before_3_systems;
 INSERT INTO layouts SELECT * FROM before_3_layouts;

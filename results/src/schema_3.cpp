@@ -11,7 +11,8 @@ CREATE TABLE study (
     title    TEXT NOT NULL,
     hash     TEXT NOT NULL,
     source   TEXT,
-    alpha    REAL NOT NULL
+    alpha    REAL NOT NULL,
+    ball_diameter_m REAL                 -- NULL: brought over from an older version
 ) STRICT;
 
 CREATE TABLE stages (

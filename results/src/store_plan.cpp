@@ -139,9 +139,9 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
 }
 
 void Store::Impl::insertStudy(const studies::Study& study) {
-    auto row = query("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?)");
+    auto row = query("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?)");
     row << study.name << study.title << study.hash;
-    row.textOrNull(study.source) << study.alpha;
+    row.textOrNull(study.source) << study.alpha << study.targets.ball_diameter_m;
     row.run();
     int position = 0;
     for (const auto& system : study.systems) {

@@ -17,18 +17,36 @@ struct TableMaker {
     ResponseTable table;
 
     TableMaker() {
+        table.measures = {{"accuracy", MeasureKind::accuracy, 0.0, 1.0, 3, 0},
+                          {"naturalness", MeasureKind::rating, 1.0, 5.0, 0, 0}};
         table.study_name = "hand-made";
         table.systems = {"x", "y"};
         table.layouts = {"across", "side-by-side"};
         table.alpha = 0.01;
     }
+    void add(const char* participant, std::size_t measure, const char* system, const char* layout,
+             double value) {
+        ResponseRow row;
+        row.participant = participant;
+        row.measure = table.measures[measure].name;
+        row.system = system;
+        row.layout = layout;
+        row.target_id = "T001";
+        row.value = value;
+        table.rows.push_back(row);
+        ++table.measures[measure].planned;
+    }
     void rate(const char* participant, const char* system, double rating) {
-        table.rows.push_back({participant, "naturalness", system, "across", "T001", rating});
-        ++table.planned_ratings;
+        add(participant, 1, system, "across", rating);
     }
     void choose(const char* participant, const char* system, const char* layout, bool correct) {
-        table.rows.push_back({participant, "game", system, layout, "T001", 0.0, correct});
-        ++table.planned_choices;
+        add(participant, 0, system, layout, correct ? 1.0 : 0.0);
+    }
+    void prefer(const char* participant, const char* left, const char* right, double preference) {
+        if (table.measures.size() < 3)
+            table.measures.push_back({"preference", MeasureKind::preference, -2.0, 2.0, 0, 0});
+        add(participant, 2, left, "across", preference);
+        table.rows.back().other_system = right;
     }
 };
 
@@ -60,26 +78,26 @@ TEST_SUITE("results/analysis") {
         CHECK(result.participants == 3);
         REQUIRE(result.systems.size() == 2);
         const auto& x = result.systems[0];
-        CHECK(x.naturalness.mean == doctest::Approx(4.0));
-        CHECK(x.naturalness.sd_participants == doctest::Approx(1.0));
+        CHECK(x.measures[1].mean == doctest::Approx(4.0));
+        CHECK(x.measures[1].sd_participants == doctest::Approx(1.0));
         // Ratings 5, 3, 3, 5: mean 4, squares 4, n - 1 = 3.
-        CHECK(x.naturalness.sd_trials == doctest::Approx(std::sqrt(4.0 / 3.0)));
-        CHECK(x.naturalness.n == 4);
+        CHECK(x.measures[1].sd_trials == doctest::Approx(std::sqrt(4.0 / 3.0)));
+        CHECK(x.measures[1].n == 4);
         // Means 1, 1/2, 1: the mean of participants, not of trials (4/5).
-        CHECK(x.accuracy.mean == doctest::Approx(2.5 / 3.0));
-        CHECK(x.accuracy.n == 5);
-        CHECK(result.systems[1].accuracy.n == 0);
-        CHECK(x.naturalness_by_participant == std::vector<double>{4.0, 3.0, 5.0});
+        CHECK(x.measures[0].mean == doctest::Approx(2.5 / 3.0));
+        CHECK(x.measures[0].n == 5);
+        CHECK(result.systems[1].measures[0].n == 0);
+        CHECK(x.measures[1].by_participant == std::vector<double>{4.0, 3.0, 5.0});
 
-        REQUIRE(result.layouts.size() == 6);
-        CHECK(result.layouts[0].system == "all");
-        CHECK(result.layouts[0].layout == "across");
-        CHECK(result.layouts[0].mean == doctest::Approx(2.0 / 3.0));
-        CHECK(result.layouts[0].sd_trials == doctest::Approx(std::sqrt(1.0 / 3.0)));
-        CHECK(result.layouts[3].system == "x");
-        CHECK(result.layouts[3].layout == "side-by-side");
-        CHECK(result.layouts[3].mean == 1.0);
-        CHECK(result.layouts[3].n == 2);
+        REQUIRE(result.levels.size() == 6);
+        CHECK(result.levels[0].system == "all");
+        CHECK(result.levels[0].level == "across");
+        CHECK(result.levels[0].mean == doctest::Approx(2.0 / 3.0));
+        CHECK(result.levels[0].sd_trials == doctest::Approx(std::sqrt(1.0 / 3.0)));
+        CHECK(result.levels[3].system == "x");
+        CHECK(result.levels[3].level == "side-by-side");
+        CHECK(result.levels[3].mean == 1.0);
+        CHECK(result.levels[3].n == 2);
 
         REQUIRE(result.pairwise.size() == 2);
         const auto& accuracy = result.pairwise[0];
@@ -96,11 +114,11 @@ TEST_SUITE("results/analysis") {
         CHECK(naturalness.test.p == 0.25);  // 2 of 8 sign patterns
         CHECK_FALSE(naturalness.significant);
 
-        REQUIRE(result.layout_tests.size() == 2);
-        CHECK(result.layout_tests[0].system == "x");
-        CHECK(result.layout_tests[0].test.n == 2);
-        CHECK(result.layout_tests[0].test.n_zero == 1);
-        CHECK(result.layout_tests[0].test.p == 1.0);
+        REQUIRE(result.level_tests.size() == 2);
+        CHECK(result.level_tests[0].system == "x");
+        CHECK(result.level_tests[0].test.n == 2);
+        CHECK(result.level_tests[0].test.n_zero == 1);
+        CHECK(result.level_tests[0].test.p == 1.0);
         CHECK(anyContains(result.remarks, "Tests of layout: participants without answers"));
         CHECK(anyContains(result.remarks, "With 3 participants no difference"));
         CHECK_FALSE(anyContains(result.remarks, "incomplete"));
@@ -120,7 +138,7 @@ TEST_SUITE("results/analysis") {
                 made.choose(trial % 2 == 0 ? "A" : "B", "x", "across",
                             trial < std::lround(400.0 * proportion));
             const auto result = analyse(made.table);
-            CHECK(std::abs(result.layouts[0].sd_trials - deviation) < 0.005);
+            CHECK(std::abs(result.levels[0].sd_trials - deviation) < 0.005);
         }
     }
 
@@ -144,7 +162,63 @@ TEST_SUITE("results/analysis") {
         CHECK(result.pairwise[5].p_holm == 1.0);
         CHECK_FALSE(result.pairwise[5].significant);
         CHECK_FALSE(anyContains(result.remarks, "no difference between systems can be significant"));
-        CHECK(anyContains(result.remarks, "There are no choices"));
+        CHECK(anyContains(result.remarks, "There are no answers on accuracy"));
+    }
+
+    TEST_CASE("Preferences count for a system whichever side it stood on, and are tested over participants") {
+        TableMaker made;
+        // For x: A clearly (left) and slightly (right), B slightly against, C equal.
+        made.prefer("A", "x", "y", -2.0);
+        made.prefer("A", "y", "x", 1.0);
+        made.prefer("B", "x", "y", 1.0);
+        made.prefer("C", "y", "x", 0.0);
+        made.table.planned_participants = 3;
+        const auto result = analyse(made.table);
+        REQUIRE(result.preferences.size() == 1);
+        const auto& pair = result.preferences[0];
+        CHECK(pair.a == "x");
+        CHECK(pair.b == "y");
+        CHECK(pair.prefers_a == 2);
+        CHECK(pair.ties == 1);
+        CHECK(pair.prefers_b == 1);
+        // Means of participants: 1.5, -1, 0.
+        CHECK(pair.mean == doctest::Approx(0.5 / 3.0));
+        CHECK(pair.test.n == 3);
+        CHECK(pair.test.n_zero == 1);
+        CHECK(pair.test.w_plus == 2.0);
+        CHECK(pair.test.w_minus == 1.0);
+    }
+
+    TEST_CASE("Levels of the distance are a family of their own beside those of the layout") {
+        TableMaker made;
+        made.table.distances = {"near", "far"};
+        for (const char* participant : {"A", "B", "C"})
+            for (const char* distance : {"near", "far"}) {
+                made.choose(participant, "x", "across", std::string(distance) == "far");
+                made.table.rows.back().distance = distance;
+            }
+        const auto result = analyse(made.table);
+        int tests = 0;
+        for (const auto& one : result.level_tests) {
+            if (one.factor != "distance" || one.system != "x") continue;
+            ++tests;
+            CHECK(one.a == "near");
+            CHECK(one.mean_difference == -1.0);
+            CHECK(one.test.p == 0.25);  // 2 of 8 sign patterns
+            CHECK(one.p_holm == 0.5);   // x and y: a family of two
+        }
+        CHECK(tests == 1);
+    }
+
+    TEST_CASE("A score's mean and deviation are over participants") {
+        TableMaker made;
+        for (const auto& [participant, value] : {std::pair{"A", 10.0}, {"B", 20.0}, {"C", 60.0}})
+            made.table.scores.push_back({participant, "after", "total", value});
+        const auto result = analyse(made.table);
+        REQUIRE(result.scores.size() == 1);
+        CHECK(result.scores[0].mean == 30.0);
+        CHECK(result.scores[0].sd == doctest::Approx(std::sqrt(700.0)));  // (400 + 100 + 900) / 2
+        CHECK(result.participants == 3);
     }
 
     TEST_CASE("The JSON has the promised shapes, null where nothing is known, and the same bytes each time") {
@@ -167,7 +241,7 @@ TEST_SUITE("results/analysis") {
                 CHECK(json["systems"][0][measure][key].is_number());
         CHECK(json["systems"][0]["naturalness"]["n"] == 10);
         CHECK(json["systems"][0]["accuracy"]["n"] == 20);
-        CHECK(json["systems"][2]["accuracy"]["mean"].get<double>() == result.systems[2].accuracy.mean);
+        CHECK(json["systems"][2]["accuracy"]["mean"].get<double>() == result.systems[2].measures[0].mean);
         REQUIRE(json["layouts"].size() == 10);
         for (const char* key : {"system", "layout", "mean", "sd_trials", "n"})
             CHECK(json["layouts"][9].contains(key));
@@ -177,14 +251,13 @@ TEST_SUITE("results/analysis") {
             CHECK(json["pairwise"][0].contains(key));
         CHECK(json["layout_tests"].size() == 4);
 
-        fixtures::fill(
-            folder / "one.sqlite", study, 1, 1, false, {1, 1, 1, 1}, {3, 3, 3, 3},
-            [](int, const studies::Trial& trial) { return trial.stage == studies::StageKind::naturalness; });
+        fixtures::fill(folder / "one.sqlite", study, 1, 1, false, {1, 1, 1, 1}, {3, 3, 3, 3},
+                       [](int, const studies::Trial& trial) { return trial.stage == "naturalness"; });
         const auto one = nlohmann::json::parse(analysisJson(analyse(*loadResponses(folder / "one.sqlite"))));
         CHECK(one["synthetic"] == false);
         CHECK(one["systems"][0]["accuracy"]["mean"].is_null());
         CHECK(one["systems"][0]["naturalness"]["mean"].is_number());
         CHECK(one["systems"][0]["naturalness"]["sd_participants"].is_null());
-        CHECK(anyContains(one["remarks"], "incomplete: 4 of 4 planned ratings and 0 of 8 planned choices"));
+        CHECK(anyContains(one["remarks"], "incomplete: 0 of 8 planned on accuracy are answered"));
     }
 }

@@ -93,20 +93,19 @@ TEST_SUITE("results/report") {
     TEST_CASE("Ratings without a game, and a participant who stopped, are reported as what they are") {
         const fixtures::Folder folder;
         const auto study = fixtures::study(systems);
-        fixtures::fill(
-            folder / "a.sqlite", study, 12, 5, false, {0.9, 0.9, 0.8, 0.4}, {4.0, 3.6, 2.6, 2.9},
-            [](int, const studies::Trial& trial) { return trial.stage == studies::StageKind::naturalness; });
+        fixtures::fill(folder / "a.sqlite", study, 12, 5, false, {0.9, 0.9, 0.8, 0.4}, {4.0, 3.6, 2.6, 2.9},
+                       [](int, const studies::Trial& trial) { return trial.stage == "naturalness"; });
         const auto ratings = pageOf(folder / "a.sqlite", "ratings").text;
-        CHECK(contains(ratings, "There are no choices: accuracy is not reported."));
-        CHECK_FALSE(contains(ratings, "Table 3"));
-        CHECK(contains(ratings, "Table 4"));
-        CHECK_FALSE(contains(ratings, "Table 5"));
+        CHECK(contains(ratings, "There are no answers on accuracy: it is not reported."));
+        CHECK_FALSE(contains(ratings, "Accuracy, all pairs of systems"));
+        CHECK(contains(ratings, "Naturalness, all pairs of systems"));
+        CHECK_FALSE(contains(ratings, "layouts within each system"));
         fixtures::fill(folder / "b.sqlite", study, 12, 5, false, {0.9, 0.9, 0.8, 0.4}, {4.0, 3.6, 2.6, 2.9},
                        [](int participant, const studies::Trial& trial) {
                            return participant != 7 || trial.index < 23;
                        });
         const auto stopped = pageOf(folder / "b.sqlite", "stopped").text;
-        CHECK(contains(stopped, "240 of 240 planned ratings and 442 of 480 planned choices"));
+        CHECK(contains(stopped, "incomplete: 442 of 480 planned on accuracy are answered"));
         CHECK_FALSE(contains(stopped, "\u22120.0\u00a0%"));
         CHECK(contains(stopped, "11 to 12 of 12 participants enter"));
     }

@@ -36,12 +36,12 @@ TEST_SUITE("results/response_table") {
         const auto plan = fixtures::plan(study, "P02", 1);
         {
             Store store = fixtures::open(folder / "a%20?.sqlite");
-            REQUIRE(store.storePlan(study, plan));
-            REQUIRE(store.storePlan(study, fixtures::plan(study, "P01", 1)));
+            fixtures::store(store, study, plan);
+            fixtures::store(store, study, fixtures::plan(study, "P01", 1));
             store.beginSession(fixtures::session("P02", false));
             for (const auto& [trial, value] : {std::pair{6, 1}, {0, 1}, {2, 4}})
-                store.record(fixtures::answer(plan.trials[static_cast<std::size_t>(trial)], value), plan,
-                             fixtures::clips(plan));
+                store.record(fixtures::answer(plan.trials[static_cast<std::size_t>(trial)], value), study,
+                             plan, fixtures::clips(plan));
         }
         const auto table = loadResponses(folder / "a%20?.sqlite");
         REQUIRE(table);
@@ -49,26 +49,98 @@ TEST_SUITE("results/response_table") {
         CHECK(table->study_title == study.title);
         CHECK(table->study_hash == study.hash);
         CHECK(table->alpha == 0.01);
-        CHECK(table->rating_steps == 5);
-        CHECK(table->balls == 3);
+        REQUIRE(table->measures.size() == 2);
+        CHECK(table->measures[0].name == "accuracy");
+        CHECK(table->measures[0].balls == 3);
+        CHECK(table->measures[0].planned == 8);
+        CHECK(table->measures[1].name == "naturalness");
+        CHECK(table->measures[1].low == 1.0);
+        CHECK(table->measures[1].high == 5.0);
+        CHECK(table->measures[1].planned == 4);
         CHECK(table->systems == std::vector<std::string>{"stiff", "direct"});
         CHECK(table->layouts == std::vector<std::string>{"across", "side-by-side"});
         CHECK(table->planned_participants == 2);
-        CHECK(table->planned_ratings == 4);
-        CHECK(table->planned_choices == 8);
         REQUIRE(table->stations.size() == 1);
         CHECK(table->stations[0].kind == "desktop");
         CHECK(table->stations[0].sessions == 1);
         REQUIRE(table->rows.size() == 2);
-        CHECK(table->rows[0].stage == "naturalness");
-        CHECK(table->rows[0].system == "direct");
-        CHECK(table->rows[0].rating == 4.0);
-        CHECK(table->rows[1].stage == "game");
-        CHECK(table->rows[1].layout == "side-by-side");
-        CHECK(table->rows[1].target_id == "T001");
-        CHECK(table->rows[1].correct);
-        CHECK_FALSE(table->rows[1].synthetic);
-        CHECK(table->rows[1].response_time_s == 1.25);
+        CHECK(table->rows[0].measure == "accuracy");
+        CHECK(table->rows[0].layout == "side-by-side");
+        CHECK(table->rows[0].distance == "near");
+        CHECK(table->rows[0].target_id == "T001");
+        CHECK(table->rows[0].value == 1.0);
+        CHECK_FALSE(table->rows[0].synthetic);
+        CHECK(table->rows[0].response_time_s == 1.25);
+        CHECK(table->rows[1].measure == "naturalness");
+        CHECK(table->rows[1].system == "direct");
+        CHECK(table->rows[1].value == 4.0);
+    }
+
+    TEST_CASE(
+        "Every kind of answer is read, and what is a check or excluded is left out, with what was counted") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::wideStudy();
+        {
+            Store store = fixtures::open(folder / "a.sqlite");
+            for (const char* id : {"P01", "P02"}) {
+                const auto plan = fixtures::widePlan(study, id);
+                fixtures::store(store, study, plan);
+                store.beginSession(fixtures::session(id, false));
+                const auto record = [&](std::size_t trial, const studies::Response& response) {
+                    REQUIRE(response.trial_index == static_cast<int>(trial));
+                    store.record(response, study, plan, fixtures::clips(plan));
+                };
+                auto ratings = fixtures::response(plan.trials[3]);
+                ratings.answers = {{"rating", 0, 30.0}, {"rating", 1, 80.0}};
+                record(3, ratings);
+                auto pair = fixtures::response(plan.trials[4]);
+                pair.answers = {{"preference", -1, -2.0}, {"reasons", -1, {}, "speed;arm"}};
+                record(4, pair);
+                auto choice = fixtures::answer(plan.trials[5], 1);
+                choice.answers = {{"confidence", -1, 6.0}};
+                record(5, choice);
+                auto caught = fixtures::answer(plan.trials[6], 0);
+                caught.check_passed = false;
+                record(6, caught);
+                auto number = fixtures::response(plan.trials[7]);
+                number.answers = {{"rating", 0, 50.0}, {"rating", 1, 4.0}};
+                number.check_passed = true;
+                record(7, number);
+                auto load = fixtures::response(plan.trials[9]);
+                load.answers = {{"effort", -1, 12.0}, {"calm", -1, 4.0}};
+                record(9, load);
+                if (std::string(id) == "P02")
+                    store.record(studies::Exclusion{"attention check failed", {1.0, 1.7e9}}, study, plan,
+                                 fixtures::clips(plan));
+                store.endSession(studies::SessionOutcome::quit, 1.7e9 + 60.0);
+            }
+        }
+        const auto table = loadResponses(folder / "a.sqlite");
+        REQUIRE(table);
+        const auto values = [&](const std::string& measure) {
+            std::vector<double> out;
+            for (const auto& row : table->rows)
+                if (row.measure == measure) out.push_back(row.value);
+            return out;
+        };
+        CHECK(values("appeal") == std::vector<double>{30.0, 80.0, 50.0});
+        CHECK(values("preference") == std::vector<double>{-2.0});
+        CHECK(values("accuracy") == std::vector<double>{1.0});
+        CHECK(values("confidence") == std::vector<double>{6.0});
+        REQUIRE(table->left_out.size() == 1);
+        CHECK(table->left_out[0].participant == "P02");
+        CHECK_FALSE(table->left_out[0].dropped);
+        CHECK(table->left_out[0].reason == "attention check failed");
+        REQUIRE(table->checks.size() == 2);
+        CHECK(table->checks[0].kind == "number");
+        CHECK(table->checks[0].passed == 2);
+        CHECK(table->checks[1].kind == "catch");
+        CHECK(table->checks[1].failed == 2);
+        // (12 + (0 + 20 - 4)) / 2 x 5, by hand.
+        REQUIRE_FALSE(table->scores.empty());
+        CHECK(table->scores[0].value == 70.0);
+        CHECK(table->between == std::vector<std::string>{"style"});
+        CHECK(table->planned_participants == 1);
     }
 
     TEST_CASE("Reading leaves nothing behind, and sees the answers of a session that runs or was killed") {
@@ -79,9 +151,9 @@ TEST_SUITE("results/response_table") {
         std::string bytes;
         {
             Store store = fixtures::open(path);
-            REQUIRE(store.storePlan(study, plan));
+            fixtures::store(store, study, plan);
             store.beginSession(fixtures::session("P01", false));
-            store.record(fixtures::answer(plan.trials[1], 2), plan, fixtures::clips(plan));
+            store.record(fixtures::answer(plan.trials[1], 2), study, plan, fixtures::clips(plan));
         }
         bytes = readFile(path).value();
         CHECK(loadResponses(path)->rows.size() == 1);
@@ -94,7 +166,7 @@ TEST_SUITE("results/response_table") {
         if (child == 0) {
             Store store = fixtures::open(path);
             store.beginSession(fixtures::session("P01", false));
-            store.record(fixtures::answer(plan.trials[2], 1), plan, fixtures::clips(plan));
+            store.record(fixtures::answer(plan.trials[2], 1), study, plan, fixtures::clips(plan));
             ::kill(::getpid(), SIGKILL);
         }
         ::waitpid(child, nullptr, 0);
@@ -103,7 +175,7 @@ TEST_SUITE("results/response_table") {
 
         Store running = fixtures::open(path);
         running.beginSession(fixtures::session("P01", false));
-        running.record(fixtures::answer(plan.trials[3], 1), plan, fixtures::clips(plan));
+        running.record(fixtures::answer(plan.trials[3], 1), study, plan, fixtures::clips(plan));
         CHECK(loadResponses(path)->rows.size() == 3);
     }
 
@@ -122,7 +194,7 @@ TEST_SUITE("results/response_table") {
         {
             Store store = fixtures::open(folder / "a.sqlite");
             CHECK(contains(refusal(folder / "a.sqlite"), "no study yet"));
-            REQUIRE(store.storePlan(study, fixtures::plan(study, "P01", 1)));
+            fixtures::store(store, study, fixtures::plan(study, "P01", 1));
         }
         CHECK(contains(refusal(folder / "a.sqlite"), "no answers yet"));
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
