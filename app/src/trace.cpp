@@ -10,6 +10,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double longest_silence_s = 0.2;
+
 Json json(const Vec3& v) {
     return Json::array({v.x, v.y, v.z});
 }
@@ -103,14 +105,19 @@ Json fieldsJson(const studies::PresentedFrame& frame) {
         const Vec3 centre{field.box.x + field.box.width / 2.0, field.box.y + field.box.height / 2.0, 0.0};
         out.push_back({{"id", field.id},
                        {"text", field.text},
+                       {"hint", field.hint},
                        {"active", field.active},
                        {"centre", json(transformPoint(frame.panel->stage_from_panel, centre))}});
     }
     return out;
 }
 
+/// Its texts, one a line.
 std::string signText(const studies::PresentedFrame& frame) {
-    return frame.sign && !frame.sign->texts.empty() ? frame.sign->texts.front().text : std::string();
+    std::string out;
+    if (!frame.sign) return out;
+    for (const auto& text : frame.sign->texts) out += (out.empty() ? "" : "\n") + text.text;
+    return out;
 }
 
 Json rayJson(const std::optional<studies::RayView>& ray) {
@@ -181,8 +188,10 @@ void Trace::remember(const studies::PresentedFrame& frame) {
 
 void Trace::presented(const studies::InputFrame& input, const studies::PresentedFrame& frame) {
     kept_by_.presented(input, frame);
-    if (input.notes.empty() && !changed(frame)) return;
+    const bool due = input.time_s - told_s_ >= longest_silence_s;
+    if (input.notes.empty() && !due && !changed(frame)) return;
     remember(frame);
+    told_s_ = input.time_s;
     const Json line{{"time_s", input.time_s},
                     {"utc_s", input.utc_s},
                     {"frame", frame.number},

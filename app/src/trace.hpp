@@ -16,9 +16,9 @@ namespace deixis::app {
 [[nodiscard]] Result<std::ofstream> openTrace(const std::filesystem::path& path);
 
 /// Adds a JSON line to a file whenever what is presented changes in kind (state, stage, place, status,
-/// notice, sign, the panel's parts, looks of the balls) or the station notes something; each line tells all
-/// of it, and is flushed. Everything else it leaves to another recorder. docs/database.md describes the
-/// lines.
+/// notice, sign, the panel's parts, looks of the balls) or the station notes something, and at least every
+/// 0.2 s, so that it can be followed where the participant looks; each line tells all of it, and is flushed.
+/// Everything else it leaves to another recorder. docs/database.md describes the lines.
 class Trace : public Recorder {
   public:
     /// `session` and `kept_by` must outlive it.
@@ -43,6 +43,7 @@ class Trace : public Recorder {
     Recorder& kept_by_;
     // As last told.
     bool begun_ = false;
+    double told_s_ = 0.0;
     std::string state_, stage_, place_, status_, notice_, sign_;
     std::optional<studies::Panel> panel_;
     std::vector<studies::BallLook> looks_;
