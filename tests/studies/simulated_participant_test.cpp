@@ -156,7 +156,7 @@ TEST_SUITE("studies/simulated_participant") {
             }
             room.frame.panel = board.panel;
             PlayPage page{room, {natural(), stiff(), natural()}};
-            page.open = [&room, seed](Panel& panel, bool all_played) {
+            page.open = [seed](Panel& panel, bool all_played) {
                 bool all_set = true;
                 for (PanelSlider& slider : panel.sliders) {
                     slider.enabled = all_played || seed % 2 == 0;
