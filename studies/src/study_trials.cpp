@@ -58,13 +58,18 @@ void readBlocks(TomlTable& table, Stage& stage) {
     if (!table.has("block_by")) table.refuse("block_order", "without block_by");
 }
 
+/// The stage's trials; 0 where what they follow from is not sound.
+long long countedTrials(const TomlTable& table, const Stage& stage) {
+    const bool sound = table.sound("items") && !table.faulty("systems") && !table.faulty("layouts") &&
+                       !table.faulty("distances");
+    return sound ? trialsOf(stage) : 0;
+}
+
 void readConstraints(TomlTable& table, Stage& stage) {
     TrialDesign& design = stage.design;
     design.max_run_of_system = table.count("max_run_of_system", 0, 100, 0);
     design.no_target_twice_running = table.flag("no_target_twice_running", false);
-    const bool sound = table.sound("items") && !table.faulty("systems") && !table.faulty("layouts") &&
-                       !table.faulty("distances");
-    const long long trials = sound ? trialsOf(stage) : 1;
+    const long long trials = countedTrials(table, stage);
     if (design.block_by == "system")
         table.refuse("max_run_of_system", "with block_by = \"system\"");
     else if (design.max_run_of_system > 0 && design.systems.size() == 1 && trials > design.max_run_of_system)
@@ -117,7 +122,7 @@ std::vector<std::string_view> checksOf(StageKind kind) {
     }
 }
 
-AttentionChecks readCheck(TomlTable table, const Study& study, const Stage& stage, long long trials) {
+AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& stage, long long trials) {
     AttentionChecks checks;
     constexpr std::string_view all[] = {"number", "catch", "repeat"};
     checks.count = table.count("count", 1, 100, checks.count);
@@ -151,6 +156,24 @@ AttentionChecks readCheck(TomlTable table, const Study& study, const Stage& stag
         table.problem("count", fmt::format("found {}, expected at most {}, the trials of the stage",
                                            checks.count, trials));
     return checks;
+}
+
+/// Numbers and repeats, and the trials that are repeated, are trials apart from each other.
+void readChecks(TomlTable& table, const Study& study, Stage& stage) {
+    const long long trials = countedTrials(table, stage);
+    long long taken = 0;
+    bool sound = trials > 0;
+    for (const toml::table* section : table.sections("checks", false)) {
+        TomlTable below = table.below("checks", section, keys::checks);
+        stage.checks.push_back(readCheck(below, study, stage, trials));
+        sound = sound && !below.faulty("count");
+        if (stage.checks.back().kind != CheckKind::catch_trial) taken += stage.checks.back().count;
+    }
+    if (sound && taken > trials)
+        table.problem("checks",
+                      fmt::format("found {} numbers and repeats together, expected at most {}, the trials "
+                                  "of the stage",
+                                  taken, trials));
 }
 
 Question readConfidence(TomlTable& parent) {
@@ -204,11 +227,7 @@ void readTrials(TomlTable& table, const Study& study, Stage& stage) {
     if (stage.kind == StageKind::rating || stage.kind == StageKind::game)
         stage.max_replays = table.count("max_replays", 0, 100, 0);
     readBreaks(table, stage);
-    const bool sound = table.sound("items") && !table.faulty("systems") && !table.faulty("layouts") &&
-                       !table.faulty("distances");
-    for (const toml::table* check : table.sections("checks", false))
-        stage.checks.push_back(
-            readCheck(table.below("checks", check, keys::checks), study, stage, sound ? trialsOf(stage) : 0));
+    readChecks(table, study, stage);
     if (stage.kind == StageKind::game) {
         stage.feedback = table.flag("feedback", false);
         stage.time_limit_s = table.number("time_limit_s", 0.0, 600.0, 0.0);

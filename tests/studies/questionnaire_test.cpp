@@ -26,13 +26,6 @@ std::optional<double> scoreOf(const Questionnaire& questionnaire, std::string_vi
     return {};
 }
 
-struct BadEdit {
-    std::string from, to;
-    std::string line_of;
-    std::string key;
-    std::vector<std::string> words;
-};
-
 }  // namespace
 
 TEST_SUITE("studies/questionnaire") {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -88,6 +89,32 @@ inline std::vector<Error> problemsOf(const std::filesystem::path& path, const st
     REQUIRE_FALSE(study.has_value());
     REQUIRE_FALSE(study.error().empty());
     return std::move(study.error());
+}
+
+struct BadEdit {
+    std::string from, to;
+    std::string line_of;  ///< text on the line that the error names, in the edited file
+    std::string key;
+    std::vector<std::string> words;  ///< what the error must tell
+};
+
+/// Each edit gives one problem and no others that only follow from it.
+inline void checkEdits(const std::string& fixture, const std::vector<BadEdit>& edits) {
+    const std::string original = readText(fixtures / fixture);
+    const Folder folder;
+    for (const BadEdit& edit : edits) {
+        CAPTURE(edit.from);
+        CAPTURE(edit.to);
+        const std::string text = replaced(original, edit.from, edit.to);
+        const std::filesystem::path file = folder.write(text);
+        const std::vector<Error> errors = problemsOf(file);
+        CHECK_MESSAGE(errors.size() == 1, allText(errors));
+        CHECK(errors[0].where ==
+              fmt::format("{}:{}: {}", file.string(), lineOf(text, edit.line_of), edit.key));
+        for (const std::string& word : edit.words)
+            CHECK_MESSAGE(errors[0].text().find(word) != std::string::npos,
+                          "'" << word << "' should stand in: " << errors[0].text());
+    }
 }
 
 }  // namespace deixis::studies
