@@ -20,7 +20,7 @@ void ComparePage::enter(const InputFrame& input, bool /*moved*/) {
 
 void ComparePage::openBoard(const InputFrame& input) {
     if (quiet()) showState(openState());
-    core_.openPanel(board(), input, lecternPose);
+    core_.openPanel(board(), input, benchPose);
     changed_ = false;
     core_.view.aim(input.pointer, input.stage_from_head, false);
 }

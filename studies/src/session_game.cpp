@@ -153,12 +153,14 @@ class GameTrial : public ClipTrial {
     void finish() {
         core_.view.frame.ray.reset();
         complete();
-        if (draft_.status == ResponseStatus::answered) showDone();
+        showDone();
     }
 
     void showDone() {
-        showState(revealed_ ? "feedback" : "chosen");
-        core_.view.lookAtBalls(BallLook::selectable, draft_.chosen_place, BallLook::chosen);
+        const bool chosen = draft_.chosen_place >= 0;
+        showState(revealed_ ? "feedback" : chosen ? "chosen" : "waiting");
+        core_.view.lookAtBalls(chosen ? BallLook::selectable : BallLook::waiting, draft_.chosen_place,
+                               BallLook::chosen);
         if (!revealed_) return;
         core_.view.closePanel();
         PresentedFrame& frame = core_.view.frame;

@@ -176,9 +176,9 @@ inline bool hasButton(const PresentedFrame& frame, int id) {
 
 /// Whether a single rating or a choice can be given.
 inline bool answersOpen(const PresentedFrame& frame) {
-    if (hasButton(frame, button_id::first_rating) && frame.state == "rating") return true;
-    return !frame.balls.empty() && (frame.balls.front().look == BallLook::selectable ||
-                                    frame.balls.front().look == BallLook::hovered);
+    for (const char* open : {"rating", "choosing", "aiming"})
+        if (frame.state == open || frame.state.rfind(std::string(open) + "-", 0) == 0) return true;
+    return false;
 }
 
 /// Whether a page waits to be read.
@@ -251,7 +251,8 @@ struct Driver {
     std::vector<Exclusion> exclusions;
     std::vector<Note> notes;
     std::vector<SessionEvent> all_events;
-    Resume left;  ///< what a further sitting goes on from
+    Resume left;                        ///< what a further sitting goes on from
+    std::size_t most_events = 1000000;  ///< what comes after these is lost, as by a kill
 
     [[nodiscard]] Stage& stage(const std::string& name) {
         for (Stage& one : study.stages)
@@ -282,9 +283,13 @@ struct Driver {
 
     void keep(const std::vector<SessionEvent>& events) {
         for (const SessionEvent& event : events) {
+            if (all_events.size() >= most_events) return;
             all_events.push_back(event);
             if (const auto* response = std::get_if<Response>(&event)) keep(*response);
-            if (const auto* note = std::get_if<Note>(&event)) notes.push_back(*note);
+            if (const auto* note = std::get_if<Note>(&event)) {
+                notes.push_back(*note);
+                if (note->kind == "stimulus_onset") left.begun.insert(note->trial_index);
+            }
             if (const auto* exclusion = std::get_if<Exclusion>(&event)) exclusions.push_back(*exclusion);
             if (const auto* again = std::get_if<Superseded>(&event)) {
                 superseded.push_back(*again);

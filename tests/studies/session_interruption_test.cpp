@@ -14,12 +14,6 @@ void resume(Driver& driver) {
     driver.press(button_id::resume);
 }
 
-std::string textOf(const Panel& panel) {
-    std::string all;
-    for (const PanelText& text : panel.texts) all += text.text + "\n";
-    return all;
-}
-
 /// Somebody in a headset who does anything at any time.
 struct Restless {
     explicit Restless(Driver& driven, std::uint64_t seed) : driver(driven), random(seed, "restless") {}
@@ -185,7 +179,7 @@ TEST_SUITE("studies/session_interruption") {
         CHECK(driver.frame.state == "chosen-side-by-side");
         driver.kept = true;
         driver.step();
-        CHECK(driver.frame.state == "goodbye");
+        CHECK(driver.frame.stage == "goodbye");
         CHECK(driver.session->trialUnderWay() == -1);
         driver.kept = false;  // nothing more waits for it
         REQUIRE(driver.leavePage());

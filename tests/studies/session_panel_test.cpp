@@ -107,7 +107,8 @@ TEST_SUITE("studies/session_panel") {
             CAPTURE(steps);
             Driver driver(1, 0.5, false);
             driver.stage("naturalness").max_replays = 1;
-            driver.stage("naturalness").scale.labels.assign(steps, "rather natural");
+            driver.stage("naturalness").scale = {ScaleKind::steps, 1, static_cast<int>(steps),
+                                                 std::vector<std::string>(steps, "rather natural")};
             driver.start();
             REQUIRE(driver.toAnswer());
             const Panel& panel = *driver.frame.panel;
@@ -118,9 +119,11 @@ TEST_SUITE("studies/session_panel") {
                 const auto joint = static_cast<std::size_t>(driver.avatar.find(name));
                 CHECK_FALSE(hides(panel, eye, driver.frame.avatar_joints[joint].position));
             }
-            // Within the lower half of a 60 degree view that looks straight ahead.
-            const Vec3 foot = transformPoint(panel.stage_from_panel, {panel.width_m / 2.0, 0.0, 0.0});
-            CHECK(std::atan2(eye.y - foot.y, eye.z - foot.z) < radiansFromDegrees(30.0));
+            // Every button is within the lower half of a 60 degree view that looks straight ahead.
+            for (const PanelButton& button : panel.buttons) {
+                const Vec3 centre = buttonCentre(panel, button.id);
+                CHECK(std::atan2(eye.y - centre.y, eye.z - centre.z) < radiansFromDegrees(30.0));
+            }
             const Vec3 towards_reader = panel.stage_from_panel.orientation * Vec3(0.0, 0.0, 1.0);
             CHECK(glm::dot(towards_reader, glm::normalize(eye - centreOf(panel))) > 0.98);
         }

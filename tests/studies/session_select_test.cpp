@@ -186,7 +186,7 @@ TEST_SUITE("studies/session_select") {
         for (const PanelButton& one : driver.frame.panel->buttons) CHECK_FALSE(one.hovered);
         driver.digit(3);
         REQUIRE(driver.responses.size() == 1);
-        ratingOf(CHECK(driver.responses[0]) == 3);
+        CHECK(ratingOf(driver.responses[0]) == 3);
 
         driver.looking.reset();
         REQUIRE(driver.waitUntil([&] { return driver.frame.state == "waiting"; }));
