@@ -143,24 +143,34 @@ void readBetween(StudyReader& reader) {
     std::set<std::string> nested;
     for (const SystemSource& system : reader.study.systems)
         for (const auto& [factor, level] : system.levels) nested.insert(factor);
-    readNamed(reader, "between", false, keys::between, reader.study.between,
-              [&](TomlTable& table, const std::string& name) {
-                  constexpr std::size_t most = 20;
-                  BetweenFactor factor{name, table.names("levels", 2, true)};
-                  if (factor.levels.size() > most)
-                      table.problem("levels", fmt::format("found {} levels, expected at most {}",
-                                                          factor.levels.size(), most));
-                  if (isBuiltInFactor(name))
-                      table.problem("name", fmt::format("found \"{}\", which is a factor of every study; "
-                                                        "expected a name of its own",
-                                                        name));
-                  if (nested.count(name) > 0)
-                      table.problem("name",
-                                    fmt::format("found \"{}\", which is a factor of the systems' levels; "
-                                                "expected a name of its own",
-                                                name));
-                  return factor;
-              });
+    std::size_t cells = 1;
+    readNamed(
+        reader, "between", false, keys::between, reader.study.between,
+        [&](TomlTable& table, const std::string& name) {
+            constexpr std::size_t most = 20;
+            BetweenFactor factor{name, table.names("levels", 2, true)};
+            if (factor.levels.size() > most)
+                table.problem("levels", fmt::format("found {} levels, expected at most {}",
+                                                    factor.levels.size(), most));
+            if (isBuiltInFactor(name))
+                table.problem("name", fmt::format("found \"{}\", which is a factor of every study; "
+                                                  "expected a name of its own",
+                                                  name));
+            if (nested.count(name) > 0)
+                table.problem("name", fmt::format("found \"{}\", which is a factor of the systems' levels; "
+                                                  "expected a name of its own",
+                                                  name));
+            constexpr std::size_t most_cells = 1000;
+            cells *= std::max<std::size_t>(factor.levels.size(), 1);
+            if (cells > most_cells) {
+                table.problem("levels", fmt::format("found {} combinations of all factors' levels so far, "
+                                                    "expected at most {}",
+                                                    cells, most_cells));
+                cells = 1;
+                factor.levels.clear();
+            }
+            return factor;
+        });
 }
 
 namespace {

@@ -1,5 +1,6 @@
 // What cannot be together in a study, and how that is told.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "study_file_fixture.hpp"
 
@@ -267,6 +268,21 @@ TEST_SUITE("studies/study_combinations") {
                                            practice + "when = {group = \"seen\", order = \"a\"}\n" + rate)))
                   .findStage("try")
                   ->when.size() == 2);
+    }
+
+    TEST_CASE("Factors between participants have no more combinations than participants could fill.") {
+        const Folder folder;
+        const auto study = [](int factors) {
+            std::string text = "[study]\nname = \"s\"\ntitle = \"S\"\nseed = 1\n";
+            for (int i = 0; i < factors; ++i)
+                text +=
+                    fmt::format("[[between]]\nname = \"f{}\"\nlevels = [\"a\", \"b\", \"c\", \"d\"]\n", i);
+            return text + "[[stages]]\nname = \"page\"\nkind = \"instructions\"\ntext = \"x\"\n";
+        };
+        CHECK(loaded(folder.write(study(4))).between.size() == 4);  // 256
+        const std::vector<Error> errors = problemsOf(folder.write(study(5)));
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].text().find("between.levels: found 1024 combinations") != std::string::npos);
     }
 
     TEST_CASE("Fields of participants come from one question, unless no participant is asked twice.") {
