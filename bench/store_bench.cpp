@@ -38,21 +38,21 @@ void durableAnswer(benchmark::State& state) {
     const studies::Study study = fixtures::study({"one", "two", "three", "four"});
     int participants = 0;
     studies::StudyPlan plan;
-    std::vector<results::ClipRecord> clips;
+    results::ClipRecords clips;
     std::size_t next = 0;
     Stopwatch stopwatch;
     for (auto _ : state) {
         if (next == plan.trials.size()) {
-            if (participants > 0) store.endSession("finished", 1.7e9);
+            if (participants > 0) store.endSession(studies::SessionOutcome::finished, 1.7e9);
             const std::string participant = "P" + std::to_string(++participants);
             plan = fixtures::plan(study, participant, 5);
             clips = fixtures::clips(plan);
-            if (!store.storePlan(study, plan)) return state.SkipWithError("the plan is refused");
+            fixtures::store(store, study, plan);
             store.beginSession(fixtures::session(participant, true));
             next = 1;  // after practice
         }
         const studies::SessionEvent answer = fixtures::answer(plan.trials[next++], 1);
-        stopwatch.time(state, [&] { store.record(answer, plan, clips); });
+        stopwatch.time(state, [&] { store.record(answer, study, plan, clips); });
     }
     stopwatch.report(state);
 }

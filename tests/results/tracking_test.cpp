@@ -4,9 +4,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <optional>
 
+#include "core/files.hpp"
 #include "fixtures.hpp"
+#include "results/tracking_blocks.hpp"
 
 using namespace deixis;
 using results::Store;
@@ -16,24 +21,10 @@ using results::TrialTracking;
 namespace {
 
 /// A pose all of whose seven numbers differ from those of every other `seed`; not a unit quaternion, which
-/// the store need not care about.
+/// the store need not care about. All of them can be kept exactly.
 Pose numbered(int seed) {
     const double base = 10.0 * seed;
     return {{base + 0.5, base + 1.5, base + 2.5}, Quat(base + 3.5, base + 4.5, base + 5.5, base + 6.5)};
-}
-
-const std::array<const char*, 7> pose_columns{"x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"};
-
-void checkPose(SQLite::Statement& row, const std::string& name, int validity, int seed, bool position,
-               bool orientation) {
-    INFO(name);
-    CHECK(row.getColumn((name + "_validity").c_str()).getInt() == validity);
-    for (int i = 0; i < 7; ++i) {
-        const auto column = row.getColumn((name + "_" + pose_columns[static_cast<std::size_t>(i)]).c_str());
-        const bool there = i < 3 ? position : orientation;
-        CHECK(column.isNull() == !there);
-        if (there) CHECK(column.getDouble() == 10.0 * seed + 0.5 + i);
-    }
 }
 
 /// A database with a session of P01 under way.
@@ -45,7 +36,7 @@ struct Begun {
     long long session = 0;
 
     explicit Begun(const results::SessionInfo& info = fixtures::session("P01", false)) {
-        REQUIRE(store.storePlan(study, plan));
+        fixtures::store(store, study, plan);
         session = store.beginSession(info);
     }
     [[nodiscard]] SQLite::Database reader() const {
@@ -62,10 +53,35 @@ float float32(const unsigned char* bytes) {
     return out;
 }
 
+/// The block of Python in docs/database.md that begins with this line.
+std::string documentedPython(const std::string& first_line) {
+    const auto text = readFile(std::filesystem::path(DEIXIS_SOURCE_DIR) / "docs/database.md").value();
+    const std::string fence = "```python\n";
+    const auto begin = text.find(fence + first_line);
+    REQUIRE(begin != std::string::npos);
+    const auto end = text.find("```", begin + fence.size());
+    return text.substr(begin + fence.size(), end - begin - fence.size());
+}
+
+/// What a Python program prints, which gets one argument; nothing where there is no Python.
+std::optional<std::string> printed(const std::filesystem::path& script,
+                                   const std::filesystem::path& argument) {
+    if (std::system("python3 -c 'import sqlite3, zlib' 2>/dev/null") != 0) return std::nullopt;
+    const std::string command = fmt::format("python3 '{}' '{}' 2>&1", script.string(), argument.string());
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    std::string out;
+    std::array<char, 4096> buffer{};
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+        out.append(buffer.data(), n);
+    ::pclose(pipe);
+    return out;
+}
+
 }  // namespace
 
 TEST_SUITE("results/tracking") {
-    TEST_CASE("A frame is kept with every number that was measured, and NULL where none was valid") {
+    TEST_CASE("A frame is kept with every number that was measured, and whether it was valid") {
         Begun db;
         studies::TrackingSample sample;
         sample.frame = 4242;
@@ -85,32 +101,94 @@ TEST_SUITE("results/tracking") {
         db.store.recordTracking(frames, {});
 
         auto reader = db.reader();
-        SQLite::Statement row(reader, "SELECT * FROM tracking ORDER BY frame");
+        SQLite::Statement row(reader, "SELECT * FROM tracking_blocks ORDER BY first_frame");
         REQUIRE(row.executeStep());
-        CHECK(row.getColumnCount() == 9 + 6 * 8);
         CHECK(row.getColumn("session").getInt64() == db.session);
-        CHECK(row.getColumn("frame").getInt() == 4242);
         CHECK(row.getColumn("trial_index").getInt() == 2);
-        CHECK(row.getColumn("display_time_s").getDouble() == 100.125);
-        CHECK(row.getColumn("begun_s").getDouble() == 100.0625);
-        CHECK(row.getColumn("submitted_s").getDouble() == 100.09375);
-        CHECK(row.getColumn("dropped_frames").getInt() == 3);
-        CHECK(row.getColumn("rendered").getInt() == 0);
-        CHECK(row.getColumn("off_place_m").getDouble() == 0.375);
-        checkPose(row, "head", 7, 1, true, true);
-        checkPose(row, "left_aim", 6, 2, false, true);
-        checkPose(row, "right_aim", 3, 3, true, true);
-        checkPose(row, "left_grip", 0, 4, false, false);
-        checkPose(row, "right_grip", 5, 5, true, false);
-        checkPose(row, "gaze", 7, 6, true, true);
+        CHECK(row.getColumn("first_frame").getInt() == 4242);
+        CHECK(row.getColumn("frames").getInt() == 1);
+        CHECK(row.getColumn("first_display_time_s").getDouble() == 100.125);
+        CHECK(row.getColumn("last_display_time_s").getDouble() == 100.125);
+        const auto kept = results::unpackTracking(row.getColumn("data").getString()).value().at(0);
+        CHECK(kept.frame == 4242);
+        CHECK(kept.display_time_s == 100.125);
+        CHECK(kept.begun_s == 100.0625);
+        CHECK(kept.submitted_s == 100.09375);
+        CHECK(kept.dropped_frames == 3);
+        CHECK_FALSE(kept.rendered);
+        CHECK(kept.off_place_m == 0.375);
+        CHECK(kept.head.stage_from_device.position == numbered(1).position);
+        CHECK(kept.head.stage_from_device.orientation == numbered(1).orientation);
+        CHECK(kept.aim[0].stage_from_device.orientation == numbered(2).orientation);
+        CHECK_FALSE(kept.aim[0].position_valid);
+        CHECK_FALSE(kept.aim[1].tracked);
+        CHECK_FALSE(kept.grip[0].orientation_valid);
+        CHECK(kept.grip[1].stage_from_device.position == numbered(5).position);
+        CHECK(kept.gaze.value().stage_from_device.position == numbered(6).position);
         REQUIRE(row.executeStep());
         CHECK(row.getColumn("trial_index").isNull());
-        CHECK(row.getColumn("rendered").getInt() == 1);
-        CHECK(row.getColumn("left_aim_validity").getInt() == 0);
-        CHECK(row.getColumn("gaze_validity").isNull());
-        CHECK(row.getColumn("gaze_qw").isNull());
+        CHECK_FALSE(
+            results::unpackTracking(row.getColumn("data").getString()).value().at(0).gaze.has_value());
         CHECK_FALSE(row.executeStep());
         CHECK(reader.execAndGet("SELECT count(*) FROM hand_joints").getInt() == 0);
+    }
+
+    TEST_CASE("Blocks are full where they can be, and hold frames of one trial or of none") {
+        Begun db;
+        std::vector<TrackedFrame> frames;
+        for (std::uint64_t i = 1; i <= 300; ++i)
+            frames.push_back({fixtures::frame(i), i <= 20 ? -1 : i <= 200 ? 1 : 2});
+        db.store.recordTracking(frames, {});
+        auto reader = db.reader();
+        SQLite::Statement row(reader,
+                              "SELECT trial_index, first_frame, frames FROM tracking_blocks ORDER BY id");
+        std::string blocks;
+        while (row.executeStep())
+            blocks += fmt::format("{}:{}+{} ", row.getColumn(0).isNull() ? -1 : row.getColumn(0).getInt(),
+                                  row.getColumn(1).getInt(), row.getColumn(2).getInt());
+        CHECK(blocks == "-1:1+20 1:21+64 1:85+64 1:149+52 2:201+64 2:265+36 ");
+    }
+
+    TEST_CASE("The reader that the documentation gives reads what the store wrote") {
+        Begun db;
+        std::vector<TrackedFrame> frames;
+        Random random(11, "reader");
+        for (std::uint64_t i = 1; i <= 100; ++i) {
+            auto sample = fixtures::frame(i + (i > 50 ? 3 : 0));
+            sample.display_time_s = 70.0 + static_cast<double>(i) / 90.0;
+            sample.dropped_frames = i == 51 ? 3 : 0;
+            sample.head.stage_from_device.position = {random.uniform(-1.0, 1.0), 1.6, -0.25};
+            sample.head.position_valid = i % 10 != 0;
+            sample.aim[1] = {{{0.0, 1.0, 0.0}, Quat(0.5, -0.5, 0.5, -0.5)}, true, true, true};
+            if (i % 2 == 0) sample.gaze = studies::TrackedPose{numbered(0), true, false, true};
+            frames.push_back({sample, 1});
+        }
+        db.store.recordTracking(frames, {});
+
+        const auto script = db.folder / "read.py";
+        std::ofstream(script) << documentedPython("import sqlite3, sys, zlib") << R"python(
+for row in db.execute("SELECT data FROM tracking_blocks ORDER BY session, first_frame"):
+    for f in frames(row[0]):
+        head, aim, gaze = f["head"], f["right_aim"], f["gaze"]
+        print(f["frame"], "%.6f" % f["display_time_s"], "%.6f" % f["begun_s"], f["dropped_frames"], f["rendered"],
+              head["validity"], "%.5f" % head["position"][0] if head["position"] else None, aim["rotation"],
+              gaze["validity"] if gaze else None, f["left_grip"]["position"])
+)python";
+        const auto told = printed(script, db.folder / "a.sqlite");
+        if (!told) {
+            MESSAGE("skipped: there is no python3 with sqlite3 and zlib");
+            return;
+        }
+        std::string expected;
+        for (const auto& frame : frames) {
+            const auto& s = frame.sample;
+            const double x = std::round(s.head.stage_from_device.position.x * 65536.0) / 65536.0;
+            expected +=
+                fmt::format("{} {:.6f} {:.6f} {} True {} {} (0.5, -0.5, 0.5, -0.5) {} None\n", s.frame,
+                            s.display_time_s, s.begun_s, s.dropped_frames, s.head.position_valid ? 7 : 6,
+                            s.head.position_valid ? fmt::format("{:.5f}", x) : "None", s.gaze ? "5" : "None");
+        }
+        CHECK(*told == expected);
     }
 
     TEST_CASE("The joints of a hand are kept as little-endian floats, with a byte of flags each") {
@@ -152,7 +230,7 @@ TEST_SUITE("results/tracking") {
         TrialTracking again{1, 50, 1, 0, 0.125, 3, 20.0, 20.5};
         db.store.recordTracking({}, std::vector<TrialTracking>{first});
         db.store.recordTracking({}, std::vector<TrialTracking>{again});
-        db.store.record(fixtures::answer(db.plan.trials[1], 4), db.plan, fixtures::clips(db.plan));
+        db.store.record(fixtures::answer(db.plan.trials[1], 4), db.study, db.plan, fixtures::clips(db.plan));
 
         auto reader = db.reader();
         SQLite::Statement row(reader, "SELECT * FROM trial_tracking");
@@ -190,15 +268,20 @@ TEST_SUITE("results/tracking") {
         CHECK_FALSE(row.executeStep());
     }
 
-    TEST_CASE("A frame number comes once in a session, and no frame without one") {
+    TEST_CASE("A frame number comes once in a session, in order, and no frame without a session") {
         Begun db;
         const std::vector<TrackedFrame> twice{{fixtures::frame(1), -1}, {fixtures::frame(1), -1}};
-        CHECK_THROWS_AS(db.store.recordTracking(twice, {}), SQLite::Exception);
-        CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking").getInt() == 0);
+        CHECK_THROWS_AS(db.store.recordTracking(twice, {}), std::logic_error);
+        CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking_blocks").getInt() == 0);
         // A refused batch leaves the store usable.
         db.store.recordTracking(std::span(twice).first(1), {});
-        CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking").getInt() == 1);
-        db.store.endSession("finished", 1.7e9 + 9.0);
+        CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking_blocks").getInt() == 1);
         CHECK_THROWS_AS(db.store.recordTracking(std::span(twice).first(1), {}), std::logic_error);
+        db.store.endSession(studies::SessionOutcome::finished, 1.7e9 + 9.0);
+        CHECK_THROWS_AS(db.store.recordTracking(std::span(twice).first(1), {}), std::logic_error);
+        // The next session counts anew.
+        db.store.beginSession(fixtures::session("P01", false));
+        db.store.recordTracking(std::span(twice).first(1), {});
+        CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking_blocks").getInt() == 2);
     }
 }
