@@ -1,8 +1,9 @@
-// What the operator's panel says, and the question asked twice.
+// What the operator's panel says.
 #include "operator_words.hpp"
 
 #include <doctest/doctest.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -46,10 +47,12 @@ TEST_SUITE("operator/operator_words") {
     TEST_CASE("every state that a session presents has words of its own") {
         // The list of PresentedFrame::state.
         const std::vector<std::string> states{
-            "welcome",         "welcome-back",  "instructions",   "practice",       "begin",
-            "break",           "goodbye",       "waiting",        "playing",        "pointing",
-            "rating",          "rated",         "waiting-across", "playing-across", "pointing-across",
-            "choosing-across", "aiming-across", "chosen-across",  "paused",         "over"};
+            "instructions",    "consent",       "questionnaire",  "break",           "welcome-back",
+            "practice-again",  "attention",     "closing",        "waiting",         "playing",
+            "pointing",        "check",         "rating",         "rated",           "listening",
+            "comparing",       "reasons",       "waiting-across", "playing-across",  "pointing-across",
+            "choosing-across", "aiming-across", "chosen-across",  "feedback-across", "confidence-across",
+            "paused",          "over"};
         std::set<std::string> words;
         for (const std::string& state : states) {
             CAPTURE(state);
@@ -96,33 +99,32 @@ TEST_SUITE("operator/operator_words") {
         CHECK(elapsedInWords(-1.0) == "0:00");
     }
 
-    TEST_CASE("ending takes two askings within four seconds") {
-        AskTwice end;
-        CHECK_FALSE(end.left(99.0));
-        CHECK_FALSE(end.ask(100.0));
-        REQUIRE(end.left(101.0));
-        CHECK(*end.left(101.0) == doctest::Approx(0.75));
-        CHECK(end.ask(103.9));
-        CHECK_FALSE(end.left(103.9));
-        CHECK_FALSE(end.ask(104.9));
+    TEST_CASE("the time left is told in minutes, hours where there are some, and as unknown where it is") {
+        CHECK(timeLeftInWords(std::nullopt) == "not known yet");
+        CHECK(timeLeftInWords(0.0) == "less than a minute");
+        CHECK(timeLeftInWords(59.0) == "less than a minute");
+        CHECK(timeLeftInWords(60.0) == "about 1 min");
+        CHECK(timeLeftInWords(754.0) == "about 13 min");
+        CHECK(timeLeftInWords(3599.0) == "about 1 h 00 min");
+        CHECK(timeLeftInWords(3900.0) == "about 1 h 05 min");
     }
 
-    TEST_CASE("an asking after four seconds is a first one again") {
-        AskTwice end;
-        CHECK_FALSE(end.ask(10.0));
-        CHECK_FALSE(end.left(14.1));
-        CHECK_FALSE(end.ask(14.1));
-        CHECK(end.ask(16.0));
+    TEST_CASE("free space is told in whole units, never more than there is") {
+        CHECK(bytesInWords(0) == "0 MB");
+        CHECK(bytesInWords(999'999'999) == "999 MB");
+        CHECK(bytesInWords(1'000'000'000) == "1.0 GB");
+        CHECK(bytesInWords(9'990'000'000) == "9.9 GB");
+        CHECK(bytesInWords(118'900'000'000) == "118 GB");
     }
 
-    TEST_CASE("a double click asks once, and does not lengthen the time for the second asking") {
-        AskTwice end;
-        CHECK_FALSE(end.ask(10.0));
-        CHECK_FALSE(end.ask(10.1));
-        CHECK_FALSE(end.ask(10.39));
-        CHECK_FALSE(end.left(14.05));
-        CHECK_FALSE(end.ask(20.0));
-        CHECK_FALSE(end.ask(20.2));
-        CHECK(end.ask(20.5));
+    TEST_CASE("what happened is told with the operator's own words, and what came to nothing as such") {
+        CHECK(eventInWords({0.0, "operator_skip", "the clip did not move"}) ==
+              "Skipped: the clip did not move");
+        CHECK(eventInWords({0.0, "operator_skip", "nothing to skip"}) == "Nothing to skip");
+        CHECK(eventInWords({0.0, "operator_repeat", "nothing to repeat"}) == "Nothing to repeat");
+        CHECK(eventInWords({0.0, "operator_repeat", ""}) == "Last trial is repeated");
+        CHECK(eventInWords({0.0, "pause", "focus lost"}) == "Paused: focus lost");
+        CHECK(eventInWords({0.0, "resume", "after 3.200 s"}) == "Resumed");
+        CHECK(eventInWords({0.0, "ipd", "0.0630 m"}) == "ipd: 0.0630 m");
     }
 }

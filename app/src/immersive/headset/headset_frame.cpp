@@ -35,10 +35,7 @@ void HeadsetStation::State::lose(const XrFailure& by) {
 }
 
 void HeadsetStation::State::handleWindow() {
-    const OperatorRequest now = operator_window->poll();
-    asked.pause = asked.pause || now.pause;
-    asked.recentre = asked.recentre || now.recentre;
-    asked.end = asked.end || now.end;
+    asked.add(operator_window->poll());
     if (std::exchange(asked.recentre, false)) place.recentre("operator");
 }
 
@@ -144,7 +141,6 @@ void HeadsetStation::State::waitUntilWorn() {
 
 std::string HeadsetStation::State::pauseReason() {
     const bool menu = std::exchange(device.menu, false);
-    if (std::exchange(asked.pause, false)) return "operator";
     if (!session->lifecycle().visible()) return "headset taken off";
     if (!session->lifecycle().focused()) return "focus lost";
     if (head_watch.lost(head, session->now_s())) return "tracking lost";
@@ -177,10 +173,8 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
     if (failure) {
         in.quit = true;
         in.quit_reason = quit_reason;
-    } else if (asked.end) {
-        in.quit = true;
-        in.quit_reason = "ended by the experimenter";
     }
+    std::exchange(asked, {}).putInto(in);
 }
 
 // With a line on the first page, and where a pause begins, that says how to select.
@@ -235,21 +229,22 @@ studies::TrackingSample HeadsetStation::State::sample(std::uint64_t number) cons
 
 OperatorView HeadsetStation::State::operatorView() const {
     OperatorView view;
-    view.participant = options.participant;
+    if (options.operator_feed) view.feed = *options.operator_feed;
+    view.feed.participant = options.participant;
     view.status = presented.status;
     view.state = presented.state;
     view.paused = presented.state == "paused";
-    view.headset = deviceWords(runtime);
-    view.headset_state = nameOf(session->lifecycle().state());
+    view.device_kind = "Headset";
+    view.device = deviceWords(runtime);
+    view.device_state = headsetInWords(nameOf(session->lifecycle().state()));
     view.frames_per_s = frames_per_s;
     view.dropped_frames = dropped;
-    view.head_tracked = head.tracked;
-    view.left_tracked = device.aim[0].tracked;
-    view.right_tracked = device.aim[1].tracked;
-    view.ray_hand = pointing_hand.hand() == studies::Hand::left ? 'L' : 'R';
-    view.off_place_m = off_place_m;
+    view.tracked = {
+        {"Head", head.tracked}, {"Left", device.aim[0].tracked}, {"Right", device.aim[1].tracked}};
+    view.pointer = fmt::format("Ray from the {}", nameOf(pointing_hand.hand()));
+    view.has_place = true;
+    if (head.tracked) view.off_place_m = off_place_m;
     view.place_tolerance_m = options.study.place_tolerance_m;
-    view.elapsed_s = session->now_s();
     if (!joined && !session->lifecycle().focused())
         view.warnings.emplace_back("Waiting for the participant to put the headset on.");
     else if (!joined)

@@ -11,6 +11,7 @@
 
 #include "../gl_window.hpp"
 #include "assets/avatar.hpp"
+#include "operator_feed.hpp"
 #include "studies/station.hpp"
 #include "studies/study.hpp"
 
@@ -22,6 +23,7 @@ struct HeadsetStationOptions {
     WindowSize window_size{1280, 720};
     double resolution_scale = 1.0;
     studies::HeadsetOptions study{};
+    std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells the experimenter
 };
 
 class HeadsetStation : public studies::Station {

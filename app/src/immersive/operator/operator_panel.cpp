@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
-#include <string_view>
 
+#include "operator_controls.hpp"
 #include "operator_words.hpp"
+#include "panel_pen.hpp"
 
 namespace deixis::app {
 
@@ -14,280 +16,266 @@ namespace {
 
 // Lengths are in units of WindowGui::scale().
 constexpr float margin = 20.0F;  // at the right with room for a scroll bar
-constexpr float section_gap = 12.0F;
-constexpr float line_gap = 5.0F;
-constexpr float button_height = 40.0F;
-constexpr float button_gap = 8.0F;
-constexpr float light_radius = 6.0F;
+constexpr float stage_height = 24.0F;
+constexpr float stage_bar = 64.0F;
+constexpr int stages_in_sight = 8;
+constexpr std::size_t events_in_sight = 6;
+constexpr std::uintmax_t little_space_bytes = 1'000'000'000;
+constexpr double usual_wait_s = 1.0;  // of an answer for the disk
 
 class Panel {
   public:
-    Panel(const WindowGui& gui, const OperatorView& view, ImVec2 size)
-        : gui_(gui), view_(view), size_(size), width_(size.x - 2.0F * px(margin)) {}
+    Panel(const WindowGui& gui, const OperatorView& view, OperatorDesk& desk, ImVec2 size)
+        : gui_(gui), view_(view), desk_(desk), size_(size), pen_(gui, size.x - 2.0F * margin * gui.scale()) {}
 
-    [[nodiscard]] PanelClicks draw(ImVec2 corner, std::optional<double> end_question) const {
+    void draw(ImVec2 corner, double now_s) const {
         const float edge = std::max(1.0F, gui_.scale());
+        const float space = px(margin);
         ImGui::SetNextWindowPos(corner);
         ImGui::SetNextWindowSize(size_);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(margin), px(margin)});
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8.0F), px(line_gap)});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {space, space});
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8.0F), px(PanelPen::line_gap)});
         ImGui::Begin("operator", nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
         ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + edge, corner.y + size_.y}, look::edge);
         // What can be pressed stays in sight, whatever there is to tell. The scroll bar has the margin.
-        const float told_height = size_.y - 2.0F * px(margin) - buttonsHeight() - px(section_gap);
-        ImGui::BeginChild("told", {width_ + 0.5F * px(margin), std::max(1.0F, told_height)}, false,
+        const float foot = controlsHeight(pen_, desk_);
+        const float told = size_.y - 2.0F * space - foot - px(PanelPen::section_gap);
+        ImGui::BeginChild("told", {pen_.width() + 0.5F * space, std::max(1.0F, told)}, false,
                           ImGuiWindowFlags_NoNav);
         participant();
-        session();
-        headset();
         warnings();
+        now();
+        device();
+        storage();
+        stages();
+        events();
         ImGui::EndChild();
-        ImGui::SetCursorPosY(size_.y - px(margin) - buttonsHeight());
-        const PanelClicks clicks = buttons(end_question);
+        ImGui::SetCursorPosY(size_.y - space - foot);
+        drawControls(pen_, view_, desk_, now_s);
         ImGui::End();
         ImGui::PopStyleVar(4);
-        return clicks;
     }
 
   private:
     const WindowGui& gui_;
     const OperatorView& view_;
+    OperatorDesk& desk_;
     ImVec2 size_;
-    float width_;  // of what is written
+    PanelPen pen_;
 
-    [[nodiscard]] float px(float length) const { return length * gui_.scale(); }
-
-    static float widthOf(ImFont* font, std::string_view text) {
-        return font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, text.data(), text.data() + text.size()).x;
-    }
-
-    // On one line.
-    static void writeLine(ImFont* font, ImU32 colour, std::string_view text) {
-        ImGui::PushFont(font);
-        ImGui::PushStyleColor(ImGuiCol_Text, colour);
-        ImGui::TextUnformatted(text.data(), text.data() + text.size());
-        ImGui::PopStyleColor();
-        ImGui::PopFont();
-    }
-
-    // On as many lines as it needs.
-    void write(ImFont* font, ImU32 colour, std::string_view text) const {
-        ImGui::PushTextWrapPos(width_);
-        writeLine(font, colour, text);
-        ImGui::PopTextWrapPos();
-    }
-
-    // Against the right edge of the line last written, or on a line of its own where that is too full.
-    void writeRight(ImFont* font, ImU32 colour, std::string_view text, float left_width) const {
-        const float place = width_ - widthOf(font, text);
-        if (left_width + px(12.0F) > place) {
-            write(font, colour, text);
-            return;
-        }
-        ImGui::SameLine(place);
-        writeLine(font, colour, text);
-    }
-
-    // A line with a name at its left and a value at its right.
-    void row(std::string_view name, ImFont* font, ImU32 colour, std::string_view value) const {
-        write(gui_.regular(), look::faint, name);
-        writeRight(font, colour, value, widthOf(gui_.regular(), name));
-    }
-
-    void gap(float height) const { ImGui::Dummy({1.0F, std::max(1.0F, px(height - line_gap))}); }
-
-    void section(std::string_view title) const {
-        gap(section_gap);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width_, at.y + std::max(1.0F, gui_.scale())},
-                                                  look::edge);
-        gap(section_gap);
-        write(gui_.small(), look::faint, title);
-    }
-
-    void bar(double share, float height, ImU32 colour) const {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const float full = width_;
-        const float round = 0.5F * px(height);
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        list.AddRectFilled(at, {at.x + full, at.y + px(height)}, look::edge, round);
-        const float filled = full * static_cast<float>(std::clamp(share, 0.0, 1.0));
-        if (filled >= 2.0F * round) list.AddRectFilled(at, {at.x + filled, at.y + px(height)}, colour, round);
-        ImGui::Dummy({full, px(height)});
-    }
+    [[nodiscard]] float px(float length) const { return pen_.px(length); }
 
     void participant() const {
-        const std::string elapsed = elapsedInWords(view_.elapsed_s);
-        const float own = widthOf(gui_.large(), view_.participant);
-        const float beside = widthOf(gui_.large(), elapsed) + px(12.0F);
-        write(gui_.small(), look::faint, "Participant");
-        if (own + beside <= width_) {
-            writeRight(gui_.small(), look::faint, "Elapsed", widthOf(gui_.small(), "Participant"));
-            write(gui_.large(), look::text, view_.participant);
-            writeRight(gui_.large(), look::text, elapsed, own);
+        const OperatorFeed& feed = view_.feed;
+        const std::string elapsed = elapsedInWords(feed.elapsed_s);
+        const float own = PanelPen::widthOf(gui_.large(), feed.participant);
+        const float beside = PanelPen::widthOf(gui_.large(), elapsed) + px(12.0F);
+        pen_.write(gui_.small(), look::faint, "Participant");
+        if (own + beside <= pen_.width()) {
+            pen_.right(gui_.small(), look::faint, "Elapsed", PanelPen::widthOf(gui_.small(), "Participant"));
+            pen_.write(gui_.large(), look::text, feed.participant);
+            pen_.right(gui_.large(), look::text, elapsed, own);
         } else {
-            write(gui_.bold(), look::text, view_.participant);
-            row("Elapsed", gui_.bold(), look::text, elapsed);
+            pen_.write(gui_.bold(), look::text, feed.participant);
+            pen_.row("Elapsed", gui_.bold(), look::text, elapsed);
         }
-    }
-
-    void session() const {
-        section("Session");
-        if (view_.status.empty()) {
-            write(gui_.regular(), look::text, "Not begun yet");
-            return;
-        }
-        const StudyProgress progress = studyProgress(view_.status);
-        write(gui_.bold(), look::text, progress.stage);
-        if (const auto done = progress.done()) {
-            writeRight(gui_.bold(), look::text, fmt::format("{} of {}", progress.trial, progress.trials),
-                       widthOf(gui_.bold(), progress.stage));
-            bar(*done, 6.0F, look::good);
-            gap(line_gap + 2.0F);
-        }
-        write(gui_.regular(), view_.paused ? look::warning : look::text,
-              progress.remark.empty() ? stateInWords(view_.state) : progress.remark);
-    }
-
-    void headset() const {
-        section("Headset");
-        write(gui_.regular(), look::text, view_.headset);
-        const HeadsetWords state = headsetInWords(view_.headset_state);
-        light(state.in_use, state.in_use ? look::good : look::warning);
-        write(gui_.regular(), state.in_use ? look::text : look::warning, state.words);
-        gap(line_gap + 4.0F);
-        row("Frames per second", gui_.bold(), look::text, fmt::format("{:.0f}", view_.frames_per_s));
-        row("Dropped frames", gui_.bold(), look::text, fmt::format("{}", view_.dropped_frames));
-        distance();
-        gap(line_gap + 6.0F);
-        tracking();
-    }
-
-    void distance() const {
-        if (!view_.head_tracked) {
-            row("From the place", gui_.bold(), look::faint, "not known");
-            return;
-        }
-        const bool off = view_.off_place_m > view_.place_tolerance_m;
-        row("From the place", gui_.bold(), off ? look::warning : look::text,
-            distanceInWords(view_.off_place_m));
-        if (off)
-            write(gui_.small(), look::warning,
-                  fmt::format("Farther than {}: the participant is asked back.",
-                              distanceInWords(view_.place_tolerance_m)));
-    }
-
-    // A disc where it is lit, a ring where not: colour alone does not tell it. The line goes on behind it.
-    void light(bool lit, ImU32 colour) const {
-        const float line = ImGui::GetTextLineHeight();
-        const float radius = px(light_radius);
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const ImVec2 centre{at.x + radius, at.y + 0.5F * line + 0.5F * gui_.scale()};
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        if (lit)
-            list.AddCircleFilled(centre, radius, colour);
-        else
-            list.AddCircle(centre, radius - 0.5F * px(2.0F), colour, 0, px(2.0F));
-        ImGui::Dummy({2.0F * radius, line});
-        ImGui::SameLine();
-    }
-
-    void tracking() const {
-        write(gui_.regular(), look::faint, "Tracked");
-        const char* const ray = view_.ray_hand == 'L' ? "Ray from the left" : "Ray from the right";
-        writeRight(gui_.regular(), look::ray, ray, widthOf(gui_.regular(), "Tracked"));
-        tracked("Head", view_.head_tracked, 0.0F);
-        tracked("Left", view_.left_tracked, 0.36F);
-        tracked("Right", view_.right_tracked, 0.70F);
-    }
-
-    void tracked(std::string_view name, bool is, float place) const {
-        if (place > 0.0F) ImGui::SameLine(place * width_);
-        light(is, is ? look::good : look::warning);
-        writeLine(gui_.regular(), is ? look::text : look::warning, name);
+        int done = 0;
+        int of = 0;
+        for (const auto& stage : feed.progress.stages)
+            if (stage.of > 0) {
+                done += stage.done;
+                of += stage.of;
+            }
+        if (of == 0) return;
+        pen_.row("Time left", gui_.bold(), feed.left_s ? look::text : look::faint,
+                 timeLeftInWords(feed.left_s));
+        pen_.row("Answered", gui_.bold(), look::text, fmt::format("{} of {}", done, of));
+        pen_.bar(static_cast<double>(done) / of, 6.0F, look::good);
     }
 
     void warnings() const {
-        if (view_.warnings.empty()) return;
-        section("Please note");
-        for (const std::string& warning : view_.warnings) {
-            gap(line_gap);
-            const ImVec2 at = ImGui::GetCursorScreenPos();
-            ImGui::Indent(px(14.0F));
-            write(gui_.regular(), look::warning, warning);
-            ImGui::Unindent(px(14.0F));
-            const float foot = ImGui::GetItemRectMax().y;
-            ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + px(3.0F)}, {at.x + px(3.0F), foot},
-                                                      look::warning, px(1.5F));
+        const bool full = view_.feed.disk_free_bytes && *view_.feed.disk_free_bytes < little_space_bytes;
+        if (view_.warnings.empty() && !full) return;
+        pen_.section("Please note");
+        if (full)
+            pen_.warning(
+                fmt::format("Only {} are free on the disk of the database. Make room before it is "
+                            "full: the session ends when nothing more can be kept.",
+                            bytesInWords(*view_.feed.disk_free_bytes)));
+        for (const std::string& warning : view_.warnings) pen_.warning(warning);
+    }
+
+    void now() const {
+        pen_.section("Now");
+        if (view_.status.empty()) {
+            pen_.write(gui_.regular(), look::text, "Not begun yet");
+            return;
+        }
+        const StudyProgress progress = studyProgress(view_.status);
+        const std::string place =
+            progress.trials > 0 ? fmt::format("{} of {}", progress.trial, progress.trials) : "";
+        const float left = pen_.width() - PanelPen::widthOf(gui_.bold(), place) - px(13.0F);
+        const std::string stage = PanelPen::fitted(gui_.bold(), progress.stage, left);
+        pen_.write(gui_.bold(), look::text, stage);
+        if (!place.empty()) pen_.right(gui_.bold(), look::text, place, PanelPen::widthOf(gui_.bold(), stage));
+        pen_.write(gui_.regular(), view_.paused ? look::warning : look::text,
+                   progress.remark.empty() ? stateInWords(view_.state) : progress.remark);
+        checks();
+        trial();
+    }
+
+    void checks() const {
+        const auto& progress = view_.feed.progress;
+        if (progress.checks_passed + progress.checks_failed == 0) {
+            pen_.row("Attention checks", gui_.regular(), look::faint, "none yet");
+            return;
+        }
+        pen_.row("Attention checks", gui_.bold(), progress.checks_failed > 0 ? look::warning : look::text,
+                 progress.checks_failed == 0
+                     ? fmt::format("{} passed", progress.checks_passed)
+                     : fmt::format("{} passed, {} failed", progress.checks_passed, progress.checks_failed));
+    }
+
+    // Whoever knows the condition may let the participant feel it: it is shown only on demand.
+    void trial() const {
+        ImGui::PushFont(gui_.small());
+        const bool shown = desk_.trialShown();
+        if (ImGui::Button(shown ? "Hide trial" : "Show trial (you will know the condition)"))
+            desk_.showTrial(!shown);
+        ImGui::PopFont();
+        if (!shown) return;
+        const std::string& words = view_.feed.progress.trial;
+        pen_.write(gui_.regular(), words.empty() ? look::faint : look::text,
+                   words.empty() ? "No trial is under way." : words);
+    }
+
+    void stages() const {
+        const auto& stages = view_.feed.progress.stages;
+        if (stages.empty()) return;
+        pen_.section("Stages");
+        const auto count = static_cast<int>(stages.size());
+        if (count <= stages_in_sight) {
+            for (const auto& stage : stages) stageLine(pen_, stage);
+            return;
+        }
+        // A list of its own, which follows the stage that is under way.
+        const float bar = ImGui::GetStyle().ScrollbarSize + px(4.0F);
+        ImGui::BeginChild("stages",
+                          {pen_.width() + 0.5F * px(margin) - 1.0F,
+                           (static_cast<float>(stages_in_sight) + 0.5F) * px(stage_height)},
+                          false, ImGuiWindowFlags_NoNav);
+        const PanelPen narrow(gui_, pen_.width() - bar + 0.5F * px(margin));
+        int& followed = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("followed"), -1);
+        for (int i = 0; i < count; ++i) {
+            const auto& stage = stages[static_cast<std::size_t>(i)];
+            stageLine(narrow, stage);
+            if (!stage.current || followed == i) continue;
+            ImGui::SetScrollHereY(0.5F);
+            followed = i;
+        }
+        ImGui::EndChild();
+    }
+
+    // Name, bar and count.
+    void stageLine(const PanelPen& pen, const studies::StageProgress& stage) const {
+        const bool page = stage.of == 0;
+        const bool done = stage.done >= std::max(1, stage.of);
+        ImFont* font = stage.current ? gui_.bold() : gui_.regular();
+        const ImU32 colour = done && !stage.current ? look::faint : look::text;
+        std::string count = fmt::format("{} / {}", stage.done, stage.of);
+        if (page) count = done ? "read" : "page";
+        const float counts = std::max(PanelPen::widthOf(font, count), pen.px(66.0F));
+        const float bar = pen.width() - counts - pen.px(stage_bar);
+        const std::string name = PanelPen::fitted(font, stage.name, bar - pen.px(10.0F));
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float top = ImGui::GetCursorPosY();
+        PanelPen::line(font, colour, name);
+        if (name != stage.name && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", stage.name.c_str());
+        if (!page)
+            pen.barAt({at.x + bar, at.y + 0.5F * (font->FontSize - pen.px(4.0F)) + pen.px(1.0F)},
+                      pen.px(stage_bar), static_cast<double>(stage.done) / stage.of, 5.0F,
+                      stage.current ? look::good : look::button_hovered);
+        ImGui::SameLine(pen.width() - PanelPen::widthOf(font, count));
+        PanelPen::line(font, page ? look::faint : colour, count);
+        ImGui::SetCursorPosY(top + pen.px(stage_height));
+    }
+
+    void device() const {
+        pen_.section(view_.device_kind);
+        pen_.write(gui_.regular(), look::text, view_.device);
+        const bool in_use = view_.device_state.in_use;
+        pen_.light(in_use, in_use ? look::good : look::warning);
+        pen_.write(gui_.regular(), in_use ? look::text : look::warning, view_.device_state.words);
+        pen_.row("Frames", gui_.bold(), look::text,
+                 fmt::format("{:.0f} a second, {} dropped", view_.frames_per_s, view_.dropped_frames));
+        if (view_.has_place) distance();
+        if (view_.tracked.empty()) {
+            pen_.row("Pointer", gui_.bold(), look::text, view_.pointer);
+            return;
+        }
+        pen_.write(gui_.regular(), look::faint, "Tracked");
+        pen_.right(gui_.regular(), look::ray, view_.pointer, PanelPen::widthOf(gui_.regular(), "Tracked"));
+        float place = 0.0F;
+        for (const TrackedDevice& one : view_.tracked) {
+            if (place > 0.0F) ImGui::SameLine(place * pen_.width());
+            pen_.light(one.tracked, one.tracked ? look::good : look::warning);
+            PanelPen::line(gui_.regular(), one.tracked ? look::text : look::warning, one.name);
+            place += 0.35F;
         }
     }
 
-    [[nodiscard]] float buttonsHeight() const { return 2.0F * px(button_height) + px(button_gap); }
-
-    PanelClicks buttons(std::optional<double> end_question) const {
-        PanelClicks clicks;
-        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(button_gap), px(button_gap)});
-        const float half = 0.5F * (width_ - px(button_gap));
-        if (view_.paused)
-            hint("The participant resumes on the board.", half);
-        else
-            clicks.pause = ImGui::Button("Pause (P)", {half, px(button_height)});
-        ImGui::SameLine();
-        clicks.recentre = ImGui::Button("Recentre (R)", {half, px(button_height)});
-        clicks.end = endButton(end_question);
-        ImGui::PopStyleVar();
-        return clicks;
+    void distance() const {
+        if (!view_.off_place_m) {
+            pen_.row("From the place", gui_.bold(), look::faint, "not known");
+            return;
+        }
+        const bool off = *view_.off_place_m > view_.place_tolerance_m;
+        pen_.row("From the place", gui_.bold(), off ? look::warning : look::text,
+                 distanceInWords(*view_.off_place_m));
+        if (off)
+            pen_.write(gui_.small(), look::warning,
+                       fmt::format("Farther than {}: the participant is asked back.",
+                                   distanceInWords(view_.place_tolerance_m)));
     }
 
-    void hint(std::string_view text, float across) const {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImFont* font = gui_.small();
-        const ImVec2 size =
-            font->CalcTextSizeA(font->FontSize, across, across, text.data(), text.data() + text.size());
-        ImGui::GetWindowDrawList()->AddText(font, font->FontSize,
-                                            {at.x, at.y + 0.5F * (px(button_height) - size.y)}, look::faint,
-                                            text.data(), text.data() + text.size(), across);
-        ImGui::Dummy({across, px(button_height)});
+    void storage() const {
+        const OperatorFeed& feed = view_.feed;
+        const bool waits = feed.waiting_s > usual_wait_s;
+        pen_.row("Answers", gui_.bold(), waits ? look::warning : look::text,
+                 waits ? fmt::format("waiting for the disk, {:.0f} s", feed.waiting_s) : "on the disk");
+        const bool known = feed.disk_free_bytes.has_value();
+        const bool little = known && *feed.disk_free_bytes < little_space_bytes;
+        pen_.row("Free on the disk", gui_.bold(),
+                 !known   ? look::faint
+                 : little ? look::warning
+                          : look::text,
+                 known ? bytesInWords(*feed.disk_free_bytes) : "not known");
     }
 
-    // Its own question takes its place; the time for the second press runs out along its foot.
-    bool endButton(std::optional<double> question) const {
-        const ImVec2 size{width_, px(button_height)};
-        if (!question) return ImGui::Button("End session", size);
-        ImGui::PushStyleColor(ImGuiCol_Button, look::danger);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look::danger_hovered);
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, look::danger);
-        const bool pressed = ImGui::Button("##really end", size);
-        ImGui::PopStyleColor(3);
-        const ImVec2 low = ImGui::GetItemRectMin();
-        const ImVec2 high = ImGui::GetItemRectMax();
-        writeCentred(gui_.bold(), "Really end?", low.y + px(1.0F));
-        writeCentred(gui_.small(), "The answers so far are kept.", low.y + px(18.0F));
-        const float inset = ImGui::GetStyle().FrameRounding;
-        const float run = (high.x - low.x - 2.0F * inset) * static_cast<float>(*question);
-        ImGui::GetWindowDrawList()->AddRectFilled({low.x + inset, high.y - px(4.0F)},
-                                                  {low.x + inset + run, high.y - px(2.0F)}, look::text);
-        return pressed;
-    }
-
-    // Over what was drawn last.
-    void writeCentred(ImFont* font, std::string_view text, float top) const {
-        const ImVec2 low = ImGui::GetItemRectMin();
-        ImGui::GetWindowDrawList()->AddText(font, font->FontSize,
-                                            {low.x + 0.5F * (width_ - widthOf(font, text)), top}, look::text,
-                                            text.data(), text.data() + text.size());
+    void events() const {
+        const auto& events = view_.feed.events;
+        if (events.empty()) return;
+        pen_.section("Latest");
+        std::size_t told = 0;
+        for (auto event = events.rbegin(); event != events.rend() && told < events_in_sight;
+             ++event, ++told) {
+            const std::string time = elapsedInWords(event->elapsed_s);
+            PanelPen::line(gui_.small(), look::faint, time);
+            ImGui::SameLine(std::max(px(52.0F), PanelPen::widthOf(gui_.small(), time) + px(8.0F)));
+            pen_.write(gui_.small(), look::text, eventInWords(*event));
+        }
     }
 };
 
 }  // namespace
 
-PanelClicks drawOperatorPanel(const WindowGui& gui, ImVec2 corner, ImVec2 size, const OperatorView& view,
-                              std::optional<double> end_question) {
-    return Panel(gui, view, size).draw(corner, end_question);
+void drawOperatorPanel(const WindowGui& gui, ImVec2 corner, ImVec2 size, const OperatorView& view,
+                       OperatorDesk& desk, double now_s) {
+    Panel(gui, view, desk, size).draw(corner, now_s);
 }
 
 }  // namespace deixis::app

@@ -1,22 +1,15 @@
-// The panel of the experimenter's window: what it shows, and what was clicked.
+// The panel of the experimenter's window: what it tells, and over its foot the buttons and fields.
 #pragma once
 
-#include <optional>
-
 #include "../window_gui.hpp"
-#include "operator_window.hpp"
+#include "operator_request.hpp"
+#include "operator_view.hpp"
 
 namespace deixis::app {
 
-struct PanelClicks {
-    bool pause = false;
-    bool recentre = false;
-    bool end = false;
-};
-
-/// Draws between WindowGui::beginFrame() and endFrame(), at this place (pixels, y down). `end_question`: how
-/// much of the time for asking a second time to end is left, 0..1; none: not asked.
-[[nodiscard]] PanelClicks drawOperatorPanel(const WindowGui& gui, ImVec2 corner, ImVec2 size,
-                                            const OperatorView& view, std::optional<double> end_question);
+/// Draws between WindowGui::beginFrame() and endFrame(), at this place (pixels, y down). What is pressed and
+/// typed goes to the desk. `now_s`: on the desk's clock.
+void drawOperatorPanel(const WindowGui& gui, ImVec2 corner, ImVec2 size, const OperatorView& view,
+                       OperatorDesk& desk, double now_s);
 
 }  // namespace deixis::app

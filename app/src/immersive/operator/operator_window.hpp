@@ -1,42 +1,23 @@
-// The experimenter's window while a participant wears the headset: what the left eye sees, and a panel.
+// The experimenter's window: what the participant sees, and a panel beside it.
 #pragma once
 
 #include <memory>
-#include <string>
-#include <vector>
 
 #include "../gl_window.hpp"
+#include "operator_request.hpp"
+#include "operator_view.hpp"
 
 namespace deixis::app {
 
-/// What the panel tells.
-struct OperatorView {
-    std::string participant;
-    std::string status;                 ///< "game 12/40"
-    std::string state;                  ///< PresentedFrame::state
-    std::string headset;                ///< "Valve Index, SteamVR 2.5, 90 Hz"
-    std::string headset_state;          ///< an OpenXR session state, or other words: "taken off", ...
-    std::vector<std::string> warnings;  ///< one line each, calm and clear: what is wrong and what helps
-    double frames_per_s = 0.0;
-    int dropped_frames = 0;  ///< in the session so far
-    bool head_tracked = false;
-    bool left_tracked = false, right_tracked = false;
-    char ray_hand = 'R';
-    double off_place_m = 0.0;
-    double place_tolerance_m = 0.30;  ///< from here on the distance is marked
-    bool paused = false;
-    double elapsed_s = 0.0;  ///< of the session
+/// A picture to show, in a texture that this window's context shares.
+struct MirrorTexture {
+    unsigned int texture = 0;  ///< its first row is the picture's foot
+    WindowSize size{};
 };
 
-/// What the experimenter asks for.
-struct OperatorRequest {
-    bool pause = false;
-    bool recentre = false;
-    bool end = false;  ///< asked for twice within 4 s, on the button or by closing the window
-};
-
-/// Runs inside the headset's frame loop: call poll() in every frame and, where due() says so, draw the mirror
-/// and call show(). One pixel of the window system is one of the framebuffer (X11, Windows).
+/// Runs inside the station's frame loop: call poll() in every frame and show() where due() says so. One pixel
+/// of the window system is one of the framebuffer (X11, Windows). Where another context is current, show()
+/// leaves it current.
 class OperatorWindow {
   public:
     /// In `window`, whose context is current; it must outlive this. From here on the window does not wait for
@@ -46,22 +27,39 @@ class OperatorWindow {
     OperatorWindow(const OperatorWindow&) = delete;
     OperatorWindow& operator=(const OperatorWindow&) = delete;
 
-    /// Handles the window's events and says what was asked since the last call. Keys: R recentres, P or Esc
-    /// pauses.
+    /// Handles the events of all windows, and says what was asked here since the last call. Keys, unless a
+    /// text is typed: P pauses and goes on, Esc pauses, R recentres.
     [[nodiscard]] OperatorRequest poll();
     /// Whether the window can show a picture now (neither minimised nor empty).
     [[nodiscard]] bool visible() const;
-    /// Whether it is time for a new picture: visible, and the last one is about 1/30 s old.
+    /// Whether it is time for a new picture: visible, and the last one is 1/15 s old; 1/30 s while the panel
+    /// is used. Later where pictures take long: they have a tenth of the time at most.
     [[nodiscard]] bool due() const;
     /// The part of the window that is the mirror's, from its lower left corner, pixels; at least 1x1.
     [[nodiscard]] WindowSize mirrorSize() const;
-    /// Draws the panel beside the mirror, which has been drawn already into framebuffer 0, and shows the
-    /// window. Never waits for the display. Leaves framebuffer 0 bound, with sRGB conversion off.
+    /// Draws the panel beside the mirror, which has been drawn already into framebuffer 0 of the window's
+    /// context, and shows the window. Never waits for the display. Leaves that framebuffer bound, with sRGB
+    /// conversion off.
     void show(const OperatorView& view);
+    /// Draws both: the mirror as large as it fits.
+    void show(const OperatorView& view, const MirrorTexture& mirror);
 
   private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
+};
+
+/// Makes a window's context current, and the one before again when it goes.
+class CurrentContext {
+  public:
+    explicit CurrentContext(GLFWwindow* window);
+    ~CurrentContext();
+    CurrentContext(const CurrentContext&) = delete;
+    CurrentContext& operator=(const CurrentContext&) = delete;
+
+  private:
+    GLFWwindow* before_;
+    bool changed_;
 };
 
 }  // namespace deixis::app

@@ -13,33 +13,59 @@ namespace deixis::app {
 
 namespace {
 
-constexpr double answer_within_s = 4.0;
-constexpr double double_click_s = 0.4;
-
 using Words = std::pair<std::string_view, std::string_view>;
 
-constexpr std::array<Words, 11> state_words{{
-    {"welcome", "Reads the welcome"},
-    {"welcome-back", "Reads the welcome back"},
+constexpr std::array<Words, 16> state_words{{
     {"instructions", "Reads the instructions"},
-    {"practice", "Reads about the practice"},
-    {"begin", "Reads that it counts from here on"},
+    {"consent", "Is asked for consent"},
+    {"questionnaire", "Answers questions"},
     {"break", "Takes a break"},
-    {"goodbye", "Reads the thanks"},
+    {"welcome-back", "Reads the welcome back"},
+    {"practice-again", "Reads that there is more practice"},
+    {"attention", "Reads a word about attention"},
+    {"closing", "Reads the closing words"},
+    {"check", "Is shown a number to give"},
     {"rating", "Rates the clip"},
     {"rated", "Has rated the clip"},
+    {"listening", "Plays and rates the clips"},
+    {"comparing", "Plays and compares the clips"},
+    {"reasons", "Gives reasons for the preference"},
     {"paused", "Paused"},
     {"over", "The session is over"},
 }};
 
 // With a layout behind, in the game.
-constexpr std::array<Words, 6> trial_words{{
+constexpr std::array<Words, 8> trial_words{{
     {"waiting", "Waits for the clip"},
     {"playing", "Watches the clip"},
     {"pointing", "Watches the avatar point"},
     {"choosing", "Chooses a ball"},
     {"aiming", "Aims at a ball"},
     {"chosen", "Has chosen a ball"},
+    {"feedback", "Is shown the target"},
+    {"confidence", "Says how sure the choice was"},
+}};
+
+struct EventWords {
+    std::string_view kind;
+    std::string_view words;
+    bool with_detail;
+};
+constexpr std::array<EventWords, 14> event_words{{
+    {"session_start", "Session begun", true},
+    {"pause", "Paused", true},
+    {"resume", "Resumed", false},
+    {"trial_repeated", "Trial started over", false},
+    {"check_failed", "Attention check failed", false},
+    {"warned", "Participant warned", false},
+    {"practice_met", "Practice passed", false},
+    {"practice_failed", "Practice failed", false},
+    {"operator_repeat", "Last trial is repeated", true},
+    {"operator_skip", "Skipped", true},
+    {"operator_abort", "Aborted", true},
+    {"operator_note", "Note", true},
+    {"operator_saw_trial", "Trial shown to you", false},
+    {"exclusion", "Excluded", true},
 }};
 
 struct NamedHeadsetState {
@@ -115,7 +141,7 @@ std::string stateInWords(std::string_view state) {
     return std::string(state);
 }
 
-HeadsetWords headsetInWords(std::string_view state) {
+DeviceWords headsetInWords(std::string_view state) {
     for (const NamedHeadsetState& known : headset_words)
         if (state == known.name) return {std::string(known.words), known.in_use};
     return {capitalised(state), false};
@@ -135,19 +161,29 @@ std::string elapsedInWords(double seconds) {
     return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
-bool AskTwice::ask(double now_s) {
-    if (!left(now_s)) {
-        asked_s_ = now_s;
-        return false;
-    }
-    if (now_s - *asked_s_ < double_click_s) return false;
-    asked_s_.reset();
-    return true;
+std::string timeLeftInWords(std::optional<double> seconds) {
+    if (!seconds) return "not known yet";
+    if (*seconds < 60.0) return "less than a minute";
+    const auto minutes = static_cast<long long>(std::round(*seconds / 60.0));
+    if (minutes < 60) return fmt::format("about {} min", minutes);
+    return fmt::format("about {} h {:02} min", minutes / 60, minutes % 60);
 }
 
-std::optional<double> AskTwice::left(double now_s) const {
-    if (!asked_s_ || now_s - *asked_s_ > answer_within_s) return std::nullopt;
-    return 1.0 - (now_s - *asked_s_) / answer_within_s;
+std::string bytesInWords(std::uintmax_t bytes) {
+    const double gigabytes = static_cast<double>(bytes) / 1e9;
+    if (gigabytes < 1.0) return fmt::format("{} MB", bytes / 1'000'000);
+    if (gigabytes < 10.0) return fmt::format("{:.1f} GB", std::floor(10.0 * gigabytes) / 10.0);
+    return fmt::format("{:.0f} GB", std::floor(gigabytes));
+}
+
+std::string eventInWords(const OperatorEvent& event) {
+    if (event.detail.starts_with("nothing to ")) return capitalised(event.detail);
+    for (const EventWords& known : event_words) {
+        if (event.kind != known.kind) continue;
+        if (event.detail.empty() || !known.with_detail) return std::string(known.words);
+        return fmt::format("{}: {}", known.words, event.detail);
+    }
+    return event.detail.empty() ? event.kind : fmt::format("{}: {}", event.kind, event.detail);
 }
 
 }  // namespace deixis::app

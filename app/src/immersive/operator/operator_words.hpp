@@ -1,9 +1,12 @@
-// What the operator's panel says, in words, and the question asked twice: plain logic.
+// What the operator's panel says, in words: plain logic.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "operator_feed.hpp"
 
 namespace deixis::app {
 
@@ -24,13 +27,13 @@ struct StudyProgress {
 /// "Aims at a ball (side-by-side)". An unknown state comes back as it is.
 [[nodiscard]] std::string stateInWords(std::string_view state);
 
-struct HeadsetWords {
+struct DeviceWords {
     std::string words;
     bool in_use = false;  ///< the person sees the pictures and can answer
 };
 
 /// The name of an OpenXR session state, or the station's own words, which come back as they are.
-[[nodiscard]] HeadsetWords headsetInWords(std::string_view state);
+[[nodiscard]] DeviceWords headsetInWords(std::string_view state);
 
 /// "12 cm", "1.40 m"; whole centimetres below a metre.
 [[nodiscard]] std::string distanceInWords(double metres);
@@ -38,17 +41,13 @@ struct HeadsetWords {
 /// "4:07", "1:02:30".
 [[nodiscard]] std::string elapsedInWords(double seconds);
 
-/// Something that is done only when it was asked for twice. The second time counts within 4 s, and not within
-/// the first 0.4 s: a double click asks once.
-class AskTwice {
-  public:
-    /// True: asked for the second time. Times are of one clock, seconds.
-    bool ask(double now_s);
-    /// How much of the time for the second asking is left, 0..1; none: not asked.
-    [[nodiscard]] std::optional<double> left(double now_s) const;
+/// "about 12 min", "about 1 h 05 min", "less than a minute", "not known yet".
+[[nodiscard]] std::string timeLeftInWords(std::optional<double> seconds);
 
-  private:
-    std::optional<double> asked_s_;
-};
+/// "640 MB", "2.4 GB", "118 GB", in powers of ten as disks are sold.
+[[nodiscard]] std::string bytesInWords(std::uintmax_t bytes);
+
+/// "Skipped: the clip did not move". Kinds of others come back as they are.
+[[nodiscard]] std::string eventInWords(const OperatorEvent& event);
 
 }  // namespace deixis::app
