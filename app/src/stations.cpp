@@ -26,6 +26,7 @@ Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& requ
     options.title = study.title + " - " + plan.participant;
     options.fullscreen = request.fullscreen;
     options.eye_height_m = study.eye_height_m;
+    options.controls = study.words("station_desktop_controls");
     if (!request.size.empty()) {
         const auto size = parseWindowSize(request.size);
         if (!size) return tl::unexpected(size.error());

@@ -1,0 +1,147 @@
+// A session that is killed again and again, wherever it happens to be.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <csignal>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "assets/data_paths.hpp"
+#include "core/random.hpp"
+#include "enrolment.hpp"
+#include "motion/reference_humanoid.hpp"
+#include "program.hpp"
+#include "recorders.hpp"
+#include "simulated_setup.hpp"
+#include "stimuli.hpp"
+#include "studies/simulated_participant.hpp"
+
+using namespace deixis;
+using namespace deixis::tests;
+
+namespace {
+
+constexpr int kills = 200;
+
+/// What a run of the program does between its start and its end, with a simulated participant.
+class Life {
+  public:
+    explicit Life(std::string database)
+        : database_(std::move(database)),
+          setup_(app::loadStudySetup("pointing2023")),
+          avatar_(app::loadShippedAvatar()),
+          parameters_(studies::loadSimulatedParameters(assets::dataFile("simulated_participant.toml"))) {
+        REQUIRE(setup_);
+        REQUIRE(avatar_);
+        REQUIRE(parameters_);
+        // Every clip once, so that a life need not read them.
+        auto store = results::Store::open(database_, results::Durability::each_answer);
+        REQUIRE(store);
+        std::vector<studies::StudyPlan> plans;
+        for (int number = 1; number <= most_participants; ++number) {
+            auto plan =
+                studies::buildPlan(setup_->study, setup_->targets, fmt::format("P{:02}", number), number, {});
+            REQUIRE(plan);
+            plans.push_back(std::move(*plan));
+        }
+        stimuli_ = std::make_unique<Result<app::StimulusLibrary>>(app::StimulusLibrary::load(
+            *setup_, plans, *avatar_, fs::path(DEIXIS_BINARY_DIR) / "killed-session-stimuli"));
+        REQUIRE(*stimuli_);
+    }
+
+    static constexpr int most_participants = 12;
+
+    /// Whether the participant's session is over.
+    bool run(const std::string& participant) const {
+        auto store = results::Store::open(database_, results::Durability::each_answer);
+        if (!store) return false;
+        const auto enrolment = app::enrol(*setup_, *store, participant, 2e9);
+        if (!enrolment) return false;
+        if (enrolment->left.empty()) return true;
+        if (!store->storePlan(setup_->study, enrolment->registration, enrolment->plan)) return false;
+        studies::SimulatedStation station(*parameters_, avatar_->skeleton,
+                                          app::simulatedSeed(enrolment->plan));
+        const motion::LocalPose idle = motion::relaxedPose(avatar_->skeleton);
+        studies::SessionRunner session(setup_->study, enrolment->plan, **stimuli_, avatar_->skeleton, idle,
+                                       enrolment->resume, true);
+        store->beginSession({participant, station.info(), "test", avatar_->content_hash, 2e9});
+        const auto records = (*stimuli_)->records();
+        app::DirectRecorder recorder(*store, setup_->study, enrolment->plan, records);
+        const studies::Moment end = app::runSession(session, station, recorder);
+        store->endSession(session.outcome(), end.utc_s);
+        return true;
+    }
+
+  private:
+    std::string database_;
+    Result<app::StudySetup> setup_;
+    Result<assets::Avatar> avatar_;
+    Result<studies::SimulatedParameters> parameters_;
+    std::unique_ptr<Result<app::StimulusLibrary>> stimuli_;
+};
+
+}  // namespace
+
+TEST_SUITE("app/killed_session") {
+    TEST_CASE(
+        "Sessions of 60 trials killed at 200 random moments end with 60 answers each: none lost, none "
+        "doubled") {
+        const Scratch scratch;
+        const std::string database = scratch / "study.sqlite";
+        const Life life(database);
+        Random random(20211, "moments");
+        int killed = 0, finished = 0, participants = 0;
+        double longest_s = 0.02;
+        while (killed < kills && participants < Life::most_participants) {
+            const std::string participant = fmt::format("P{:02}", ++participants);
+            for (bool over = false; !over;) {
+                const pid_t child = ::fork();
+                REQUIRE(child >= 0);
+                if (child == 0) ::_exit(life.run(participant) ? 0 : 1);
+                bool struck = false;
+                if (killed < kills) {
+                    // Somewhere in the life, which lasts longer the more of the session is left.
+                    ::usleep(static_cast<useconds_t>(1e6 * random.uniform(0.0, longest_s)));
+                    struck = ::kill(child, SIGKILL) == 0;
+                }
+                int status = 0;
+                REQUIRE(::waitpid(child, &status, 0) == child);
+                if (struck && WIFSIGNALED(status)) {
+                    ++killed;
+                    continue;
+                }
+                REQUIRE(WIFEXITED(status));
+                REQUIRE(WEXITSTATUS(status) == 0);
+                over = true;
+                ++finished;
+            }
+            // A session that was over too soon was given too much time.
+            if (killed < kills / 2) longest_s *= 0.7;
+        }
+        MESSAGE(fmt::format("{} kills over {} sessions", killed, finished));
+        CHECK(killed == kills);
+
+        SQLite::Database kept(database, SQLite::OPEN_READONLY);
+        CHECK(kept.execAndGet("PRAGMA integrity_check").getString() == "ok");
+        CHECK(kept.execAndGet("SELECT count(*) FROM pragma_foreign_key_check").getInt() == 0);
+        SQLite::Statement counts(
+            kept,
+            "SELECT t.participant, sum(NOT t.practice AND s.participant IS NOT NULL), count(r.id), "
+            "count(*) FROM trials AS t LEFT JOIN trial_stimuli AS s ON s.participant = "
+            "t.participant AND s.trial_index = t.trial_index LEFT JOIN responses AS r ON "
+            "r.participant = t.participant AND r.trial_index = t.trial_index GROUP BY 1");
+        int seen = 0;
+        while (counts.executeStep()) {
+            CAPTURE(counts.getColumn(0).getString());
+            CHECK(counts.getColumn(1).getInt() == 60);
+            CHECK(counts.getColumn(2).getInt() == counts.getColumn(3).getInt());  // each unit answered once
+            ++seen;
+        }
+        CHECK(seen == participants);
+        // Whoever was cut off within a trial did it again, and the answer says so.
+        CHECK(kept.execAndGet("SELECT count(*) FROM responses WHERE begun_before").getInt() > 0);
+        CHECK(kept.execAndGet("SELECT count(*) FROM responses WHERE superseded IS NOT NULL").getInt() == 0);
+    }
+}

@@ -1,0 +1,196 @@
+// check, plan, simulate, participants, export, merge and replay --list: the real program on the studies that
+// ship.
+#include <set>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "program.hpp"
+
+using namespace deixis::tests;
+
+namespace {
+
+std::vector<std::string> shippedStudies() {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies"))
+        names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+std::string stimuli() {
+    return (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+}
+
+/// A database of one or more simulated participants.
+Finished simulated(const std::string& study, int participants, const std::string& database) {
+    return program("simulate " + study + " --participants " + std::to_string(participants) + " --db " +
+                   database + " --stimuli " + stimuli());
+}
+
+int count(const std::string& database, const std::string& query) {
+    return SQLite::Database(database, SQLite::OPEN_READONLY).execAndGet(query).getInt();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_SUITE("app/study_commands") {
+    TEST_CASE("Every study that ships is checked without a problem, and its plan is printed the same twice") {
+        CHECK(shippedStudies().size() == 5);
+        for (const std::string& study : shippedStudies()) {
+            CAPTURE(study);
+            const auto checked = program("check " + study);
+            CHECK_MESSAGE(checked.status == 0, checked.err);
+            CHECK(contains(checked.out, "no problem found"));
+            CHECK(contains(checked.out, "languages: en, de, sv, ko"));
+            const auto plan = program("plan " + study + " --participant P07");
+            CHECK(plan.status == 0);
+            CHECK(plan.out == program("plan " + study + " --participant P07").out);
+            CHECK(plan.out != program("plan " + study + " --participant P08").out);
+        }
+    }
+
+    TEST_CASE("Every problem of a file is told at once, with line, key and proposal") {
+        const Scratch scratch;
+        std::string text = shippedStudy();
+        text = replaced(text, "seed = 2023", "sead = 2023");
+        text = replaced(text, "ball_diameter_m = 0.10", "ball_diameter_m = -1");
+        text = replaced(text, "generator = \"stiff\"", "generator = \"stif\"");
+        spill(scratch / "bad.toml", text);
+        const auto checked = program("check " + (scratch / "bad.toml"));
+        CHECK(checked.status == 1);
+        CAPTURE(checked.err);
+        CHECK(contains(checked.err, "sead"));
+        CHECK(contains(checked.err, "seed"));
+        CHECK(contains(checked.err, "ball_diameter_m"));
+        CHECK(contains(checked.err, "problems"));
+    }
+
+    TEST_CASE(
+        "Every study that ships runs to its end with a simulated participant, each unit answered once") {
+        for (const std::string& study : shippedStudies()) {
+            CAPTURE(study);
+            const Scratch scratch;
+            const std::string database = scratch / "study.sqlite";
+            const auto ran = simulated(study, 2, database);
+            REQUIRE_MESSAGE(ran.status == 0, ran.err);
+            CHECK(count(database, "SELECT count(*) FROM sessions WHERE outcome IS NOT 'finished'") == 0);
+            // Practice stops when its criterion is met; all else is answered.
+            CHECK(count(database,
+                        "SELECT count(*) FROM trials AS t WHERE NOT practice AND NOT EXISTS (SELECT 1 FROM "
+                        "responses AS r WHERE r.participant = t.participant AND r.trial_index = "
+                        "t.trial_index)") == 0);
+            CHECK(count(database, "SELECT count(*) FROM responses WHERE status <> 'answered'") == 0);
+            const auto report = program("report " + database + " -o " + (scratch / "report.html") +
+                                        " --json " + (scratch / "analysis.json"));
+            CHECK_MESSAGE(report.status == 0, report.err);
+            const auto analysis = nlohmann::json::parse(slurp(scratch / "analysis.json"));
+            CHECK(analysis["synthetic"] == true);
+            CHECK(analysis["participants"] == 2);
+            for (const auto& system : analysis["systems"])
+                for (const auto& measure : analysis["measures"])
+                    if (measure["kind"] != "preference")
+                        CHECK(system[measure["measure"].get<std::string>()]["n"].get<int>() > 0);
+        }
+    }
+
+    TEST_CASE(
+        "30 raters of sgtoolkit2021 give the paper's counts: 12 pages of 4, two attention checks apart") {
+        const Scratch scratch;
+        const std::string database = scratch / "raters.sqlite";
+        const auto ran = simulated("sgtoolkit2021", 30, database);
+        REQUIRE_MESSAGE(ran.status == 0, ran.err);
+        const std::string pages = "FROM trials WHERE kind = 'parallel-rating' AND NOT practice";
+        CHECK(count(database, "SELECT count(*) " + pages) == 30 * 12);
+        CHECK(count(database, "SELECT count(*) " + pages + " AND check_kind = 'number'") == 30 * 2);
+        // Ratings: 4 a page; the check takes the place of one of them.
+        CHECK(
+            count(
+                database,
+                "SELECT count(*) FROM answers AS a JOIN responses AS r ON r.id = a.response JOIN trials AS t "
+                "USING (participant, trial_index) WHERE t.kind = 'parallel-rating' AND NOT t.practice AND "
+                "a.question = 'rating'") == 30 * 48);
+        CHECK(count(database,
+                    "SELECT count(*) FROM trial_stimuli WHERE scored AND trial_index IN (SELECT trial_index "
+                    "FROM trials AS t WHERE t.participant = trial_stimuli.participant AND kind = "
+                    "'parallel-rating')") == 30 * 46);
+        const auto report =
+            program("report " + database + " -o " + (scratch / "r.html") + " --json " + (scratch / "a.json"));
+        REQUIRE(report.status == 0);
+        const auto analysis = nlohmann::json::parse(slurp(scratch / "a.json"));
+        int ratings = 0;
+        for (const auto& system : analysis["systems"])
+            ratings += system[analysis["measures"][0]["measure"].get<std::string>()]["n"].get<int>();
+        const int left_out = static_cast<int>(analysis["left_out"].size());
+        CHECK(ratings == (30 - left_out) * 46);
+        CHECK(analysis["checks"][0]["passed"].get<int>() + analysis["checks"][0]["failed"].get<int>() == 60);
+    }
+
+    TEST_CASE("Participants are listed, excluded, taken back and withdrawn") {
+        const Scratch scratch;
+        const std::string database = scratch / "study.sqlite";
+        REQUIRE(simulated("genea-pairwise", 3, database).status == 0);
+        auto listed = program("participants list " + database);
+        CHECK(contains(listed.out, "S002"));
+        CHECK(contains(listed.out, "3 participants, 0 withdrawn"));
+        CHECK_FAILS_SAYING(program("participants show " + database + " S009"), "S009");
+        CHECK(contains(program("participants show " + database + " S002").out, "session"));
+        CHECK(program("participants exclude " + database + " S002").status == 2);
+        CHECK(program("participants exclude " + database + " S002 --reason 'fell asleep'").status == 0);
+        CHECK(contains(program("participants list " + database).out, "(fell asleep)"));
+        REQUIRE(program("report " + database + " -o " + (scratch / "r.html")).status == 0);
+        CHECK(contains(slurp(scratch / "r.html"), "fell asleep"));
+        CHECK(program("participants include " + database + " S002").status == 0);
+        CHECK_FALSE(contains(program("participants list " + database).out, "fell asleep"));
+        CHECK_FAILS_SAYING(program("participants withdraw " + database + " S002"), "--yes");
+        CHECK(contains(slurp(database), "S002"));
+        CHECK(program("participants withdraw " + database + " S002 --yes").status == 0);
+        CHECK_FALSE(contains(slurp(database), "S002"));
+        CHECK(contains(program("participants list " + database).out, "2 participants, 1 withdrawn"));
+    }
+
+    TEST_CASE("Tables are written with their codebook, and stations' databases joined") {
+        const Scratch scratch;
+        const std::string database = scratch / "study.sqlite";
+        REQUIRE(simulated("pointing2023", 2, database).status == 0);
+        const auto written = program("export " + database + " --format csv -o " + (scratch / "csv"));
+        REQUIRE_MESSAGE(written.status == 0, written.err);
+        for (const char* file :
+             {"responses.csv", "trials.csv", "participants.csv", "events.csv", "codebook.json"})
+            CHECK(fs::exists(scratch / (std::string("csv/") + file)));
+        const auto shared = program("export " + database + " --anonymise -o " + (scratch / "shared"));
+        REQUIRE(shared.status == 0);
+        CHECK_FALSE(contains(slurp(scratch / "shared/responses.csv"), "S001"));
+        const auto refused = program("merge " + database + " " + (scratch / "none.sqlite") + " -o " +
+                                     (scratch / "all.sqlite"));
+        CHECK(refused.status == 1);
+        CHECK(contains(refused.err, "none.sqlite"));
+        CHECK_FALSE(fs::exists(scratch / "all.sqlite"));
+        fs::copy_file(database, scratch / "copy.sqlite");
+        CHECK(
+            program("merge " + database + " " + (scratch / "copy.sqlite") + " -o " + (scratch / "all.sqlite"))
+                .status == 0);
+        CHECK(count(scratch / "all.sqlite", "SELECT count(*) FROM participants") == 2);
+    }
+
+    TEST_CASE("The trials of a recorded session are listed, and its choices follow from the recorded rays") {
+        const Scratch scratch;
+        const std::string database = scratch / "study.sqlite";
+        REQUIRE(simulated("pointing2023", 1, database).status == 0);
+        const auto listed = program("replay " + database + " --participant S001 --list");
+        CHECK(listed.status == 0);
+        CHECK(contains(listed.out, "chose ball"));
+        CHECK(contains(listed.out, "rating"));
+        const auto choices = program("replay " + database + " --participant S001 --choices");
+        CHECK_MESSAGE(choices.status == 0, choices.err);
+        CHECK(contains(choices.out, "42 choices: 42 the same"));
+        CHECK_FAILS_SAYING(program("replay " + database + " --participant S004 --list"), "S004");
+        const auto moved =
+            program("replay " + database + " --participant S001 --choices --stimuli " + stimuli());
+        CHECK(moved.status == 0);
+    }
+}
