@@ -20,7 +20,7 @@ namespace deixis::app {
 struct HeadsetStationOptions {
     std::string participant;
     std::string title;
-    WindowSize window_size{1280, 720};
+    WindowSize window_size{1280, 900};
     double resolution_scale = 1.0;
     studies::HeadsetOptions study{};
     std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells the experimenter

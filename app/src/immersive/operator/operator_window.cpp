@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "../window_gui.hpp"
 #include "operator_panel.hpp"
@@ -57,7 +58,9 @@ struct OperatorWindow::Impl {
         glfwSetWindowUserPointer(handle, this);
         glfwSetKeyCallback(handle, [](GLFWwindow* from, int key, int, int action, int) {
             self(from).used();
-            if (action == GLFW_PRESS) self(from).onKey(key);
+            if (action != GLFW_PRESS) return;
+            self(from).tapped.push_back(key);
+            self(from).onKey(key);
         });
         glfwSetCharCallback(handle, [](GLFWwindow* from, unsigned int) { self(from).used(); });
         glfwSetMouseButtonCallback(handle, [](GLFWwindow* from, int, int, int) { self(from).used(); });
@@ -100,7 +103,8 @@ struct OperatorWindow::Impl {
     double shown_s = -1.0;
     double cost_s = 0.0;  // of a picture, lately
     double used_at_s = -1.0;
-    bool paused = false;  // as last told
+    std::vector<int> tapped;  // keys that went down since the last picture
+    bool paused = false;      // as last told
     OperatorDesk desk;
 
     static Impl& self(GLFWwindow* from) { return *static_cast<Impl*>(glfwGetWindowUserPointer(from)); }
@@ -144,6 +148,18 @@ struct OperatorWindow::Impl {
                                                  {0.0F, 1.0F}, {1.0F, 0.0F});
     }
 
+    // The text library's older versions look only at the keys that are down in a picture, and would miss
+    // those that have gone up since the last one.
+    void holdTapped(bool hold) {
+#if IMGUI_VERSION_NUM < 18700
+        gui->makeCurrent();
+        for (const int key : tapped)
+            if (key >= 0)
+                ImGui::GetIO().KeysDown[key] = hold || glfwGetKey(window.handle(), key) == GLFW_PRESS;
+#endif
+        if (!hold) tapped.clear();
+    }
+
     void show(const OperatorView& view, const MirrorTexture* mirror) {
         const double begun_s = now_s();
         const CurrentContext current(window.handle());
@@ -152,6 +168,7 @@ struct OperatorWindow::Impl {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glDisable(GL_FRAMEBUFFER_SRGB);
         requireLetters(*gui, view, desk);
+        holdTapped(true);
         gui->beginFrame();
         if (mirror != nullptr) {
             glViewport(0, 0, size.width, size.height);
@@ -162,6 +179,7 @@ struct OperatorWindow::Impl {
         drawOperatorPanel(*gui, {static_cast<float>(size.width) - panel, 0.0F},
                           {panel, static_cast<float>(size.height)}, view, desk, begun_s);
         gui->endFrame();
+        holdTapped(false);
         glfwSwapBuffers(window.handle());
         shown_s = now_s();
         cost_s += 0.2 * (shown_s - begun_s - cost_s);
@@ -190,9 +208,9 @@ bool OperatorWindow::visible() const {
 bool OperatorWindow::due() const {
     if (!visible()) return false;
     const double now_s = impl_->now_s();
-    const double wanted_s = now_s - impl_->used_at_s < used_for_s ? while_used_s : between_pictures_s;
-    const double least_s = std::min(impl_->cost_s / longest_share, longest_pause_s);
-    return now_s - impl_->shown_s >= std::max(wanted_s, least_s);
+    const double since_s = now_s - impl_->shown_s;
+    if (now_s - impl_->used_at_s < used_for_s) return since_s >= while_used_s;
+    return since_s >= std::max(between_pictures_s, std::min(impl_->cost_s / longest_share, longest_pause_s));
 }
 
 WindowSize OperatorWindow::mirrorSize() const {

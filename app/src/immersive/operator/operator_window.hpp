@@ -32,8 +32,8 @@ class OperatorWindow {
     [[nodiscard]] OperatorRequest poll();
     /// Whether the window can show a picture now (neither minimised nor empty).
     [[nodiscard]] bool visible() const;
-    /// Whether it is time for a new picture: visible, and the last one is 1/15 s old; 1/30 s while the panel
-    /// is used. Later where pictures take long: they have a tenth of the time at most.
+    /// Whether it is time for a new picture: visible, and the last one is 1/15 s old; later where pictures
+    /// take long, which may have a tenth of the time, and every 1/30 s while the panel is used.
     [[nodiscard]] bool due() const;
     /// The part of the window that is the mirror's, from its lower left corner, pixels; at least 1x1.
     [[nodiscard]] WindowSize mirrorSize() const;

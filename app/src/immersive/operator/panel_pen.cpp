@@ -81,8 +81,9 @@ void PanelPen::barAt(ImVec2 at, float across, double share, float height, ImU32 
     const float round = 0.5F * px(height);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, {at.x + across, at.y + px(height)}, look::edge, round);
-    const float filled = across * static_cast<float>(std::clamp(share, 0.0, 1.0));
-    if (filled >= 2.0F * round) list.AddRectFilled(at, {at.x + filled, at.y + px(height)}, colour, round);
+    // A beginning shows, however small.
+    const float filled = std::max(2.0F * round, across * static_cast<float>(std::clamp(share, 0.0, 1.0)));
+    if (share > 0.0) list.AddRectFilled(at, {at.x + filled, at.y + px(height)}, colour, round);
 }
 
 void PanelPen::light(bool lit, ImU32 colour) const {
