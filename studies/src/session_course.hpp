@@ -97,7 +97,6 @@ class Course {
     std::map<int, bool> answered_;
     double gap_s_;
     int sitting_ = 1;  ///< Stage::session
-    bool started_ = false;
     bool welcomes_back_ = false;
     bool warning_ = false;
     std::optional<SessionOutcome> closing_{};

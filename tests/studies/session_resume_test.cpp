@@ -139,6 +139,50 @@ TEST_SUITE("studies/session_resume") {
         CHECK(events > 40);
     }
 
+    TEST_CASE("a pause in any state is left again where it was, and the session goes on to its end") {
+        std::vector<std::string> states;
+        {
+            Everything driver;
+            driver.start();
+            while (driver.running()) {
+                const std::string before = driver.frame.state;
+                carryOn(driver);
+                if (driver.frame.state != before) states.push_back(driver.frame.state);
+            }
+        }
+        CHECK(states.size() > 50);
+        for (const bool repeats : {false, true})
+            for (std::size_t nth = 0; nth + 1 < states.size(); ++nth) {
+                CAPTURE(nth);
+                CAPTURE(states[nth]);
+                Everything driver;
+                if (repeats) driver.study.after_interruption = AfterInterruption::repeat;
+                driver.start();
+                std::size_t changes = 0;
+                while (changes <= nth) {
+                    const std::string before = driver.frame.state;
+                    carryOn(driver);
+                    if (driver.frame.state != before) ++changes;
+                }
+                CHECK(driver.frame.state == states[nth]);
+                const std::size_t kept = driver.left.answered.size();
+                driver.step(pauseFor("escape"));
+                CHECK(driver.frame.state == "paused");
+                CHECK_FALSE(driver.frame.sign.has_value());
+                driver.wait(0.5);
+                CHECK(driver.left.answered.size() == kept);
+                driver.press(button_id::resume);
+                CHECK(driver.frame.state != "paused");
+                REQUIRE(carryOnUntil(driver, [&] { return !driver.running(); }));
+                CHECK(driver.finished());
+                CHECK(trialsOf(driver.responses) == std::vector<int>{0, 1, 2, 5, 6, 7, 8, 9});
+                CHECK(driver.count("pause") == 1);
+                int pauses = 0;
+                for (const Response& response : driver.responses) pauses += response.pauses;
+                CHECK(pauses <= 1);
+            }
+    }
+
     TEST_CASE("instructions come again after a long time, also those before the practice, but no break") {
         for (const bool long_ago : {false, true})
             for (const bool practised : {false, true}) {
@@ -342,7 +386,9 @@ TEST_SUITE("studies/session_resume") {
             for (const Response& response : driver.responses) ++counts[response.trial_index];
             for (const Response& response : driver.practised) ++counts[response.trial_index];
             for (const Superseded& again : driver.superseded) --counts[again.trial_index];
-            for (const auto& [index, count] : counts) {
+            for (const auto& counted : counts) {
+                const int index = counted.first;
+                const int count = counted.second;
                 CAPTURE(index);
                 CHECK((count == 1 ||
                        (driver.plan.trials[static_cast<std::size_t>(index)].practice && count == 0)));

@@ -166,10 +166,23 @@ inline void carryOn(Driver& driver) {
         if (!hasButton(frame, button_id::go_on) || !pressFirst(button_id::go_on, button_id::go_on + 1))
             pressFirst(button_id::first_rating, button_id::first_rating + 5);
     } else if (frame.state == "questionnaire" || frame.state == "reasons") {
-        if (hasButton(frame, button_id::go_on))
+        if (hasButton(frame, button_id::go_on)) {
             driver.press(button_id::go_on);
-        else
-            pressFirst(button_id::first_option, button_id::first_field);
+        } else {
+            for (const PanelSlider& one : frame.panel->sliders)
+                if (!one.value) {
+                    setSlider(driver, one.id, one.high);
+                    return;
+                }
+            std::set<int> answered;  // questions
+            for (const PanelButton& button : frame.panel->buttons)
+                if (button.chosen) answered.insert(button.id / 100);
+            for (const PanelButton& button : frame.panel->buttons)
+                if (button.id >= button_id::first_option && answered.count(button.id / 100) == 0) {
+                    driver.press(button.id);
+                    break;
+                }
+        }
     } else if (frame.state == "rating" || frame.state.rfind("confidence", 0) == 0) {
         pressFirst(button_id::first_rating, button_id::first_play);
     } else if (answersOpen(frame)) {
