@@ -31,7 +31,8 @@ std::vector<KeptScore> readScores(SQLite::Database& database,
     }
     std::vector<KeptScore> scores;
     Statement stored(database,
-                     "SELECT stage, name, items, reversed, mean, factor, offset_ FROM scores ORDER BY stage, "
+                     "SELECT c.stage, c.name, items, reversed, mean, factor, offset_ FROM scores AS c JOIN "
+                     "stages AS g ON g.name = c.stage ORDER BY g.position, c."
                      "position");
     while (stored.executeStep()) {
         KeptScore kept;

@@ -221,7 +221,7 @@ std::string provenance(const AnalysisResult& result) {
     entry("Database", escapeHtml(table.database));
     entry("Study", escapeHtml(table.study_name));
     entry("Study file (SHA-256)", escapeHtml(table.study_hash));
-    entry("Recorded by", "deixis " + joined(table.program_versions));
+    entry("Recorded by", joined(table.program_versions));
     entry("Avatar (SHA-256)", joined(table.avatar_hashes));
     for (const auto& station : table.stations)
         entry("Station", fmt::format("{}{}: {} session{}{}", escapeHtml(station.kind),
@@ -276,10 +276,12 @@ std::string renderReport(const AnalysisResult& result) {
             preferencesSvg(result));
     out += "</div>";
     Numbering numbering;
-    if (!result.measures.empty())
-        out += "\n<h2>Means</h2>\n" + meansTable(result, numbering) + "\n" +
-               levelTable(result, "layout", table.layouts, numbering) + "\n" +
-               levelTable(result, "distance", table.distances, numbering);
+    // One after another: the tables count.
+    if (!result.measures.empty()) {
+        out += "\n<h2>Means</h2>\n" + meansTable(result, numbering);
+        out += "\n" + levelTable(result, "layout", table.layouts, numbering);
+        out += "\n" + levelTable(result, "distance", table.distances, numbering);
+    }
     out += "\n" + tests(result, numbering);
     out += "\n" + scoresTable(result, numbering);
     out += "\n" + checksAndLeftOut(result, numbering);

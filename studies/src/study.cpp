@@ -161,6 +161,7 @@ tl::expected<Study, std::vector<Error>> loadStudy(const fs::path& path, const St
         study};
     readStudy(reader, texts, language);
     if (!problems.none()) return tl::unexpected(problems.sorted());
+    study.source = *bytes;
     study.hash = sha256Hex(*bytes + reader.questionnaire_bytes);
     return study;
 }
