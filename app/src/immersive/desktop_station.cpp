@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "frame_scene.hpp"
+#include "operator/desktop_operator.hpp"
 #include "typed_text.hpp"
 
 namespace deixis::app {
@@ -69,6 +70,7 @@ struct DesktopStation::State {
     DesktopOptions options;
     std::unique_ptr<GlWindow> window;
     std::unique_ptr<renderer::Renderer> renderer;
+    std::unique_ptr<DesktopOperator> operators;  // none: no window for the experimenter
     Clock::time_point start = Clock::now();
     double utc_offset_s = 0.0;
     double period_s = 1.0 / 60.0;
@@ -79,6 +81,7 @@ struct DesktopStation::State {
     Pose told_head{};                    // with the frame begun last
     Ray told_hand{};
     double focused_at_s = 0.0;
+    bool in_front = true;  // has the mouse and the keyboard
 
     double yaw_rad = 0.0;  // to the left of the viewer's heading
     double pitch_rad = resting_pitch_rad;
@@ -96,6 +99,7 @@ struct DesktopStation::State {
     [[nodiscard]] double now_s() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
     void onKey(int key);
+    [[nodiscard]] OperatorRequest pollEvents();
     void onFocus(bool focused);
     void onCursor(double x, double y);
     void toggleFullscreen();
@@ -122,10 +126,23 @@ void DesktopStation::State::onKey(int key) {
         pending.pause_reason = "escape";
     }
     if (key == GLFW_KEY_F11) toggleFullscreen();
+    if (key == GLFW_KEY_F10 && operators) operators->focus();
+}
+
+// Of both windows.
+OperatorRequest DesktopStation::State::pollEvents() {
+    if (!operators) {
+        glfwPollEvents();
+        return {};
+    }
+    OperatorRequest asked = operators->poll();
+    if (pending.pause && !in_front && operators->focused()) pending.pause_reason = "operator";
+    return asked;
 }
 
 void DesktopStation::State::onFocus(bool focused) {
     held = false;
+    in_front = focused;
     if (focused) {
         focused_at_s = now_s();
         return;
@@ -317,6 +334,12 @@ Result<std::unique_ptr<DesktopStation>> DesktopStation::open(const assets::Avata
     state->utc_offset_s =
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count() -
         state->now_s();
+    if (options.operator_window) {
+        auto operators =
+            DesktopOperator::open(*state->window, options.title + " - experimenter", options.operator_feed);
+        if (!operators) return tl::unexpected(operators.error());
+        state->operators = std::move(*operators);
+    }
     state->connectCallbacks();
     return std::unique_ptr<DesktopStation>(new DesktopStation(std::move(state)));
 }
@@ -337,7 +360,7 @@ studies::InputFrame DesktopStation::beginFrame() {
     const double ready_s = s.last_begin_s + 0.9 * s.period_s;
     if (const double wait_s = ready_s - s.now_s(); wait_s > 0.0)
         std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
-    glfwPollEvents();
+    const OperatorRequest asked = s.pollEvents();
     studies::InputFrame input = std::exchange(s.pending, {});
     s.last_begin_s = s.now_s();
     input.input_time_s = s.last_begin_s;
@@ -357,6 +380,7 @@ studies::InputFrame DesktopStation::beginFrame() {
         input.erased = text.erased;
     }
     input.quit = glfwWindowShouldClose(s.window->handle()) == GLFW_TRUE;
+    asked.putInto(input);
     return input;
 }
 
@@ -379,12 +403,14 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
         if (explainsControls(frame) && !s.options.controls.empty())
             addFootLine(scene.boards.front(), s.options.controls);
         s.renderer->draw(scene, size.width, size.height);
+        if (s.operators) s.operators->drawn(size);
         glfwSwapBuffers(s.window->handle());
         s.noteMissingCharacters();
     }
     s.last_swap_s = s.now_s();
     studies::FrameReport report{frame.number, visible, s.last_swap_s, s.sample(frame.number, visible)};
     if (visible) s.last_shown_s = s.last_swap_s;
+    if (s.operators) s.operators->presented(frame, report, s.in_front);
     return report;
 }
 

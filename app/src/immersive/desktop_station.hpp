@@ -3,8 +3,8 @@
 //
 // Mouse: look around; the ray goes from the hand to what is in the middle of the view. Left button: select;
 // held, it drags a slider. 1-9: rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc:
-// pause. F11: full screen on and off. While a text field takes what is typed, letters, digits and the space
-// are only that.
+// pause. F11: full screen on and off. F10: to the experimenter's window, where there is one. While a text
+// field takes what is typed, letters, digits and the space are only that.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,7 @@
 
 #include "assets/avatar.hpp"
 #include "gl_window.hpp"
+#include "operator_feed.hpp"
 #include "renderer/renderer.hpp"
 #include "studies/station.hpp"
 
@@ -26,6 +27,8 @@ struct DesktopOptions {
     /// pause.
     std::string controls =
         "Mouse: look and aim.  Left button: select.  Enter: continue.  1-9: rate.  Esc: pause.";
+    bool operator_window = false;                         ///< one for the experimenter too
+    std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells there
 };
 
 class DesktopStation : public studies::Station {

@@ -16,6 +16,17 @@ std::string lastGlfwError() {
     return words;
 }
 
+void hintContext() {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has its own depth buffer
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+}
+
 }  // namespace
 
 Result<WindowSize> parseWindowSize(const std::string& text) {
@@ -38,13 +49,7 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const std::string& title, Windo
     if (glfwInit() == GLFW_FALSE)
         return fail("window", "the window system cannot be reached: " + lastGlfwError(),
                     "A window needs a display; without one use --station simulated, or --screenshot");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has its own depth buffer
-    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    hintContext();
     GLFWmonitor* monitor = fullscreen ? glfwGetPrimaryMonitor() : nullptr;
     if (monitor != nullptr) {
         const GLFWvidmode* mode = glfwGetVideoMode(monitor);
@@ -59,12 +64,23 @@ Result<std::unique_ptr<GlWindow>> GlWindow::open(const std::string& title, Windo
     }
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
-    return std::unique_ptr<GlWindow>(new GlWindow(window));
+    return std::unique_ptr<GlWindow>(new GlWindow(window, true));
+}
+
+Result<std::unique_ptr<GlWindow>> GlWindow::openSecond(const GlWindow& first, const std::string& title,
+                                                       WindowSize size) {
+    hintContext();
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_FOCUSED, GLFW_FALSE);
+    glfwWindowHint(GLFW_FOCUS_ON_SHOW, GLFW_FALSE);
+    GLFWwindow* window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, first.handle());
+    if (window == nullptr) return fail("window", "no second window could be opened: " + lastGlfwError());
+    return std::unique_ptr<GlWindow>(new GlWindow(window, false));
 }
 
 GlWindow::~GlWindow() {
     glfwDestroyWindow(window_);
-    glfwTerminate();
+    if (owns_glfw_) glfwTerminate();
 }
 
 WindowSize GlWindow::framebufferSize() const {

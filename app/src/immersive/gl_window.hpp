@@ -18,12 +18,18 @@ struct WindowSize {
 /// "1280x720" -> size; each side 64..8192 pixels.
 [[nodiscard]] Result<WindowSize> parseWindowSize(const std::string& text);
 
-/// Owns GLFW and one window, its context current on the calling thread. At most one at a time.
+/// Owns GLFW and one window, its context current on the calling thread. At most one at a time, and one more
+/// beside it.
 class GlWindow {
   public:
     /// Fails, in the words of the window system, without a display or without OpenGL 4.5.
     [[nodiscard]] static Result<std::unique_ptr<GlWindow>> open(const std::string& title, WindowSize size,
                                                                 bool fullscreen);
+    /// A second window, whose context shares the textures of the first and does not become current. It is not
+    /// shown yet, never takes the keyboard by being shown, and must go before the first.
+    [[nodiscard]] static Result<std::unique_ptr<GlWindow>> openSecond(const GlWindow& first,
+                                                                      const std::string& title,
+                                                                      WindowSize size);
     ~GlWindow();
     GlWindow(const GlWindow&) = delete;
     GlWindow& operator=(const GlWindow&) = delete;
@@ -33,8 +39,9 @@ class GlWindow {
     [[nodiscard]] double refreshRate_hz() const;  ///< of the monitor that shows it; 60 where unknown
 
   private:
-    explicit GlWindow(GLFWwindow* window) : window_(window) {}
+    GlWindow(GLFWwindow* window, bool owns_glfw) : window_(window), owns_glfw_(owns_glfw) {}
     GLFWwindow* window_;
+    bool owns_glfw_;
 };
 
 }  // namespace deixis::app

@@ -2,9 +2,13 @@
 #pragma once
 
 #include "../gl_window.hpp"
-#include "operator_window.hpp"
 
 namespace deixis::app {
+
+struct MirrorTexture {
+    unsigned int texture = 0;  ///< its first row is the picture's foot; 0: there is none yet
+    WindowSize size{};
+};
 
 /// All calls but texture() with the participant's context current; so must it be when this goes.
 class MirrorPicture {

@@ -163,12 +163,10 @@ class Panel {
             return;
         }
         // A list of its own, which follows the stage that is under way.
-        const float bar = ImGui::GetStyle().ScrollbarSize + px(4.0F);
         ImGui::BeginChild("stages",
-                          {pen_.width() + 0.5F * px(margin) - 1.0F,
-                           (static_cast<float>(stages_in_sight) + 0.5F) * px(stage_height)},
+                          {pen_.width(), (static_cast<float>(stages_in_sight) + 0.5F) * px(stage_height)},
                           false, ImGuiWindowFlags_NoNav);
-        const PanelPen narrow(gui_, pen_.width() - bar + 0.5F * px(margin));
+        const PanelPen narrow(gui_, pen_.width() - ImGui::GetStyle().ScrollbarSize - px(6.0F));
         int& followed = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("followed"), -1);
         for (int i = 0; i < count; ++i) {
             const auto& stage = stages[static_cast<std::size_t>(i)];
@@ -190,7 +188,8 @@ class Panel {
         if (page) count = done ? "read" : "page";
         const float counts = std::max(PanelPen::widthOf(font, count), pen.px(66.0F));
         const float bar = pen.width() - counts - pen.px(stage_bar);
-        const std::string name = PanelPen::fitted(font, stage.name, bar - pen.px(10.0F));
+        const float room = page ? pen.width() - PanelPen::widthOf(font, count) : bar;
+        const std::string name = PanelPen::fitted(font, stage.name, room - pen.px(10.0F));
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float top = ImGui::GetCursorPosY();
         PanelPen::line(font, colour, name);

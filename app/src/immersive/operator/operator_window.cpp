@@ -160,7 +160,7 @@ struct OperatorWindow::Impl {
         if (!hold) tapped.clear();
     }
 
-    void show(const OperatorView& view, const MirrorTexture* mirror) {
+    void show(const OperatorView& view, const MirrorPicture* mirror) {
         const double begun_s = now_s();
         const CurrentContext current(window.handle());
         const auto panel = static_cast<float>(panelWidth());
@@ -174,7 +174,7 @@ struct OperatorWindow::Impl {
             glViewport(0, 0, size.width, size.height);
             glClearColor(0.05F, 0.06F, 0.08F, 1.0F);
             glClear(GL_COLOR_BUFFER_BIT);
-            if (mirror->texture != 0) drawMirror(*mirror);
+            if (const MirrorTexture kept = mirror->texture(); kept.texture != 0) drawMirror(kept);
         }
         drawOperatorPanel(*gui, {static_cast<float>(size.width) - panel, 0.0F},
                           {panel, static_cast<float>(size.height)}, view, desk, begun_s);
@@ -221,7 +221,7 @@ void OperatorWindow::show(const OperatorView& view) {
     impl_->show(view, nullptr);
 }
 
-void OperatorWindow::show(const OperatorView& view, const MirrorTexture& mirror) {
+void OperatorWindow::show(const OperatorView& view, const MirrorPicture& mirror) {
     impl_->show(view, &mirror);
 }
 

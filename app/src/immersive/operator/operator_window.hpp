@@ -4,16 +4,11 @@
 #include <memory>
 
 #include "../gl_window.hpp"
+#include "mirror_picture.hpp"
 #include "operator_request.hpp"
 #include "operator_view.hpp"
 
 namespace deixis::app {
-
-/// A picture to show, in a texture that this window's context shares.
-struct MirrorTexture {
-    unsigned int texture = 0;  ///< its first row is the picture's foot
-    WindowSize size{};
-};
 
 /// Runs inside the station's frame loop: call poll() in every frame and show() where due() says so. One pixel
 /// of the window system is one of the framebuffer (X11, Windows). Where another context is current, show()
@@ -41,8 +36,8 @@ class OperatorWindow {
     /// context, and shows the window. Never waits for the display. Leaves that framebuffer bound, with sRGB
     /// conversion off.
     void show(const OperatorView& view);
-    /// Draws both: the mirror as large as it fits.
-    void show(const OperatorView& view, const MirrorTexture& mirror);
+    /// Draws both: the mirror, of a context that shares its textures, as large as it fits.
+    void show(const OperatorView& view, const MirrorPicture& mirror);
 
   private:
     struct Impl;
