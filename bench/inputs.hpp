@@ -42,9 +42,9 @@ struct Participant : tests::Driver {
     /// Reads pages and answers, over and over, until a clip plays.
     void toPlayingClip() {
         while (!showsClip(frame.state)) {
-            if (session->finished()) {
-                start();
-                frame = {};
+            if (finished()) {
+                left = {};
+                restart();
             }
             if (tests::answersOpen(frame)) {
                 step();

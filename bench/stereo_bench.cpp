@@ -1,7 +1,6 @@
 // Drawing both eyes of a headset: against one eye drawn twice, in one pass against two, and what the
 // processor does for a frame before any GL driver.
 #include <benchmark/benchmark.h>
-#include <time.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "clocks.hpp"
 #include "idle_gl.hpp"
 #include "renderer/renderer.hpp"
 #include "scenes.hpp"
@@ -78,12 +78,6 @@ class Headset {
     std::optional<renderer::Renderer> drawing_;
 };
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 /// Seconds on the wall, and of all the processor's threads (software GL draws with several), which other work
 /// on the machine does not lengthen.
 struct Cost {
@@ -91,19 +85,13 @@ struct Cost {
     double processor_s = 0.0;
 };
 
-double processorSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
 template <typename Call>
 Cost costOf(const Call& call) {
     const auto begin = std::chrono::steady_clock::now();
-    const double processor_begin = processorSeconds();
+    const double processor_begin = bench::processorSeconds();
     call();
     return {std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
-            processorSeconds() - processor_begin};
+            bench::processorSeconds() - processor_begin};
 }
 
 /// Arguments: width, height, samples. Time: both eyes in two passes. The counters are medians over frames
@@ -137,8 +125,8 @@ void stereo(benchmark::State& state) {
         real_ratios.push_back(passes.real_s / (first.real_s + second.real_s));
         processor_ratios.push_back(passes.processor_s / (first.processor_s + second.processor_s));
     }
-    state.counters["over_twice_one_eye"] = median(real_ratios);
-    state.counters["over_twice_one_eye_cpu"] = median(processor_ratios);
+    state.counters["over_twice_one_eye"] = bench::median(real_ratios);
+    state.counters["over_twice_one_eye_cpu"] = bench::median(processor_ratios);
     if (multiview) {
         // Apart from the rest, since the samples' textures are made anew where the way of drawing changes.
         constexpr int frames = 15;
@@ -147,7 +135,7 @@ void stereo(benchmark::State& state) {
         for (double& s : passes_s) s = costOf(in_two).real_s;
         in_one();
         for (double& s : together_s) s = costOf(in_one).real_s;
-        state.counters["multiview_over_two_passes"] = median(together_s) / median(passes_s);
+        state.counters["multiview_over_two_passes"] = bench::median(together_s) / bench::median(passes_s);
     }
     state.SetLabel(headset.drawing().driver());
 }
@@ -182,7 +170,7 @@ void record(benchmark::State& state) {
         state.counters["gl_calls"] =
             static_cast<double>(bench::IdleGl::calls() - calls_before) / static_cast<double>(times_ms.size());
     }
-    state.counters["median_ms"] = median(times_ms);
+    state.counters["median_ms"] = bench::median(times_ms);
     state.counters["slowest_ms"] = *std::max_element(times_ms.begin(), times_ms.end());
 }
 BENCHMARK(record)->Name("renderer/record_stereo_frame")->UseManualTime()->Unit(benchmark::kMillisecond);

@@ -6,11 +6,11 @@
 
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "clocks.hpp"
 #include "results/fixtures.hpp"
 #include "results/store.hpp"
 #include "results/tracking_blocks.hpp"
@@ -92,12 +92,6 @@ class Person {
         right_grip_{{0.3, 1.1, 1.85}, 0.35, 1.5, "right grip"};
 };
 
-double processorSeconds() {
-    std::timespec now{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 void session(benchmark::State& state) {
     const auto frames_together = static_cast<std::size_t>(state.range(0));
     double megabytes = 0.0;
@@ -116,9 +110,9 @@ void session(benchmark::State& state) {
             for (std::uint64_t number = 1; number <= session_frames; ++number) {
                 frames.push_back(person.frame(number));
                 if (frames.size() < frames_together && number < session_frames) continue;
-                const double begin = processorSeconds();
+                const double begin = bench::processorSeconds();
                 store.recordTracking(frames, {});
-                processor_s += processorSeconds() - begin;
+                processor_s += bench::processorSeconds() - begin;
                 frames.clear();
             }
             store.endSession(studies::SessionOutcome::finished, 1.7e9);
