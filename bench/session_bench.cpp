@@ -39,6 +39,7 @@ void step(benchmark::State& state) {
             state.ResumeTiming();
         }
     }
+    state.counters["limit_us"] = 1e6 * bench::frame_time_s;
 }
 BENCHMARK(step)->Name("session/step_while_playing")->Unit(benchmark::kMicrosecond);
 
