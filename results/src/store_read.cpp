@@ -78,6 +78,32 @@ studies::Resume Store::resume(const std::string& participant, double now_utc_s) 
         "r.session = s.id), 0.0))) FROM sessions AS s WHERE participant = ?");
     last << participant;
     if (last.next() && !last[0].isNull()) out.gap_s = std::max(0.0, now_utc_s - last[0].getDouble());
+    // What a repeat is held against.
+    auto first = impl_->query(
+        "SELECT r.id, r.trial_index, r.status, r.chosen_place, coalesce(r.correct, 0) FROM responses AS r "
+        "WHERE r.participant = ?1 AND r.superseded IS NULL AND r.trial_index IN (SELECT check_of_trial FROM "
+        "trials WHERE participant = ?1 AND check_of_trial IS NOT NULL) ORDER BY r.trial_index");
+    first << participant;
+    while (first.next()) {
+        studies::Response& response = out.first_answers.emplace_back();
+        response.trial_index = first[1].getInt();
+        response.status = first.text(2) == "answered"    ? studies::ResponseStatus::answered
+                          : first.text(2) == "timed_out" ? studies::ResponseStatus::timed_out
+                                                         : studies::ResponseStatus::skipped;
+        if (!first[3].isNull()) response.chosen_place = first[3].getInt();
+        response.correct = first[4].getInt() != 0;
+        auto answers = impl_->query(
+            "SELECT question, stimulus, value, text FROM answers WHERE response = ? ORDER BY "
+            "position");
+        answers << first[0].getInt64();
+        while (answers.next()) {
+            studies::Answer& one = response.answers.emplace_back();
+            one.question = answers.text(0);
+            if (!answers[1].isNull()) one.stimulus = answers[1].getInt();
+            if (!answers[2].isNull()) one.value = answers[2].getDouble();
+            if (!answers[3].isNull()) one.text = answers.text(3);
+        }
+    }
     return out;
 }
 

@@ -5,12 +5,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "studies/standing.hpp"
+
 namespace deixis::studies {
 
 namespace {
 
 constexpr double settle_s = 0.4;
-constexpr double pair_offset_m = 0.6;
 
 }  // namespace
 
@@ -79,12 +80,11 @@ void SessionCore::standAlone() {
 }
 
 void SessionCore::standAsPair() {
-    Vec3 right = view.frame.stage_from_viewer.orientation * Vec3(1.0, 0.0, 0.0);
-    right *= pair_offset_m;
+    const auto places = pairPlaces(view.frame.stage_from_viewer);
     if (!pair) right_poser.blendTo(idle, now.time_s - AvatarPoser::blend_s);
     pair = true;
-    poser.standAt(-right);
-    right_poser.standAt(right);
+    poser.standAt(places[0]);
+    right_poser.standAt(places[1]);
 }
 
 void SessionCore::advanceAvatars() {

@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "studies/standing.hpp"
+
 namespace deixis::studies {
 
 namespace {
@@ -33,9 +35,7 @@ void SessionView::beginFrame() {
 bool SessionView::place(const Layout& layout) {
     if (frame.viewer_place == layout.name) return false;
     frame.viewer_place = layout.name;
-    // The viewer looks along -z, a heading is where +z would turn to: half a turn apart.
-    frame.stage_from_viewer = {{layout.viewer_x_m, 0.0, layout.viewer_z_m},
-                               yawRotation(radiansFromDegrees(layout.heading_deg) + pi)};
+    frame.stage_from_viewer = viewerPose(layout);
     frame.key_moment = true;
     return true;
 }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 
+#include "studies/standing.hpp"
 #include "study_reading.hpp"
 
 namespace deixis::studies {
@@ -29,6 +31,25 @@ void readSystemsOf(TomlTable& table, const Study& study, Stage& stage) {
     if (stage.kind == StageKind::parallel_rating && (systems.size() < 2 || systems.size() > most))
         table.problem("systems", fmt::format("found {} system{}, expected 2 to {}: they stand on one page",
                                              systems.size(), systems.size() == 1 ? "" : "s", most));
+}
+
+/// A pair stands to either side of the line of sight: none of the two on the participant's place.
+void checkRoomForPair(TomlTable& table, const Study& study, const std::vector<std::string>& layouts) {
+    constexpr double least_m = 1.0;
+    for (const std::string& name : layouts) {
+        const Layout* layout = study.findLayout(name);
+        if (layout == nullptr || table.faulty("layouts")) continue;
+        const Pose viewer = viewerPose(*layout);
+        for (const Vec3& place : pairPlaces(viewer))
+            if (const double away_m = glm::length(place - viewer.position); away_m < least_m) {
+                table.problem(
+                    "layouts",
+                    fmt::format("found \"{}\", where one avatar of a pair would stand {:.2f} m from the "
+                                "participant; expected a layout with at least {} m",
+                                name, away_m, least_m));
+                return;
+            }
+    }
 }
 
 std::size_t levelsOf(const TrialDesign& design, std::string_view factor) {
@@ -87,6 +108,7 @@ void readDesign(TomlTable& table, const Study& study, Stage& stage) {
     design.items = table.count("items", 1, 10000);
     readSystemsOf(table, study, stage);
     design.layouts = table.namesOf("layouts", namesIn(study.layouts), "[[layouts]]", true);
+    if (stage.kind == StageKind::pairwise) checkRoomForPair(table, study, design.layouts);
     design.layout_meets = readMeeting(table, "layout_meets", Meeting::nested);
     if (stage.kind != StageKind::parallel_rating)
         design.system_meets = readMeeting(table, "system_meets", Meeting::crossed);
@@ -165,7 +187,14 @@ void readChecks(TomlTable& table, const Study& study, Stage& stage) {
     bool sound = trials > 0;
     for (const toml::table* section : table.sections("checks", false)) {
         TomlTable below = table.below("checks", section, keys::checks);
-        stage.checks.push_back(readCheck(below, study, stage, trials));
+        AttentionChecks checks = readCheck(below, study, stage, trials);
+        if (!below.faulty("kind") &&
+            std::any_of(stage.checks.begin(), stage.checks.end(),
+                        [&](const auto& other) { return other.kind == checks.kind; }))
+            below.problem("kind",
+                          fmt::format("found \"{}\" a second time in the stage, expected each kind once",
+                                      checkKindName(checks.kind)));
+        stage.checks.push_back(std::move(checks));
         sound = sound && !below.faulty("count");
         if (stage.checks.back().kind != CheckKind::catch_trial) taken += stage.checks.back().count;
     }

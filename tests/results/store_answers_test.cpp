@@ -265,6 +265,29 @@ TEST_SUITE("results/store answers") {
         CHECK(nothing.gap_s == 0.0);
     }
 
+    TEST_CASE("A later sitting is told the first answers to what is repeated as a check") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::wideStudy();
+        const auto plan = fixtures::widePlan(study, "P01");
+        Store store = fixtures::open(folder / "a.sqlite");
+        fixtures::store(store, study, plan);
+        store.beginSession(fixtures::session("P01", false));
+        CHECK(store.resume("P01", 1.7e9).first_answers.empty());
+        auto choice = fixtures::answer(plan.trials[5], 1);  // trial 8 repeats it
+        choice.answers = {{"confidence", -1, 6.0}};
+        store.record(choice, study, plan, fixtures::clips(plan));
+        store.record(fixtures::answer(plan.trials[6], 1), study, plan, fixtures::clips(plan));
+        const auto kept = store.resume("P01", 1.7e9).first_answers;
+        REQUIRE(kept.size() == 1);
+        CHECK(kept[0].trial_index == 5);
+        CHECK(kept[0].status == studies::ResponseStatus::answered);
+        CHECK(kept[0].chosen_place == choice.chosen_place);
+        REQUIRE(kept[0].answers.size() == 1);
+        CHECK(kept[0].answers[0].value == 6.0);
+        store.record(studies::Superseded{5, "noise", {1.0, 1.7e9}}, study, plan, fixtures::clips(plan));
+        CHECK(store.resume("P01", 1.7e9).first_answers.empty());
+    }
+
     TEST_CASE("The time that a unit takes is the median from its start to the next one's") {
         const fixtures::Folder folder;
         const auto study = fixtures::study({"direct"});

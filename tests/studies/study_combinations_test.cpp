@@ -270,6 +270,28 @@ TEST_SUITE("studies/study_combinations") {
                   ->when.size() == 2);
     }
 
+    TEST_CASE("A pair of avatars needs a layout in which neither stands on the participant.") {
+        const Folder folder;
+        const std::string pairs =
+            "kind = \"pairwise\"\nwhen = {group = \"unseen\", order = \"b\"}\nitems = 2\n";
+        const std::vector<Error> errors = problemsOf(
+            folder.write(replaced(readText(fixtures / "full.toml"), pairs + "layouts = [\"across\"]",
+                                  pairs + "layouts = [\"beside\"]")));
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].text().find("stages.layouts") != std::string::npos);
+        CHECK(errors[0].message.find("m from the participant") != std::string::npos);
+    }
+
+    TEST_CASE("A stage has each kind of check once.") {
+        const Folder folder;
+        const std::vector<Error> errors =
+            problemsOf(folder.write(replaced(readText(fixtures / "full.toml"), "kind = \"repeat\"\ncount = 1",
+                                             "kind = \"number\"\ncount = 1")));
+        REQUIRE(errors.size() == 1);
+        CHECK(errors[0].text().find("stages.checks.kind") != std::string::npos);
+        CHECK(errors[0].message.find("a second time") != std::string::npos);
+    }
+
     TEST_CASE("Factors between participants have no more combinations than participants could fill.") {
         const Folder folder;
         const auto study = [](int factors) {
