@@ -1,11 +1,7 @@
-// The real window, on a virtual display, with a keyboard and a mouse.
+// The real window, on a virtual display: the keyboard alone, and displays that cannot be used. Whole studies
+// by mouse and keyboard: tests/desktop.
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include <cmath>
-#include <map>
-#include <utility>
-
-#include "core/pose.hpp"
 #include "program.hpp"
 
 using namespace deixis::tests;
@@ -40,38 +36,10 @@ int count(const std::string& database, const std::string& query) {
     }
 }
 
-// How far the mouse must go from the view that a trial begins with until a ball is in the middle: the view
-// begins half way between the avatar and the balls and 6 degrees down, and a pixel turns it by 0.07 degrees.
-std::pair<int, int> mouseTo(const nlohmann::json& trial, int place) {
-    const bool across = trial["layout"] == "across";
-    const double viewer_x = across ? 0.0 : -0.6;
-    const double viewer_z = across ? 3.4 : -0.95;
-    const double heading = deixis::radiansFromDegrees(across ? 180.0 : 15.0);
-    const auto yawTo = [&](double x, double z) {
-        return std::remainder(std::atan2(x - viewer_x, z - viewer_z) - heading, 2.0 * deixis::pi);
-    };
-    std::vector<nlohmann::json> balls{trial["target"]};
-    for (const auto& distractor : trial["distractors"]) balls.push_back(distractor);
-    double x = 0.0;
-    double z = 0.0;
-    for (const auto& ball : balls) {
-        x += ball[0].get<double>() / 3.0;
-        z += ball[2].get<double>() / 3.0;
-    }
-    const double first_yaw = 0.5 * (yawTo(0.0, 0.0) + yawTo(x, z));
-    const auto& ball = balls[trial["ball_order"][static_cast<std::size_t>(place)].get<std::size_t>()];
-    const double yaw = yawTo(ball[0], ball[2]);
-    const double distance = std::hypot(ball[0].get<double>() - viewer_x, ball[2].get<double>() - viewer_z);
-    const double pitch = std::atan2(ball[1].get<double>() - 1.65, distance);
-    const double per_pixel = deixis::radiansFromDegrees(0.07);
-    return {static_cast<int>(std::lround((first_yaw - yaw) / per_pixel)),
-            static_cast<int>(std::lround((deixis::radiansFromDegrees(-6.0) - pitch) / per_pixel))};
-}
-
 }  // namespace
 
 TEST_SUITE("app/desktop") {
-    TEST_CASE("a person at the desktop reads, rates by key, pauses and ends; the answers are kept") {
+    TEST_CASE("a person at the desktop reads, rates and pauses by key alone; the answers are kept") {
         const Scratch scratch;
         const Display display;
         const std::string database = scratch / "study.sqlite";
@@ -88,7 +56,7 @@ TEST_SUITE("app/desktop") {
             shell(Display::environment() + " xdotool search --name P01 windowfocus key " + key);
             std::this_thread::sleep_for(std::chrono::milliseconds(200));
         };
-        // Pages are left with Enter, ratings given with 4: pressing both in turn walks through stage 1.
+        // Pages are left with Enter, ratings given with 4: pressing both in turn goes through part 1.
         const bool rated = eventually(240.0, [&] {
             press("Return");
             press("4");
@@ -96,82 +64,15 @@ TEST_SUITE("app/desktop") {
         });
         INFO(slurp(scratch / "out"));
         REQUIRE(rated);
-        CHECK(count(database, "select count(*) from responses where rating = 4 and input = 'key'") >= 3);
+        CHECK(count(database,
+                    "select count(*) from answers a join responses r on r.id = a.response "
+                    "where a.question = 'rating' and a.value = 4 and r.input = 'key'") >= 3);
         CHECK(count(database, "select count(*) from sessions where station = 'desktop' and synthetic = 0") ==
               1);
         press("Escape");
         CHECK(eventually(
             20.0, [&] { return count(database, "select count(*) from events where kind = 'pause'") >= 1; }));
         session.kill(SIGTERM);
-    }
-
-    TEST_CASE(
-        "a person at the desktop plays the game by aiming with the mouse and clicking, in both places") {
-        const Scratch scratch;
-        const Display display;
-        const std::string database = scratch / "study.sqlite";
-        std::string study = shippedStudy();
-        for (const std::string from : {"items = 5 ", "items = 10 "})
-            study = replaced(study, from, "items = 1 ");
-        for (int i = 0; i < 2; ++i) study = replaced(study, "practice = 2 ", "practice = 0 ");
-        spill(scratch / "study.toml", study);
-        // One item a system: the layout goes to all its trials, so two participants make both places come up.
-        std::map<std::string, int> places;
-        for (const std::string participant : {"P01", "P02", "P03", "P04", "P05"}) {
-            const auto plan = nlohmann::json::parse(
-                program("plan " + (scratch / "study.toml") + " --participant " + participant + " --json")
-                    .out);
-            const std::string place = plan["trials"][4]["layout"];
-            if (places[place]++ > 0) continue;
-            Background session(Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1 " + DEIXIS_PROGRAM +
-                               " run " + (scratch / "study.toml") + " --participant " + participant +
-                               " --size 480x320 --db " + database + " >" + (scratch / "out") + " 2>&1");
-            const auto xdotool = [&](const std::string& what) {
-                shell(Display::environment() + " xdotool " + what);
-                std::this_thread::sleep_for(std::chrono::milliseconds(200));
-            };
-            const std::string of_participant = " from responses where participant = '" + participant + "'";
-            const std::string trial_events =
-                "select count(*) from events e join sessions s on s.id = e.session where "
-                "s.participant = '" +
-                participant + "' and e.kind = 'motion_end'";
-            REQUIRE(eventually(60.0, [&] {
-                return shell(Display::environment() + " xdotool search --onlyvisible --name " + participant)
-                           .status == 0;
-            }));
-            xdotool("search --name " + participant + " windowfocus");
-            REQUIRE(eventually(120.0, [&] {
-                xdotool("key Return");
-                xdotool("key 3");
-                return count(database, trial_events) >= 5;
-            }));
-            CHECK(count(database, "select count(*)" + of_participant + " and rating = 3") == 4);
-            for (int t = 4; t < 8; ++t) {
-                const auto& trial = plan["trials"][static_cast<std::size_t>(t)];
-                REQUIRE(eventually(60.0, [&] { return count(database, trial_events) >= t + 1; }));
-                std::this_thread::sleep_for(std::chrono::milliseconds(500));
-                const int wanted = t % 3;
-                const auto [right_px, down_px] = mouseTo(trial, wanted);
-                xdotool("mousemove_relative -- " + std::to_string(right_px) + " " + std::to_string(down_px));
-                std::this_thread::sleep_for(std::chrono::milliseconds(400));
-                INFO(participant << " trial " << t << " " << trial.dump());
-                // A slow machine may not have shown the white balls yet; nothing more can be chosen before
-                // the next motion has ended.
-                REQUIRE(eventually(30.0, [&] {
-                    xdotool("click 1");
-                    std::this_thread::sleep_for(std::chrono::milliseconds(700));
-                    return count(database, "select count(*)" + of_participant) == t + 1;
-                }));
-                CHECK(count(database, "select chosen_place" + of_participant +
-                                          " and trial_index = " + std::to_string(t)) == wanted);
-            }
-            CHECK(eventually(30.0, [&] {
-                xdotool("key Return");
-                return !session.running();
-            }));
-            CHECK(session.wait() == 0);
-        }
-        CHECK(places.size() == 2);
     }
 
     TEST_CASE("without a display the desktop station says so and starts nothing else") {

@@ -87,6 +87,7 @@ struct DesktopStation::State {
     double pitch_rad = resting_pitch_rad;
     Vec3 lean_m{0.0};
     double cursor_x = 0.0, cursor_y = 0.0;
+    double later_right_px = 0.0, later_down_px = 0.0;  // moved after a press, within one frame
 
     studies::InputFrame pending{};  // what has happened since the last frame
     TypedText typed;
@@ -102,6 +103,7 @@ struct DesktopStation::State {
     [[nodiscard]] OperatorRequest pollEvents();
     void onFocus(bool focused);
     void onCursor(double x, double y);
+    void turn(double right_px, double down_px);
     void toggleFullscreen();
     void updateLean(double elapsed_s);
     void lookAtTask(const studies::PresentedFrame& frame);
@@ -152,10 +154,21 @@ void DesktopStation::State::onFocus(bool focused) {
 }
 
 void DesktopStation::State::onCursor(double x, double y) {
-    yaw_rad -= (x - cursor_x) * look_rad_per_pixel;
-    pitch_rad = std::clamp(pitch_rad - (y - cursor_y) * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
-    cursor_x = x;
-    cursor_y = y;
+    const double right_px = x - std::exchange(cursor_x, x);
+    const double down_px = y - std::exchange(cursor_y, y);
+    // What is selected is what was in the middle of the view when the button went down, also where the mouse
+    // has gone on since, in a slow frame far: that turns the view in the next one.
+    if (pending.select) {
+        later_right_px += right_px;
+        later_down_px += down_px;
+    } else {
+        turn(right_px, down_px);
+    }
+}
+
+void DesktopStation::State::turn(double right_px, double down_px) {
+    yaw_rad -= right_px * look_rad_per_pixel;
+    pitch_rad = std::clamp(pitch_rad - down_px * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
 }
 
 void DesktopStation::State::toggleFullscreen() {
@@ -360,6 +373,7 @@ studies::InputFrame DesktopStation::beginFrame() {
     const double ready_s = s.last_begin_s + 0.9 * s.period_s;
     if (const double wait_s = ready_s - s.now_s(); wait_s > 0.0)
         std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
+    s.turn(std::exchange(s.later_right_px, 0.0), std::exchange(s.later_down_px, 0.0));
     const OperatorRequest asked = s.pollEvents();
     studies::InputFrame input = std::exchange(s.pending, {});
     s.last_begin_s = s.now_s();

@@ -1,0 +1,242 @@
+"""Turns to things, clicks them, drags and types, as somebody does who watches the screen: each move of the mouse is
+followed by a look at where it led."""
+
+import math
+import time
+
+import borrowed  # noqa: F401
+from geometry import Pose, add, length, rotate, scaled, subtract
+from session_trace import TraceTimeout
+
+DEG_PER_PIXEL = 0.07  # of the mouse: look_rad_per_pixel in desktop_station.cpp
+AIMING_S = 20.0
+ANSWER_S = 20.0  # until a click or a key must have done something; frames may be slow
+READING_S = 0.6  # a board takes no input right after it came up
+
+
+def head_of(line):
+    return Pose(tuple(line["head"][:3]), tuple(line["head"][3:]))
+
+
+def angles_deg(direction):
+    """Yaw, positive to the left, and pitch, positive up, of a direction."""
+    x, y, z = direction
+    return math.degrees(math.atan2(-x, -z)), math.degrees(math.atan2(y, math.hypot(x, z)))
+
+
+def pixels_to(line, point):
+    """How far the mouse must go, right and down, until the point is in the middle of the view."""
+    head = head_of(line)
+    yaw, pitch = angles_deg(rotate(head.orientation, (0.0, 0.0, -1.0)))
+    wanted_yaw, wanted_pitch = angles_deg(subtract(point, head.position))
+    turn = (yaw - wanted_yaw + 180.0) % 360.0 - 180.0
+    return turn / DEG_PER_PIXEL, (pitch - wanted_pitch) / DEG_PER_PIXEL
+
+
+def button(line, number):
+    return next((b for b in line["buttons"] if b["id"] == number), None)
+
+
+def slider(line, number):
+    return next((s for s in line["sliders"] if s["id"] == number), None)
+
+
+def field(line, number):
+    return next((f for f in line["fields"] if f["id"] == number), None)
+
+
+def board(line):
+    """What tells one board from another."""
+    return (
+        line["state"], line["stage"], line["trial"], line["status"].split(",")[0],
+        tuple(part["id"] for kind in ("buttons", "sliders", "fields") for part in line[kind]),
+    )
+
+
+class Hands:
+    def __init__(self, trace, mouse):
+        self.trace = trace
+        self.mouse = mouse
+        self._clicks = 0
+        self._board = None
+        self._board_since_s = 0.0
+
+    def look(self):
+        """The latest line."""
+        while self.trace.read():
+            self._notice_board()
+        return self.trace.now
+
+    def _notice_board(self):
+        if board(self.trace.now) != self._board:
+            self._board = board(self.trace.now)
+            self._board_since_s = self.trace.now["time_s"]
+
+    def wait(self, what, condition, timeout_s=ANSWER_S):
+        def noticing(line):
+            self._notice_board()
+            return condition(line)
+
+        return self.trace.wait(what, noticing, timeout_s)
+
+    def read(self):
+        """Until the board has been there for as long as it takes to read a word."""
+        self.wait("time to read", lambda line: line["time_s"] >= self._board_since_s + READING_S)
+        return self.look()
+
+    # Turning.
+
+    def turn_to(self, what, point, there):
+        """Turns until `there(line)` holds and the point of the stage is in the middle of the view. `point(line)`: where
+        it is, or None where it is gone. Whether it was found."""
+        end = time.monotonic() + AIMING_S
+        while time.monotonic() < end:
+            line = self.look()
+            at = point(line)
+            if at is None:
+                return False
+            right, down = pixels_to(line, at)
+            if max(abs(right), abs(down)) < 1.0:
+                if there(line):
+                    return True
+                if not self._soon(lambda now: point(now) is None or there(now), 1.0):
+                    return False
+                continue
+            self._move(round(right), round(down), line, at)
+        raise TraceTimeout(f"{what} did not come into the middle of the view; {self.trace.describe()}")
+
+    def _move(self, right, down, line, at):
+        seen = line["frame"]
+        self.mouse.move(right, down)
+
+        def arrived(now):
+            return now["frame"] > seen and max(abs(v) for v in pixels_to(now, at)) < 1.5
+
+        self._soon(lambda now: arrived(now) or board(now) != board(line), 1.5)
+
+    def _soon(self, condition, timeout_s):
+        try:
+            self.wait("what is expected", condition, timeout_s)
+            return True
+        except TraceTimeout:
+            if not self.trace._alive():
+                raise
+            return False
+
+    # Doing.
+
+    def click(self):
+        """Every third one in passing."""
+        self._clicks += 1
+        return self.mouse.click_in_passing() if self._clicks % 3 == 0 else self.mouse.click()
+
+    def click_button(self, number, done=None):
+        """Waits until it can be pressed, presses it, and waits until done(line), which does not hold before: by default,
+        until it has been taken notice of. Returns when it was pressed (UTC, from and to)."""
+
+        def enabled(line):
+            found = button(line, number)
+            return found is not None and found["enabled"]
+
+        line = self.wait(f"button {number}", enabled)
+        before = board(line)
+        done = done or (lambda now: board(now) != before or not enabled(now))
+        for _ in range(3):
+            self.read()
+            lit = self.turn_to(
+                f"button {number}",
+                lambda now: tuple(button(now, number)["centre"]) if enabled(now) else None,
+                lambda now: button(now, number)["hovered"],
+            )
+            if not lit:
+                if done(self.look()):
+                    raise AssertionError(f"button {number} was gone before it was pressed; {self.trace.describe()}")
+                continue
+            at = self.click()
+            if self._soon(done, ANSWER_S):
+                return at
+        raise TraceTimeout(f"button {number} could not be pressed; {self.trace.describe()}")
+
+    def pick(self, number):
+        """Presses one option of several, unless it is picked already, and sees that it is."""
+        if button(self.look(), number)["chosen"]:
+            return None
+        return self.click_button(number, lambda line: (button(line, number) or {}).get("chosen"))
+
+    def press_key(self, name, done):
+        self.read()
+        for _ in range(3):
+            at = self.mouse.key(name)
+            if self._soon(done, ANSWER_S):
+                return at
+        raise TraceTimeout(f"key {name} did nothing; {self.trace.describe()}")
+
+    def drag_slider(self, number, value):
+        """Presses somewhere on the track, drags to a value and lets go."""
+
+        def point_at(line, wanted):
+            found = slider(line, number)
+            share = (wanted - found["low"]) / (found["high"] - found["low"])
+            return add(found["left"], scaled(subtract(found["right"], found["left"]), share))
+
+        line = self.wait(f"slider {number}", lambda now: (slider(now, number) or {}).get("enabled"))
+        low, high = slider(line, number)["low"], slider(line, number)["high"]
+        begin = low + (high - low) * (0.3 if value > (low + high) / 2 else 0.7)
+        self.read()
+        self.turn_to(f"slider {number}", lambda now: point_at(now, begin), lambda now: True)
+        at = self.mouse.press()
+        try:
+            self.wait(
+                f"thumb on slider {number}",
+                lambda now: now["utc_s"] > at[1] + 0.1 and slider(now, number)["value"] is not None,
+            )
+
+            def there(now):
+                return slider(now, number)["value"] == value
+
+            for _ in range(4):
+                if self.turn_to(f"{value} on slider {number}", lambda now: point_at(now, value), there):
+                    break
+            else:
+                raise TraceTimeout(f"slider {number} stays at {slider(self.look(), number)['value']}, not {value}")
+        finally:
+            at = self.mouse.release()
+        # Letting go must not move it.
+        self.wait("a frame", lambda now: now["utc_s"] > at[1] + 0.1)
+        kept = slider(self.look(), number)["value"]
+        if kept != value:
+            raise AssertionError(f"slider {number} was let go at {value} and stands at {kept}")
+
+    def type_into(self, number, text):
+        """Clicks the field where it does not take what is typed, types, and sees that it stands there."""
+        line = self.wait(f"field {number}", lambda now: field(now, number))
+        if not field(line, number)["active"]:
+            self.read()
+            self.turn_to(f"field {number}", lambda now: tuple(field(now, number)["centre"]), lambda now: True)
+            self.click()
+            self.wait(f"caret in field {number}", lambda now: field(now, number)["active"])
+        self.mouse.type(text)
+        self.wait(f"'{text}' in field {number}", lambda now: field(now, number)["text"] == text)
+
+    def hover_ball(self, place):
+        """Turns to a ball until it lights up. Its centre; None where others hide it from here."""
+
+        def ball(line):
+            return line["balls"][place] if place < len(line["balls"]) else None
+
+        def choosing(line):
+            return line["state"].startswith(("choosing", "aiming"))
+
+        found = ball(self.look())
+        for right, up in ((0.0, 0.0), (0.0, 0.7), (0.7, 0.0), (-0.7, 0.0), (0.0, -0.7)):
+
+            def point(line):
+                if not choosing(line):
+                    return None
+                away = subtract(found["centre"], line["head"][:3])
+                side = scaled((-away[2], 0.0, away[0]), found["radius_m"] * right / length((away[0], 0.0, away[2])))
+                return add(add(found["centre"], side), (0.0, found["radius_m"] * up, 0.0))
+
+            if self.turn_to(f"ball {place}", point, lambda line: ball(line)["look"] == "hovered"):
+                return tuple(found["centre"])
+        return None

@@ -1,0 +1,97 @@
+"""A virtual display with the program's window on it, and a mouse and a keyboard, which are xdotool's."""
+
+import subprocess
+import time
+
+import borrowed  # noqa: F401
+from processes import Rig, RigError, until
+from session_trace import Trace
+
+PARTICIPANT = "P1"
+
+
+class Desktop(Rig):
+    """One scenario's folder, display and program. A context manager: all ends with it."""
+
+    def __init__(self, folder, program, size):
+        super().__init__(folder, program, driver="none", screen="1280x800")
+        self._size = size
+        self.mouse = None
+
+    def run(self, study, database, *options):
+        """Starts `deixis run` and follows its trace, once its window has come up."""
+        self._runs += 1
+        path = self.folder / f"trace-{self._runs}.jsonl"
+        self.deixis = self._start(
+            [self._program, "run", study, "--station", "desktop", "--participant", PARTICIPANT, "--db", database]
+            + ["--trace", path, "--size", self._size, *options],
+            f"deixis-{self._runs}",
+            cwd=self.folder,
+        )
+        self.trace = Trace(path, self.deixis.alive)
+        self.mouse = Mouse(self.environment)
+        # The clips of the built-in systems are made before the window opens.
+        until("window", lambda: self.windows(PARTICIPANT) or not self.deixis.alive(), 180.0)
+        if not self.deixis.alive():
+            raise RigError(f"the program ended before its window came up: {self.deixis.text().strip()}")
+        # There is no window manager to give it the keyboard.
+        self.focus()
+        self.trace.wait("first page", lambda line: line["buttons"], 60.0)
+        return self.trace
+
+    def focus(self):
+        for window in self.windows(PARTICIPANT):
+            self.mouse.do("windowfocus", window)
+
+    def window_size(self):
+        """Width and height on the screen."""
+        return self._geometry(self.windows(PARTICIPANT)[0])
+
+    def _geometry(self, window):
+        said = subprocess.run(
+            ["xdotool", "getwindowgeometry", "--shell", str(window)],
+            env=self.environment, capture_output=True, text=True, check=True,
+        ).stdout
+        values = dict(line.split("=") for line in said.split())
+        return int(values["WIDTH"]), int(values["HEIGHT"])
+
+
+class Mouse:
+    """And the keyboard. All that the scripted person can do."""
+
+    def __init__(self, environment):
+        self._environment = environment
+
+    def do(self, *arguments):
+        """Returns when the command began and when it had ended (UTC)."""
+        begun = time.time()
+        subprocess.run(
+            ["xdotool", *(str(a) for a in arguments)], env=self._environment, check=True, timeout=60.0,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )
+        return begun, time.time()
+
+    def move(self, right_px, down_px):
+        return self.do("mousemove_relative", "--", right_px, down_px)
+
+    def click(self):
+        return self.do("click", 1)
+
+    def click_in_passing(self):
+        """And goes on at once: what was aimed at is meant."""
+        return self.do("click", 1, "mousemove_relative", "--", 300, -120)
+
+    def press(self):
+        return self.do("mousedown", 1)
+
+    def release(self):
+        return self.do("mouseup", 1)
+
+    def key(self, name):
+        return self.do("key", name)
+
+    def hold_key(self, name, down):
+        return self.do("keydown" if down else "keyup", name)
+
+    def type(self, text):
+        return self.do("type", "--delay", 60, "--", text)
