@@ -1,5 +1,7 @@
 #include "operator_controls.hpp"
 
+#include <utility>
+
 namespace deixis::app {
 
 namespace {
@@ -105,6 +107,7 @@ class Controls {
             ImGui::InputTextWithHint("##reason", "Reason (required)", desk_.reason().data(),
                                      desk_.reason().size(), ImGuiInputTextFlags_EnterReturnsTrue);
         const bool typing = ImGui::IsItemActive();
+        if (entered && !desk_.answered()) lastAsked() = -1;  // the field takes the keyboard again
         ImGui::SetCursorPosY(place + high_ + pen_.px(button_gap));
         const bool ready = desk_.answered();
         ImGui::BeginDisabled(!ready);
@@ -122,13 +125,13 @@ class Controls {
         return typing;
     }
 
+    // The picture in which the question was shown last.
+    static int& lastAsked() { return *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("question"), -1); }
+
     // Whether the question that is shown was not there in the picture before.
-    [[nodiscard]] bool askedAnew() const {
-        int& last = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("question"), -1);
-        const int frame = ImGui::GetFrameCount();
-        const bool anew = last != frame - 1;
-        last = frame;
-        return anew;
+    static bool askedAnew() {
+        const int before = std::exchange(lastAsked(), ImGui::GetFrameCount());
+        return before != ImGui::GetFrameCount() - 1;
     }
 
     // A question in a button's place; the time for the second press runs out along its foot.
