@@ -15,6 +15,7 @@
 #include "commands.hpp"
 #include "enrolment.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "operator_feed.hpp"
 #include "recorders.hpp"
 #include "report.hpp"
 #include "results/participants.hpp"
@@ -152,7 +153,10 @@ Result<void> runOn(const Options& options, const Prepared& prepared, results::St
                    std::optional<std::ofstream> trace_file, const results::RecordingOptions& recording) {
     const auto& [setup, enrolment, avatar, stimuli] = prepared;
     const std::string& participant = enrolment.registration.participant;
-    const auto station = openStation(options.station, setup.study, enrolment.plan, avatar);
+    const auto feed = std::make_shared<OperatorFeed>();
+    StationRequest request = options.station;
+    request.operator_feed = feed;
+    const auto station = openStation(request, setup.study, enrolment.plan, avatar);
     if (!station) return tl::unexpected(station.error());
     const studies::StationInfo info = (*station)->info();
     if (store.hasSession(participant, !info.synthetic))
@@ -173,6 +177,7 @@ Result<void> runOn(const Options& options, const Prepared& prepared, results::St
 
     const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
     const auto records = stimuli.records();
+    const auto history = store.secondsPerUnit();
     const bool keyboard = info.kind != "headset";
     studies::SessionRunner session(setup.study, enrolment.plan, stimuli, avatar.skeleton, idle,
                                    enrolment.resume, keyboard);
@@ -186,9 +191,12 @@ Result<void> runOn(const Options& options, const Prepared& prepared, results::St
         else
             recorder =
                 std::make_unique<BackgroundRecorder>(store, setup.study, enrolment.plan, records, recording);
+        OperatorFeedWriter for_operator(
+            feed, participant, setup.study, [&session] { return session.progress(); }, history,
+            options.database, *recorder);
         std::optional<Trace> trace;
-        if (trace_file) trace.emplace(std::move(*trace_file), session, *recorder);
-        Recorder& told = trace ? static_cast<Recorder&>(*trace) : *recorder;
+        if (trace_file) trace.emplace(std::move(*trace_file), session, for_operator);
+        Recorder& told = trace ? static_cast<Recorder&>(*trace) : for_operator;
         runSession(session, **station, told);
         told.finish();
     } catch (const std::exception& error) {
@@ -282,6 +290,10 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
                      "Of the picture size that the headset's runtime recommends (headset)")
         ->check(CLI::Range(0.2, 3.0))
         ->capture_default_str();
+    command->add_flag(
+        "--operator", options->station.operator_window,
+        "The experimenter's window, on a second monitor or beside the participant's (desktop; a "
+        "headset has it always)");
     command->add_flag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
     command
         ->add_option("--parameters", options->station.simulated_parameters,

@@ -27,6 +27,8 @@ Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& requ
     options.fullscreen = request.fullscreen;
     options.eye_height_m = study.eye_height_m;
     options.controls = study.words("station_desktop_controls");
+    options.operator_window = request.operator_window;
+    options.operator_feed = request.operator_feed;
     if (!request.size.empty()) {
         const auto size = parseWindowSize(request.size);
         if (!size) return tl::unexpected(size.error());
@@ -48,6 +50,7 @@ Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest& requ
     options.title = study.title + " - " + plan.participant;
     options.resolution_scale = request.resolution_scale;
     options.study = study.headset;
+    options.operator_feed = request.operator_feed;
     if (!request.size.empty()) {
         const auto size = parseWindowSize(request.size);
         if (!size) return tl::unexpected(size.error());
@@ -116,6 +119,9 @@ Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& requ
     if (request.kind != "simulated")
         return fail("--station", fmt::format("unknown station '{}'; expected desktop, headset or simulated",
                                              request.kind));
+    if (request.operator_window)
+        return fail("--operator", "a simulated participant has no window for the experimenter",
+                    "Use --station desktop; a headset's window is always there");
     const auto parameters = studies::loadSimulatedParameters(request.simulated_parameters);
     if (!parameters) return tl::unexpected(parameters.error());
     auto station =

@@ -9,6 +9,7 @@
 
 #include "assets/avatar.hpp"
 #include "core/error.hpp"
+#include "operator_feed.hpp"
 #include "studies/plan.hpp"
 #include "studies/simulated_participant.hpp"
 #include "studies/station.hpp"
@@ -26,6 +27,8 @@ struct StationRequest {
     std::string kind = "desktop";  ///< "desktop", "headset" or "simulated"
     std::string size;  ///< "WIDTHxHEIGHT" of the window or of what the simulated participant sees; or empty
     bool fullscreen = false;
+    bool operator_window = false;  ///< desktop: the experimenter's beside the participant's
+    std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells the experimenter
     double resolution_scale = 1.0;  ///< headset: of the size that the runtime recommends
     std::string simulated_parameters;
     std::shared_ptr<Screenshots> screenshots = std::make_shared<Screenshots>();  ///< simulated only

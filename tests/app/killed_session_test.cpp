@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 #include <csignal>
 #include <map>
 #include <memory>
