@@ -50,6 +50,8 @@ Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest& requ
     options.title = study.title + " - " + plan.participant;
     options.resolution_scale = request.resolution_scale;
     options.study = study.headset;
+    options.hint = study.words("station_headset_hint");
+    options.tracking_lost = study.words("station_tracking_lost");
     options.operator_feed = request.operator_feed;
     if (!request.size.empty()) {
         const auto size = parseWindowSize(request.size);

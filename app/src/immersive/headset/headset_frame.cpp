@@ -181,7 +181,7 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
 renderer::Scene HeadsetStation::State::sceneOf(const studies::PresentedFrame& of_frame) const {
     renderer::Scene scene = sceneFromFrame(of_frame, {});
     if (explainsControls(of_frame))
-        addFootLine(scene.boards.front(), "Aim the ray at a button and pull the trigger.");
+        addFootLine(scene.boards.front(), options.hint);
     return scene;
 }
 
@@ -198,7 +198,7 @@ bool HeadsetStation::State::drawFrame(const studies::PresentedFrame& shown_frame
         if (shown)
             noteEyes(*layers.eyes);
         else
-            layers = picture->drawUnplaced("The headset has lost sight of the room. Look around slowly.");
+            layers = picture->drawUnplaced(options.tracking_lost);
     }
     session->end(*frame, layers);
     return shown;

@@ -23,6 +23,10 @@ struct HeadsetStationOptions {
     WindowSize window_size{1280, 900};
     double resolution_scale = 1.0;
     studies::HeadsetOptions study{};
+    /// In the participant's language: how to take part, at the foot of the first pages; and what hangs before
+    /// the face while sight of the room is lost.
+    std::string hint = "Aim the ray at a button and pull the trigger.";
+    std::string tracking_lost = "The headset has lost sight of the room. Look around slowly.";
     std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells the experimenter
 };
 
