@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "commands.hpp"
@@ -32,6 +34,17 @@ Result<studies::Groups> parseGroups(const std::vector<std::string>& options) {
     return groups;
 }
 
+// The stored plan's JSON; trials of one stimulus tell its system and item under names of their own, too.
+std::string jsonForScripts(const studies::StudyPlan& plan) {
+    auto json = nlohmann::ordered_json::parse(studies::planJson(plan));
+    for (auto& trial : json["trials"]) {
+        if (trial["stimuli"].size() != 1) continue;
+        trial["system"] = trial["stimuli"][0]["system"];
+        trial["target_id"] = trial["stimuli"][0]["item"];
+    }
+    return json.dump(1) + "\n";
+}
+
 Result<void> printPlan(const Options& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
@@ -42,7 +55,7 @@ Result<void> printPlan(const Options& options) {
     if (groups->empty()) groups = studies::assignGroups(setup->study, {}, number);
     const auto plan = studies::buildPlan(setup->study, setup->targets, options.participant, number, *groups);
     if (!plan) return tl::unexpected(plan.error());
-    fmt::print("{}", options.json ? studies::planJson(*plan) : studies::planTable(*plan));
+    fmt::print("{}", options.json ? jsonForScripts(*plan) : studies::planTable(*plan));
     return {};
 }
 

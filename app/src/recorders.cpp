@@ -10,7 +10,10 @@
 namespace deixis::app {
 
 void DirectRecorder::record(const studies::SessionEvent& event) {
-    if (std::holds_alternative<studies::Response>(event)) ++answers_;
+    if (const auto* response = std::get_if<studies::Response>(&event)) {
+        const studies::Trial& trial = plan_.trials.at(static_cast<std::size_t>(response->trial_index));
+        answers_ += !trial.practice && !trial.stimuli.empty();
+    }
     store_.record(event, study_, plan_, clips_);
 }
 

@@ -23,6 +23,7 @@ class DirectRecorder : public Recorder {
     void record(const studies::SessionEvent& event) override;
     void sample(const studies::TrackingSample&, int) override {}
     [[nodiscard]] bool answersKept() const override { return true; }
+    /// To trials that show clips, practice aside.
     [[nodiscard]] int answers() const { return answers_; }
 
   private:

@@ -198,7 +198,7 @@ std::string targetsCsv(const std::vector<TargetItem>& targets, const std::vector
     std::string out = "target_id,x,y,z";
     for (const DistanceBand& band : bands)
         for (int i = 1; i <= band.distractors; ++i)
-            out += fmt::format(",{0}_d{1}_x,{0}_d{1}_y,{0}_d{1}_z", band.name, i);
+            out += fmt::format(",{0}d{1}_x,{0}d{1}_y,{0}d{1}_z", bands.size() > 1 ? band.name + "_" : "", i);
     out += '\n';
     for (const TargetItem& item : targets) {
         out += item.id + "," + (item.placed ? csvPosition(item.target) : ",,");

@@ -61,8 +61,8 @@ TEST_SUITE("app/bad-input") {
 
     TEST_CASE("ranges in which no distractor can lie fail after a bounded search") {
         const Scratch scratch;
-        spill(scratch / "study.toml", replaced(shippedStudy(), "distractor_distance_m = [0.20, 0.40]",
-                                               "distractor_distance_m = [8.0, 9.0]"));
+        spill(scratch / "study.toml",
+              replaced(shippedStudy(), "distance_m = [0.20, 0.40]", "distance_m = [8.0, 9.0]"));
         CHECK_FAILS_SAYING(program("targets " + (scratch / "study.toml") + " --no-picture"), "study.toml",
                            "8");
     }

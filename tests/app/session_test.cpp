@@ -12,7 +12,11 @@ namespace {
 int answerCount(const std::string& database) {
     try {
         SQLite::Database db(database, SQLite::OPEN_READONLY, 1000);
-        return db.execAndGet("select count(*) from responses").getInt();
+        return db
+            .execAndGet(
+                "select count(*) from responses join trials using (participant, trial_index) where not "
+                "practice")
+            .getInt();
     } catch (const SQLite::Exception&) {
         return 0;  // not made yet
     }
@@ -37,8 +41,9 @@ TEST_SUITE("app/session") {
             Background session(std::string(DEIXIS_PROGRAM) + " " + command);
             eventually(120.0, [&] { return answerCount(database) >= wanted || !session.running(); });
             session.kill(SIGKILL);
-            const std::string now = rows(
-                database, "select trial_index, rating, chosen_place, answered_s from responses order by 1");
+            const std::string now = rows(database,
+                                         "select trial_index, value, chosen_place, answered_s from "
+                                         "responses_flat where not practice order by 1");
             REQUIRE(std::count(now.begin(), now.end(), '\n') >= wanted);
             // What was answered before stands unchanged.
             for (std::size_t at = 0; at < before.size();) {
@@ -56,10 +61,11 @@ TEST_SUITE("app/session") {
         INFO(last.err);
         REQUIRE(last.status == 0);
         CHECK(answerCount(database) == 60);
-        CHECK(rows(database, "select count(distinct trial_index) from responses") == "60\n");
+        CHECK(rows(database, "select count(distinct trial_index) from responses_flat where not practice") ==
+              "60\n");
         CHECK(rows(database,
-                   "select count(*) from responses where correct is not null and chosen_place >= 0") ==
-              "40\n");
+                   "select count(*) from responses_flat where not practice and correct is not null and "
+                   "chosen_place >= 0") == "40\n");
     }
 
     TEST_CASE("a participant who has finished is not asked again") {
@@ -97,9 +103,13 @@ TEST_SUITE("app/session") {
         const Scratch scratch;
         const std::string database = scratch / "study.sqlite";
         REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
-        REQUIRE(shell("sqlite3 " + database +
-                      " 'update sessions set synthetic = 0; delete from responses where trial_index > 20'")
-                    .status == 0);
+        REQUIRE(
+            shell(
+                "sqlite3 " + database +
+                " 'update sessions set synthetic = 0; delete from answers where response in (select id from "
+                "responses where trial_index > 20); delete from response_stimuli where response in (select "
+                "id from responses where trial_index > 20); delete from responses where trial_index > 20'")
+                .status == 0);
         const int before = answerCount(database);
         CHECK_FAILS_SAYING(
             program("run pointing2023 --station simulated --participant S001 --db " + database), "S001",
@@ -115,7 +125,8 @@ TEST_SUITE("app/session") {
         REQUIRE(program("simulate pointing2023 --participants 2 --db " + (scratch / "many.sqlite")).status ==
                 0);
         const std::string query =
-            "select trial_index, rating, chosen_place from responses where participant = 'S002' order by 1";
+            "select trial_index, value, chosen_place from responses_flat where participant = 'S002' order by "
+            "1";
         CHECK(rows(scratch / "one.sqlite", query) == rows(scratch / "many.sqlite", query));
         CHECK(rows(scratch / "one.sqlite", query).size() > 100);
     }

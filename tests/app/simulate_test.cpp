@@ -12,9 +12,9 @@ namespace {
 
 std::string answers(const std::string& database) {
     return shell("sqlite3 -readonly " + database +
-                 " 'select participant, trial_index, rating, chosen_place, correct, round(response_time_s, "
-                 "6) from "
-                 "responses order by participant, trial_index'")
+                 " 'select participant, trial_index, value, chosen_place, correct, round(response_time_s, 6) "
+                 "from "
+                 "responses_flat where not practice order by participant, trial_index'")
         .out;
 }
 

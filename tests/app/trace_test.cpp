@@ -60,7 +60,7 @@ TEST_SUITE("app/trace") {
         REQUIRE(told.size() > 100);
         CHECK(told.front().contains("earlier"));  // lines are added
         told.erase(told.begin());
-        CHECK(told.front()["state"] == "welcome");
+        CHECK(told.front()["state"] == "instructions");
         CHECK(told.back()["state"] == "over");
 
         std::map<int, std::string> answered;  // trial -> the state that ended it
@@ -111,7 +111,7 @@ TEST_SUITE("app/trace") {
         CHECK(hovered_buttons >= 20);
         CHECK(answered.size() == 64);  // 60 and 4 of practice
         SQLite::Database db(database, SQLite::OPEN_READONLY);
-        SQLite::Statement row(db, "select trial_index, chosen_place from responses");
+        SQLite::Statement row(db, "select trial_index, chosen_place from responses_flat");
         int rows = 0;
         while (row.executeStep()) {
             ++rows;
@@ -119,7 +119,7 @@ TEST_SUITE("app/trace") {
             CHECK(step(answered.at(trial)) == (row.getColumn(1).isNull() ? "rated" : "chosen"));
             if (!row.getColumn(1).isNull()) CHECK(chosen.at(trial) == row.getColumn(1).getInt());
         }
-        CHECK(rows == 60);
+        CHECK(rows == 64);
     }
 
     TEST_CASE("a trace that cannot be written is refused before anything is kept") {

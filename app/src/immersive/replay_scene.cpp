@@ -1,8 +1,10 @@
 #include "replay_scene.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "frame_scene.hpp"
+#include "renderer/room.hpp"
 #include "studies/standing.hpp"
 
 namespace deixis::app {
@@ -20,13 +22,27 @@ Pose assumedHead(const studies::RecordedTrial& trial) {
     return studies::viewerPose(trial.layout) * Pose{{0.0, eye_height_m, 0.0}, no_rotation};
 }
 
+// How far a camera may go from a point within the room before it would stand in a wall or nearly so.
+double wayToWall(const Vec3& from, const Vec3& direction) {
+    constexpr double clearance_m = 0.15;
+    const Vec3 low = Vec3(renderer::room_low) + clearance_m;
+    const Vec3 high = Vec3(renderer::room_high) - clearance_m;
+    double way_m = 100.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double to = direction[axis] < 0.0 ? low[axis] : high[axis];
+        if (direction[axis] != 0.0) way_m = std::min(way_m, (to - from[axis]) / direction[axis]);
+    }
+    return std::max(0.0, way_m);
+}
+
 Pose orbit(const studies::RecordedTrial& trial, const OutsideView& view) {
     const Pose viewer = studies::viewerPose(trial.layout);
     constexpr double middle_height_m = 1.0;
     const Vec3 middle = 0.5 * viewer.position + Vec3(0.0, middle_height_m, 0.0);
     const Quat turn = viewer.orientation * yawRotation(view.azimuth_rad) *
                       glm::angleAxis(-view.elevation_rad, Vec3(1.0, 0.0, 0.0));
-    return {middle + turn * Vec3(0.0, 0.0, view.distance_m), turn};
+    const Vec3 back = turn * Vec3(0.0, 0.0, 1.0);
+    return {middle + std::min(view.distance_m, wayToWall(middle, back)) * back, turn};
 }
 
 void addTrail(renderer::Scene& scene, std::vector<Vec3> points, const glm::vec3& colour) {

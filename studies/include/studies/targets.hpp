@@ -45,7 +45,8 @@ struct TargetItem {
 /// lies on the avatar's axis, farther than 20 m, or so low that a ball there would stick in the floor.
 [[nodiscard]] Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions);
 
-/// "target_id,x,y,z" and for each band and distractor ",BAND_d1_x,BAND_d1_y,BAND_d1_z", then a row each.
+/// "target_id,x,y,z" and for each band and distractor ",BAND_d1_x,BAND_d1_y,BAND_d1_z" (of a single band
+/// ",d1_x,d1_y,d1_z"), then a row each.
 [[nodiscard]] std::string targetsCsv(const std::vector<TargetItem>& targets,
                                      const std::vector<DistanceBand>& bands);
 
