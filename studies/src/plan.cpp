@@ -94,6 +94,7 @@ Result<void> drawItems(std::vector<OpenStage>& stages, const std::vector<TargetI
                                 placed, needed_placed));
 
     std::vector<const TargetItem*> left;
+    left.reserve(targets.size());
     for (const TargetItem& item : targets) left.push_back(&item);
     random.shuffle(std::span<const TargetItem*>(left));
     for (const bool placed_ones : {true, false})
@@ -183,6 +184,7 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
                                                 : scoredTrials(study, stage, open.items, number, stage_seed);
         if (!trials) return tl::unexpected(trials.error());
         const int first = static_cast<int>(plan.trials.size());
+        plan.trials.reserve(plan.trials.size() + trials->size());
         for (Trial& trial : *trials) {
             trial.index = static_cast<int>(plan.trials.size());
             if (trial.check && trial.check->of_trial >= 0) trial.check->of_trial += first;

@@ -53,9 +53,10 @@ void SessionRunner::State::repeatLast(const InputFrame& input, const std::string
         return;
     }
     core.noteAt(core.now, "operator_repeat", reason);
-    core.events.push_back(Superseded{*last_answered, reason, core.now});
-    course.supersede(*last_answered);
-    checks.forget(*last_answered);
+    const int again = *last_answered;
+    core.events.emplace_back(Superseded{again, reason, core.now});
+    course.supersede(again);
+    checks.forget(again);
     last_answered.reset();
     if (unit->done() || unit->begun()) return;  // it is left first
     if (paused)
