@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/pose.hpp"
+#include "renderer/room.hpp"
 #include "renderer/scene.hpp"
 #include "views.hpp"
 
@@ -15,10 +16,6 @@ namespace deixis::renderer {
 
 constexpr int max_shadow_balls = 64;  ///< balls beyond these are drawn, but cast no shadow
 constexpr std::size_t foot_count = 2 * most_avatars;
-
-/// The room, metres: a floor of 8 x 9 m around the avatar and the people who look at it.
-constexpr glm::vec3 room_low{-4.0F, 0.0F, -3.5F};
-constexpr glm::vec3 room_high{4.0F, 3.0F, 5.5F};
 
 /// Laid out as std140 has it; bound at uniform block 0.
 struct FrameBlock {

@@ -113,7 +113,7 @@ class Person:
     def _fill_in(self, line):
         go_on = button(line, GO_ON)
         parts = [b for b in line["buttons"] if b["role"] == "option"] + line["sliders"] + line["fields"]
-        if not go_on or not any(b["enabled"] for b in line["buttons"]):
+        if not go_on or not any(part["enabled"] for part in line["buttons"] + line["sliders"]):
             return False  # answered, and confirmed
         answered = self.meant.setdefault(line["trial"], Meant())
         before = sum(said.question >= 0 for said in answered.answers)

@@ -5,6 +5,8 @@
 """
 
 import argparse
+import os
+import signal
 import sys
 import time
 import traceback
@@ -13,6 +15,7 @@ from pathlib import Path
 
 import broken_off
 import studies
+from window import Desktop
 
 REPOSITORY = Path(__file__).resolve().parents[3]
 
@@ -41,6 +44,13 @@ def attempt(settings, name):
     return outcome == "passed"
 
 
+def end_all(*_):
+    """Nothing is left behind where a time limit ends this."""
+    for desktop in list(Desktop.open):
+        desktop.close()
+    os._exit(1)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", type=Path, default=REPOSITORY / "build/release/deixis")
@@ -55,6 +65,7 @@ def main():
         parser.error(f"no scenario is called {', '.join(sorted(unknown))}; there are {', '.join(SCENARIOS)}")
     settings = studies.Settings(options.program.resolve(), options.runs.resolve(), options.shorten, options.size)
     names = options.scenarios or list(SCENARIOS)
+    signal.signal(signal.SIGTERM, end_all)
     with ThreadPoolExecutor(options.jobs) as pool:
         passed = sum(pool.map(lambda name: attempt(settings, name), names))
     print(f"desktop: {passed} passed, {len(names) - passed} failed", flush=True)

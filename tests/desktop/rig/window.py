@@ -13,10 +13,17 @@ PARTICIPANT = "P1"
 class Desktop(Rig):
     """One scenario's folder, display and program. A context manager: all ends with it."""
 
+    open = []  # those that have processes
+
     def __init__(self, folder, program, size):
         super().__init__(folder, program, driver="none", screen="1280x800")
+        self.open.append(self)
         self._size = size
         self.mouse = None
+
+    def close(self):
+        super().close()
+        self.open.remove(self)
 
     def run(self, study, database, *options):
         """Starts `deixis run` and follows its trace, once its window has come up."""
@@ -37,6 +44,7 @@ class Desktop(Rig):
         # There is no window manager to give it the keyboard.
         self.focus()
         self.trace.wait("first page", lambda line: line["buttons"], 60.0)
+        self.focus()  # the one before may have come before the window could take it
         return self.trace
 
     def focus(self):
