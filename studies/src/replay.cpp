@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
 
 #include "session_avatar.hpp"
@@ -30,6 +31,12 @@ Pose between(const Pose& a, const Pose& b, double t) {
     return {a.position + t * (b.position - a.position), glm::slerp(a.orientation, b.orientation, t)};
 }
 
+// Rotations are kept in steps of 2^-15, each a little off unit length: at a few metres that would make a ray
+// miss what it met.
+Pose poseOf(const TrackedPose& tracked) {
+    return {tracked.stage_from_device.position, glm::normalize(tracked.stage_from_device.orientation)};
+}
+
 Ray rayOf(const Pose& aim) {
     return {aim.position, aim.orientation * Vec3(0.0, 0.0, -1.0)};
 }
@@ -50,7 +57,7 @@ std::size_t pointingHand(const RecordedTrial& recorded) {
     for (const std::size_t hand : {std::size_t{1}, std::size_t{0}}) {
         if (!sample->aim[hand].valid()) continue;
         const double off_rad =
-            angleBetween(rayOf(sample->aim[hand].stage_from_device).direction, recorded.pointer->direction);
+            angleBetween(rayOf(poseOf(sample->aim[hand])).direction, recorded.pointer->direction);
         if (off_rad >= least_rad) continue;
         least_rad = off_rad;
         best = hand;
@@ -147,12 +154,12 @@ std::optional<Pose> TrialReplay::tracked(double time_s, TrackedPart of) const {
     const auto& samples = recorded_.tracking;
     const auto after = sampleAt(samples, time_s);
     if (after == samples.end() || !of(*after, hand_).valid()) return std::nullopt;
-    if (after->display_time_s == time_s) return of(*after, hand_).stage_from_device;
+    if (after->display_time_s == time_s) return poseOf(of(*after, hand_));
     if (after == samples.begin()) return std::nullopt;
     const auto before = after - 1;
     const double gap_s = after->display_time_s - before->display_time_s;
     if (!of(*before, hand_).valid() || gap_s > longest_gap_s) return std::nullopt;
-    return between(of(*before, hand_).stage_from_device, of(*after, hand_).stage_from_device,
+    return between(poseOf(of(*before, hand_)), poseOf(of(*after, hand_)),
                    (time_s - before->display_time_s) / gap_s);
 }
 

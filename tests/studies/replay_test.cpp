@@ -137,6 +137,28 @@ TEST_SUITE("studies/replay") {
         CHECK(replay.handTrail(12.4, 0.35).size() == 4);
     }
 
+    TEST_CASE("A tracked hand still meets the small ball that it met, though its rotation was rounded") {
+        // A choice of a session at the desktop: the ray passes the ball's centre by 5 mm, and the rotation as
+        // it was kept is a few parts in 100,000 too short.
+        const OneClip clips;
+        RecordedTrial recorded = game();
+        recorded.ball_diameter_m = 0.07;
+        recorded.trial.target = {1.2261, 0.2970, 1.8032};
+        recorded.trial.distractors = {{1.4335, 0.2798, 1.2846}, {1.3351, 0.5028, 1.3880}};
+        recorded.trial.ball_order = {0, 1, 2};
+        recorded.pointer = Ray{{-0.6561004, 1.37, -0.6727767}, {0.5728889, -0.3250020, 0.7524441}};
+        TrackedPose& right = recorded.tracking[25].aim[1];
+        right.stage_from_device = {{-0.656097412109375, 1.3699951171875, -0.6727752685546875},
+                                   {-0.315277099609375, 0.05267333984375, 0.9345703125, 0.156097412109375}};
+        const double at_s = recorded.tracking[25].display_time_s;
+        recorded.answered_s = at_s;
+        const motion::Skeleton avatar = motion::referenceHumanoid();
+        const auto ray = TrialReplay(recorded, clips, avatar, clips.idle).pointer(at_s);
+        REQUIRE(ray.has_value());
+        CHECK(ballMetBy(recorded, *recorded.pointer) == 0);
+        CHECK(ballMetBy(recorded, *ray) == 0);
+    }
+
     TEST_CASE("Of a pair each avatar stands on its side and moves with its own plays") {
         const OneClip clips;
         RecordedTrial recorded = game();
