@@ -133,7 +133,7 @@ TEST_SUITE("studies/replay") {
         CHECK_FALSE(replay.head(13.0).has_value());
         CHECK_FALSE(replay.head(9.75).has_value());        // beside a sample that was not tracked
         CHECK_FALSE(replay.head(10.7).has_value());        // in a gap of 0.6 s
-        CHECK(replay.headTrail(10.35, 0.55).size() == 6);  // 9.8 is not tracked, 9.8 to 10.3 have six
+        CHECK(replay.headTrail(10.35, 0.55).size() == 5);  // 9.8 is not tracked, 9.9 to 10.3 are five
         CHECK(replay.handTrail(12.4, 0.35).size() == 4);
     }
 
