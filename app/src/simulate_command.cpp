@@ -67,6 +67,7 @@ Result<void> simulate(const Options& options) {
 
     // Written beside and renamed at the end: an interrupted simulation leaves no half database.
     const fs::path partial = options.database + ".partial";
+    if (partial.has_parent_path()) fs::create_directories(partial.parent_path(), code);
     for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
     int answers = 0;
     {

@@ -304,7 +304,7 @@ TEST_SUITE("studies/targets") {
         std::istringstream lines(targetsCsv(targets, {paper_band}));
         std::string line;
         std::getline(lines, line);
-        CHECK(line == "target_id,x,y,z,near_d1_x,near_d1_y,near_d1_z,near_d2_x,near_d2_y,near_d2_z");
+        CHECK(line == "target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z");
         std::size_t row = 0;
         while (std::getline(lines, line)) {
             REQUIRE(row < targets.size());
