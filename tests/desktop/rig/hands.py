@@ -131,8 +131,8 @@ class Hands:
         return self.mouse.click_in_passing() if self._clicks % 3 == 0 else self.mouse.click()
 
     def click_button(self, number, done=None):
-        """Waits until it can be pressed, presses it, and waits until done(line), which does not hold before: by default,
-        until it has been taken notice of. Returns when it was pressed (UTC, from and to)."""
+        """Waits until it can be pressed, presses it, and waits until done(line), which does not hold before; by
+        default, until it has been taken notice of. Returns when it was pressed (UTC, from and to)."""
 
         def enabled(line):
             found = button(line, number)
@@ -210,8 +210,8 @@ class Hands:
     def type_into(self, number, text):
         """Clicks the field where it does not take what is typed, types, and sees that it stands there."""
         line = self.wait(f"field {number}", lambda now: field(now, number))
+        self.read()
         if not field(line, number)["active"]:
-            self.read()
             self.turn_to(f"field {number}", lambda now: tuple(field(now, number)["centre"]), lambda now: True)
             self.click()
             self.wait(f"caret in field {number}", lambda now: field(now, number)["active"])

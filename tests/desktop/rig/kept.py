@@ -136,5 +136,5 @@ def check_tracking(db, trials):
     """Head and hand were tracked throughout every trial."""
     tracked = {row["trial_index"] for row in db.rows("select trial_index from trial_tracking where frames > 5")}
     require(tracked >= set(trials), f"not tracked: {sorted(set(trials) - tracked)}")
-    missing = db.value("select sum(samples_missing) from trial_tracking")
+    missing = db.value("select coalesce(sum(samples_missing), 0) from trial_tracking")
     require(missing == 0, f"{missing} samples went missing")

@@ -25,6 +25,7 @@ SCENARIOS = {
     "genea-pairwise": studies.whole_study("genea-pairwise", "sv"),
     "distractor-distance": studies.whole_study("distractor-distance", "ko"),
     "pointing-style": studies.whole_study("pointing-style", "en"),
+    "questions": studies.questions,
     "killed": broken_off.killed,
     "paused": broken_off.paused,
     "declined": broken_off.declined,

@@ -7,8 +7,8 @@ SYSTEMS = {"rating": 2, "pairwise": 3, "referential-game": 2}  # in stages that 
 
 
 def shortened(text, items):
-    """The study file's text with at most so many items and few systems in each stage, and breaks that are short and come
-    early."""
+    """The study file's text with at most so many items and few systems in each stage, and with breaks that are short
+    and come early."""
     head, *stages = text.split("[[stages]]")
     systems = re.findall(r'^\[\[systems\]\]\nname = "([^"]*)"', head, flags=re.MULTILINE)
     return "[[stages]]".join([head, *(shortened_stage(stage, items, systems) for stage in stages)])
@@ -18,9 +18,8 @@ def shortened_stage(text, items, systems):
     for key, most in (
         ("items", items), ("break_every", 3 * items), ("break_minimum_s", 2), ("minimum_s", 2), ("count", 1),
     ):
-        text = re.sub(
-            rf"^{key} = (\d+(?:\.\d+)?)", lambda found: f"{key} = {min(float(found[1]), most):g}", text, flags=re.MULTILINE
-        )
+        line = re.compile(rf"^{key} = (\d+(?:\.\d+)?)", re.MULTILINE)
+        text = line.sub(lambda found: f"{key} = {min(float(found[1]), most):g}", text)
     if items == 1:  # all of one target
         text = text.replace("no_target_twice_running = true", "no_target_twice_running = false")
     kind = re.search(r'^kind = "([a-z-]+)"$', text, flags=re.MULTILINE)

@@ -13,7 +13,8 @@ from person import Person
 from shortened import shortened
 from window import Desktop
 
-REPOSITORY = Path(__file__).resolve().parents[3]
+HERE = Path(__file__).resolve().parent
+REPOSITORY = HERE.parents[2]
 STUDIES = REPOSITORY / "assets/data/studies"
 
 
@@ -67,6 +68,20 @@ def whole_study(name, language):
             return said + ", " + replays.check_pictures(settings, rig, database)
 
     return scenario
+
+
+def questions(settings):
+    """Every kind of question, answered several times over."""
+    count = 0
+    for seed in range(1, 4):
+        with settings.desktop("questions") as rig:
+            database = rig.folder / "questions.sqlite"
+            person = Person(rig.run(HERE / "questions.toml", database), rig.mouse, seed)
+            person.take_part()
+            require_clean_end(rig)
+            kept.check_whole_session(database, person.meant)
+            count += sum(len(meant.answers) for meant in person.meant.values())
+    return f"{count} answers"
 
 
 def frames(database):

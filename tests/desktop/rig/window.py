@@ -1,5 +1,6 @@
 """A virtual display with the program's window on it, and a mouse and a keyboard, which are xdotool's."""
 
+import re
 import subprocess
 import time
 
@@ -102,4 +103,6 @@ class Mouse:
         return self.do("keydown" if down else "keyup", name)
 
     def type(self, text):
-        return self.do("type", "--delay", 60, "--", text)
+        """What is on no key gets one for a moment, which must be long enough for a slow frame to see it."""
+        for part in re.findall(r"[ -~]+|[^ -~]", text):
+            self.do("type", "--delay", 60 if part.isascii() else 1500, "--", part)
