@@ -25,10 +25,10 @@ struct TargetItem {
 /// included) and no nearer to each other or to the target than a ball's diameter. Fails with a clear error
 /// after a bounded search where the ranges cannot be met.
 ///
-/// Depends on space, bands and seed alone; a band's distractors do not depend on the other bands. A position is rounded to 0.1 mm before any distance is looked at, and
-/// distances are compared in whole tenths of a millimetre: two mathematics libraries whose sines differ in
-/// the last bit give the same targets. The targets do not depend on the distractors' settings, nor the first
-/// n of them on the count.
+/// Depends on space, bands and seed alone; a band's distractors do not depend on the other bands. A position
+/// is rounded to 0.1 mm before any distance is looked at, and distances are compared in whole tenths of a
+/// millimetre: two mathematics libraries whose sines differ in the last bit give the same targets. The
+/// targets do not depend on the distractors' settings, nor the first n of them on the count.
 [[nodiscard]] Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
                                                             const std::vector<DistanceBand>& bands,
                                                             std::uint64_t seed);
