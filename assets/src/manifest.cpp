@@ -11,8 +11,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/files.hpp"
 #include "core/csv.hpp"
+#include "core/files.hpp"
 
 namespace deixis::assets {
 

@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
-#include "core/files.hpp"
 #include "core/csv.hpp"
+#include "core/files.hpp"
 
 namespace deixis::assets {
 

@@ -30,7 +30,8 @@ struct ParticipantDetails {
     ParticipantRow row;
     std::vector<std::pair<std::string, std::string>> fields;  ///< name and value as text
     std::vector<std::string> sessions;                        ///< one line each, for people
-    std::vector<std::string> events;  ///< pauses, failed checks, the operator's doings and notes: one line each
+    std::vector<std::string>
+        events;  ///< pauses, failed checks, the operator's doings and notes: one line each
 };
 
 struct ParticipantList {
@@ -42,7 +43,8 @@ struct ParticipantList {
 /// Fails where there is no such participant; so do the following.
 [[nodiscard]] Result<ParticipantDetails> showParticipant(const std::filesystem::path& database,
                                                          const std::string& participant);
-/// Takes the participant's answers out of the analysis; they stay in the database. An empty reason is refused.
+/// Takes the participant's answers out of the analysis; they stay in the database. An empty reason is
+/// refused.
 [[nodiscard]] Result<void> excludeParticipant(const std::filesystem::path& database,
                                               const std::string& participant, const std::string& reason);
 /// Undoes it.

@@ -22,9 +22,9 @@ struct Answer {
     /// "rating" (single and parallel), "preference" (-2 clearly left .. 2 clearly right), "confidence",
     /// "reasons", "consent" (1, 0), or a questionnaire's Question::id.
     std::string question;
-    int stimulus = -1;            ///< rating: which of the trial's; else -1
+    int stimulus = -1;              ///< rating: which of the trial's; else -1
     std::optional<double> value{};  ///< a number, a scale's value; choice: the option's place from 0
-    std::string text{};           ///< text; choice: the option's id; choices: ids, parted by ';'
+    std::string text{};             ///< text; choice: the option's id; choices: ids, parted by ';'
 };
 
 enum class ResponseStatus : unsigned char {
@@ -40,21 +40,21 @@ struct Response {
     int trial_index = 0;
     ResponseStatus status = ResponseStatus::answered;
     std::vector<Answer> answers{};
-    int chosen_place = -1;  ///< game: which ball, by place; -1 else
-    bool correct = false;   ///< game only
+    int chosen_place = -1;               ///< game: which ball, by place; -1 else
+    bool correct = false;                ///< game only
     std::optional<bool> check_passed{};  ///< of an attention check
-    Moment onset{};       ///< first frame of the last clip's last play, as shown; pages: when shown
-    Moment motion_end{};  ///< last frame of that clip shown; selection opened here; pages: as onset
-    Moment answered{};    ///< when select, or the key, went down
+    Moment onset{};                ///< first frame of the last clip's last play, as shown; pages: when shown
+    Moment motion_end{};           ///< last frame of that clip shown; selection opened here; pages: as onset
+    Moment answered{};             ///< when select, or the key, went down
     double response_time_s = 0.0;  ///< answered - motion_end, less paused time
     double paused_s = 0.0;         ///< how long the session was paused while this answer was open
     int replays = 0;
     std::vector<int> plays{};  ///< by stimulus: how often its clip was shown to the end
-    int pauses = 0;  ///< interruptions: during the clip, which then started over, or while choosing
-    bool begun_before = false;  ///< its clip had been begun in an earlier sitting, which broke off
-    std::string reason{};       ///< skipped: why
-    std::string input;          ///< "ray", "key"; "" where nothing was answered
-    Pose stage_from_head{};     ///< at the answer
+    int pauses = 0;            ///< interruptions: during the clip, which then started over, or while choosing
+    bool begun_before = false;     ///< its clip had been begun in an earlier sitting, which broke off
+    std::string reason{};          ///< skipped: why
+    std::string input;             ///< "ray", "key"; "" where nothing was answered
+    Pose stage_from_head{};        ///< at the answer
     std::optional<Ray> pointer{};  ///< at the answer
 };
 

@@ -30,10 +30,10 @@ struct TrialCheck {
     int of_trial = -1;      ///< repeat: the trial that is repeated, which comes earlier
 };
 
-/// One unit that is answered and kept: a trial, a page of a questionnaire, a consent. Self-contained: with it,
-/// the study and the clips, a session can be run or replayed.
+/// One unit that is answered and kept: a trial, a page of a questionnaire, a consent. Self-contained: with
+/// it, the study and the clips, a session can be run or replayed.
 struct Trial {
-    int index = 0;  ///< 0.. over all sessions in order of presentation, practice included
+    int index = 0;      ///< 0.. over all sessions in order of presentation, practice included
     std::string stage;  ///< Stage::name
     StageKind kind = StageKind::rating;
     bool practice = false;
@@ -42,9 +42,9 @@ struct Trial {
     /// Rating, game: one. Pairwise: left, right. Parallel: in the order in which they are shown. None where
     /// nothing is shown.
     std::vector<Stimulus> stimuli{};
-    std::string layout{};  ///< also of pages without stimuli, where the study has any layout
-    std::string distance{};  ///< game: name of the band
-    Vec3 target{0.0};        ///< of the item, where there is one
+    std::string layout{};             ///< also of pages without stimuli, where the study has any layout
+    std::string distance{};           ///< game: name of the band
+    Vec3 target{0.0};                 ///< of the item, where there is one
     std::vector<Vec3> distractors{};  ///< game only: the other stages show no balls
     /// The balls in the order in which they are shown (and numbered in the record): indices into
     /// {target, distractors...}, shuffled, so that place in the list never gives the target away. Game only.
@@ -78,8 +78,8 @@ struct StudyPlan {
 using Groups = std::map<std::string, std::string>;
 
 /// The cell (one level of every factor between participants) with the fewest of `taken`, which are the groups
-/// of everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty where the
-/// study has no such factor.
+/// of everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty where
+/// the study has no such factor.
 [[nodiscard]] Groups assignGroups(const Study& study, const std::vector<Groups>& taken, int number);
 
 /// Builds the plan of one participant.

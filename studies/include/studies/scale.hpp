@@ -42,8 +42,8 @@ struct Question {
     std::vector<QuestionOption> options{};
     double low = 0.0;
     double high = 100.0;
-    bool whole = true;      ///< numbers only: no fractions
-    bool required = true;   ///< a page is left only when its required questions are answered
+    bool whole = true;     ///< numbers only: no fractions
+    bool required = true;  ///< a page is left only when its required questions are answered
 };
 
 }  // namespace deixis::studies

@@ -129,7 +129,7 @@ struct PanelSlider {
     int id = 0;
     int low = 0;
     int high = 100;
-    std::optional<int> value{};       ///< none: untouched, no thumb is drawn
+    std::optional<int> value{};         ///< none: untouched, no thumb is drawn
     std::vector<std::string> labels{};  ///< spread evenly under the track
     bool enabled = true;
     bool hovered = false;
@@ -143,8 +143,8 @@ struct PanelField {
     PanelRect box{};
     int id = 0;
     std::string text{};
-    std::string hint{};    ///< shown while it is empty
-    bool active = false;   ///< takes what is typed; shows a caret
+    std::string hint{};   ///< shown while it is empty
+    bool active = false;  ///< takes what is typed; shows a caret
     bool hovered = false;
     bool enabled = true;
 };
@@ -188,11 +188,12 @@ struct PresentedFrame {
     std::string notice;
     bool tick = false;  ///< the ray has just met a ball or a button: a light haptic tick
     /// What the session is doing, for screenshots and tests. Pages: "instructions", "consent",
-    /// "questionnaire", "break", "welcome-back", "practice-again", "attention" (a warning), "closing" (thanks, or why the session ends). Trials: "waiting",
-    /// "playing", "pointing" (the clip's second half), "check" (a number to be given is shown), then "rating"
-    /// and "rated"; parallel: "listening" (the page is open); pairwise: "comparing", "reasons"; the game, each
-    /// with "-" and the layout: "waiting-across", "playing-...", "pointing-...", "choosing-...", "aiming-..."
-    /// (the ray is on a ball), "chosen-...", "feedback-...", "confidence-...". Also "paused", "over".
+    /// "questionnaire", "break", "welcome-back", "practice-again", "attention" (a warning), "closing"
+    /// (thanks, or why the session ends). Trials: "waiting", "playing", "pointing" (the clip's second half),
+    /// "check" (a number to be given is shown), then "rating" and "rated"; parallel: "listening" (the page is
+    /// open); pairwise: "comparing", "reasons"; the game, each with "-" and the layout: "waiting-across",
+    /// "playing-...", "pointing-...", "choosing-...", "aiming-..." (the ray is on a ball), "chosen-...",
+    /// "feedback-...", "confidence-...". Also "paused", "over".
     std::string state;
     std::string stage;  ///< Stage::name; empty outside stages
 };

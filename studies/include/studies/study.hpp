@@ -45,8 +45,8 @@ struct TargetSpace {
     Range height_m{};
     Range arc_deg{};  ///< azimuth; 0 straight ahead of the avatar, positive to its left (+x)
     Range radius_m{};
-    std::string fit_manifest{};   ///< path (resolved) of a manifest whose targets give the three ranges, which
-                                  ///< then are empty until fitTargetSpace() fills them; empty: as written
+    std::string fit_manifest{};  ///< path (resolved) of a manifest whose targets give the three ranges, which
+                                 ///< then are empty until fitTargetSpace() fills them; empty: as written
     std::string from_manifest{};  ///< path (resolved) of a manifest whose items are the study's; then there
                                   ///< are no ranges unless a game draws distractors
     double ball_diameter_m = 0.1;
@@ -113,14 +113,14 @@ struct TrialDesign {
     /// Trials come in blocks of one level of this factor ("system", "layout", "distance"); empty: no blocks.
     std::string block_by{};
     BlockOrder block_order = BlockOrder::shuffled;
-    int max_run_of_system = 0;         ///< of trials one after another; 0: no limit
+    int max_run_of_system = 0;  ///< of trials one after another; 0: no limit
     bool no_target_twice_running = false;
 };
 
 enum class CheckKind : unsigned char {
-    number,      ///< a number to be given is shown in the scene partway through the clip
+    number,       ///< a number to be given is shown in the scene partway through the clip
     catch_trial,  ///< game: a target that cannot be mistaken
-    repeat       ///< a stimulus comes a second time
+    repeat        ///< a stimulus comes a second time
 };
 [[nodiscard]] std::string_view checkKindName(CheckKind kind);  ///< "number", "catch", "repeat"
 
@@ -135,7 +135,7 @@ enum class CheckRule : unsigned char {
 /// Attention checks of a stage. A check leaves the analysis; a repeat is scored once, its first time.
 struct AttentionChecks {
     CheckKind kind = CheckKind::number;
-    int count = 1;          ///< for each participant
+    int count = 1;           ///< for each participant
     double tolerance = 0.0;  ///< how far off a number or a repeated answer may be
     std::string distance{};  ///< catch: the band of its distractors
     CheckRule rule = CheckRule::note;
@@ -144,9 +144,9 @@ struct AttentionChecks {
 
 /// What a practice stage asks before it lets go.
 struct Practice {
-    std::string of;          ///< the stage that is practised
-    double criterion = 0.0;  ///< share of correct choices wanted (game); 0: none
-    int max_attempts = 1;    ///< of `items` trials each
+    std::string of;              ///< the stage that is practised
+    double criterion = 0.0;      ///< share of correct choices wanted (game); 0: none
+    int max_attempts = 1;        ///< of `items` trials each
     bool end_if_failed = false;  ///< the session ends where the last attempt fails, else it goes on
     std::string again_text{};    ///< page before a further attempt; required where there may be one
 };
@@ -155,11 +155,11 @@ struct Practice {
 struct Stage {
     std::string name;  ///< unique
     StageKind kind = StageKind::instructions;
-    int session = 1;  ///< the stages of session 2 wait for another sitting
+    int session = 1;                            ///< the stages of session 2 wait for another sitting
     std::map<std::string, std::string> when{};  ///< between factor -> level; empty: for everybody
-    std::string text{};        ///< the page's; of a stage with trials: none
-    std::string emphasis{};    ///< instructions: a line under the text, such as the question
-    double minimum_s = 0.0;    ///< instructions, break: no sooner can the page be left
+    std::string text{};                         ///< the page's; of a stage with trials: none
+    std::string emphasis{};                     ///< instructions: a line under the text, such as the question
+    double minimum_s = 0.0;                     ///< instructions, break: no sooner can the page be left
     Questionnaire questionnaire{};
     bool about_participant = false;  ///< questionnaire: its answers are the participant's fields
 
@@ -168,15 +168,15 @@ struct Stage {
     TrialDesign design{};
     std::string measure{};  ///< what the answers are called in tables and report; "" for the game
     std::string question{};
-    Scale scale{};      ///< rating, parallel rating
-    int plays = 1;      ///< how often a clip is shown before the answer opens
+    Scale scale{};        ///< rating, parallel rating
+    int plays = 1;        ///< how often a clip is shown before the answer opens
     int max_replays = 0;  ///< further ones, asked for by the participant. Parallel, pairwise: no limit
     int break_every = 0;  ///< trials between breaks; 0: none
     std::string break_text{};
     double break_minimum_s = 0.0;
     std::vector<AttentionChecks> checks{};
-    bool feedback = false;        ///< game: the target is shown after the choice
-    double time_limit_s = 0.0;    ///< for the answer; 0: none
+    bool feedback = false;                 ///< game: the target is shown after the choice
+    double time_limit_s = 0.0;             ///< for the answer; 0: none
     std::optional<Question> confidence{};  ///< game: asked after the choice, on a scale
     std::optional<Question> reasons{};     ///< pairwise: asked after a preference that is no tie
 

@@ -180,8 +180,7 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
 // With a line on the first page, and where a pause begins, that says how to select.
 renderer::Scene HeadsetStation::State::sceneOf(const studies::PresentedFrame& of_frame) const {
     renderer::Scene scene = sceneFromFrame(of_frame, {});
-    if (explainsControls(of_frame))
-        addFootLine(scene.boards.front(), options.hint);
+    if (explainsControls(of_frame)) addFootLine(scene.boards.front(), options.hint);
     return scene;
 }
 

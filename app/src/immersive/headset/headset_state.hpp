@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "../operator/operator_window.hpp"
 #include "head_watch.hpp"
 #include "headset_picture.hpp"
 #include "headset_station.hpp"
-#include "../operator/operator_window.hpp"
 #include "participant_place.hpp"
 #include "pointing_hand.hpp"
 #include "xr_input.hpp"
