@@ -51,6 +51,34 @@ TEST_SUITE("headset/pointing_hand") {
         CHECK(pointing.update({idle, pressedAt(5.0)}).select);
     }
 
+    TEST_CASE("What was selected is held until the button is let go") {
+        PointingHand pointing = atRest();
+        CHECK_FALSE(pointing.update({idle, idle}).held);
+        CHECK(pointing.update({idle, pressedAt(1.0)}).held);
+        CHECK(pointing.update({idle, held}).held);
+        CHECK_FALSE(pointing.update({idle, let_go}).held);
+        CHECK_FALSE(pointing.update({idle, idle}).held);
+    }
+
+    TEST_CASE(
+        "Only the hand that selected holds: not one that takes the ray over, woke up pressed or fell "
+        "asleep") {
+        PointingHand pointing = atRest();
+        (void)pointing.update({idle, pressedAt(1.0)});
+        CHECK_FALSE(pointing.update({pressedAt(2.0), held}).held);
+        CHECK_FALSE(pointing.update({held, held}).held);
+        (void)pointing.update({let_go, let_go});
+        CHECK(pointing.update({pressedAt(3.0), idle}).held);
+        CHECK_FALSE(pointing.update({asleep, idle}).held);
+        CHECK_FALSE(pointing.update({held, idle}).held);
+    }
+
+    TEST_CASE("A press of both triggers holds nothing") {
+        PointingHand pointing = atRest();
+        CHECK_FALSE(pointing.update({pressedAt(1.0), pressedAt(1.0)}).held);
+        CHECK_FALSE(pointing.update({held, held}).held);
+    }
+
     TEST_CASE("The other hand's press takes the ray and selects nothing; its next one selects") {
         PointingHand pointing = atRest();
         const auto taken = pointing.update({pressedAt(1.0), idle});

@@ -161,6 +161,7 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
     const PointingHand::Press press = pointing_hand.update(device.select);
     const studies::Hand hand = pointing_hand.hand();
     if (hand != before) note("pointing_hand", nameOf(hand));
+    in.select_held = press.held;
     const studies::TrackedPose& aim = device.aim[static_cast<std::size_t>(hand)];
     if (aim.valid()) {
         const Pose& pose = aim.stage_from_device;

@@ -30,12 +30,16 @@ PointingHand::Press PointingHand::update(const std::array<HandButton, 2>& button
         press.select = true;
         press.time_s = buttons[index(carrier)].changed_s;
         used_last_ = carrier;
+        holding_ = carrier;
     } else if (!both && went_down[index(other(carrier))]) {
         used_last_ = other(carrier);
     }
 
     const bool asleep = !buttons[index(used_last_)].active && buttons[index(other(used_last_))].active;
     hand_ = asleep ? other(used_last_) : used_last_;
+    const HandButton& carried_by = buttons[index(hand_)];
+    if (holding_ != hand_ || !carried_by.active || !carried_by.pressed) holding_.reset();
+    press.held = holding_.has_value();
     return press;
 }
 

@@ -23,6 +23,7 @@ class PointingHand {
   public:
     struct Press {
         bool select = false;
+        bool held = false;  ///< the button that selected is still down, and its hand has the ray
         std::optional<double> time_s;
     };
     /// By studies::Hand.
@@ -34,6 +35,7 @@ class PointingHand {
     studies::Hand hand_ = studies::Hand::right;
     studies::Hand used_last_ = studies::Hand::right;
     std::array<bool, 2> was_active_{};  ///< in the frame before, by studies::Hand
+    std::optional<studies::Hand> holding_;
 };
 
 }  // namespace deixis::app
