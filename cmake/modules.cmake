@@ -26,12 +26,16 @@ function(add_module name)
     target_link_libraries(deixis_${name} PUBLIC ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
 endfunction()
 
+# Of the tests' code only time to compile is asked; what they test is compiled as the build type says.
+set(DEIXIS_TEST_OPTIONS -O0)
+
 # add_module_tests(NAME FILES ... LIBS libs... LABELS labels...)
 # One doctest executable NAME; each TEST_SUITE in FILES becomes one CTest test of that name.
 function(add_module_tests name)
     cmake_parse_arguments(ARG "" "" "FILES;LIBS;LABELS" ${ARGN})
-    add_executable(${name} ${ARG_FILES} ${PROJECT_SOURCE_DIR}/tests/main.cpp)
+    add_executable(${name} ${ARG_FILES} $<TARGET_OBJECTS:deixis_test_main>)
     target_link_libraries(${name} PRIVATE deixis_options doctest::doctest ${ARG_LIBS})
+    target_compile_options(${name} PRIVATE ${DEIXIS_TEST_OPTIONS})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(${name} PRIVATE
         DEIXIS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
