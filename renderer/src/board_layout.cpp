@@ -60,6 +60,7 @@ int BoardLayout::fontPixels(double size_m) const {
 PlacedText BoardLayout::text(const BoardText& text) const {
     PlacedText placed{{text.bold, fontPixels(text.size_m)}, low(text.box), high(text.box), &text.text};
     placed.wrapped = true;
+    placed.level = text.level;
     if (text.centred) placed.middle = 0.5F * (placed.low.x + placed.high.x);
     return placed;
 }
@@ -124,6 +125,7 @@ PlacedText BoardLayout::content(const BoardField& field) const {
     placed.text = field.text.empty() ? &field.hint : &field.text;
     placed.wrapped = lines > 1.5;
     placed.shrinks = field.text.empty();
+    if (field.active && field.text.empty()) placed.low.x += caretRoom();
     return placed;
 }
 
@@ -152,9 +154,41 @@ FontKey BoardLayout::fittedFont(const PlacedText& placed) const {
     return placed.key;
 }
 
-FittedText BoardLayout::fitted(const PlacedText& placed) const {
+FittedText BoardLayout::fittedLabel(const BoardButton& button) const {
+    const PlacedText placed = label(button);
+    FontKey key = fittedFont(placed);
+    const auto alike = [&](const BoardButton& other) {
+        return other.look == ButtonLook::option && other.box.width == button.box.width &&
+               other.box.height == button.box.height && other.caption.empty() == button.caption.empty();
+    };
+    if (alike(button))
+        for (const BoardButton& other : board_.buttons)
+            if (alike(other)) key.pixels = std::min(key.pixels, fittedFont(label(other)).pixels);
+    return fitted(placed, key);
+}
+
+FittedText BoardLayout::fittedLabel(const BoardSlider& slider, std::size_t place) const {
+    const PlacedText placed = label(slider, place);
+    FontKey key = placed.key;
+    for (std::size_t i = 0; i < slider.labels.size(); ++i)
+        key.pixels = std::min(key.pixels, fittedFont(label(slider, i)).pixels);
+    return fitted(placed, key);
+}
+
+FittedText BoardLayout::fittedText(const BoardText& text) const {
+    const PlacedText placed = this->text(text);
+    FontKey key = fittedFont(placed);
+    const double top = text.box.y + text.box.height;
+    for (const BoardText& other : board_.texts)
+        if (std::abs(other.box.y + other.box.height - top) < 1e-9 && other.size_m == text.size_m &&
+            other.bold == text.bold)
+            key.pixels = std::min(key.pixels, fittedFont(this->text(other)).pixels);
+    return fitted(placed, key);
+}
+
+FittedText BoardLayout::fitted(const PlacedText& placed, const FontKey& key) const {
     FittedText out;
-    out.key = fittedFont(placed);
+    out.key = key;
     const ImFont& font = *fonts_.font(out.key);
     const auto size = static_cast<float>(out.key.pixels);
     const float width = widthOf(placed);
@@ -171,7 +205,7 @@ FittedText BoardLayout::fitted(const PlacedText& placed) const {
                                                                        placed.high.x - line.width))
                                      : placed.low.x));
     out.top = placed.low.y;
-    if (!placed.wrapped) out.top += 0.5F * (placed.high.y - placed.low.y - out.height());
+    if (!placed.wrapped || placed.level) out.top += 0.5F * (placed.high.y - placed.low.y - out.height());
     return out;
 }
 

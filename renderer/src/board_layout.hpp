@@ -18,6 +18,7 @@ struct PlacedText {
     ImVec2 low, high;
     const std::string* text = nullptr;
     bool wrapped = false;
+    bool level = false;             ///< in the middle of its height; else from the top
     bool shrinks = true;            ///< to fit; else its beginning is left out
     std::optional<float> middle{};  ///< each line is centred here, but kept within the box; none: at its left
 };
@@ -44,6 +45,9 @@ class BoardLayout {
     /// Where a point of the board (metres from its lower left corner) lies, on whole pixels.
     [[nodiscard]] ImVec2 at(double x, double y) const;
     [[nodiscard]] float length(double metres) const { return static_cast<float>(metres * scale_); }
+    /// What the caret takes before the hint of a field.
+    [[nodiscard]] float caretRoom() const { return 3.0F * caretWidth(); }
+    [[nodiscard]] float caretWidth() const { return stroke(0.003); }
     /// A line's width: thin ones stay visible where the board is drawn small.
     [[nodiscard]] float stroke(double metres) const;
 
@@ -58,11 +62,14 @@ class BoardLayout {
     /// The font at which the text fits its box, or the smallest allowed. Measured with its own font.
     [[nodiscard]] FontKey fittedFont(const PlacedText& placed) const;
     /// With the font that fits, which must be there.
-    [[nodiscard]] FittedText fitted(const PlacedText& placed) const;
-    void draw(const FittedText& text, ImU32 colour, ImDrawList& list) const;
-    void draw(const PlacedText& placed, ImU32 colour, ImDrawList& list) const {
-        draw(fitted(placed), colour, list);
+    [[nodiscard]] FittedText fitted(const PlacedText& placed) const {
+        return fitted(placed, fittedFont(placed));
     }
+    /// Options of one size, labels that stand in a row, and those of a slider are as large as fits them all.
+    [[nodiscard]] FittedText fittedLabel(const BoardButton& button) const;
+    [[nodiscard]] FittedText fittedLabel(const BoardSlider& slider, std::size_t place) const;
+    [[nodiscard]] FittedText fittedText(const BoardText& text) const;
+    void draw(const FittedText& text, ImU32 colour, ImDrawList& list) const;
 
     /// All texts of the board.
     template <typename Visit>
@@ -78,6 +85,7 @@ class BoardLayout {
     }
 
   private:
+    [[nodiscard]] FittedText fitted(const PlacedText& placed, const FontKey& key) const;
     [[nodiscard]] int fontPixels(double size_m) const;
     [[nodiscard]] PlacedText inButton(const BoardButton& button, double size_m, bool bold, double down,
                                       const std::string* text) const;

@@ -104,9 +104,9 @@ void drawButton(const BoardButton& button, const BoardLayout& layout, ImDrawList
     list.AddRectFilled(a, b, colours.fill, corner);
     if (colours.edge != colours.fill)
         list.AddRect(a, b, colours.edge, corner, 0, layout.stroke(colours.edge_m));
-    const FittedText label = layout.fitted(layout.label(button));
+    const FittedText label = layout.fittedLabel(button);
     layout.draw(label, colours.label, list);
-    if (!button.caption.empty()) layout.draw(layout.caption(button), colours.caption, list);
+    if (!button.caption.empty()) layout.draw(layout.fitted(layout.caption(button)), colours.caption, list);
     if (button.look == ButtonLook::play) drawPlayMark(button, label, colours.mark, layout, list);
     if (button.chosen && button.look == ButtonLook::option) drawTick(button, colours, layout, list);
 }
@@ -130,7 +130,7 @@ void drawSlider(const BoardSlider& slider, const BoardLayout& layout, ImDrawList
     list.AddRectFilled(a, b, slider.value ? line_colour : field_colour, round);
     list.AddRect(a, b, line_colour, round, 0, layout.stroke(0.0024));
     for (std::size_t i = 0; i < slider.labels.size(); ++i)
-        layout.draw(layout.label(slider, i), slider.enabled ? text_colour : disabled_text, list);
+        layout.draw(layout.fittedLabel(slider, i), slider.enabled ? text_colour : disabled_text, list);
     if (!slider.value) return;
     const ImVec2 at = layout.at(track.x + track.width * std::clamp(*slider.value, 0.0, 1.0), middle_m);
     const float radius = layout.length(thumb_radius_m);
@@ -163,11 +163,13 @@ void drawField(const BoardField& field, const BoardLayout& layout, ImDrawList& l
     const PlacedText box = layout.content(field);
     const auto line = static_cast<float>(text.key.pixels);
     ImVec2 caret(box.low.x, box.low.y);
-    if (!field.text.empty() && !text.lines.empty()) {
+    if (field.text.empty()) {
+        caret.x -= layout.caretRoom();
+    } else if (!text.lines.empty()) {
         caret.x = text.left.back() + text.lines.back().width;
         caret.y = text.top + line * static_cast<float>(text.lines.size() - 1);
     }
-    const float width = layout.stroke(0.003);
+    const float width = layout.caretWidth();
     list.AddRectFilled({caret.x + width, caret.y + 0.08F * line},
                        {caret.x + 2.0F * width, caret.y + 0.96F * line}, hovered_edge);
 }
@@ -208,7 +210,7 @@ void paintBoard(const Board& board, double pixels_per_metre, const BoardFonts& f
             list.AddRectFilled(layout.low(bar), layout.high(bar), progress_front, round);
     }
     for (const BoardText& text : board.texts)
-        layout.draw(layout.text(text), text.faint ? faint_colour : text_colour, list);
+        layout.draw(layout.fittedText(text), text.faint ? faint_colour : text_colour, list);
     for (const BoardField& field : board.fields) drawField(field, layout, list);
     for (const BoardSlider& slider : board.sliders) drawSlider(slider, layout, list);
     for (const BoardButton& button : board.buttons) drawButton(button, layout, list);

@@ -172,4 +172,8 @@ std::string LanguageTable::operator()(
     return out;
 }
 
+std::string LanguageTable::seconds(std::string_view key, std::string_view one, int seconds) const {
+    return seconds == 1 ? (*this)(one) : (*this)(key, {{"seconds", std::to_string(seconds)}});
+}
+
 }  // namespace deixis::studies

@@ -30,7 +30,9 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
         {"break_title", "Time for a break"},
         {"break_text", "Rest as long as you like."},
         {"break_seconds", "You can go on in {seconds} seconds."},
+        {"break_second", "You can go on in 1 second."},
         {"page_seconds", "Please read this. You can go on in {seconds} seconds."},
+        {"page_second", "Please read this. You can go on in 1 second."},
         {"welcome_back_title", "Welcome back"},
         {"welcome_back_text", "You go on where you stopped. Your earlier answers are kept."},
         {"thank_you_title", "Thank you"},
@@ -72,6 +74,7 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
         {"notice_place", "Please step back onto your place."},
         {"notice_time_up", "Time is up. The next one follows."},
         {"notice_time_left", "{seconds} seconds left."},
+        {"notice_second_left", "1 second left."},
 
         // Answers.
         {"attention_number", "Please rate this movement: {number}"},
@@ -89,6 +92,7 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
         {"feedback_wrong", "Not quite: the green ball was the target."},
         {"page_of", "Page {page} of {pages}"},
         {"answer_all", "Please answer all questions."},
+        {"answer_one", "Please answer the question."},
         {"answer_number", "Please enter a number from {low} to {high}."},
         {"number_hint", "{low} to {high}"},
         {"text_hint", "Type your answer"},

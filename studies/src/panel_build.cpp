@@ -16,8 +16,9 @@ constexpr double least_button_m = 0.26;
 constexpr double play_mark_m = 0.036;
 constexpr double label_inset_m = 0.012;
 constexpr double widest_step_m = 0.3;
-constexpr double label_gap_m = 0.012;  // between a scale and its labels
-constexpr double label_apart = 0.04;   // between labels, of their pitch
+constexpr double label_gap_m = 0.012;    // between a scale and its labels
+constexpr double label_apart = 0.04;     // between labels, of their pitch
+constexpr double label_reach_m = 0.018;  // beyond the ends of a track under them
 
 /// Where the buttons of a scale's steps stand within a width.
 struct StepGrid {
@@ -117,13 +118,14 @@ bool labelsFit(const Scale& scale, double width_m) {
 double Builder::text(const std::string& words, double x, double top, double width_m, const TextStyle& style) {
     if (words.empty()) return 0.0;
     PanelText made;
-    const double height_m = textHeight(words, style.size_m, width_m);
+    const double height_m = std::max(style.least_height_m, textHeight(words, style.size_m, width_m));
     made.box = {x, top - height_m, width_m, height_m};
     made.text = words;
     made.size_m = style.size_m;
     made.bold = style.bold;
     made.centred = style.centred;
     made.faint = style.faint;
+    made.level = style.least_height_m > 0.0;
     panel_.texts.push_back(std::move(made));
     return height_m;
 }
@@ -243,7 +245,9 @@ double Builder::scaleLabels(const Scale& scale, double x, double top, double wid
                          steps ? grid.width_m : width_m);
     double height_m = 0.0;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const Span span = labelSpan(scale, i, x, width_m);
+        Span span = labelSpan(scale, i, x, width_m);
+        if (!steps && i == 0) span.low -= label_reach_m;
+        if (!steps && i + 1 == labels.size()) span.high += label_reach_m;
         height_m = std::max(
             height_m, text(labels[i], span.low, top, span.high - span.low, {label_size_m, false, true}));
     }

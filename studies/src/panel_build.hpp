@@ -33,6 +33,7 @@ struct TextStyle {
     bool bold = false;
     bool centred = false;
     bool faint = false;
+    double least_height_m = 0.0;  ///< of its box, in the middle of which it stands then
 };
 
 [[nodiscard]] double textHeight(const std::string& text, double size_m, double width_m);

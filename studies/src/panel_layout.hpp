@@ -125,7 +125,7 @@ struct QuestionnaireBoard {
 [[nodiscard]] Panel questionnairePanel(const QuestionnaireBoard& board, const LanguageTable& words);
 
 /// The questions of a questionnaire by pages: at most per_page, fewer where the board would grow too high.
-/// Questions of text are left out without a keyboard.
+/// Title and text stand on the first alone. Questions of text are left out without a keyboard.
 [[nodiscard]] std::vector<std::vector<const Question*>> questionnairePages(const Questionnaire& questionnaire,
                                                                            bool keyboard,
                                                                            const LanguageTable& words);
@@ -174,9 +174,9 @@ struct PanelHit {
 
 // Text.
 
-/// Lines that a text takes at a line height, wrapped between words, if a character is on average a little
-/// narrower than half the line's height, and a Korean one (or another wide one) as wide as it is high. At
-/// least one line a paragraph.
+/// Lines that a text takes at a line height, wrapped between words, if its characters are a little wider than
+/// those of common sans-serif fonts; a Korean one (or another wide one) takes 0.8 of the height. At least one
+/// line a paragraph.
 [[nodiscard]] int estimateLines(std::string_view text, double size_m, double width_m);
 
 /// Width of a text on one line, by the same measure.

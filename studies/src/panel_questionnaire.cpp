@@ -50,20 +50,25 @@ bool standsBeside(const Question& question) {
                        [&](const std::string& label) { return panel::fitsAsLabel(label, step_m); });
 }
 
+/// Of a text beside a button, level with it.
+panel::TextStyle besideButton(bool bold) {
+    panel::TextStyle style{panel::item_size_m, bold};
+    style.least_height_m = panel::low_button_height_m;
+    return style;
+}
+
 double addScale(panel::Builder& board, const Item& item, double top) {
-    const panel::TextStyle style{panel::item_size_m, true};
     if (!standsBeside(item.question)) {
-        const double text_m = board.text(item.question.text, panel::margin_m, top, board.inner(), style);
+        const double text_m =
+            board.text(item.question.text, panel::margin_m, top, board.inner(), {panel::item_size_m, true});
         const double scale_top = top - text_m - part_gap_m;
         return text_m + part_gap_m + board.scale(scaleOf(item), panel::margin_m, scale_top, board.inner());
     }
-    const double text_width_m = board.inner() - beside_m - panel::gap_m;
-    const double text_m = panel::textHeight(item.question.text, panel::item_size_m, text_width_m);
-    const double lower_m = std::max(0.0, (panel::low_button_height_m - text_m) / 2.0);
-    board.text(item.question.text, panel::margin_m, top - lower_m, text_width_m, style);
+    const double text_m = board.text(item.question.text, panel::margin_m, top,
+                                     board.inner() - beside_m - panel::gap_m, besideButton(true));
     const double scale_m =
         board.scale(scaleOf(item), panel::margin_m + board.inner() - beside_m, top, beside_m);
-    return std::max(text_m + lower_m, scale_m);
+    return std::max(text_m, scale_m);
 }
 
 /// The options in rows; one too long for a button stands beside a lettered one.
@@ -96,12 +101,8 @@ double addOptions(panel::Builder& board, const Item& item, double top) {
                       ButtonRole::option},
                      panel::margin_m, at, letter_m, panel::low_button_height_m);
         board.lastButton().chosen = item.chosen(option);
-        const double width_m = board.inner() - letter_m - panel::gap_m;
-        const double text_m = panel::textHeight(words, panel::item_size_m, width_m);
-        const double lower_m = std::max(0.0, (panel::low_button_height_m - text_m) / 2.0);
-        board.text(words, panel::margin_m + letter_m + panel::gap_m, at - lower_m, width_m,
-                   {panel::item_size_m});
-        used_m += std::max(panel::low_button_height_m, text_m + lower_m);
+        used_m += board.text(words, panel::margin_m + letter_m + panel::gap_m, at,
+                             board.inner() - letter_m - panel::gap_m, besideButton(false));
         if (i + 1 < item.question.options.size()) used_m += panel::button_gap_m;
     }
     flush();
@@ -160,8 +161,9 @@ double addNumber(panel::Builder& board, const Item& item, double top, const Lang
     const double right = panel::margin_m + board.inner();
     const double answer_m = item.keyboard ? field_width_m : padWidth(words);
     const double text_width_m = board.inner() - answer_m - panel::gap_m;
-    const panel::TextStyle style{panel::item_size_m, true};
-    const double text_m = board.text(item.question.text, panel::margin_m, top, text_width_m, style);
+    const double text_m =
+        board.text(item.question.text, panel::margin_m, top, text_width_m,
+                   item.keyboard ? besideButton(true) : panel::TextStyle{panel::item_size_m, true});
     if (item.keyboard) {
         addField(board, item,
                  {right - field_width_m, top - panel::low_button_height_m, field_width_m,
@@ -254,6 +256,8 @@ std::vector<std::vector<const Question*>> questionnairePages(const Questionnaire
             board.questions.pop_back();
             pages.push_back(board.questions);
             board.questions = {&question};
+            board.title.clear();
+            board.text.clear();
         }
     }
     if (!board.questions.empty()) pages.push_back(board.questions);

@@ -6,7 +6,11 @@ namespace deixis::studies {
 
 namespace {
 
-constexpr double average_em = 0.45;  // of a line's height: sans-serif fonts, with some room
+constexpr double space_em = 0.25;
+
+bool among(char32_t c, std::string_view characters) {
+    return c < 0x80 && characters.find(static_cast<char>(c)) != std::string_view::npos;
+}
 
 /// Hangul, CJK and full-width forms, which are about square (the wide ones of Unicode's East Asian Width).
 bool isWide(char32_t c) {
@@ -14,6 +18,15 @@ bool isWide(char32_t c) {
            (c >= 0xAC00 && c <= 0xD7FF) || (c >= 0xF900 && c <= 0xFAFF) || (c >= 0xFE30 && c <= 0xFE6F) ||
            (c >= 0xFF00 && c <= 0xFF60) || (c >= 0xFFE0 && c <= 0xFFE6) || (c >= 0x1F300 && c <= 0x1FAFF) ||
            (c >= 0x20000 && c <= 0x3FFFD);
+}
+
+/// Of a line's height: sans-serif fonts, with some room.
+double widthOf(char32_t c) {
+    if (isWide(c)) return 0.8;
+    if (among(c, " ijlI.,:;'!|()[]")) return space_em;
+    if (among(c, "fcrstzJ-/\"")) return 0.36;
+    if (among(c, "mwMW@%")) return 0.7;
+    return among(c, "ABCDGHKNOQRUVX") ? 0.56 : 0.46;
 }
 
 /// The next code point of UTF-8; a broken byte counts as one.
@@ -45,13 +58,13 @@ struct Wrap {
 
     void word(std::string_view word) {
         const double width = estimateWidth(word, 1.0);
-        if (used > 0.0 && used + average_em + width > fits) {
+        if (used > 0.0 && used + space_em + width > fits) {
             ++lines;
             used = 0.0;
         }
         if (width > fits) {  // broken anywhere
             for (std::size_t at = 0; at < word.size();) {
-                const double character = isWide(next(word, at)) ? 1.0 : average_em;
+                const double character = widthOf(next(word, at));
                 if (used > 0.0 && used + character > fits) {
                     ++lines;
                     used = 0.0;
@@ -60,7 +73,7 @@ struct Wrap {
             }
             return;
         }
-        used += width + (used > 0.0 ? average_em : 0.0);
+        used += width + (used > 0.0 ? space_em : 0.0);
     }
 };
 
@@ -68,7 +81,7 @@ struct Wrap {
 
 double estimateWidth(std::string_view text, double size_m) {
     double em = 0.0;
-    for (std::size_t at = 0; at < text.size();) em += isWide(next(text, at)) ? 1.0 : average_em;
+    for (std::size_t at = 0; at < text.size();) em += widthOf(next(text, at));
     return em * size_m;
 }
 

@@ -83,7 +83,7 @@ bool QuestionForm::given(std::size_t i) const {
 std::string QuestionForm::missing() const {
     for (std::size_t i = 0; i < questions_.size(); ++i) {
         const Question& question = *questions_[i];
-        if (question.required && !given(i)) return core_.words()("answer_all");
+        if (question.required && !given(i)) return core_.words()(questions_.size() > 1 ? "answer_all" : "answer_one");
         if (question.kind == QuestionKind::number && given(i) && !numberTyped(question, given_[i].typed))
             return core_.words()("answer_number", {{"low", fmt::format("{}", question.low)},
                                                    {"high", fmt::format("{}", question.high)}});
@@ -114,8 +114,11 @@ void QuestionForm::open(const InputFrame& input) {
 
 std::optional<QuestionForm::Left> QuestionForm::step(const InputFrame& input) {
     const Aim met = core_.view.aim(input.pointer, input.stage_from_head, false);
-    if (!core_.settled()) return std::nullopt;
-    bool changed = type(input);
+    bool changed = type(input);  // the caret is there from the first frame: nothing typed is lost
+    if (!core_.settled()) {
+        if (changed) core_.view.updatePanel(board());
+        return std::nullopt;
+    }
     if (const auto set = core_.view.drag(input, met, input.select)) {
         auto& value = given_[static_cast<std::size_t>(set->id - button_id::first_field)].value;
         changed = changed || value != set->value;

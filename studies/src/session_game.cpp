@@ -52,7 +52,7 @@ class GameTrial : public ClipTrial {
         if (done_ && draft_.status == ResponseStatus::timed_out) return words("notice_time_up");
         if (revealed_) return words(draft_.correct ? "feedback_correct" : "feedback_wrong");
         if (done_ || seconds_left_ == 0) return {};
-        return words("notice_time_left", {{"seconds", std::to_string(seconds_left_)}});
+        return words.seconds("notice_time_left", "notice_second_left", seconds_left_);
     }
 
   private:

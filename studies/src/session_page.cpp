@@ -76,9 +76,10 @@ class PageUnit : public Unit {
     [[nodiscard]] Panel board() const {
         std::string emphasis = page_.emphasis;
         if (shown_left_ > 0) {
-            const char* key = page_.kind == PageKind::rest ? "break_seconds" : "page_seconds";
+            const bool rest = page_.kind == PageKind::rest;
             emphasis += (emphasis.empty() ? "" : "\n") +
-                        core_.words()(key, {{"seconds", std::to_string(shown_left_)}});
+                        core_.words().seconds(rest ? "break_seconds" : "page_seconds",
+                                              rest ? "break_second" : "page_second", shown_left_);
         }
         return messagePanel(page_.title, page_.body, emphasis,
                             {{page_.button, button_id::go_on, ButtonRole::go_on, shown_left_ == 0}},
@@ -152,8 +153,8 @@ class ConsentUnit : public TrialUnit {
         const auto [title, body] = titledText(stage_.text, words("consent_title"));
         std::string emphasis = stage_.emphasis;
         if (shown_left_ > 0)
-            emphasis += (emphasis.empty() ? "" : "\n") +
-                        words("page_seconds", {{"seconds", std::to_string(shown_left_)}});
+            emphasis +=
+                (emphasis.empty() ? "" : "\n") + words.seconds("page_seconds", "page_second", shown_left_);
         return messagePanel(title, body, emphasis,
                             {{words("agree"), button_id::agree, ButtonRole::go_on, shown_left_ == 0},
                              {words("decline"), button_id::decline, ButtonRole::leave}},

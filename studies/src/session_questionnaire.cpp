@@ -12,16 +12,18 @@ class QuestionnaireUnit : public TrialUnit {
   public:
     QuestionnaireUnit(SessionCore& core, const CourseItem& item) : TrialUnit(core, item) {
         const Questionnaire& all = stage_.questionnaire;
-        Questionnaire page = all;
-        page.questions.clear();
-        for (const Question* question : all.page(trial_.page)) page.questions.push_back(*question);
-        const auto boards = questionnairePages(page, core.keyboard, core.words());
-        for (const auto& board : boards) {
-            std::vector<const Question*> questions;
-            for (const Question* question : board) questions.push_back(all.find(question->id));
+        int before = 0;  // the participant counts boards
+        int boards = 0;
+        for (int page = 0; page < all.pages(); ++page) {
+            const int count = static_cast<int>(boardsOf(page).size());
+            if (page < trial_.page) before += count;
+            boards += count;
+        }
+        for (std::vector<const Question*>& questions : boardsOf(trial_.page)) {
             const bool first = forms_.empty();
-            FormSetting setting{first ? all.title : "", first ? all.text : "", trial_.page, all.pages()};
-            if (!questions.empty()) forms_.emplace_back(core, std::move(questions), std::move(setting));
+            FormSetting setting{first ? all.title : "", first ? all.text : "",
+                                before + static_cast<int>(forms_.size()), boards};
+            forms_.emplace_back(core, std::move(questions), std::move(setting));
         }
     }
 
@@ -72,6 +74,18 @@ class QuestionnaireUnit : public TrialUnit {
     std::vector<QuestionForm> forms_{};
     std::size_t board_ = 0;
     std::uint64_t opened_ = 0;
+
+    /// The questions of a page of the plan, by boards.
+    [[nodiscard]] std::vector<std::vector<const Question*>> boardsOf(int of_plan) const {
+        Questionnaire page = stage_.questionnaire;
+        page.questions.clear();
+        for (const Question* question : stage_.questionnaire.page(of_plan))
+            page.questions.push_back(*question);
+        auto boards = questionnairePages(page, core_.keyboard, core_.words());
+        for (auto& board : boards)
+            for (const Question*& question : board) question = stage_.questionnaire.find(question->id);
+        return boards;
+    }
 
     void open(const InputFrame& input) {
         if (!onset_known_) opened_ = core_.view.frame.number;

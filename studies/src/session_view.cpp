@@ -156,7 +156,8 @@ void SessionView::confirmButton(int id) {
     for (std::size_t i = 0; frame.panel && i < frame.panel->buttons.size(); ++i) {
         PanelButton& one = frame.panel->buttons[i];
         one.enabled = false;
-        one.hovered = one.id == id;
+        one.hovered = false;
+        one.chosen = one.chosen || one.id == id;
     }
     for (std::size_t i = 0; frame.panel && i < frame.panel->sliders.size(); ++i)
         frame.panel->sliders[i].enabled = false;

@@ -164,6 +164,19 @@ TEST_SUITE("renderer/field") {
         CHECK(two - one > 0.9 * (one - empty));
     }
 
+    TEST_CASE("The hint leaves room for the caret before it") {
+        Gl gl;
+        BoardField field = textField();
+        field.hint = "HHHH";
+        field.active = true;
+        Scene scene = withField(field);
+        scene.camera = lookingFrom({-0.38, 1.2, 1.9}, {-0.38, 1.2, 1.6});
+        const Image image = boardPicture(gl, scene);
+        CHECK(region(image, scene, {0.1215, 0.24, 0.0015, 0.02}).brightest > 200);  // the caret
+        CHECK(region(image, scene, {0.1255, 0.235, 0.0025, 0.03}).brightest < 90);
+        CHECK(region(image, scene, {0.13, 0.235, 0.03, 0.03}).brightest > 130);
+    }
+
     TEST_CASE("A text too long for the field shows its end and stays within") {
         Gl gl;
         BoardField field = textField();

@@ -78,6 +78,39 @@ TEST_SUITE("renderer/board") {
         CHECK(region(image, scene, {0.57, 0.05, 0.4, 0.42}).brightest < 70);
     }
 
+    TEST_CASE("A text stands at the top of its box, or in the middle of its height") {
+        Gl gl;
+        Scene scene = bareBoardScene();
+        BoardText text{{0.1, 0.1, 0.8, 0.3}, "mmmmmmmm", 0.06};
+        for (const bool level : {false, true}) {
+            CAPTURE(level);
+            text.level = level;
+            scene.boards[0].texts = {text};
+            const Image image = boardPicture(gl, scene);
+            const Region top = region(image, scene, {0.1, 0.33, 0.8, 0.07});
+            const Region middle = region(image, scene, {0.1, 0.22, 0.8, 0.06});
+            CHECK((level ? middle : top).brightest > 180);
+            CHECK((level ? top : middle).brightest < 60);
+        }
+    }
+
+    TEST_CASE("Options of one size have labels of one size; another button keeps its own") {
+        Gl gl;
+        const auto brightness = [&](ButtonLook look, const char* beside) {
+            Scene scene = bareBoardScene();
+            BoardButton button{{0.05, 0.2, 0.4, 0.12}, "HHHH"};
+            button.look = look;
+            BoardButton other = button;
+            other.box.x = 0.55;
+            other.label = beside;
+            scene.boards[0].buttons = {button, other};
+            return region(boardPicture(gl, scene), scene, {0.19, 0.235, 0.12, 0.05}).mean;
+        };
+        const char* too_long = "much too long for one";
+        CHECK(brightness(ButtonLook::option, too_long) < brightness(ButtonLook::option, "HHHH") - 3.0);
+        CHECK(brightness(ButtonLook::plain, too_long) == brightness(ButtonLook::plain, "HHHH"));
+    }
+
     TEST_CASE("A hovered button is clearly brighter than the same button at rest, and its neighbour is not") {
         Gl gl;
         Scene scene = boardScene();

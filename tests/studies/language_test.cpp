@@ -95,6 +95,12 @@ TEST_SUITE("studies/language") {
         }
     }
 
+    TEST_CASE("one second is told as one, more by their number") {
+        const LanguageTable& words = LanguageTable::english();
+        CHECK(words.seconds("notice_time_left", "notice_second_left", 2) == "2 seconds left.");
+        CHECK(words.seconds("notice_time_left", "notice_second_left", 1) == "1 second left.");
+    }
+
     TEST_CASE("options that stand beside each other differ in every language") {
         for (const std::string code : {"en", "de", "sv", "ko"}) {
             CAPTURE(code);

@@ -98,18 +98,20 @@ TEST_SUITE("studies/panel_layout") {
         }
     }
 
-    TEST_CASE("Korean characters are taken to be as wide as the line is high") {
-        CHECK(estimateWidth("한국어", 0.05) == doctest::Approx(0.15));
-        CHECK(estimateWidth("abc", 0.05) == doctest::Approx(0.0675));
+    TEST_CASE("characters are wide or narrow, Korean ones widest") {
+        CHECK(estimateWidth("한국어", 0.05) == doctest::Approx(0.12));
+        CHECK(estimateWidth("abe", 0.05) == doctest::Approx(0.069));
         CHECK(estimateWidth("äöü", 0.05) == estimateWidth("aou", 0.05));
+        CHECK(estimateWidth("ill", 0.05) < 0.6 * estimateWidth("non", 0.05));
+        CHECK(estimateWidth("MW", 0.05) > 1.4 * estimateWidth("no", 0.05));
         CHECK(estimateLines("한국어한국어한국", 0.05, 0.2) == 2);
-        CHECK(estimateLines("가나 다라", 0.1, 0.45) == 1);
-        CHECK(estimateLines("가나 다라", 0.1, 0.44) == 2);
+        CHECK(estimateLines("가나 다라", 0.1, 0.35) == 1);
+        CHECK(estimateLines("가나 다라", 0.1, 0.34) == 2);
         CHECK(estimateLines("", 0.05, 1.0) == 1);
         CHECK(estimateLines("one\n\ntwo", 0.05, 1.0) == 3);
-        CHECK(estimateLines("aaaa bbbb", 1.0, 4.05) == 1);
-        CHECK(estimateLines("aaaa bbbb", 1.0, 4.0) == 2);
-        CHECK(estimateLines("aaaaaaaaaa", 1.0, 1.8) == 3);  // four fit on a line
+        CHECK(estimateLines("aaaa bbbb", 1.0, 3.94) == 1);
+        CHECK(estimateLines("aaaa bbbb", 1.0, 3.9) == 2);
+        CHECK(estimateLines("aaaaaaaaaa", 1.0, 1.84) == 3);  // four fit on a line
     }
 
     TEST_CASE(

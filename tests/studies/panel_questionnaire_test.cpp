@@ -67,8 +67,8 @@ TEST_SUITE("studies/panel_questionnaire") {
                 const auto pages = questionnairePages(questionnaire, keyboard, words);
                 for (std::size_t i = 0; i < pages.size(); ++i) {
                     QuestionnaireBoard board = boardOf(pages[i], keyboard, words);
-                    board.title = questionnaire.title;
-                    board.text = questionnaire.text;
+                    board.title = i == 0 ? questionnaire.title : "";
+                    board.text = i == 0 ? questionnaire.text : "";
                     board.page = static_cast<int>(i);
                     board.pages = static_cast<int>(pages.size());
                     if (texts.flip()) board.missing = words("answer_all");

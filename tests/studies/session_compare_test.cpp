@@ -215,6 +215,8 @@ TEST_SUITE("studies/session_compare") {
             CHECK(driver.responses[0].input == (key == 0 ? "ray" : "key"));
             CHECK(driver.responses[0].plays == std::vector<int>{1, 1});
             CHECK(driver.frame.state == "rated");
+            CHECK(markedOptions(driver.frame) ==
+                  std::vector<int>{button_id::first_rating + (key == 0 ? 3 : key - 1)});
         }
     }
 

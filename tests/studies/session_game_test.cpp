@@ -179,6 +179,8 @@ TEST_SUITE("studies/session_game") {
             CHECK(response.response_time_s == doctest::Approx(chosen_s - response.motion_end.time_s));
             CHECK(response.pauses == 1);
             CHECK(driver.frame.state == "chosen-across");
+            CHECK(markedOptions(driver.frame) ==
+                  std::vector<int>{slides ? button_id::go_on : button_id::first_rating + 3});
             CHECK(driver.count("early_select") == 0);
         }
     }

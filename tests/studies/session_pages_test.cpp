@@ -99,6 +99,7 @@ TEST_SUITE("studies/session_pages") {
         CHECK(driver.frame.status == "rest, 2 s");
         driver.wait(1.5);
         CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
+        CHECK(textOf(*driver.frame.panel).find("go on in 1 second.") != std::string::npos);
         driver.wait(0.5);
         CHECK(hasButton(driver.frame, button_id::go_on));
         CHECK(driver.frame.status == "rest");
@@ -188,6 +189,47 @@ TEST_SUITE("studies/session_pages") {
         CHECK(driver.responses[0].input == "key");
         REQUIRE(driver.responses[0].answers.size() == 1);
         CHECK(driver.responses[0].answers[0].question == "must");
+    }
+
+    TEST_CASE(
+        "what is typed as soon as a field is there is kept; a key that leaves the page is not taken yet") {
+        Driver driver({questionnaireStage({question("n", QuestionKind::number)})});
+        driver.keyboard = true;
+        driver.add("questions", 0, {}).page = 0;
+        driver.start();
+        driver.step();
+        REQUIRE(driver.frame.state == "questionnaire");
+        type(driver, "2");
+        InputFrame more;
+        more.typed = "6";
+        more.confirm = true;
+        driver.step(more);
+        CHECK(driver.responses.empty());
+        CHECK(driver.frame.panel->fields[0].text == "26");
+        CHECK(hasButton(driver.frame, button_id::go_on));
+    }
+
+    TEST_CASE("a questionnaire's boards are counted through; its title stands on the first of each page") {
+        std::vector<Question> questions;
+        for (const char* id : {"a", "b", "c", "d", "e"}) {
+            questions.push_back(question(id, QuestionKind::choice));
+            for (int i = 0; i < 8; ++i)  // so many that two do not fit one board
+                questions.back().options.push_back({id + std::to_string(i), "A long option in words"});
+        }
+        Questioned driver(questions, false, 3);
+        std::vector<bool> titled;
+        for (int board = 1; driver.running() && driver.frame.state == "questionnaire"; ++board) {
+            const std::string text = textOf(*driver.frame.panel);
+            CAPTURE(text);
+            CHECK(text.find("Page " + std::to_string(board) + " of 5") != std::string::npos);
+            CHECK(text.find("Please answer the question.") != std::string::npos);
+            titled.push_back(text.find("Some questions") != std::string::npos);
+            driver.press(option(0, 0));
+            driver.press(button_id::go_on);
+            driver.wait(1.5);
+        }
+        CHECK(titled == std::vector<bool>{true, false, false, true, false});
+        CHECK(driver.responses.size() == 2);
     }
 
     TEST_CASE("text is typed and erased by characters, also those of several bytes") {

@@ -112,6 +112,17 @@ inline const PanelButton* buttonOf(const PresentedFrame& frame, int id) {
     return nullptr;
 }
 
+/// Of the buttons of an answer that has been given, those marked; none may be pressed any more.
+inline std::vector<int> markedOptions(const PresentedFrame& frame) {
+    std::vector<int> marked;
+    if (!frame.panel) return marked;
+    for (const PanelButton& button : frame.panel->buttons) {
+        CHECK_FALSE(button.enabled);
+        if (button.chosen) marked.push_back(button.id);
+    }
+    return marked;
+}
+
 /// Plays a clip of a page to its end.
 inline bool playToEnd(Driver& driver, int stimulus) {
     const int ends = driver.count("motion_end");

@@ -76,7 +76,7 @@ renderer::Board boardFromPanel(const studies::Panel& panel) {
     board.height_m = panel.height_m;
     board.progress = panel.progress;
     for (const auto& t : panel.texts)
-        board.texts.push_back({rectFrom(t.box), t.text, t.size_m, t.bold, t.centred, t.faint});
+        board.texts.push_back({rectFrom(t.box), t.text, t.size_m, t.bold, t.centred, t.faint, t.level});
     for (const auto& b : panel.buttons)
         board.buttons.push_back(
             {rectFrom(b.box), b.label, b.caption, b.enabled, b.hovered, b.chosen, lookOf(b.role)});

@@ -60,6 +60,7 @@ struct BoardText {
     bool bold = false;
     bool centred = false;  ///< across the box
     bool faint = false;
+    bool level = false;  ///< in the middle of the box's height
     friend bool operator==(const BoardText&, const BoardText&) = default;
 };
 /// What a button does, which its look tells beside its label.

@@ -25,6 +25,8 @@ class LanguageTable {
     /// The same with "{name}" replaced.
     [[nodiscard]] std::string operator()(
         std::string_view key, const std::vector<std::pair<std::string_view, std::string>>& values) const;
+    /// With "{seconds}" replaced; the text of `one` where there is one second alone.
+    [[nodiscard]] std::string seconds(std::string_view key, std::string_view one, int seconds) const;
     [[nodiscard]] const std::string& code() const { return code_; }  ///< "en", "de", ...
 
   private:

@@ -101,6 +101,7 @@ struct PanelText {
     bool bold = false;
     bool centred = false;
     bool faint = false;
+    bool level = false;  ///< in the middle of the box's height
 };
 
 /// What a button does, which a person reads from its label and place.
