@@ -83,7 +83,8 @@ bool QuestionForm::given(std::size_t i) const {
 std::string QuestionForm::missing() const {
     for (std::size_t i = 0; i < questions_.size(); ++i) {
         const Question& question = *questions_[i];
-        if (question.required && !given(i)) return core_.words()(questions_.size() > 1 ? "answer_all" : "answer_one");
+        if (question.required && !given(i))
+            return core_.words()(questions_.size() > 1 ? "answer_all" : "answer_one");
         if (question.kind == QuestionKind::number && given(i) && !numberTyped(question, given_[i].typed))
             return core_.words()("answer_number", {{"low", fmt::format("{}", question.low)},
                                                    {"high", fmt::format("{}", question.high)}});

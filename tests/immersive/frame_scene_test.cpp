@@ -66,6 +66,38 @@ TEST_SUITE("immersive/frame_scene") {
         CHECK(scene.boards[1].width_m == 0.3);
     }
 
+    TEST_CASE("A notice stands upright in the upper part of the view, nearer than all else; none, no board") {
+        studies::PresentedFrame frame;
+        frame.panel = panelWithEverything();
+        const Pose eye{{0.3, 1.6, 3.4}, yawRotation(0.7)};
+        renderer::Scene scene = sceneFromFrame(frame, eye);
+        addNotice(scene, "");
+        CHECK(scene.boards.size() == 1);
+        for (const std::string notice :
+             {"Yes.", "Not quite: the green ball was the target.",
+              "A sentence that is much longer than any that is told in passing, so "
+              "that it takes two lines."}) {
+            CAPTURE(notice);
+            renderer::Scene with = scene;
+            addNotice(with, notice);
+            REQUIRE(with.boards.size() == 2);  // the panel stays the first
+            const renderer::Board& board = with.boards[1];
+            REQUIRE(board.texts.size() == 1);
+            CHECK(board.texts[0].text == notice);
+            const Pose eye_from_board = inverse(eye) * board.stage_from_board;
+            for (const double x : {0.0, board.width_m})
+                for (const double y : {0.0, board.height_m}) {
+                    const Vec3 corner = transformPoint(eye_from_board, {x, y, 0.0});
+                    const double up_deg = degreesFromRadians(std::atan2(corner.y, -corner.z));
+                    CHECK(corner.z < -0.3);
+                    CHECK(corner.z > -0.7);
+                    CHECK(up_deg > 15.0);
+                    CHECK(up_deg < 29.0);  // of 30 that are seen
+                    CHECK(std::abs(std::atan2(corner.x, -corner.z)) < radiansFromDegrees(35.0));
+                }
+        }
+    }
+
     TEST_CASE("A second avatar is drawn where there is one, and none while they are hidden") {
         studies::PresentedFrame frame;
         frame.avatar_joints.resize(3);

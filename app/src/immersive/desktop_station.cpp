@@ -416,6 +416,7 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
         renderer::Scene scene = sceneFromFrame(frame, s.head());
         if (explainsControls(frame) && !s.options.controls.empty())
             addFootLine(scene.boards.front(), s.options.controls);
+        addNotice(scene, frame.notice);
         s.renderer->draw(scene, size.width, size.height);
         if (s.operators) s.operators->drawn(size);
         glfwSwapBuffers(s.window->handle());

@@ -61,7 +61,8 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
                              const auto picture = wanted.find(frame.state);
                              const bool due = frame.key_moment || input.time_s >= next_s;
                              if (!due && picture == wanted.end()) return;
-                             const renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
+                             renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
+                             addNotice(scene, frame.notice);
                              if (due) {
                                  (void)view->renderer.capture(scene, view_size.width, view_size.height);
                                  next_s = input.time_s + draw_period_s;

@@ -120,6 +120,33 @@ renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose&
     return scene;
 }
 
+renderer::Board noticeBoard(const std::string& sentence, double line_m) {
+    renderer::Board board;
+    const double letters_m = 0.52 * line_m * static_cast<double>(sentence.size());
+    board.width_m = std::clamp(letters_m + 3.5 * line_m, 11.0 * line_m, 26.0 * line_m);
+    board.height_m = 3.2 * line_m;
+    renderer::BoardText text;
+    text.box = {0.9 * line_m, 0.5 * line_m, board.width_m - 1.8 * line_m, 2.2 * line_m};
+    text.text = sentence;
+    text.size_m = line_m;
+    text.centred = true;
+    text.level = true;
+    board.texts.push_back(text);
+    return board;
+}
+
+void addNotice(renderer::Scene& scene, const std::string& notice) {
+    if (notice.empty()) return;
+    constexpr double line_m = 0.023;
+    constexpr double away_m = 0.55;  // nearer than any avatar, ball or panel
+    constexpr double above_m = 0.21;
+    renderer::Board board = noticeBoard(notice, line_m);
+    board.stage_from_board =
+        scene.camera.stage_from_eye *
+        Pose{{-board.width_m / 2.0, above_m - board.height_m / 2.0, -away_m}, no_rotation};
+    scene.boards.push_back(std::move(board));
+}
+
 bool explainsControls(const studies::PresentedFrame& frame) {
     return frame.panel && (frame.state == "consent" || frame.state == "instructions" ||
                            frame.state == "welcome-back" || frame.state == "paused");

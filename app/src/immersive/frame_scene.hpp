@@ -12,6 +12,12 @@ namespace deixis::app {
 [[nodiscard]] renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame,
                                              const Pose& stage_from_eye);
 
+/// A small board with a sentence to the participant, in lines of this height.
+[[nodiscard]] renderer::Board noticeBoard(const std::string& sentence, double line_m);
+
+/// On a screen: the frame's notice, if it has one, above the middle of the view and before all else.
+void addNotice(renderer::Scene& scene, const std::string& notice);
+
 /// Whether this frame's panel should say how to take part: a page of instructions or consent, the welcome
 /// back, and a pause.
 [[nodiscard]] bool explainsControls(const studies::PresentedFrame& frame);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "immersive/frame_scene.hpp"
 #include "motion/skeleton.hpp"
 
 namespace deixis::app {
@@ -12,22 +13,9 @@ namespace deixis::app {
 namespace {
 
 constexpr double notice_distance_m = 1.1;
+constexpr double notice_line_m = 0.046;
 constexpr double notice_above_eyes_m = 0.30;  // over the avatar's head and any page
 constexpr double notice_follows_rad = radiansFromDegrees(45.0);
-
-renderer::Board noticeBoard(const std::string& text) {
-    constexpr double line_m = 0.046;
-    renderer::Board board;
-    board.width_m = std::clamp(0.024 * static_cast<double>(text.size()) + 0.16, 0.5, 1.2);
-    board.height_m = 3.2 * line_m;
-    renderer::BoardText line;
-    line.box = {0.04, line_m, board.width_m - 0.08, 1.2 * line_m};
-    line.text = text;
-    line.size_m = line_m;
-    line.centred = true;
-    board.texts.push_back(line);
-    return board;
-}
 
 // As large as pages come, in the sizes of their texts.
 renderer::Board pageLikeBoard() {
@@ -137,7 +125,7 @@ void HeadsetPicture::setNotice(const std::string& text, const Pose& tracking_fro
         return;
     }
     if (!notice_ || notice_->texts.front().text != text) {
-        notice_ = noticeBoard(text);
+        notice_ = noticeBoard(text, notice_line_m);
         notice_->stage_from_board = noticePose(*notice_, tracking_from_head);
     }
     const Vec3 middle =
@@ -183,7 +171,7 @@ XrLayers HeadsetPicture::draw(const renderer::Scene& scene, const LocateEyes& lo
 }
 
 XrLayers HeadsetPicture::drawUnplaced(const std::string& text) {
-    renderer::Board board = noticeBoard(text);
+    renderer::Board board = noticeBoard(text, notice_line_m);
     board.stage_from_board.position = {-board.width_m / 2.0, -board.height_m / 2.0, -notice_distance_m};
     XrLayers layers;
     layers.above = layerOf(board, notice_picture_, {});
