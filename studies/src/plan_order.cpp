@@ -31,9 +31,14 @@ class Search {
             end += members_[b].size();
             ends_.resize(end, end);
         }
-        candidates_.resize(task.units.size());
+        std::size_t largest = 0;
+        for (const std::vector<int>& members : members_) largest = std::max(largest, members.size());
+        candidates_.resize(task.units.size() * largest);
+        row_ = largest;
+        open_.resize(task.units.size());
         tried_.resize(task.units.size());
         used_.resize(task.units.size());
+        order_.reserve(task.units.size());
     }
 
     enum class Outcome { found, none, gave_up };
@@ -45,14 +50,14 @@ class Search {
         open(0);
         for (long step = 0; step < most_steps; ++step) {
             const std::size_t place = order_.size();
-            std::vector<int>& candidates = candidates_[place];
+            int* const candidates = candidatesAt(place);
             std::size_t& tried = tried_[place];
-            if (tried == candidates.size()) {
+            if (tried == open_[place]) {
                 if (place == 0) return Outcome::none;
                 takeBack();
                 continue;
             }
-            std::swap(candidates[tried], candidates[tried + random.below(candidates.size() - tried)]);
+            std::swap(candidates[tried], candidates[tried + random.below(open_[place] - tried)]);
             const int unit = candidates[tried++];
             if (!allowed(unit)) continue;
             put(unit);
@@ -76,12 +81,15 @@ class Search {
         for (const int label : unit(i).labels) left_[block(i) * labels_ + label] += by;
     }
 
+    int* candidatesAt(std::size_t place) { return candidates_.data() + place * row_; }
+
     void open(std::size_t place) {
         std::size_t b = 0;
         for (std::size_t end = members_[0].size(); place >= end; end += members_[b].size()) ++b;
-        candidates_[place].clear();
+        int* end = candidatesAt(place);
         for (const int i : members_[b])
-            if (!used_[i]) candidates_[place].push_back(i);
+            if (!used_[i]) *end++ = i;
+        open_[place] = static_cast<std::size_t>(end - candidatesAt(place));
         tried_[place] = 0;
     }
 
@@ -133,8 +141,11 @@ class Search {
     std::vector<std::size_t> ends_;          ///< by place: where its block ends
     std::vector<int> left_;                  ///< by block and label: units not placed yet
     std::vector<int> order_;
-    std::vector<std::vector<int>> candidates_;  ///< by place; the first tried_ of them have had their turn
-    std::vector<std::size_t> tried_;
+    std::vector<int>
+        candidates_;  ///< by place, a row each: one array, for a plan is made of many small parts
+    std::size_t row_ = 0;
+    std::vector<std::size_t> open_;   ///< by place: how many candidates
+    std::vector<std::size_t> tried_;  ///< by place: how many of the first have had their turn
     std::vector<char> used_;
 };
 

@@ -203,10 +203,11 @@ std::vector<char> drawSides(const std::vector<TrialUnit>& units, std::size_t pai
     return swapped;
 }
 
-/// A trial of `design`'s kind; the stimuli of a page and the balls in an order of chance.
-Trial makeTrial(const Study& study, const Stage& stage, const Stage& design, const TrialUnit& unit,
-                const std::vector<int>& shown, Random& random) {
-    Trial trial;
+/// Adds a trial of `design`'s kind; the stimuli of a page and the balls in an order of chance.
+Trial& addTrial(std::vector<Trial>& trials, const Study& study, const Stage& stage, const Stage& design,
+                const TrialUnit& unit, const std::vector<int>& shown, Random& random) {
+    Trial& trial = trials.emplace_back();
+    trial.index = static_cast<int>(trials.size()) - 1;
     trial.stage = stage.name;
     trial.kind = design.kind;
     trial.layout = design.design.layouts[unit.layout];
@@ -257,23 +258,28 @@ Result<void> addNumbers(const Stage& stage, std::vector<Trial>& trials, Random r
 
 /// The level whose systems have been practised least; among equals the one whose turn comes first.
 int nextInTurn(const DesignLevels& levels, const std::vector<std::string>& systems, PracticeTurns& turns) {
-    const auto turnOf = [&](int system) {
-        return std::find_if(turns.begin(), turns.end(),
-                            [&](const auto& turn) { return turn.first == systems[system]; });
+    std::vector<std::size_t> place(systems.size());
+    for (std::size_t i = 0; i < systems.size(); ++i)
+        place[i] = static_cast<std::size_t>(
+            std::find_if(turns.begin(), turns.end(),
+                         [&](const auto& turn) { return turn.first == systems[i]; }) -
+            turns.begin());
+    const auto practised = [&](const std::vector<int>& shown) {
+        return std::accumulate(shown.begin(), shown.end(), 0,
+                               [&](int sum, int system) { return sum + turns[place[system]].second; });
     };
-    const auto rank = [&](const std::vector<int>& shown) {
-        int practised = 0;
-        std::vector<std::ptrdiff_t> places;
-        for (const int system : shown) {
-            practised += turnOf(system)->second;
-            places.push_back(turnOf(system) - turns.begin());
-        }
+    const auto placesOf = [&](const std::vector<int>& shown) {
+        std::vector<std::size_t> places;
+        for (const int system : shown) places.push_back(place[system]);
         std::sort(places.begin(), places.end());
-        return std::pair(practised, places);
+        return places;
     };
-    const auto least = std::min_element(levels.shown.begin(), levels.shown.end(),
-                                        [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-    for (const int system : *least) ++turnOf(system)->second;
+    const auto least =
+        std::min_element(levels.shown.begin(), levels.shown.end(), [&](const auto& a, const auto& b) {
+            const int of_a = practised(a), of_b = practised(b);
+            return of_a != of_b ? of_a < of_b : placesOf(a) < placesOf(b);
+        });
+    for (const int system : *least) ++turns[place[system]].second;
     return static_cast<int>(least - levels.shown.begin());
 }
 
@@ -313,13 +319,12 @@ Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
     trials.reserve(order->size());
     for (const int i : *order) {
         const TrialUnit& unit = units[i];
-        Trial trial = makeTrial(study, stage, stage, unit, levels.shown[unit.shown], random);
+        Trial& trial = addTrial(trials, study, stage, stage, unit, levels.shown[unit.shown], random);
         if (swapped[i]) std::swap(trial.stimuli[0], trial.stimuli[1]);
         if (unit.is_catch) trial.check = TrialCheck{CheckKind::catch_trial};
         if (unit.repeat_of >= 0)
             trial.check = TrialCheck{CheckKind::repeat, 0, 0.0, trial_of_unit[unit.repeat_of]};
-        trials.push_back(std::move(trial));
-        trial_of_unit[i] = trials.back().index = static_cast<int>(trials.size()) - 1;
+        trial_of_unit[i] = trial.index;
     }
     if (const Result<void> added = addNumbers(stage, trials, Random(seed, "numbers")); !added)
         return tl::unexpected(added.error());
@@ -338,6 +343,7 @@ Result<std::vector<Trial>> practiceTrials(const Study& study, const Stage& stage
 
     Random random(seed, "practice");
     std::vector<Trial> trials;
+    trials.reserve(items.size());
     PracticeTurns current = turns;  // later attempts may not be done, so other stages do not count on them
     for (int attempt = 0; attempt < stage.practice->max_attempts; ++attempt) {
         const std::vector<std::vector<int>> own =
@@ -348,11 +354,9 @@ Result<std::vector<Trial>> practiceTrials(const Study& study, const Stage& stage
                            levels.bands[own[i][1]]};
             std::vector<int> systems = levels.shown[shown];
             if (design.kind == StageKind::pairwise) shuffle(systems, random);
-            Trial trial = makeTrial(study, stage, design, unit, systems, random);
+            Trial& trial = addTrial(trials, study, stage, design, unit, systems, random);
             trial.practice = true;
             trial.attempt = attempt;
-            trial.index = static_cast<int>(trials.size());
-            trials.push_back(std::move(trial));
         }
         if (attempt == 0) turns = current;
     }

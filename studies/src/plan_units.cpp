@@ -14,12 +14,14 @@ int bandIndex(const Study& study, std::string_view name) {
     return static_cast<int>(study.findDistance(name) - study.distances.data());
 }
 
+struct LevelRange {
+    int first = 0;
+    int end = 0;
+};
+
 /// All levels where items meet all of them, else the item's own.
-std::vector<int> levelsMet(Meeting meeting, int levels, int own) {
-    if (meeting == Meeting::nested) return {own};
-    std::vector<int> all(levels);
-    std::iota(all.begin(), all.end(), 0);
-    return all;
+LevelRange levelsMet(Meeting meeting, int levels, int own) {
+    return meeting == Meeting::nested ? LevelRange{own, own + 1} : LevelRange{0, levels};
 }
 
 /// The levels of the factor that makes the blocks, in the order of presentation.
@@ -96,11 +98,15 @@ std::vector<TrialUnit> makeUnits(const Study& study, const Stage& stage,
          nestedLevels(design.distance_meets, bands)},
         design.items, random);
     std::vector<TrialUnit> units;
-    for (int i = 0; i < design.items; ++i)
-        for (const int system : levelsMet(design.system_meets, shown, own[i][0]))
-            for (const int layout : levelsMet(design.layout_meets, levels.layouts, own[i][1]))
-                for (const int distance : levelsMet(design.distance_meets, bands, own[i][2]))
+    for (int i = 0; i < design.items; ++i) {
+        const LevelRange systems = levelsMet(design.system_meets, shown, own[i][0]);
+        const LevelRange layouts = levelsMet(design.layout_meets, levels.layouts, own[i][1]);
+        const LevelRange distances = levelsMet(design.distance_meets, bands, own[i][2]);
+        for (int system = systems.first; system < systems.end; ++system)
+            for (int layout = layouts.first; layout < layouts.end; ++layout)
+                for (int distance = distances.first; distance < distances.end; ++distance)
                     units.push_back({items[i], system, layout, levels.bands[distance]});
+    }
 
     std::size_t next = static_cast<std::size_t>(design.items);
     for (const AttentionChecks& check : stage.checks) {
