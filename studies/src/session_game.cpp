@@ -32,7 +32,7 @@ class GameTrial : public ClipTrial {
     [[nodiscard]] bool stepDone(const InputFrame& /*input*/, double since_s) override {
         if (draft_.status == ResponseStatus::skipped) return true;
         const bool late = draft_.status == ResponseStatus::timed_out;
-        if (!task_.feedback) return since_s >= (late ? time_up_s : confirm_s);
+        if (!stage_.feedback) return since_s >= (late ? time_up_s : confirm_s);
         const double chosen_shown_s = late ? 0.0 : confirm_s;
         if (since_s < chosen_shown_s) return false;
         if (!revealed_) {

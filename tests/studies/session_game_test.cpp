@@ -199,6 +199,20 @@ TEST_SUITE("studies/session_game") {
         CHECK(driver.count("trial_repeated") == 0);
     }
 
+    TEST_CASE("practice gives feedback where the practice says so, whatever the game does") {
+        for (const bool in_practice : {true, false}) {
+            CAPTURE(in_practice);
+            Practising driver(0.0, 1, false);
+            driver.stage("game-practice").feedback = in_practice;
+            driver.stage("game").feedback = !in_practice;
+            choose(driver, true);
+            choose(driver, true);
+            choose(driver, true);
+            REQUIRE(carryOnUntil(driver, [&] { return !driver.running(); }));
+            CHECK(driver.count("feedback") == (in_practice ? 2 : 1));
+        }
+    }
+
     TEST_CASE("practice that meets its criterion ends; its further attempts are not done") {
         Practising driver(0.5, 3, false);
         choose(driver, false);
