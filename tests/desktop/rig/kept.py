@@ -23,14 +23,14 @@ class Study:
         return self.stages[stage]["practice_of"] or stage
 
 
-def check_whole_session(path, meant):
+def check_whole_session(path, meant, station="desktop"):
     """Every planned unit was answered once, as it was meant, and the study is finished. How many."""
     with Database(path) as db:
         study = Study(db)
         outcomes = [row["outcome"] for row in db.rows("select outcome from sessions order by id")]
         require(outcomes and outcomes[-1] == "finished", f"the outcomes of the sessions are {outcomes}")
         kinds = {(row["station"], row["synthetic"]) for row in db.rows("select station, synthetic from sessions")}
-        require(kinds == {("desktop", 0)}, f"the stations recorded are {sorted(kinds)}")
+        require(kinds == {(station, 0)}, f"the stations recorded are {sorted(kinds)}")
         trials = {row["trial_index"]: row for row in db.rows("select * from trials")}
         responses = {}
         for row in db.rows("select * from responses where superseded is null order by id"):

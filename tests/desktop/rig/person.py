@@ -80,6 +80,10 @@ class Person:
                 seen = line["frame"]
                 self.hands.wait("another frame", lambda now: now["frame"] > seen or now["state"] == "over", 60.0)
 
+    def _by_key(self, share):
+        """Whether a key is pressed where one would do, in such a share of cases."""
+        return self._random.random() < share
+
     # Pages. Each act tells whether there was anything to do.
 
     def _leave_page(self, line):
@@ -91,7 +95,7 @@ class Person:
         def left(now):
             return board(now) != before
 
-        if self._random.random() < 0.4:
+        if self._by_key(0.4):
             self.hands.press_key(self._random.choice(("Return", "space")), left)
         else:
             self.hands.click_button(GO_ON, left)
@@ -131,7 +135,7 @@ class Person:
             return board(now) != board(line) or not now_go_on or not now_go_on["enabled"]
 
         self.hands.wait("way on", lambda now: (button(now, GO_ON) or {}).get("enabled"))
-        if self._random.random() < 0.3:
+        if self._by_key(0.3):
             at, by = self.hands.press_key("Return", left), "key"
         else:
             at, by = self.hands.click_button(GO_ON, left), "ray"
@@ -199,7 +203,7 @@ class Person:
         confidence = state.startswith("confidence")
         meant = self.meant[line["trial"]] if confidence else Meant()
         label = steps[place]["label"]
-        if label.isdigit() and self._random.random() < 0.3:
+        if label.isdigit() and self._by_key(0.3):
             at, by = self.hands.press_key(label, done), "key"
         else:
             at, by = self.hands.click_button(steps[place]["id"], done), "ray"
@@ -301,7 +305,7 @@ class Person:
         def done(now):
             return now["state"] != state
 
-        if self._random.random() < 0.3:
+        if self._by_key(0.3):
             at, by = self.hands.press_key(str(preference + 1), done), "key"
         else:
             at, by = self.hands.click_button(FIRST_RATING + preference, done), "ray"

@@ -59,9 +59,11 @@ const std::map<std::string, Spaces> spaces{{"local_floor", Spaces::local_floor},
 const std::map<std::string, XrResult> losses{{"session", XR_ERROR_SESSION_LOST},
                                              {"instance", XR_ERROR_INSTANCE_LOST}};
 
-void take(const std::string& text, Conditions& now) {
+/// Frames to wait; 0 after all other commands.
+int take(const std::string& text, Conditions& now) {
     Line line(text);
     const std::string what = line.word();
+    if (what == "wait") return static_cast<int>(line.number());
     if (what == "headset") {
         now.headset = line.oneOf<bool>({{"missing", false}});
     } else if (what == "spaces") {
@@ -93,6 +95,7 @@ void take(const std::string& text, Conditions& now) {
     } else {
         line.bad();
     }
+    return 0;
 }
 
 }  // namespace
@@ -103,17 +106,21 @@ Commands::Commands() {
     file_ = file;
 }
 
-void Commands::read(Conditions& conditions) {
+void Commands::read(Conditions& conditions, int frame) {
+    if (frame < wait_until_) return;
     std::ifstream in(file_, std::ios::binary);
     if (!in) giveUp("there is no file " + file_);
     in.seekg(static_cast<std::streamoff>(read_));
     const std::string added{std::istreambuf_iterator<char>(in), {}};
     // A line without its end is still being written.
     std::size_t start = 0;
-    for (std::size_t end = added.find('\n'); end != std::string::npos; end = added.find('\n', start)) {
-        take(added.substr(start, end - start), conditions);
+    int wait = 0;
+    for (std::size_t end = added.find('\n'); end != std::string::npos && wait == 0;
+         end = added.find('\n', start)) {
+        wait = take(added.substr(start, end - start), conditions);
         start = end + 1;
     }
+    wait_until_ = frame + wait;
     read_ += start;
 }
 

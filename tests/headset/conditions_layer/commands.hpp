@@ -3,13 +3,14 @@
 //   headset missing                      xrGetSystem finds none
 //   spaces local_floor                   no stage
 //   spaces local METRES                  no stage and no floor; the local space's origin is so high above it
-//   state synchronized|visible|focused   the session comes no further: taken off, another program in front,
-//   all well head tracked|guessed|turning|lost    as measured; position guessed; no position; neither gaze
-//   seen|guessed|lost YAW PITCH     eyes are tracked, and look so many degrees left and up of straight ahead
+//   state synchronized|visible|focused   the session comes no further: taken off; not in front; all well
+//   head tracked|guessed|turning|lost    as measured; position guessed; no position; neither
+//   gaze seen|guessed|lost YAW PITCH     eyes are tracked, and look so many degrees left and up of ahead
 //   recentre X Z YAW AHEAD_MS            the spaces' new origin in the old one, and in how many milliseconds
 //   exit                                 the runtime's menu ends the program's session
 //   announce session-loss|instance-loss  by an event
 //   lose session|instance CALL           from the next such call on, without a word before
+//   wait FRAMES                          what follows holds only after so many frames more
 #pragma once
 
 #include <openxr/openxr.h>
@@ -60,14 +61,15 @@ class Commands {
   public:
     /// The file that the environment variable DEIXIS_CONDITIONS names; it must be there.
     Commands();
-    /// Takes in the lines added since the last call. A line that makes no sense ends the program: the test is
-    /// wrong.
-    void read(Conditions& conditions);
+    /// Takes in the lines added since the last call; `frame` counts up. A line that makes no sense ends the
+    /// program: the test is wrong.
+    void read(Conditions& conditions, int frame);
     [[nodiscard]] const std::string& file() const { return file_; }
 
   private:
     std::string file_;
     std::size_t read_ = 0;  ///< bytes
+    int wait_until_ = 0;    ///< frame
 };
 
 }  // namespace deixis::conditions

@@ -179,7 +179,7 @@ bool tellInstanceLoss(XrEventDataBuffer* buffer) {
 XrResult XRAPI_CALL xrPollEvent(XrInstance instance, XrEventDataBuffer* buffer) {
     UNLESS_LOST("xrPollEvent");
     Layer& l = *layer;
-    l.commands.read(l.now);
+    l.commands.read(l.now, l.counts.begun);
     l.states.allow(l.now.most);
     if (std::exchange(l.now.exit, false)) l.next.RequestExitSession(l.session);
     if (std::exchange(l.now.announce_session_loss, false)) l.states.tell(XR_SESSION_STATE_LOSS_PENDING);
@@ -370,7 +370,7 @@ XrResult XRAPI_CALL xrGetInstanceProcAddr(XrInstance instance, const char* name,
 XrResult XRAPI_CALL createLayerInstance(const XrInstanceCreateInfo* info, const LayerCreateInfo* layer_info,
                                         XrInstance* instance) {
     layer = std::make_unique<Layer>();
-    layer->commands.read(layer->now);
+    layer->commands.read(layer->now, layer->counts.begun);
     LayerCreateInfo for_next = *layer_info;
     for_next.next_info = layer_info->next_info->next;
     const XrResult result = layer_info->next_info->next_create_layer_instance(info, &for_next, instance);

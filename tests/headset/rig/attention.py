@@ -152,7 +152,7 @@ def strayed_participant(settings):
         require_clean_end(rig)
         count = checks.check_exactly_given(database, person.given)
         require(count == 6, f"{count} answers instead of 6")
-        with Database(database) as db:
+        with Database(database, tracking=True) as db:
             off = db.value("select max_off_place_m from trial_tracking where trial_index = ?", strayed)
             require(0.55 < off < 0.65, f"the strayed trial is marked with {off:.2f} m")
             marked = [row["trial_index"] for row in db.rows("select * from events where kind = 'off_place'")]

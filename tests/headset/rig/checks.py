@@ -5,6 +5,7 @@ import sqlite3
 import statistics
 from dataclasses import dataclass
 
+import tracked
 from geometry import Pose, angle_between_deg, length, subtract, turned_about_y
 
 
@@ -18,11 +19,14 @@ def require(condition, message):
 
 
 class Database:
-    """Read only, while the program may still write."""
+    """Read only, while the program may still write. `tracking`: tracked frames are unpacked, into a table of that
+    name."""
 
-    def __init__(self, path):
+    def __init__(self, path, tracking=False):
         self._connection = sqlite3.connect(f"file:{path}?mode=ro", uri=True, timeout=5.0)
         self._connection.row_factory = sqlite3.Row
+        if tracking:
+            tracked.unpack(self._connection)
 
     def rows(self, query, *values):
         return self._connection.execute(query, values).fetchall()
@@ -40,12 +44,20 @@ class Database:
         self.close()
 
 
+# With what single ratings came to.
+RESPONSES = (
+    "select r.*, t.stage, t.practice, a.value as rating from responses r "
+    "join trials t on t.participant = r.participant and t.trial_index = r.trial_index "
+    "left join answers a on a.response = r.id and a.question = 'rating'"
+)
+
+
 def answers(path):
     """(trial, rating or place) of every stored answer, in order."""
     with Database(path) as db:
         return [
             (row["trial_index"], row["rating"] if row["rating"] is not None else row["chosen_place"])
-            for row in db.rows("select * from responses order by trial_index")
+            for row in db.rows(f"{RESPONSES} order by r.trial_index")
         ]
 
 
@@ -58,14 +70,12 @@ def frame_period_s(db):
 
 
 def check_exactly_given(path, given):
-    """The scored answers are the participant's, one for one, and so are those of the practice."""
+    """The answers are the participant's, one for one, those of the practice too. How many are scored."""
     with Database(path) as db:
-        scored = {r["trial_index"] for r in db.rows("select trial_index from trials where practice = 0")}
-        stored = {r["trial_index"]: r for r in db.rows("select * from responses")}
-        expected = {index for index in given if index in scored}
+        stored = {row["trial_index"]: row for row in db.rows(RESPONSES)}
         require(
-            set(stored) == expected,
-            f"answers to the trials {sorted(stored)} are stored, to {sorted(expected)} they were given",
+            set(stored) == set(given),
+            f"answers to the trials {sorted(stored)} are stored, to {sorted(given)} they were given",
         )
         require(db.value("select count(*) from responses") == len(stored), "a trial was answered twice")
         for index, row in stored.items():
@@ -75,16 +85,14 @@ def check_exactly_given(path, given):
                 got == (want.rating, want.place),
                 f"trial {index}: rating and place {got} are stored, {(want.rating, want.place)} were given",
             )
+            require(row["status"] == "answered", f"trial {index} is {row['status']}")
             require(row["input"] == "ray", f"trial {index} was answered by '{row['input']}'")
-        events = db.rows("select detail from events where kind = 'practice_answer' order by id")
-        practice = [row["detail"] for row in events]
-        wanted = [g for index, g in sorted(given.items()) if index not in scored]
-        said = [f"rating {g.rating}" if g.rating else f"place {g.place}" for g in wanted]
+        scored = db.value("select count(*) from responses_flat where scored = 1")
         require(
-            len(practice) == len(said) and all(p.startswith(s) for p, s in zip(practice, said)),
-            f"practice answers {practice} are stored, {said} were given",
+            scored == sum(not row["practice"] for row in stored.values()),
+            f"{scored} answers are scored of {len(stored)}",
         )
-        return len(stored)
+        return scored
 
 
 def check_balls(path, given):
@@ -92,7 +100,7 @@ def check_balls(path, given):
     with Database(path) as db:
         for row in db.rows(
             "select t.trial_index, t.balls, t.target_place, r.chosen_place, r.correct from trials t join responses r "
-            "on r.participant = t.participant and r.trial_index = t.trial_index where t.stage = 'game'"
+            "on r.participant = t.participant and r.trial_index = t.trial_index where t.kind = 'referential-game'"
         ):
             balls = json.loads(row["balls"])
             aimed = given[row["trial_index"]].ball
@@ -106,7 +114,7 @@ def check_balls(path, given):
 
 def check_times(path, given):
     """Onset, end of the motion and answer in order; response times those of the presses."""
-    with Database(path) as db:
+    with Database(path, tracking=True) as db:
         period = frame_period_s(db)
         for row in db.rows("select * from responses"):
             trial = row["trial_index"]
@@ -149,7 +157,7 @@ def check_heads(path, given, anchor):
 
 def check_tracking(path):
     """A row a frame, times going up, the head measured throughout."""
-    with Database(path) as db:
+    with Database(path, tracking=True) as db:
         rows = db.rows("select * from tracking order by session, frame")
         require(len(rows) > 100, f"only {len(rows)} frames were tracked")
         for before, after in zip(rows, rows[1:]):
@@ -172,7 +180,7 @@ def check_tracking(path):
 
 def check_places(path):
     """In each trial's frames the head is as far from the place of the trial's layout as is recorded."""
-    with Database(path) as db:
+    with Database(path, tracking=True) as db:
         for row in db.rows(
             "select k.*, l.viewer_x_m, l.viewer_z_m from tracking k join sessions s on s.id = k.session "
             "join trials t on t.participant = s.participant and t.trial_index = k.trial_index "
@@ -199,7 +207,7 @@ class Work:
 
 
 def work_of_frames(path):
-    with Database(path) as db:
+    with Database(path, tracking=True) as db:
         rows = db.rows("select submitted_s - begun_s as work_s from tracking order by session, frame")
     work_s = sorted(row["work_s"] for row in rows[20:])  # the first ones load things
     return Work(statistics.median(work_s), work_s[len(work_s) * 99 // 100], work_s[-1])

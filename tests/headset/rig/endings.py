@@ -36,7 +36,7 @@ class Sessions:
         """Up to the first page; all answers so far are there."""
         trace = self.run(*conditions)
         trace.wait("first page", lambda line: line["state"] in PAGES, 60.0)
-        first = "welcome-back" if self.answered else "welcome"
+        first = "welcome-back" if self.answered else "instructions"
         require(trace.now["state"] == first, f"run {self.runs} began with '{trace.now['state']}'")
         require(checks.answers(self.database) == self.answered, "earlier answers are not as they were")
         return trace
@@ -149,7 +149,7 @@ def ended_by_runtime(settings):
         require_clean_end(rig)
         count = checks.check_exactly_given(sessions.database, sessions.person.given)
         require(count == 6, f"{count} answers instead of 6")
-        with Database(sessions.database) as db:
+        with Database(sessions.database, tracking=True) as db:
             seen = db.value("select count(*) from tracking where gaze_validity is not null")
             require(seen == 0, f"{seen} frames say something of a gaze that the study did not ask for")
         for run in range(2, sessions.runs + 1):
@@ -165,7 +165,7 @@ def in_local_space(person, trace):
 
 def check_eye_height(sessions, height_m):
     """The last session's heads are that high, within what the participant leans."""
-    with Database(sessions.database) as db:
+    with Database(sessions.database, tracking=True) as db:
         rows = db.rows(
             "select head_y_m from tracking where session = (select max(id) from sessions) and head_validity = 7"
         )

@@ -56,10 +56,16 @@ def looking_along(direction):
     return multiply(turned_about_y(yaw), turned_about_x(pitch))
 
 
+def angle_deg(a, b):
+    """Between two directions."""
+    cosine = sum(x * y for x, y in zip(a, b)) / (length(a) * length(b))
+    return math.degrees(math.acos(max(-1.0, min(1.0, cosine))))
+
+
 def angle_between_deg(a, b):
-    """Between two rotations."""
-    cosine = abs(sum(x * y for x, y in zip(a, b)))
-    return math.degrees(2.0 * math.acos(min(1.0, cosine)))
+    """Between two rotations, of whatever length: those that were stored are rounded."""
+    turn = multiply((a[0], -a[1], -a[2], -a[3]), b)
+    return math.degrees(2.0 * math.atan2(length(turn[1:]), abs(turn[0])))
 
 
 @dataclass

@@ -11,8 +11,7 @@ from participant import FIRST_RATING, PAGES, Choices, Participant
 from processes import until
 from scenarios import require_clean_end, require_valid, tiny_study
 
-BLINK_S = 0.1  # a loss of sight too short to pause for
-GUESS_S = 0.5  # a guess as short
+GUESS_S = 0.5  # a guess too short to pause for
 UNSEEN_S = 0.8  # longer than that
 GAZE_DEG = (12.0, -8.0)  # left and up of straight ahead
 
@@ -76,11 +75,12 @@ def interrupted_participant(settings):
 
         play(choosing)
         lost = trace.now["trial"]
-        for blink in ("lost", "turning", "guessed"):
-            rig.conditions.say(f"head {blink}")
-            trace.settle(BLINK_S if blink != "guessed" else GUESS_S)
-            rig.conditions.say("head tracked")
-            trace.settle(0.3)
+        blink(rig, trace, "lost")
+        blink(rig, trace, "turning")
+        rig.conditions.say("head guessed")
+        trace.settle(GUESS_S)
+        rig.conditions.say("head tracked")
+        trace.settle(0.3)
         require(choosing(trace.now), f"a short loss of sight has led to '{trace.now['state']}'")
         require_paused_until_resumed(rig, person, "head lost", "tracking lost", unfocused=False)
         require_unanswered(trace, "resuming")
@@ -98,7 +98,7 @@ def interrupted_participant(settings):
         checks.check_balls(database, person.given)
         checks.check_places(database)
         counts = require_frames_paired(rig)
-        with Database(database) as db:
+        with Database(database, tracking=True) as db:
             reasons = [r["detail"] for r in db.rows("select detail from events where kind = 'pause' order by id")]
             wanted = ["headset taken off", "focus lost", "tracking lost", "tracking lost"]
             require(reasons == wanted, f"the pauses are {reasons}")
@@ -113,15 +113,18 @@ def interrupted_participant(settings):
         return f"{count} answers, {hidden} frames hidden, {unseen} without a head, recentred by {shift:.2f} m"
 
 
+def blink(rig, trace, kind):
+    """A loss of sight of a single frame: too short to pause for."""
+    rig.conditions.say(f"head {kind}", "wait 1", "head tracked")
+    trace.settle(0.4)
+
+
 def recentre(rig, person, trace):
     """The participant stands off the place and is out of sight for a moment, which brings nobody back; the runtime
     moves its space; this is the place from then on."""
     person.step_aside(0.6)
     trace.wait("request to step back", lambda line: "back" in line["notice"].lower())
-    rig.conditions.say("head lost")
-    trace.settle(BLINK_S)
-    rig.conditions.say("head tracked")
-    trace.settle(0.2)
+    blink(rig, trace, "lost")
     placed = len(trace.note("placement"))
     rig.conditions.say("recentre 0.5 -0.3 40 300")
     trace.wait("another place", lambda line: len(trace.note("placement")) > placed)
@@ -225,7 +228,7 @@ def repeated_trials(settings):
         require(count == 4, f"{count} answers instead of 4")
         require_frames_paired(rig)
         checks.check_times(database, person.given)
-        with Database(database) as db:
+        with Database(database, tracking=True) as db:
             check_repeated(db, repeated)
             gazes = check_gaze(db)
         require_valid(rig)

@@ -10,7 +10,7 @@ GO_ON = 1  # ids of buttons on panels
 RESUME = 2
 FIRST_RATING = 101
 
-PAGES = ("welcome", "welcome-back", "instructions", "practice", "begin", "break", "goodbye")
+PAGES = ("instructions", "break", "welcome-back", "practice-again", "attention", "closing")
 READING_S = 0.5  # a page takes no input right after it came up
 AIMING_S = 3.0  # until what is aimed at must have lit up
 
@@ -66,6 +66,11 @@ class Participant:
 
     # Where a hand may be held: one of them sees each ball past the others.
     _REACHES = ((0.0, 0.0), (0.12, 0.2), (-0.2, 0.3), (0.25, -0.15), (-0.3, 0.0))
+
+    def reaches(self):
+        """Holds the hand in one place after the other."""
+        for self._reach in range(len(self._REACHES)):
+            yield self._reach
 
     def _hand_position(self, hand):
         right, up = self._REACHES[self._reach % len(self._REACHES)]
@@ -139,8 +144,7 @@ class Participant:
     def _aim_until(self, trace, what, centre, lit):
         """Holds the hand elsewhere where something is in the way; aims anew where the scene was moved around the
         participant, which is told a frame after it is seen."""
-        for attempt in range(len(self._REACHES)):
-            self._reach = attempt
+        for attempt in self.reaches():
             try:
                 placement = None
                 while trace.placement is not placement:
@@ -163,16 +167,11 @@ class Participant:
         return at
 
     def leave_page(self, trace):
-        state, status = trace.now["state"], trace.now["status"]
+        page = self._key(trace.now)
         end = time.monotonic() + READING_S
         self.hover_button(trace, GO_ON)
         trace.settle(max(0.0, end - time.monotonic()))
-        if state == "goodbye":
-            self.trigger(True)
-            return
-        self.press_until(
-            trace, f"next page after '{state}'", lambda now: (now["state"], now["status"]) != (state, status)
-        )
+        self.press_until(trace, f"something after page {page}", lambda now: self._key(now) != page)
         self.rest_hands()
 
     def resume(self, trace):
@@ -200,7 +199,7 @@ class Participant:
         self.given[trial] = Given(trial, head=self.head, **answer)
 
     def take_part(self, trace, choices, stop=None, watch=None):
-        """Goes on until the last page was left or stop(line) says so. `choices`: a Choices. watch(line) is told of
+        """Goes on until the session is over or stop(line) says so. `choices`: a Choices. watch(line) is told of
         every state before the participant acts on it."""
         while True:
             line = trace.now
@@ -211,10 +210,10 @@ class Participant:
                 if trace.now is not line:
                     continue  # the watcher took its time
             state = line["state"]
+            if state == "over":
+                return
             if state in PAGES:
                 self.leave_page(trace)
-                if state == "goodbye":
-                    return
                 continue
             if state == "rating":
                 self._move(line["trial"])
@@ -233,7 +232,7 @@ class Participant:
 
     @staticmethod
     def _key(line):
-        return line["state"], line["trial"], line["status"]
+        return line["state"], line["stage"], line["trial"], line["status"]
 
     def _move(self, trial):
         """People do not stand still: another small lean and turn for each trial."""

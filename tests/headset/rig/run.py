@@ -14,7 +14,7 @@ from pathlib import Path
 import attention
 import endings
 import interruptions
-import pictures
+import kinds
 import scenarios
 
 REPOSITORY = Path(__file__).resolve().parents[3]
@@ -29,7 +29,7 @@ SCENARIOS = {
     "interrupted": interruptions.interrupted_participant,
     "repeated": interruptions.repeated_trials,
     "endings": endings.ended_by_runtime,
-    "pictures": pictures.pictures,
+    "kinds": kinds.every_kind,
     "soak": scenarios.soak,
 }
 

@@ -28,9 +28,10 @@ class Settings:
         return Rig(self.runs / name, self.program, **more)
 
 
-def changed_study(rig, name, *changes):
-    """The short study with parts of its text replaced."""
-    text = STUDY.read_text()
+def changed_study(rig, name, *changes, without=None):
+    """The short study with parts of its text replaced, and without stages of a kind."""
+    head, *stages = STUDY.read_text().split("[[stages]]")
+    text = "[[stages]]".join([head, *(one for one in stages if f'kind = "{without}"' not in one)])
     for old, new in changes:
         require(old in text, f"'{old}' is not in {STUDY}")
         text = text.replace(old, new)
@@ -42,8 +43,8 @@ def changed_study(rig, name, *changes):
 def tiny_study(rig):
     """2 ratings and 4 choices, no practice, no break."""
     return changed_study(
-        rig, "tiny", ("items = 2", "items = 1"), ("items = 4", "items = 2"), ("practice = 1", "practice = 0"),
-        ("practice = 2", "practice = 0"), ("break_every = 4", "break_every = 0"),
+        rig, "tiny", ("items = 2", "items = 1"), ("items = 4", "items = 2"),
+        ('break_every = 4\nbreak_text = "A short break."\n', ""), without="practice",
     )
 
 
@@ -51,7 +52,7 @@ def long_study(rig, seconds):
     """About so long: the short study takes a minute."""
     times = max(1, round(seconds / 60.0))
     return changed_study(
-        rig, "long", ("items = 2", f"items = {2 * times}"), ("items = 4", f"items = {4 * times}"),
+        rig, "long", ('"rating"\nitems = 2', f'"rating"\nitems = {2 * times}'), ("items = 4", f"items = {4 * times}"),
         ("count = 30", f"count = {30 * times}"), ("break_every = 4", f"break_every = {4 * times}"),
     )
 
@@ -120,12 +121,12 @@ def simple_controllers(settings):
         database = rig.folder / "short.sqlite"
         rig.start_service()
         trace = rig.run(STUDY, database)
-        trace.wait("first page", lambda line: line["state"] == "welcome", 60.0)
+        trace.wait("first page", lambda line: line["stage"] == "welcome", 60.0)
         frames = until("100 tracked frames", lambda: tracked_frames(database) > 100 and tracked_frames(database), 60.0)
         rig.close_window("P01")
         status = rig.deixis.wait(30.0)
         require(status == 0, f"the program ended with status {status}; see {rig.deixis.log}")
-        with Database(database) as db:
+        with Database(database, tracking=True) as db:
             profiles = [r["detail"] for r in db.rows("select detail from events where kind = 'input_profile'")]
             require(
                 any("khr/simple_controller" in profile for profile in profiles), f"the input profiles were {profiles}"
@@ -141,7 +142,7 @@ def simple_controllers(settings):
 def tracked_frames(database):
     try:
         with Database(database) as db:
-            return db.value("select count(*) from tracking")
+            return db.value("select coalesce(sum(frames), 0) from tracking_blocks")
     except Exception:  # the file or its tables are not made yet
         return 0
 
