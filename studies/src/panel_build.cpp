@@ -275,13 +275,21 @@ void Builder::question(const std::string& question, const std::string& hint,
                        const std::optional<ButtonSpec>& spec) {
     const double button_m = spec ? std::min(buttonWidth(spec->label, spec->role), 0.5 * inner()) : 0.0;
     const double width_m = inner() - (spec ? button_m + gap_m : 0.0);
-    const double question_m = textHeight(question, question_size_m, width_m);
-    const double hint_m = textHeight(hint, label_size_m, width_m);
-    const double texts_m = question_m + hint_m + (hint.empty() ? 0.0 : label_gap_m);
-    const double row_m = std::max(texts_m, spec ? button_height_m : 0.0);
-    const double texts_top = top_ - (row_m - texts_m) / 2.0;
-    text(question, margin_m, texts_top, width_m, {question_size_m, true, !spec});
-    text(hint, margin_m, texts_top - question_m - label_gap_m, width_m, {label_size_m, false, !spec, true});
+    const double least_m = spec ? button_height_m : 0.0;
+    TextStyle style{question_size_m, true, !spec};
+    double row_m = 0.0;
+    if (hint.empty()) {
+        style.least_height_m = least_m;  // level with the button
+        row_m = text(question, margin_m, top_, width_m, style);
+    } else {
+        const double question_m = textHeight(question, question_size_m, width_m);
+        const double texts_m = question_m + label_gap_m + textHeight(hint, label_size_m, width_m);
+        row_m = std::max(texts_m, least_m);
+        const double texts_top = top_ - (row_m - texts_m) / 2.0;
+        text(question, margin_m, texts_top, width_m, style);
+        text(hint, margin_m, texts_top - question_m - label_gap_m, width_m,
+             {label_size_m, false, !spec, true});
+    }
     if (spec)
         button(*spec, panel_.width_m - margin_m - button_m, top_ - (row_m - button_height_m) / 2.0, button_m,
                button_height_m);

@@ -122,8 +122,12 @@ renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose&
 
 renderer::Board noticeBoard(const std::string& sentence, double line_m) {
     renderer::Board board;
-    const double letters_m = 0.52 * line_m * static_cast<double>(sentence.size());
-    board.width_m = std::clamp(letters_m + 3.5 * line_m, 11.0 * line_m, 26.0 * line_m);
+    double letters = 0.0;
+    for (const char byte : sentence) {
+        const auto lead = static_cast<unsigned char>(byte);
+        if (lead < 0x80U || lead >= 0xC0U) letters += lead < 0xE0U ? 0.52 : 0.75;
+    }
+    board.width_m = std::clamp(letters * line_m + 3.5 * line_m, 11.0 * line_m, 26.0 * line_m);
     board.height_m = 3.2 * line_m;
     renderer::BoardText text;
     text.box = {0.9 * line_m, 0.5 * line_m, board.width_m - 1.8 * line_m, 2.2 * line_m};
