@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
-# Makes the README pictures with the program itself: docs/images/*. The report is pictured by Chromium.
+# Makes the pictures of the documents with the program itself: docs/images/*, but for headset.png, which needs a headset's
+# runtime. The report is pictured by Chromium; the experimenter's window and the replay need somebody at a desktop: a
+# scripted person on a virtual display.
 #   scripts/pictures.sh [PROGRAM]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -9,13 +11,29 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p docs/images
 
-"$program" run pointing2023 --station simulated --participant P01 --db "$scratch/one.sqlite" --size 1280x720 \
-    --screenshot rating=docs/images/naturalness.png \
-    --screenshot aiming-across=docs/images/across.png \
-    --screenshot pointing-side-by-side=docs/images/side-by-side.png
-"$program" simulate pointing2023 --participants 39 --db "$scratch/study.sqlite"
-"$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
+# STUDY PARTICIPANT STATE=PICTURE ...
+session() {
+    local study=$1 participant=$2 options=()
+    shift 2
+    for wanted in "$@"; do options+=(--screenshot "${wanted%%=*}=docs/images/${wanted#*=}.png"); done
+    "$program" run "$study" --station simulated --participant "$participant" --db "$scratch/$study.sqlite" "${options[@]}"
+}
+session pointing2023 P01 rating=naturalness aiming-across=across pointing-side-by-side=side-by-side
+session sgtoolkit2021 P12 check=parallel # the check is at the third movement of its page: two are rated by then
+session genea-pairwise P01 pointing=pairwise
 "$program" targets pointing2023 --picture docs/images/targets.svg >/dev/null
-command -v chromium >/dev/null || { echo "pictures.sh: no chromium, the report's picture stays as it was" >&2; exit 0; }
-chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1280,1440 \
-    --user-data-dir="$scratch/browser" --screenshot="$PWD/docs/images/report.png" "file://$scratch/report.html" 2>/dev/null
+
+# What is missing here keeps its picture.
+has() {
+    command -v "$1" >/dev/null || { echo "pictures.sh: no $1, $2 stays as it was" >&2; return 1; }
+}
+if has Xvfb operator.png && has xdotool operator.png && has import operator.png; then
+    python3 -B tests/desktop/rig/for_documents.py --program "$program" --folder docs/images
+fi
+if has chromium report.png; then
+    "$program" simulate pointing2023 --participants 39 --db "$scratch/study.sqlite"
+    "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
+    chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1280,990 \
+        --user-data-dir="$scratch/browser" --screenshot="$PWD/docs/images/report.png" "file://$scratch/report.html" \
+        2>/dev/null
+fi

@@ -16,8 +16,8 @@ class Desktop(Rig):
 
     open = []  # those that have processes
 
-    def __init__(self, folder, program, size):
-        super().__init__(folder, program, driver="none", screen="1280x800")
+    def __init__(self, folder, program, size, screen="1280x800"):
+        super().__init__(folder, program, driver="none", screen=screen)
         self.open.append(self)
         self._size = size
         self.mouse = None
