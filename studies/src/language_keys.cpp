@@ -77,7 +77,7 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
         {"notice_second_left", "1 second left."},
 
         // Answers.
-        {"attention_number", "Please rate this movement: {number}"},
+        {"attention_number", "Please rate this movement:"},
         {"left", "Left"},
         {"right", "Right"},
         {"prefer_left_clearly", "Clearly left"},

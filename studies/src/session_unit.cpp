@@ -27,8 +27,8 @@ void TrialUnit::showSign(const InputFrame& input, bool on_right) {
     const int found = core_.avatar.find("head");
     const auto head = static_cast<std::size_t>(found < 0 ? 0 : found);
     const std::string number = fmt::format("{}", trial_.check->expected);
-    core_.view.showSign(core_.words()("attention_number", {{"number", number}}), number,
-                        joints.at(head).position, core_.eyes(input));
+    core_.view.showSign(core_.words()("attention_number"), number, joints.at(head).position,
+                        core_.eyes(input));
 }
 
 void TrialUnit::give(const InputFrame& input, double given_s, const char* by) {

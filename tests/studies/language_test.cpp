@@ -130,7 +130,6 @@ TEST_SUITE("studies/language") {
         const LanguageTable& english = LanguageTable::english();
         CHECK(english("page_of", {{"page", "2"}, {"pages", "5"}}) == "Page 2 of 5");
         CHECK(english("page_of", {{"pages", "{page}"}, {"page", "{pages}"}}) == "Page {pages} of {page}");
-        CHECK(english("attention_number", {{"number", "4"}}) == "Please rate this movement: 4");
         CHECK(english("continue", {}) == "Continue");
         const auto korean = LanguageTable::load(shipped / "ko.toml");
         REQUIRE(korean.has_value());
