@@ -16,7 +16,7 @@ from scenarios import HERE, require_clean_end, require_valid
 STUDY = HERE / "kinds.toml"
 PICTURES = (
     ["consent-consent", "instructions", "rest", "goodbye"]
-    + [f"about-you-questionnaire-{page}{how}" for page in (1, 2, 3) for how in ("", "-answered")]
+    + [f"about-you-questionnaire-{page}{how}" for page in (1, 2) for how in ("", "-answered")]
     + [f"parallel-{state}" for state in ("listening", "listening-answered", "check")]
     + [f"pair-{state}" for state in ("comparing", "comparing-answered", "playing", "reasons", "reasons-answered")]
     + [f"naturalness-{state}" for state in ("playing", "rating", "rating-answered")]
@@ -81,7 +81,7 @@ def check_participant(database):
             "select a.* from answers a join responses r on r.id = a.response "
             "join trials t using (participant, trial_index) where t.stage = 'about-you'"
         )
-    require(len(answers) == 6 and "words" not in fields, f"of the participant is kept {fields}")
+    require(len(answers) == 5 and "words" not in fields, f"of the participant is kept {fields}")
     for row in answers:
         answered = (row["value"], row["text"])
         require(

@@ -8,7 +8,7 @@ from processes import until
 
 SCREEN = "1920x1080"  # the compositor's window fills it
 # Drawn by the processor: at full resolution a frame would take a second. Text has its own resolution.
-DRAWN_SMALLER = ("--resolution-scale", "0.4")
+DRAWN_SMALLER = ("--resolution-scale", "0.3")
 
 
 class Camera:
