@@ -162,7 +162,7 @@ void addFootLine(renderer::Board& board, const std::string& words) {
     const double width_m = board.width_m - 0.08;
     const bool two_lines = letter_m * static_cast<double>(words.size()) > width_m;
     const double lines = two_lines ? 2.0 : 1.0;
-    const double foot_m = board.progress >= 0.0 ? 1.1 * line_m : 0.7 * line_m;  // over the bar
+    const double foot_m = board.progress >= 0.0 ? 1.1 * line_m : line_m;  // over the bar
     const double added_m = foot_m + (lines + 0.4) * line_m;
     for (auto& text : board.texts) text.box.y += added_m;
     for (auto& button : board.buttons) button.box.y += added_m;

@@ -105,4 +105,4 @@ class Mouse:
     def type(self, text):
         """What is on no key gets one for a moment, which must be long enough for a slow frame to see it."""
         for part in re.findall(r"[ -~]+|[^ -~]", text):
-            self.do("type", "--delay", 60 if part.isascii() else 1500, "--", part)
+            self.do("type", "--delay", 60 if part.isascii() else 4000, "--", part)
