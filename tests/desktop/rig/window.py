@@ -103,6 +103,7 @@ class Mouse:
         return self.do("keydown" if down else "keyup", name)
 
     def type(self, text):
-        """What is on no key gets one for a moment, which must be long enough for a slow frame to see it."""
+        """What is on no key gets one for 0.6 s: long enough for a slow frame to see it, and shorter than what
+        the display takes for a key that is held, and repeats."""
         for part in re.findall(r"[ -~]+|[^ -~]", text):
-            self.do("type", "--delay", 60 if part.isascii() else 4000, "--", part)
+            self.do("type", "--delay", 60 if part.isascii() else 2400, "--", part)
