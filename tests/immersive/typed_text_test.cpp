@@ -10,7 +10,7 @@ using deixis::app::TypedText;
 namespace {
 
 /// What a session makes of the parts: characters are added, then as many taken away.
-void apply(const TypedText::Part& part, std::string& text) {
+void applyTo(const TypedText::Part& part, std::string& text) {
     text += part.typed;
     for (int i = 0; i < part.erased && !text.empty(); ++i) {
         while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
@@ -69,9 +69,9 @@ TEST_SUITE("immersive/typed_text") {
                     text.erase();
                     if (!wanted.empty()) wanted.pop_back();
                 }
-                if (random() % 3 == 0) apply(text.take(), seen);
+                if (random() % 3 == 0) applyTo(text.take(), seen);
             }
-            for (int i = 0; i < 40; ++i) apply(text.take(), seen);
+            for (int i = 0; i < 40; ++i) applyTo(text.take(), seen);
             TypedText again;
             for (const char32_t c : wanted) again.type(c);
             CHECK(seen == again.take().typed);
