@@ -49,8 +49,8 @@ class Photographer:
     """Takes the wanted pictures, each once: of states as they come up, and of boards ("-answered") when a press leaves
     them."""
 
-    # When the compositor shows it: feedback is gone soon, a movement must have begun.
-    SHOWN_S = {"feedback": 0.2, "playing": 0.8, "pointing": 0.3}
+    # When the compositor shows it; a movement must have begun.
+    SHOWN_S = {"playing": 0.8, "pointing": 0.3}
 
     def __init__(self, camera, trace, wanted):
         self._camera = camera
@@ -73,7 +73,8 @@ class Photographer:
         if name in self._camera.taken or name not in self._wanted:
             return
         self._trace.settle(self.SHOWN_S.get(state.split("-")[0], 0.5))
-        if self._trace.now["state"] == state:
+        # The compositor is late: it may still show what is over.
+        if self._trace.now["state"] == state or state.startswith("feedback"):
             self._camera.take(name)
 
 

@@ -96,6 +96,10 @@ class RayHands(Hands):
         self.body.stand()
         return begun, ended
 
+    def drag_slider(self, number, value):
+        super().drag_slider(number, value)
+        self.body.stand()
+
     def press_key(self, name, done):
         raise AssertionError(f"key {name}: there is no keyboard in a headset")
 
