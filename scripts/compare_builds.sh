@@ -1,23 +1,27 @@
 #!/usr/bin/env bash
-# Two builds of the program, such as one by gcc and one by clang, must give the same plan, the same clips, the same
-# simulated answers and the same report, byte for byte.
+# Two builds of the program, such as one by gcc and one by clang, must give the same plans, the same clips, the same
+# simulated answers and the same reports, byte for byte, in every study that ships.
 #   scripts/compare_builds.sh build/dev/deixis build/offline/deixis
 set -euo pipefail
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+studies=$(basename -s .toml assets/data/studies/*.toml)
 for which in 1 2; do
     program=$(realpath "${!which}")
     mkdir "$scratch/$which"
     cd "$scratch/$which"
-    "$program" plan pointing2023 --participant P07 --json >plan.json
-    "$program" simulate pointing2023 --participants 5 --db study.sqlite >/dev/null
-    "$program" report study.sqlite -o report.html --json analysis.json >/dev/null
-    sqlite3 -readonly study.sqlite \
-        "select participant, trial_index, rating, chosen_place, response_time_s, clip_hash from responses order by 1, 2" \
-        >answers.txt
-    [ "$(wc -l <answers.txt)" -eq 300 ]
-    rm study.sqlite
+    for study in $studies; do
+        "$program" plan "$study" --participant P07 --json >"$study-plan.json"
+        "$program" simulate "$study" --participants 3 --db study.sqlite --stimuli stimuli >/dev/null
+        "$program" report study.sqlite -o "$study.html" --json "$study.json" >/dev/null
+        sqlite3 -readonly study.sqlite \
+            "select participant, trial_index, status, chosen_place, response_time_s, question, stimulus, value, text
+             from responses left join answers on response = id order by 1, 2, position" >"$study-answers.txt"
+        [ "$(wc -l <"$study-answers.txt")" -ge 40 ]
+        rm -f study.*
+    done
     cd "$OLDPWD"
 done
 diff -rq "$scratch/1" "$scratch/2" || { echo "compare: the two builds differ in the above"; exit 1; }
-echo "compare: plans, $(find "$scratch/1/stimuli" -name '*.bvh' | wc -l) clips, 300 simulated answers and reports are byte-equal"
+echo "compare: plans, $(find "$scratch/1/stimuli" -name '*.bvh' | wc -l) clips," \
+    "$(cat "$scratch"/1/*-answers.txt | wc -l) simulated answers and reports of $(wc -w <<<"$studies") studies are byte-equal"
