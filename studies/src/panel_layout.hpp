@@ -155,6 +155,11 @@ struct QuestionnaireBoard {
 /// Lower and nearer still, where balls are shown that it must not cover: the game.
 [[nodiscard]] Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
+/// Like it, but turned aside by as much as it takes to hide none of the balls from the viewer's eyes. Where
+/// they are all around, it stands where it would without them.
+[[nodiscard]] Pose deskPoseBesideBalls(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
+                                       const std::vector<BallView>& balls);
+
 // Pointing at them.
 
 struct PanelHit {

@@ -18,30 +18,36 @@ constexpr double bench_top_below_eyes_m = 0.39;  // 15 degrees: the hips of an a
 constexpr double desk_distance_m = 1.1;
 constexpr double desk_below_eyes_m = 0.72;
 constexpr double desk_tilt_rad = radiansFromDegrees(32.0);
-constexpr double above_floor_m = 0.15;     // a board's foot, before a seated person
+constexpr double desk_step_rad = radiansFromDegrees(5.0);  // to one side or the other of balls that it hides
+constexpr int desk_steps = 12;                             // 60 degrees
+constexpr double clear_of_ball = 1.3;                      // radii of a ball around its centre
+constexpr double above_floor_m = 0.15;                     // a board's foot, before a seated person
 constexpr double avatar_reach_m = 0.38;    // half its width with the arms hanging, and a little air
 constexpr double sign_above_head_m = 0.3;  // from the head joint: hair and some air
 
-/// How far to the left (radians) a panel must stand so that an avatar nearer than it does not cover it: where
-/// the viewer stands at the avatar's shoulder. 0 where the avatar is farther away than the panel.
-double bearingBesideAvatar(const Panel& panel, const Pose& stage_from_viewer, double distance_m) {
+/// How far to the left (radians) a panel must stand, at least at `bearing`, so that an avatar nearer than it
+/// does not cover it: where the viewer stands at the avatar's shoulder. `bearing` itself where the avatar is
+/// farther away than the panel.
+double bearingBesideAvatar(const Panel& panel, const Pose& stage_from_viewer, double distance_m,
+                           double bearing) {
     const Vec3 avatar = transformPoint(inverse(stage_from_viewer), Vec3(0.0));
     const double away_m = std::hypot(avatar.x, avatar.z);
-    if (away_m > distance_m + avatar_reach_m) return 0.0;
+    if (away_m > distance_m + avatar_reach_m) return bearing;
     const double avatar_bearing = std::atan2(-avatar.x, -avatar.z);
     const double apart =
         std::asin(std::min(1.0, avatar_reach_m / away_m)) + std::atan(panel.width_m / 2.0 / distance_m);
-    if (std::abs(avatar_bearing) >= apart) return 0.0;
-    return avatar_bearing > 0.0 ? avatar_bearing - apart : avatar_bearing + apart;
+    if (std::abs(avatar_bearing - bearing) >= apart) return bearing;
+    return avatar_bearing > bearing ? avatar_bearing - apart : avatar_bearing + apart;
 }
 
-/// The panel's centre at `distance_m` before the viewer and `height_m` above the floor, or as much higher as
-/// its foot needs, its top leaning away.
+/// The panel's centre at `distance_m` before the viewer (or as far to the left as told) and `height_m` above
+/// the floor, or as much higher as its foot needs, its top leaning away.
 Pose stand(const Panel& panel, const Pose& stage_from_viewer, double distance_m, double height_m,
-           double tilt_rad) {
+           double tilt_rad, double bearing = 0.0) {
     const double least_height_m = above_floor_m + panel.height_m / 2.0 * std::cos(tilt_rad);
     const Quat tilt(std::cos(tilt_rad / 2.0), -std::sin(tilt_rad / 2.0), 0.0, 0.0);
-    const Pose turned{Vec3(0.0), yawRotation(bearingBesideAvatar(panel, stage_from_viewer, distance_m))};
+    const double clear = bearingBesideAvatar(panel, stage_from_viewer, distance_m, bearing);
+    const Pose turned{Vec3(0.0), yawRotation(clear)};
     const Pose turned_from_centre{{0.0, std::max(height_m, least_height_m), -distance_m}, tilt};
     const Pose centre_from_corner{{-panel.width_m / 2.0, -panel.height_m / 2.0, 0.0}, no_rotation};
     return stage_from_viewer * turned * turned_from_centre * centre_from_corner;
@@ -56,6 +62,26 @@ Pose lectern(const Panel& panel, const Pose& stage_from_viewer, double eye_heigh
     const double tilt_rad = lectern_tilt_rad + std::atan2(below_eyes_m, lectern_distance_m) -
                             std::atan2(lectern_below_eyes_m, lectern_distance_m);
     return stand(panel, stage_from_viewer, lectern_distance_m, eye_height_m - below_eyes_m, tilt_rad);
+}
+
+Pose desk(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m, double bearing) {
+    return stand(panel, stage_from_viewer, desk_distance_m, eye_height_m - desk_below_eyes_m, desk_tilt_rad,
+                 bearing);
+}
+
+/// Whether the eyes see less than all of the ball and a little around it.
+bool hides(const Panel& panel, const Vec3& eyes, const BallView& ball) {
+    const Vec3 sight = ball.centre - eyes;
+    const Vec3 aside = glm::normalize(glm::cross(sight, up));
+    const Vec3 above = glm::normalize(glm::cross(aside, sight));
+    constexpr int around = 12;
+    for (int i = 0; i < around; ++i) {
+        const double angle = 2.0 * pi * i / around;
+        const Vec3 edge = clear_of_ball * ball.radius_m * (std::cos(angle) * aside + std::sin(angle) * above);
+        const auto hit = meetPanel(panel, {eyes, glm::normalize(sight + edge)});
+        if (hit && hit->distance_m < glm::length(sight)) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -73,7 +99,20 @@ Pose benchPose(const Panel& panel, const Pose& stage_from_viewer, double eye_hei
 }
 
 Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
-    return stand(panel, stage_from_viewer, desk_distance_m, eye_height_m - desk_below_eyes_m, desk_tilt_rad);
+    return desk(panel, stage_from_viewer, eye_height_m, 0.0);
+}
+
+Pose deskPoseBesideBalls(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
+                         const std::vector<BallView>& balls) {
+    const Vec3 eyes = stage_from_viewer.position + Vec3(0.0, eye_height_m, 0.0);
+    Panel placed = panel;
+    for (int step = 0; step <= desk_steps; ++step)
+        for (const double bearing : {step * desk_step_rad, -step * desk_step_rad}) {
+            placed.stage_from_panel = desk(panel, stage_from_viewer, eye_height_m, bearing);
+            const auto hidden = [&](const BallView& ball) { return hides(placed, eyes, ball); };
+            if (std::none_of(balls.begin(), balls.end(), hidden)) return placed.stage_from_panel;
+        }
+    return desk(panel, stage_from_viewer, eye_height_m, 0.0);
 }
 
 Pose signPose(const Panel& sign, const Vec3& avatar_head, const Vec3& eyes) {

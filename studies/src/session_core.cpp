@@ -69,7 +69,7 @@ void SessionCore::noteAt(const Moment& at, std::string kind, std::string detail)
 }
 
 void SessionCore::openPanel(Panel panel, const InputFrame& input, PanelPlace place) {
-    view.openPanel(std::move(panel), eyeHeight(input), place);
+    view.openPanel(std::move(panel), eyeHeight(input), std::move(place));
     panel_since_s = now.time_s;
 }
 

@@ -72,10 +72,16 @@ class GameTrial : public ClipTrial {
         aiming_ = false;
         showState("choosing");
         if (const auto again = replayButton())
-            core_.openPanel(gamePanel(task_.question, again), input, deskPose);
+            core_.openPanel(gamePanel(task_.question, again), input, besideBalls());
         else
             core_.view.closePanel();
         core_.view.aim(input.pointer, input.stage_from_head, true);
+    }
+
+    [[nodiscard]] PanelPlace besideBalls() const {
+        return [balls = core_.view.frame.balls](const Panel& panel, const Pose& viewer, double eye_m) {
+            return deskPoseBesideBalls(panel, viewer, eye_m, balls);
+        };
     }
 
     void stepAnswer(const InputFrame& input) override {

@@ -21,7 +21,7 @@ Panel ScaleAnswer::board() const {
 
 void ScaleAnswer::open(const InputFrame& input, std::optional<ButtonSpec> replay, PanelPlace place) {
     replay_ = std::move(replay);
-    core_.openPanel(board(), input, place);
+    core_.openPanel(board(), input, std::move(place));
 }
 
 std::optional<ScaleGiven> ScaleAnswer::step(const InputFrame& input, const Aim& met, const AnswerGate& gate,

@@ -42,7 +42,7 @@ bool SessionView::place(const Layout& layout) {
 
 void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace stand) {
     eye_height_m_ = eye_height_m;
-    stand_ = stand;
+    stand_ = std::move(stand);
     met_ = {};  // its buttons are others, also where their ids are the same
     grabbed_ = 0;
     updatePanel(std::move(panel));

@@ -1,6 +1,7 @@
 // The frame that a session presents: the viewer's place, the panel, the balls and what the ray meets on them.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -27,7 +28,8 @@ struct SliderSet {
 };
 
 /// Where a panel stands, from panel_layout.hpp.
-using PanelPlace = Pose (*)(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
+using PanelPlace =
+    std::function<Pose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m)>;
 
 /// Each change that a participant must see makes the frame a key moment.
 class SessionView {
@@ -61,7 +63,7 @@ class SessionView {
     Aim met_before_{};  ///< in the one before
     int grabbed_ = 0;   ///< the slider that is dragged; 0: none
     double eye_height_m_ = 0.0;
-    PanelPlace stand_ = nullptr;
+    PanelPlace stand_{};
 
     void lightUp(const Aim& met);
 };

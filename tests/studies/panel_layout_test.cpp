@@ -210,6 +210,47 @@ TEST_SUITE("studies/panel_layout") {
             }
     }
 
+    TEST_CASE("a board of the game turns aside from balls that it would hide, and no farther than it must") {
+        Panel panel = gamePanel("Which ball did the avatar point at?", ButtonSpec{"Show again", 4});
+        const Pose beside{{-0.6, 0.0, -0.95}, yawRotation(radiansFromDegrees(195.0))};
+        Random random(3);
+        int turned = 0;
+        for (const Pose& viewer : {across, beside})
+            for (int round = 0; round < 300; ++round) {
+                std::vector<BallView> balls(3);
+                for (BallView& ball : balls) {
+                    const double arc = random.uniform(radiansFromDegrees(-85.0), radiansFromDegrees(85.0));
+                    const double radius_m = random.uniform(1.9, 2.2);
+                    ball.radius_m = 0.05;
+                    ball.centre = {radius_m * std::sin(arc), random.uniform(0.1, 2.1),
+                                   radius_m * std::cos(arc)};
+                }
+                const Vec3 eye = viewer.position + Vec3(0.0, 1.62, 0.0);
+                const auto hidden = [&] {
+                    return std::any_of(balls.begin(), balls.end(), [&](const BallView& ball) {
+                        const Vec3 side = ball.radius_m * glm::normalize(glm::cross(ball.centre - eye, up));
+                        return hides(panel, eye, ball.centre) || hides(panel, eye, ball.centre + side) ||
+                               hides(panel, eye, ball.centre - side);
+                    });
+                };
+                panel.stage_from_panel = deskPose(panel, viewer, 1.62);
+                const bool would_hide = hidden();
+                const Vec3 without = centreOf(panel);
+                panel.stage_from_panel = deskPoseBesideBalls(panel, viewer, 1.62, balls);
+                CAPTURE(round);
+                CHECK_FALSE(hidden());
+                const bool moved = glm::length(centreOf(panel) - without) > 1e-9;
+                CHECK_MESSAGE((moved || !would_hide), "it hides a ball and stays");
+                if (moved) ++turned;
+                const Vec3 centre = centreOf(panel);
+                CHECK_MESSAGE(std::hypot(centre.x, centre.z) > 0.4, "it stands in the avatar");
+            }
+        CHECK(turned > 20);
+        CHECK(turned < 300);
+        panel.stage_from_panel = deskPose(panel, across, 1.62);
+        CHECK(deskPoseBesideBalls(panel, across, 1.62, {}).position == panel.stage_from_panel.position);
+    }
+
     TEST_CASE("no board reaches into the floor before a seated person") {
         for (Panel panel : {ratingBoard(), parallelBoard(6),
                             messagePanel("a", std::string(3000, 'x'), "", {{"b", 1}}, 0.5)})
