@@ -31,7 +31,8 @@ class Camera:
 
     def take(self, name):
         self.taken.add(name)
-        self._run("import", "-window", str(self._window), str(self._folder / f"{name}.png"))
+        quick = ("-define", "png:compression-level=1")
+        self._run("import", "-window", str(self._window), *quick, str(self._folder / f"{name}.png"))
 
     def _run(self, *command):
         subprocess.run(command, env=self._rig.environment, check=True)
