@@ -27,6 +27,17 @@ namespace {
 
 constexpr int kills = 200;
 
+/// Ends the process, as a kill does, as soon as a clip of a trial has begun and that is kept.
+class DiesWithinTrial : public app::DirectRecorder {
+  public:
+    using DirectRecorder::DirectRecorder;
+    void record(const studies::SessionEvent& event) override {
+        DirectRecorder::record(event);
+        const auto* note = std::get_if<studies::Note>(&event);
+        if (note != nullptr && note->kind == "stimulus_onset") ::raise(SIGKILL);
+    }
+};
+
 /// What a run of the program does between its start and its end, with a simulated participant.
 class Life {
   public:
@@ -56,6 +67,7 @@ class Life {
     static constexpr int most_participants = 12;
 
     /// Whether the participant's session is over.
+    template <class Recorder = app::DirectRecorder>
     bool run(const std::string& participant) const {
         auto store = results::Store::open(database_, results::Durability::each_answer);
         if (!store) return false;
@@ -70,7 +82,7 @@ class Life {
                                        enrolment->resume, true);
         store->beginSession({participant, station.info(), "test", avatar_->content_hash, 2e9});
         const auto records = (*stimuli_)->records();
-        app::DirectRecorder recorder(*store, setup_->study, enrolment->plan, records);
+        Recorder recorder(*store, setup_->study, enrolment->plan, records);
         const studies::Moment end = app::runSession(session, station, recorder);
         store->endSession(session.outcome(), end.utc_s);
         return true;
@@ -149,8 +161,33 @@ TEST_SUITE("app/killed_session") {
             ++seen;
         }
         CHECK(seen == participants);
-        // Whoever was cut off within a trial did it again, and the answer says so.
-        CHECK(kept.execAndGet("SELECT count(*) FROM responses WHERE begun_before").getInt() > 0);
         CHECK(kept.execAndGet("SELECT count(*) FROM responses WHERE superseded IS NOT NULL").getInt() == 0);
+    }
+
+    TEST_CASE("Whoever is cut off within a trial begins it again, and its answer says so") {
+        const Scratch scratch;
+        const std::string database = scratch / "study.sqlite";
+        const Life life(database);
+        constexpr int deaths = 3;
+        for (int death = 0; death < deaths; ++death) {
+            const pid_t child = ::fork();
+            REQUIRE(child >= 0);
+            if (child == 0) ::_exit(life.run<DiesWithinTrial>("P01") ? 0 : 1);
+            int status = 0;
+            REQUIRE(::waitpid(child, &status, 0) == child);
+            REQUIRE(WIFSIGNALED(status));
+        }
+        REQUIRE(life.run("P01"));
+        SQLite::Database kept(database, SQLite::OPEN_READONLY);
+        // Each died in the first trial that shows a clip.
+        SQLite::Statement begun(kept, "SELECT trial_index FROM responses WHERE begun_before");
+        REQUIRE(begun.executeStep());
+        const int first = kept.execAndGet("SELECT min(trial_index) FROM trial_stimuli").getInt();
+        CHECK(begun.getColumn(0).getInt() == first);
+        CHECK(!begun.executeStep());
+        CHECK(kept.execAndGet("SELECT count(*) FROM events WHERE kind = 'stimulus_onset' AND trial_index = " +
+                              std::to_string(first))
+                  .getInt() == deaths + 1);
+        CHECK(answersIn(database) == kept.execAndGet("SELECT count(*) FROM trials").getInt());
     }
 }
