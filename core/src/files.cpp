@@ -16,7 +16,13 @@ Result<std::string> readFile(const std::filesystem::path& path) {
     errno = 0;
     std::ifstream in(path, std::ios::binary);
     if (!in) return fail(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::string bytes;
+    constexpr std::size_t at_once = std::size_t{1} << 20U;
+    for (std::size_t count = 0; in; bytes.resize(count)) {
+        bytes.resize(count + at_once);
+        in.read(bytes.data() + count, static_cast<std::streamsize>(at_once));
+        count += static_cast<std::size_t>(in.gcount());
+    }
     if (in.bad()) return fail(path.string(), "could not be read to its end");
     return bytes;
 }
