@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "motion/clip_edit.hpp"
 #include "pointing_plan.hpp"
 
 namespace deixis::motion {
@@ -18,11 +19,11 @@ Result<std::vector<Demonstration>> makeDemonstrations(const Skeleton& avatar,
 
 Demonstration mirrored(const Demonstration& demonstration) {
     Demonstration out = demonstration;
-    out.target.x = -out.target.x;
+    out.target = mirrored(out.target);
     out.gesture.hand = opposite(out.gesture.hand);
     Clip& clip = out.gesture.clip;
-    const HumanoidMap map = mapByVrmNames(clip.skeleton);
-    for (LocalPose& frame : clip.frames) frame = mirrored(clip.skeleton, map, frame);
+    const std::vector<int> partners = mirrorPartners(clip.skeleton);
+    for (LocalPose& frame : clip.frames) frame = mirrored(clip.skeleton, partners, frame);
     return out;
 }
 

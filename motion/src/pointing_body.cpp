@@ -86,26 +86,4 @@ Result<PointingBody> makePointingBody(const Skeleton& avatar) {
     return body;
 }
 
-LocalPose mirrored(const Skeleton& skeleton, const HumanoidMap& map, const LocalPose& pose) {
-    std::vector<std::size_t> partner(pose.joints.size());
-    for (std::size_t i = 0; i < partner.size(); ++i) partner[i] = i;
-    for (std::size_t i = 0; i < bone_count; ++i) {
-        const int there = map[mirroredBone(static_cast<Bone>(i))];
-        if (map.joint[i] >= 0 && there >= 0)
-            partner[static_cast<std::size_t>(map.joint[i])] = static_cast<std::size_t>(there);
-    }
-    LocalPose out;
-    out.joints.resize(pose.joints.size());
-    for (std::size_t i = 0; i < partner.size(); ++i) {
-        const Pose& from = pose.joints[partner[i]];
-        // Offsets stay the joint's own, so that an uneven skeleton keeps its bone lengths; only roots move.
-        const Vec3& p = from.position;
-        out.joints[i].position =
-            skeleton.joints[i].parent < 0 ? Vec3(-p.x, p.y, p.z) : pose.joints[i].position;
-        const Quat& q = from.orientation;
-        out.joints[i].orientation = Quat(q.w, q.x, -q.y, -q.z);
-    }
-    return out;
-}
-
 }  // namespace deixis::motion

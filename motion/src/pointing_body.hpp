@@ -36,7 +36,4 @@ struct PointingBody {
 /// Fails where the avatar lacks a bone of the trunk, the head or an arm, or has rest rotations.
 [[nodiscard]] Result<PointingBody> makePointingBody(const Skeleton& avatar);
 
-/// The pose seen in a mirror: left and right change places.
-[[nodiscard]] LocalPose mirrored(const Skeleton& skeleton, const HumanoidMap& map, const LocalPose& pose);
-
 }  // namespace deixis::motion

@@ -90,8 +90,9 @@ Skeleton build() {
     return skeleton;
 }
 
-void turn(LocalPose& pose, Bone bone, const Vec3& axis, double degrees) {
-    auto& joint = pose.joints[static_cast<std::size_t>(bone)];
+void turn(LocalPose& pose, const HumanoidMap& map, Bone bone, const Vec3& axis, double degrees) {
+    if (!map.has(bone)) return;
+    auto& joint = pose.joints[static_cast<std::size_t>(map[bone])];
     joint.orientation = joint.orientation * glm::angleAxis(radiansFromDegrees(degrees), axis);
 }
 
@@ -102,25 +103,26 @@ const Skeleton& referenceHumanoid() {
     return skeleton;
 }
 
-LocalPose relaxedPose(const Skeleton& reference) {
-    LocalPose pose = restPose(reference);
+LocalPose relaxedPose(const Skeleton& skeleton) {
+    const HumanoidMap map = mapByVrmNames(skeleton);
+    LocalPose pose = restPose(skeleton);
     const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     for (const double s : {1.0, -1.0}) {
         const bool left = s > 0;
         const auto bone = [&](Bone b) { return left ? b : mirroredBone(b); };
-        turn(pose, bone(leftShoulder), z, -4 * s);
-        turn(pose, bone(leftUpperArm), z, -73 * s);
-        turn(pose, bone(leftUpperArm), x, 20);
-        turn(pose, bone(leftLowerArm), y, -14 * s);
-        turn(pose, bone(leftHand), z, -4 * s);
+        turn(pose, map, bone(leftShoulder), z, -4 * s);
+        turn(pose, map, bone(leftUpperArm), z, -73 * s);
+        turn(pose, map, bone(leftUpperArm), x, 20);
+        turn(pose, map, bone(leftLowerArm), y, -14 * s);
+        turn(pose, map, bone(leftHand), z, -4 * s);
         for (const Bone b : {leftIndexProximal, leftMiddleProximal, leftRingProximal, leftLittleProximal})
-            turn(pose, bone(b), z, -16 * s);
+            turn(pose, map, bone(b), z, -16 * s);
         for (const Bone b :
              {leftIndexIntermediate, leftMiddleIntermediate, leftRingIntermediate, leftLittleIntermediate})
-            turn(pose, bone(b), z, -22 * s);
+            turn(pose, map, bone(b), z, -22 * s);
         for (const Bone b : {leftIndexDistal, leftMiddleDistal, leftRingDistal, leftLittleDistal})
-            turn(pose, bone(b), z, -12 * s);
-        turn(pose, bone(leftThumbProximal), y, 10 * s);
+            turn(pose, map, bone(b), z, -12 * s);
+        turn(pose, map, bone(leftThumbProximal), y, 10 * s);
     }
     return pose;
 }

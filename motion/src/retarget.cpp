@@ -1,11 +1,14 @@
 #include "motion/retarget.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "motion/pointing.hpp"
 #include "retarget_assembly.hpp"
+#include "retarget_feet.hpp"
+#include "retarget_pointing.hpp"
+#include "retarget_source.hpp"
 
 namespace deixis::motion {
 
@@ -13,116 +16,9 @@ namespace {
 
 using enum Bone;
 
-std::size_t index(Bone bone) {
+constexpr std::size_t index(Bone bone) {
     return static_cast<std::size_t>(bone);
 }
-
-double alongUp(const BodyShape& shape, Bone bone, const Vec3& rise) {
-    const auto direction = shape.direction(bone);
-    return direction ? glm::dot(*direction, rise) : 1.0;
-}
-
-/// How well the figure stands: 6 with legs and trunk in one line, the thighs side by side.
-double standing(const BodyShape& shape) {
-    const TrunkAxes axes = standingAxes(shape);
-    if (glm::length(axes.hips_up) < 1e-6 || glm::length(axes.hip_line) < 1e-6 ||
-        glm::length(axes.shoulder_line) < 1e-6)
-        return -6.0;
-    const Vec3 rise = glm::normalize(axes.hips_up);
-    const Vec3 hip_centre = 0.5 * (*shape.at(leftUpperLeg) + *shape.at(rightUpperLeg));
-    double score = glm::dot(glm::normalize(*shape.at(head) - hip_centre), rise);
-    for (const Bone bone : {leftUpperLeg, rightUpperLeg, leftLowerLeg, rightLowerLeg})
-        score -= alongUp(shape, bone, rise);
-    return score + 1.0 - std::abs(glm::dot(glm::normalize(axes.hip_line), rise));
-}
-
-/// A pose of the source in which it stands about upright and straight: what the avatar's T pose is aligned
-/// to.
-struct Neutral {
-    std::vector<Pose> world;
-    BodyShape shape;
-    bool is_rest;
-};
-
-class Source {
-  public:
-    Source(const Clip& clip, const HumanoidMap& map) : clip_(clip), map_(map) {
-        worlds_.resize(clip.frames.size());
-        shapes_.reserve(clip.frames.size());
-        for (std::size_t f = 0; f < clip.frames.size(); ++f) {
-            worldPose(clip.skeleton, clip.frames[f], worlds_[f]);
-            shapes_.push_back(shapeOf(clip.skeleton, map, worlds_[f]));
-        }
-    }
-
-    [[nodiscard]] const BodyShape& shape(std::size_t frame) const { return shapes_[frame]; }
-    [[nodiscard]] std::size_t frameCount() const { return shapes_.size(); }
-    [[nodiscard]] const Quat& rotation(std::size_t frame, Bone bone) const {
-        return worlds_[frame][static_cast<std::size_t>(map_[bone])].orientation;
-    }
-
-    /// The rest pose, if it is that of a standing figure. Some rigs' rest is a heap of bones; then the frame
-    /// in which the figure stands best.
-    [[nodiscard]] Neutral neutral() const {
-        constexpr double well_enough = 4.5;
-        auto world = worldPose(clip_.skeleton, restPose(clip_.skeleton));
-        const BodyShape rest = shapeOf(clip_.skeleton, map_, world);
-        if (standing(rest) > well_enough) return {std::move(world), rest, true};
-        std::size_t best = 0;
-        double best_score = -100.0;
-        for (std::size_t f = 0; f < shapes_.size(); ++f)
-            if (const double score = standing(shapes_[f]); score > best_score) {
-                best = f;
-                best_score = score;
-            }
-        return {worlds_[best], shapes_[best], false};
-    }
-
-    /// The axis that is up in the motion: y, unless the figure on the whole rises along another axis, and its
-    /// rest too (else it lies down).
-    [[nodiscard]] Vec3 upAxis(const Neutral& neutral) const {
-        Vec3 mean(0.0);
-        for (const BodyShape& shape : shapes_) mean += glm::normalize(standingAxes(shape).hips_up);
-        mean = glm::normalize(mean);
-        constexpr double clearly = 0.7;
-        if (mean.y > 1.0 - clearly) return up;
-        if (neutral.is_rest && glm::normalize(standingAxes(neutral.shape).hips_up).y > clearly) return up;
-        int axis = 0;
-        for (int i = 1; i < 3; ++i)
-            if (std::abs(mean[i]) > std::abs(mean[axis])) axis = i;
-        Vec3 out(0.0);
-        out[axis] = mean[axis] < 0.0 ? -1.0 : 1.0;
-        return out;
-    }
-
-    /// Many CMU conversions carry a T pose in front of the motion.
-    [[nodiscard]] bool startsWithAddedPose() const {
-        if (frameCount() < 3) return false;
-        constexpr double jump_rad = 0.17;
-        const double first = meanTurn(0);
-        return first > jump_rad && first > 5.0 * meanTurn(1);
-    }
-
-  private:
-    double meanTurn(std::size_t frame) const {
-        double sum = 0.0;
-        int count = 0;
-        for (const Hinge& hinge : hinges())
-            for (const Bone bone : {hinge.upper, hinge.lower}) {
-                const auto a = shapes_[frame].direction(bone);
-                const auto b = shapes_[frame + 1].direction(bone);
-                if (!a || !b) continue;
-                sum += angleBetween(*a, *b);
-                ++count;
-            }
-        return count > 0 ? sum / count : 0.0;
-    }
-
-    const Clip& clip_;
-    const HumanoidMap& map_;
-    std::vector<std::vector<Pose>> worlds_;
-    std::vector<BodyShape> shapes_;
-};
 
 /// The bones whose rotation the source gives. Fingers count where a whole finger is there: single stand-ins
 /// for all fingers (CMU) leave the avatar's hand relaxed.
@@ -137,21 +33,43 @@ BoneSet givenBones(const HumanoidMap& map) {
     return given;
 }
 
+/// Whether the source is built as the avatar, up to its size: then rotations carry over as they are.
+bool isBuiltAlike(const Skeleton& source, const HumanoidMap& source_map, const AvatarRest& avatar,
+                  double scale) {
+    const auto world = worldPose(source, restPose(source));
+    for (const Joint& joint : source.joints)
+        if (joint.parent >= 0 && std::abs(joint.rest.orientation.w) < 1.0 - 1e-12) return false;
+    for (std::size_t b = 0; b < bone_count; ++b) {
+        const int joint = source_map.joint[b];
+        if ((joint >= 0) != (avatar.map.joint[b] >= 0)) return false;
+        const int above = avatar.above[b];
+        if (joint < 0 || above < 0) continue;
+        const Vec3 offset =
+            world[static_cast<std::size_t>(joint)].position -
+            world[static_cast<std::size_t>(source_map.joint[static_cast<std::size_t>(above)])].position;
+        if (glm::length(scale * offset - avatar.offset[b]) > 1e-5) return false;
+    }
+    return true;
+}
+
 class Retargeter {
   public:
     Retargeter(const Source& source, const AvatarRest& avatar, const BoneSet& given, const Neutral& neutral,
-               const HumanoidMap& map)
+               bool alike)
         : source_(source), avatar_(avatar), given_(given) {
+        const HumanoidMap& map = source.map();
         for (std::size_t b = 0; b < bone_count; ++b)
             neutral_from_[b] =
                 given[b] ? neutral.world[static_cast<std::size_t>(map.joint[b])].orientation : no_rotation;
+        source_from_avatar_.fill(no_rotation);
+        if (alike) return;
         BoneTwists twist{};
         align(neutral, twist);
         // The lower bones' twist hangs on the upper ones', so these are fitted first.
         for (const bool lower : {false, true}) {
             constexpr double prior_of_frame = 0.05;
-            HingeFit fit(avatar.shape, prior_of_frame * static_cast<double>(source.frameCount()));
-            for (std::size_t f = 0; f < source.frameCount(); ++f) fit.add(rotations(f), source.shape(f));
+            HingeFit fit(avatar.shape, prior_of_frame * static_cast<double>(source.looks().size()));
+            for (const Source::Look& look : source.looks()) fit.add(rotations(look.world), look.shape);
             for (const Hinge& hinge : hinges()) {
                 const Bone bone = lower ? hinge.lower : hinge.upper;
                 twist[index(bone)] = fit.twist(bone);
@@ -160,13 +78,14 @@ class Retargeter {
         }
     }
 
-    /// World rotations of the avatar's bones in a frame, in the source's axes.
-    [[nodiscard]] BoneTurns rotations(std::size_t frame) const {
+    /// World rotations of the avatar's bones, in the source's axes. `world`: the source's joints.
+    [[nodiscard]] BoneTurns rotations(const std::vector<Pose>& world) const {
         BoneTurns out;
-        out.fill(no_rotation);
         for (std::size_t b = 0; b < bone_count; ++b)
-            if (given_[b]) out[b] = source_.rotation(frame, static_cast<Bone>(b)) * source_from_avatar_[b];
-        fillTrunk(out);
+            out[b] = given_[b] ? world[static_cast<std::size_t>(source_.map().joint[b])].orientation *
+                                     source_from_avatar_[b]
+                               : no_rotation;
+        fillGaps(out);
         return out;
     }
 
@@ -179,8 +98,8 @@ class Retargeter {
     }
 
     /// The avatar has three bones between hips and neck; a source with fewer gives its topmost rotation to
-    /// the upper chest, and the others lie between their neighbours.
-    void fillTrunk(BoneTurns& out) const {
+    /// the upper chest, and the others lie between their neighbours. Toes go with the foot.
+    void fillGaps(BoneTurns& out) const {
         if (!given_[index(upperChest)])
             out[index(upperChest)] = out[index(given_[index(chest)]   ? chest
                                                : given_[index(spine)] ? spine
@@ -193,6 +112,8 @@ class Retargeter {
             out[index(neck)] = glm::slerp(out[index(upperChest)], out[index(head)], 0.5);
         for (const Bone bone : {leftShoulder, rightShoulder})
             if (!given_[index(bone)]) out[index(bone)] = out[index(upperChest)];
+        if (!given_[index(leftToes)]) out[index(leftToes)] = out[index(leftFoot)];
+        if (!given_[index(rightToes)]) out[index(rightToes)] = out[index(rightFoot)];
     }
 
     const Source& source_;
@@ -202,52 +123,198 @@ class Retargeter {
     BoneTurns source_from_avatar_{};  // constant rotation from the avatar's bone to the source's joint
 };
 
+/// The motion in the avatar's frame, and the sight line of the source there.
+struct Moved {
+    std::vector<BodyFrame> frames;  // at the avatar's scale
+    std::vector<SightLine> lines;   // of the gesture, onset to end; at the source's scale
+    double lowest_m = 0.0;          // height of the soles' lowest point
+};
+
+class Mover {
+  public:
+    Mover(const Source& source, const Retargeter& retargeter, const AvatarRest& avatar, double scale,
+          const Quat& upright)
+        : source_(source), retargeter_(retargeter), avatar_(avatar), scale_(scale), turn_(upright) {}
+
+    /// `first`: the frame that stands at the start, also for those before it. Says in `remarks` where a
+    /// target was taken to be given from another place than the clip's own.
+    Moved move(std::size_t first, const PointingGesture* gesture, std::vector<std::string>& remarks) {
+        constexpr double near_m = 0.5;
+        constexpr double facing_rad = 0.52;
+        constexpr double floor_m = 0.15;
+        const bool has_target = gesture != nullptr && gesture->target.has_value();
+        const BodyFrame start = frame(first);
+        const Quat to_front = turnToFront(start);
+        const Vec3 begin = hipsPosition(avatar_, start);
+        const bool stays =
+            has_target && std::hypot(begin.x, begin.z) / scale_ < near_m && glm::angle(to_front) < facing_rad;
+        if (!stays) turn_ = to_front * turn_;
+
+        Moved out = frames(gesture);
+        for (std::size_t f = 0; f < first; ++f) out.frames[f] = out.frames[first];
+        const auto [floor, lowest] = floorHeight(avatar_, out.frames);
+        out.lowest_m = lowest - floor;
+        const bool floor_stays = has_target && std::abs(floor) / scale_ < floor_m;
+        const Vec3 from = stays ? begin : to_front * begin;
+        // A clip that stays begins where the source does, and its way is scaled from there.
+        const Vec3 there = stays ? Vec3(begin.x, 0.0, begin.z) / scale_ : Vec3(0.0);
+        const Vec3 shift = there - Vec3(from.x, floor, from.z);
+        for (BodyFrame& frame : out.frames) frame.hip_centre += shift;
+        const Vec3 line_shift =
+            (stays ? Vec3(0.0) : Vec3(from.x, 0.0, from.z)) + Vec3(0.0, floor_stays ? 0.0 : floor, 0.0);
+        for (SightLine& line : out.lines)
+            line = {line.eye - line_shift / scale_, line.fingertip - line_shift / scale_};
+        if (has_target && !(stays && floor_stays))
+            remarks.emplace_back(
+                "the figure does not stand near the origin, facing +z: it was placed there, and its target "
+                "is taken to be given from there");
+        return out;
+    }
+
+  private:
+    BodyFrame frame(std::size_t f) {
+        source_.place(f, turn_, world_);
+        BodyFrame out{retargeter_.rotations(world_), {}};
+        out.hip_centre = 0.5 * scale_ * (position(leftUpperLeg) + position(rightUpperLeg));
+        return out;
+    }
+    [[nodiscard]] const Vec3& position(Bone bone) const {
+        return world_[static_cast<std::size_t>(source_.map()[bone])].position;
+    }
+
+    Moved frames(const PointingGesture* gesture) {
+        std::optional<SightLineFinder> finder;
+        if (gesture != nullptr)
+            finder.emplace(source_.clip().skeleton, source_.map(), gesture->hand, avatar_, scale_);
+        Moved out;
+        out.frames.reserve(source_.clip().frames.size());
+        for (std::size_t f = 0; f < source_.clip().frames.size(); ++f) {
+            out.frames.push_back(frame(f));
+            const int number = static_cast<int>(f);
+            if (finder && number >= gesture->onset_frame && number <= gesture->end_frame)
+                out.lines.push_back(finder->find(world_, out.frames.back().rotation[index(head)]));
+        }
+        return out;
+    }
+
+    const Source& source_;
+    const Retargeter& retargeter_;
+    const AvatarRest& avatar_;
+    double scale_;
+    Quat turn_;  // avatar's frame from the source's
+    std::vector<Pose> world_;
+};
+
+std::vector<SightLine> linesOfClip(const Clip& clip, const HumanoidMap& map, const PointingGesture& gesture) {
+    std::vector<SightLine> lines;  // peak to hold
+    std::vector<Pose> world;
+    for (int f = gesture.peak_frame; f <= gesture.hold_frame; ++f) {
+        worldPose(clip.skeleton, clip.frames[static_cast<std::size_t>(f)], world);
+        lines.push_back(
+            {eyePosition(map, world), fingertipPosition(clip.skeleton, map, world, gesture.hand)});
+    }
+    return lines;
+}
+
+Result<void> checkGesture(const PointingGesture& gesture, int frame_count) {
+    const bool ordered = 0 <= gesture.onset_frame && gesture.onset_frame < gesture.peak_frame &&
+                         gesture.peak_frame <= gesture.hold_frame && gesture.hold_frame < gesture.end_frame;
+    if (!ordered || gesture.end_frame >= frame_count)
+        return fail("", "found a gesture with onset " + std::to_string(gesture.onset_frame) + ", peak " +
+                            std::to_string(gesture.peak_frame) + ", hold " +
+                            std::to_string(gesture.hold_frame) + " and end " +
+                            std::to_string(gesture.end_frame) + " in a clip of " +
+                            std::to_string(frame_count) +
+                            " frames, expected onset < peak <= hold < end within the clip");
+    return {};
+}
+
 }  // namespace
 
+std::string_view keepName(Keep keep) {
+    return keep == Keep::joint_angles ? "joint-angles" : "pointing-ray";
+}
+
+std::optional<Keep> keepFromName(std::string_view name) {
+    for (const Keep keep : {Keep::joint_angles, Keep::pointing_ray})
+        if (keepName(keep) == name) return keep;
+    return std::nullopt;
+}
+
+std::optional<PointingError> pointingError(const Clip& clip, const HumanoidMap& map,
+                                           const PointingGesture& gesture) {
+    if (!gesture.target || !checkGesture(gesture, clip.frameCount())) return std::nullopt;
+    return pointingError(linesOfClip(clip, map, gesture), *gesture.target);
+}
+
 Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, const Skeleton& avatar_skeleton,
-                      const HumanoidMap& avatar_map, RetargetReport* report) {
+                      const HumanoidMap& avatar_map, const RetargetOptions& options, RetargetReport* report) {
     BoneSet given = givenBones(source_map);
     if (const auto missing = missingBones(given); !missing.empty())
         return fail("", "no joint was found for " + missing + ", expected the bones of a humanoid",
-                    "Name the joints as VRM, Mixamo, CMU or another common rig does");
+                    "Name the joints as VRM, Mixamo, CMU or another common rig does, or say in "
+                    "NAME.humanoid.toml beside the clip which joint plays which bone");
     if (const auto missing = missingBones(givenBones(avatar_map)); !missing.empty())
         return fail("", "the avatar has no " + missing + ", expected the bones of a humanoid");
+    const PointingGesture* gesture = options.gesture ? &*options.gesture : nullptr;
+    if (gesture != nullptr)
+        if (const auto checked = checkGesture(*gesture, source_clip.frameCount()); !checked)
+            return tl::unexpected(checked.error());
 
     const Source source(source_clip, source_map);
     const Neutral neutral = source.neutral();
     if (standing(neutral.shape) < 0.0)
         return fail("", "the figure's bones lie in one another, expected a figure that can stand");
     const AvatarRest avatar = avatarRest(avatar_skeleton, avatar_map);
-    const Retargeter retargeter(source, avatar, given, neutral, source_map);
-
-    const Vec3 up_axis = source.upAxis(neutral);
-    const Quat upright = rotationBetween(up_axis, up);
     const double scale = avatar.leg_length_m / legLength(neutral.shape);
-    std::vector<BodyFrame> frames;
-    frames.reserve(source.frameCount());
-    for (std::size_t f = 0; f < source.frameCount(); ++f) {
-        BodyFrame frame{retargeter.rotations(f), {}};
-        for (Quat& rotation : frame.rotation) rotation = upright * rotation;
-        const BodyShape& shape = source.shape(f);
-        frame.hip_centre = upright * (0.5 * scale * (*shape.at(leftUpperLeg) + *shape.at(rightUpperLeg)));
-        frames.push_back(frame);
-    }
-    const bool added = source.startsWithAddedPose();
-    if (added) frames[0] = frames[1];
+    const bool alike = isBuiltAlike(source_clip.skeleton, source_map, avatar, scale);
+    if (alike)
+        for (const Bone bone : {jaw, leftEye, rightEye}) given[index(bone)] = source_map.has(bone);
+    const Retargeter retargeter(source, avatar, given, neutral, alike);
+    const Vec3 up_axis = source.upAxis(neutral);
+    const bool has_target = gesture != nullptr && gesture->target.has_value();
 
-    // What fillTrunk derives is driven too.
-    for (const Bone bone : {spine, chest, upperChest, neck, leftShoulder, rightShoulder})
+    RetargetReport made;
+    made.scale = scale;
+    if (!neutral.is_rest)
+        made.remarks.emplace_back("the rest pose is no standing figure: aligned to a frame instead");
+    if (up_axis != up) made.remarks.emplace_back("turned so that the figure's up axis is y");
+    const bool added = source.startsWithAddedPose();
+    if (added) made.remarks.emplace_back("frame 0 is an added pose: frame 1 stands in for it");
+    Moved moved = Mover(source, retargeter, avatar, scale, rotationBetween(up_axis, up))
+                      .move(added ? 1 : 0, gesture, made.remarks);
+    const Side pointing = gesture != nullptr ? gesture->hand : Side::right;
+    const bool fingers = given[index(armBones(pointing).index_proximal)];
+    const bool closes = options.close_hand && gesture != nullptr && !fingers;
+    if (!fingers)
+        made.remarks.emplace_back(closes ? "no fingers in the source: the hand closes while it points"
+                                         : "no fingers in the source: the hands are relaxed");
+
+    // What fillGaps derives is driven too.
+    for (const Bone bone : {spine, chest, upperChest, neck, leftShoulder, rightShoulder, leftToes, rightToes})
         given[index(bone)] = true;
-    if (report) {
-        report->scale = scale;
-        if (!neutral.is_rest)
-            report->remarks.emplace_back("the rest pose is no standing figure: aligned to a frame instead");
-        if (up_axis != up) report->remarks.emplace_back("turned so that the figure's up axis is y");
-        if (added) report->remarks.emplace_back("frame 0 is an added pose: frame 1 stands in for it");
-        if (!given[index(leftIndexProximal)])
-            report->remarks.emplace_back("no fingers in the source: the hands are relaxed");
+    if (options.plant_feet) {
+        made.feet = plantFeet(avatar, moved.frames, source_clip.frame_time_s);
+        made.feet.lowest_before_m = moved.lowest_m;
     }
-    return assemble(avatar, std::move(frames), given, Ground::clip, source_clip.frame_time_s);
+    const BodyPoser poser(avatar, given, closes ? gesture : nullptr);
+    if (gesture != nullptr && options.keep == Keep::pointing_ray)
+        keepPointingRay(avatar, poser, given, *gesture, moved.lines, moved.frames);
+
+    Clip clip;
+    clip.skeleton = avatar.skeleton;
+    clip.frame_time_s = source_clip.frame_time_s;
+    clip.frames.reserve(moved.frames.size());
+    for (std::size_t f = 0; f < moved.frames.size(); ++f)
+        clip.frames.push_back(poser.pose(moved.frames[f], static_cast<int>(f)));
+    if (has_target) {
+        const auto from = moved.lines.begin() + (gesture->peak_frame - gesture->onset_frame);
+        const auto to = moved.lines.begin() + (gesture->hold_frame - gesture->onset_frame + 1);
+        made.source_error = pointingError({from, to}, *gesture->target);
+        made.avatar_error = pointingError(clip, avatar_map, *gesture);
+    }
+    if (report != nullptr) *report = std::move(made);
+    return clip;
 }
 
 }  // namespace deixis::motion

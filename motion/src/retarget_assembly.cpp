@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "motion/hand_shapes.hpp"
+#include "motion/minimum_jerk.hpp"
 #include "motion/reference_humanoid.hpp"
 
 namespace deixis::motion {
@@ -12,96 +14,21 @@ namespace {
 
 using enum Bone;
 
-constexpr Bone required[] = {hips,          head,          leftUpperLeg,  leftLowerLeg, leftFoot,
-                             rightUpperLeg, rightLowerLeg, rightFoot,     leftUpperArm, leftLowerArm,
-                             leftHand,      rightUpperArm, rightLowerArm, rightHand};
+constexpr std::size_t index(Bone bone) {
+    return static_cast<std::size_t>(bone);
+}
 
 bool isFinger(std::size_t bone) {
-    return bone >= static_cast<std::size_t>(leftThumbMetacarpal);
+    return bone >= index(leftThumbMetacarpal);
 }
 
-/// A point that moves with a joint.
-struct Attached {
-    std::size_t joint;
-    Vec3 local;
-};
-
-/// Points of the soles: under ankle, ball and toe tip, on the floor in the T pose.
-std::vector<Attached> solePoints(const AvatarRest& avatar) {
-    std::vector<Attached> points;
-    const auto drop = [&](int joint, Vec3 point) {
-        const Vec3& origin = avatar.world[static_cast<std::size_t>(joint)].position;
-        point.y = 0.0;
-        points.push_back({static_cast<std::size_t>(joint), point - origin});
-    };
-    for (const Bone bone : {leftFoot, rightFoot, leftToes, rightToes}) {
-        if (!avatar.map.has(bone)) continue;
-        const int joint = avatar.map[bone];
-        drop(joint, avatar.world[static_cast<std::size_t>(joint)].position);
-        drop(joint, tipPosition(avatar.skeleton, avatar.world, joint));
-    }
-    return points;
+Side sideOf(std::size_t finger_bone) {
+    return finger_bone >= index(rightThumbMetacarpal) ? Side::right : Side::left;
 }
 
-/// Of each frame the height of the soles' lowest point.
-std::vector<double> soleHeights(const AvatarRest& avatar, const Clip& clip) {
-    const auto points = solePoints(avatar);
-    std::vector<double> heights;
-    heights.reserve(clip.frames.size());
-    std::vector<Pose> world;
-    for (const LocalPose& pose : clip.frames) {
-        worldPose(clip.skeleton, pose, world);
-        double lowest = transformPoint(world[points.front().joint], points.front().local).y;
-        for (const Attached& p : points) lowest = std::min(lowest, transformPoint(world[p.joint], p.local).y);
-        heights.push_back(lowest);
-    }
-    return heights;
+Vec3 onFloor(const Vec3& point) {
+    return {point.x, 0.0, point.z};
 }
-
-/// The height that a tenth of the frames lie below: a single foot driven into the floor does not lift the
-/// whole clip.
-double standingHeight(std::vector<double> heights) {
-    const auto at = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
-    std::nth_element(heights.begin(), at, heights.end());
-    return *at;
-}
-
-class Assembler {
-  public:
-    Assembler(const AvatarRest& avatar, const BoneSet& driven) : avatar_(avatar), driven_(driven) {
-        bone_of_joint_.assign(avatar.skeleton.joints.size(), bone_count);
-        for (std::size_t b = 0; b < bone_count; ++b)
-            if (avatar.map.joint[b] >= 0) bone_of_joint_[static_cast<std::size_t>(avatar.map.joint[b])] = b;
-        hip_centre_from_hips_ =
-            0.5 * (*avatar.shape.at(leftUpperLeg) + *avatar.shape.at(rightUpperLeg)) - *avatar.shape.at(hips);
-    }
-
-    LocalPose pose(const BodyFrame& frame) const {
-        LocalPose out = restPose(avatar_.skeleton);
-        std::vector<Quat> world(out.joints.size());
-        for (std::size_t j = 0; j < out.joints.size(); ++j) {
-            const int parent = avatar_.skeleton.joints[j].parent;
-            const Quat above = parent < 0 ? no_rotation : world[static_cast<std::size_t>(parent)];
-            const std::size_t bone = bone_of_joint_[j];
-            if (bone < bone_count && driven_[bone])
-                out.joints[j].orientation = glm::normalize(glm::conjugate(above) * frame.rotation[bone]);
-            else if (bone < bone_count && isFinger(bone))
-                out.joints[j].orientation = relaxed_.joints[bone].orientation;
-            world[j] = above * out.joints[j].orientation;
-        }
-        const auto hips_joint = static_cast<std::size_t>(avatar_.map[hips]);
-        out.joints[hips_joint].position =
-            frame.hip_centre - frame.rotation[static_cast<std::size_t>(hips)] * hip_centre_from_hips_;
-        return out;
-    }
-
-  private:
-    const AvatarRest& avatar_;
-    const BoneSet& driven_;
-    std::vector<std::size_t> bone_of_joint_;
-    Vec3 hip_centre_from_hips_{0.0};
-    LocalPose relaxed_ = relaxedPose(referenceHumanoid());
-};
 
 }  // namespace
 
@@ -119,38 +46,198 @@ AvatarRest avatarRest(const Skeleton& skeleton, const HumanoidMap& map) {
     auto shape = shapeOf(skeleton, map, world);
     const auto axes = standingAxes(shape);
     const double leg = legLength(shape);
-    return {skeleton, map, std::move(world), shape, axes, leg};
+    AvatarRest out{skeleton, map, std::move(world), shape, axes, leg};
+    std::vector<int> bone_of_joint(skeleton.joints.size(), -1);
+    for (std::size_t b = 0; b < bone_count; ++b)
+        if (map.joint[b] >= 0) bone_of_joint[static_cast<std::size_t>(map.joint[b])] = static_cast<int>(b);
+    out.above.fill(-1);
+    for (std::size_t b = 0; b < bone_count; ++b) {
+        int joint = map.joint[b];
+        if (joint < 0) continue;
+        const Vec3 start = out.world[static_cast<std::size_t>(joint)].position;
+        do joint = skeleton.joints[static_cast<std::size_t>(joint)].parent;
+        while (joint >= 0 && bone_of_joint[static_cast<std::size_t>(joint)] < 0);
+        if (joint < 0) continue;
+        out.above[b] = bone_of_joint[static_cast<std::size_t>(joint)];
+        out.offset[b] = start - out.world[static_cast<std::size_t>(joint)].position;
+    }
+    out.hip_centre_from_hips =
+        0.5 * (*out.shape.at(leftUpperLeg) + *out.shape.at(rightUpperLeg)) - *out.shape.at(hips);
+    return out;
+}
+
+double pointingShare(const PointingGesture& gesture, int frame) {
+    if (frame <= gesture.onset_frame || frame >= gesture.end_frame) return 0.0;
+    if (frame < gesture.peak_frame)
+        return minimumJerk(static_cast<double>(frame - gesture.onset_frame) /
+                           (gesture.peak_frame - gesture.onset_frame));
+    if (frame <= gesture.hold_frame) return 1.0;
+    return minimumJerk(static_cast<double>(gesture.end_frame - frame) /
+                       (gesture.end_frame - gesture.hold_frame));
+}
+
+BodyPoser::BodyPoser(const AvatarRest& avatar, const BoneSet& driven, const PointingGesture* closing)
+    : avatar_(avatar),
+      driven_(driven),
+      closing_(closing),
+      bone_of_joint_(avatar.skeleton.joints.size(), bone_count),
+      relaxed_(relaxedPose(referenceHumanoid())),
+      rest_(restPose(avatar.skeleton)) {
+    for (std::size_t b = 0; b < bone_count; ++b)
+        if (avatar.map.joint[b] >= 0) bone_of_joint_[static_cast<std::size_t>(avatar.map.joint[b])] = b;
+}
+
+Quat BodyPoser::handShape(std::size_t finger_bone, int frame) const {
+    const double share =
+        closing_ != nullptr && sideOf(finger_bone) == closing_->hand ? pointingShare(*closing_, frame) : 0.0;
+    if (share <= 0.0) return relaxed_.joints[finger_bone].orientation;
+    LocalPose closed = relaxed_;
+    applyPointingHand(closed, closing_->hand, share);
+    return closed.joints[finger_bone].orientation;
+}
+
+LocalPose BodyPoser::pose(const BodyFrame& body, int frame) const {
+    LocalPose out = rest_;
+    const double share = closing_ != nullptr ? pointingShare(*closing_, frame) : 0.0;
+    std::optional<LocalPose> closed;
+    if (share > 0.0) applyPointingHand(closed.emplace(relaxed_), closing_->hand, share);
+    const LocalPose& hand = closed ? *closed : relaxed_;
+    std::vector<Quat> world(out.joints.size());
+    for (std::size_t j = 0; j < out.joints.size(); ++j) {
+        const int parent = avatar_.skeleton.joints[j].parent;
+        const Quat& above = parent < 0 ? no_rotation : world[static_cast<std::size_t>(parent)];
+        const std::size_t bone = bone_of_joint_[j];
+        if (bone < bone_count && driven_[bone]) {
+            world[j] = body.rotation[bone];
+            out.joints[j].orientation = glm::conjugate(above) * world[j];
+            continue;
+        }
+        if (bone < bone_count && isFinger(bone)) out.joints[j].orientation = hand.joints[bone].orientation;
+        world[j] = above * out.joints[j].orientation;
+    }
+    const auto hips_joint = static_cast<std::size_t>(avatar_.map[hips]);
+    const int parent = avatar_.skeleton.joints[hips_joint].parent;
+    out.joints[hips_joint].position = hipsPosition(avatar_, body);
+    if (parent >= 0)  // joints above the hips rest
+        out.joints[hips_joint].position -= avatar_.world[static_cast<std::size_t>(parent)].position;
+    return out;
+}
+
+Quat BodyPoser::rotation(const BodyFrame& body, int frame, Bone bone) const {
+    const std::size_t b = index(bone);
+    if (driven_[b]) return body.rotation[b];
+    const int above = avatar_.above[b];
+    const Quat up_there = above < 0 ? no_rotation : rotation(body, frame, static_cast<Bone>(above));
+    return isFinger(b) ? up_there * handShape(b, frame) : up_there;
+}
+
+Vec3 BodyPoser::position(const BodyFrame& body, int frame, Bone bone) const {
+    const int above = avatar_.above[index(bone)];
+    if (bone == hips || above < 0) return hipsPosition(avatar_, body);
+    const auto from = static_cast<Bone>(above);
+    return position(body, frame, from) + rotation(body, frame, from) * avatar_.offset[index(bone)];
+}
+
+Vec3 BodyPoser::eye(const BodyFrame& body, int frame) const {
+    if (avatar_.map.has(leftEye) && avatar_.map.has(rightEye))
+        return 0.5 * (position(body, frame, leftEye) + position(body, frame, rightEye));
+    return position(body, frame, head);
+}
+
+Vec3 BodyPoser::fingertip(const BodyFrame& body, int frame, Side side) const {
+    const ArmBones arm = armBones(side);
+    for (const Bone bone : {arm.index_distal, arm.index_intermediate, arm.index_proximal})
+        if (avatar_.map.has(bone)) {
+            const auto& tip = avatar_.skeleton.joints[static_cast<std::size_t>(avatar_.map[bone])].end_site;
+            const Vec3 start = position(body, frame, bone);
+            return tip ? start + rotation(body, frame, bone) * *tip : start;
+        }
+    return position(body, frame, arm.hand);
+}
+
+Sole soleOf(const AvatarRest& avatar, Side side) {
+    const bool left = side == Side::left;
+    Sole sole{left ? leftFoot : rightFoot, left ? leftToes : rightToes};
+    const auto tip = [&](Bone bone) { return tipPosition(avatar.skeleton, avatar.world, avatar.map[bone]); };
+    const Vec3 ankle = *avatar.shape.at(sole.foot);
+    sole.heel = onFloor(ankle) - ankle;
+    if (!avatar.map.has(sole.toes)) {
+        sole.ball = onFloor(tip(sole.foot)) - ankle;
+        return sole;
+    }
+    const Vec3 toes = *avatar.shape.at(sole.toes);
+    sole.ball = onFloor(toes) - ankle;
+    if (const Vec3 reach = tip(sole.toes) - toes; glm::length(onFloor(reach)) > 0.01)
+        sole.tip = onFloor(tip(sole.toes)) - toes;
+    return sole;
+}
+
+double soleHeight(const AvatarRest& avatar, const std::array<Sole, 2>& soles, const BodyFrame& frame) {
+    const Vec3 from = hipsPosition(avatar, frame);
+    double lowest = 1e9;
+    const auto below = [&](Bone bone, const Vec3& start) {
+        const auto above = static_cast<std::size_t>(avatar.above[index(bone)]);
+        return start + frame.rotation[above] * avatar.offset[index(bone)];
+    };
+    for (const Sole& sole : soles) {
+        const bool left = sole.foot == leftFoot;
+        const Vec3 ankle = below(sole.foot, below(left ? leftLowerLeg : rightLowerLeg,
+                                                  below(left ? leftUpperLeg : rightUpperLeg, from)));
+        const Quat& foot = frame.rotation[index(sole.foot)];
+        lowest = std::min({lowest, (ankle + foot * sole.heel).y, (ankle + foot * sole.ball).y});
+        if (sole.tip)
+            lowest =
+                std::min(lowest, (below(sole.toes, ankle) + frame.rotation[index(sole.toes)] * *sole.tip).y);
+    }
+    return lowest;
+}
+
+FloorHeight floorHeight(const AvatarRest& avatar, const std::vector<BodyFrame>& frames) {
+    const std::array<Sole, 2> soles{soleOf(avatar, Side::left), soleOf(avatar, Side::right)};
+    std::vector<double> heights;
+    heights.reserve(frames.size());
+    for (const BodyFrame& frame : frames) heights.push_back(soleHeight(avatar, soles, frame));
+    const auto at = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 10);
+    std::nth_element(heights.begin(), at, heights.end());
+    return {*at, *std::min_element(heights.begin(), heights.end())};
+}
+
+Vec3 hipsPosition(const AvatarRest& avatar, const BodyFrame& frame) {
+    return frame.hip_centre - frame.rotation[index(hips)] * avatar.hip_centre_from_hips;
+}
+
+Quat turnToFront(const BodyFrame& frame) {
+    const Vec3 forward = frame.rotation[index(hips)] * Vec3(0, 0, 1);
+    return yawRotation(-std::atan2(forward.x, forward.z));
 }
 
 Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const BoneSet& driven, Ground ground,
               double frame_time_s) {
-    const Vec3 forward = frames.front().rotation[static_cast<std::size_t>(hips)] * Vec3(0, 0, 1);
-    const Quat turn = yawRotation(-std::atan2(forward.x, forward.z));
+    const Quat turn = turnToFront(frames.front());
     for (BodyFrame& frame : frames) {
         for (Quat& rotation : frame.rotation) rotation = turn * rotation;
         frame.hip_centre = turn * frame.hip_centre;
     }
-    const Assembler assembler(avatar, driven);
+    const Vec3 begin = hipsPosition(avatar, frames.front());
+    const double floor = floorHeight(avatar, frames).floor;
+    const std::array<Sole, 2> soles{soleOf(avatar, Side::left), soleOf(avatar, Side::right)};
+    const BodyPoser poser(avatar, driven, nullptr);
     Clip clip;
     clip.skeleton = avatar.skeleton;
     clip.frame_time_s = frame_time_s;
-    for (const BodyFrame& frame : frames) clip.frames.push_back(assembler.pose(frame));
-
-    const auto hips_joint = static_cast<std::size_t>(avatar.map[hips]);
-    const Vec3 begin = clip.frames.front().joints[hips_joint].position;
-    const auto heights = soleHeights(avatar, clip);
-    const double floor = standingHeight(heights);
-    for (std::size_t f = 0; f < clip.frames.size(); ++f)
-        clip.frames[f].joints[hips_joint].position -=
-            Vec3(begin.x, ground == Ground::clip ? floor : heights[f], begin.z);
+    clip.frames.reserve(frames.size());
+    for (BodyFrame& frame : frames) {
+        const double height = ground == Ground::clip ? floor : soleHeight(avatar, soles, frame);
+        frame.hip_centre -= Vec3(begin.x, height, begin.z);
+        clip.frames.push_back(poser.pose(frame, clip.frameCount()));
+    }
     return clip;
 }
 
 std::string missingBones(const BoneSet& has) {
     std::string names;
-    for (const Bone bone : required)
-        if (!has[static_cast<std::size_t>(bone)])
-            names += (names.empty() ? "" : ", ") + std::string(boneName(bone));
+    for (const Bone bone : requiredBones())
+        if (!has[index(bone)]) names += (names.empty() ? "" : ", ") + std::string(boneName(bone));
     return names;
 }
 

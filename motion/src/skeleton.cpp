@@ -2,6 +2,16 @@
 
 namespace deixis::motion {
 
+namespace {
+
+/// parent * local, as core/pose.hpp has it; here, where the compiler can unfold it: a session does this for
+/// every joint in every frame.
+Pose compose(const Pose& parent, const Pose& local) {
+    return {parent.position + parent.orientation * local.position, parent.orientation * local.orientation};
+}
+
+}  // namespace
+
 int Skeleton::find(std::string_view name) const {
     for (int i = 0; i < size(); ++i)
         if (joints[static_cast<std::size_t>(i)].name == name) return i;
@@ -19,7 +29,7 @@ void worldPose(const Skeleton& skeleton, const LocalPose& pose, std::vector<Pose
     out.resize(pose.joints.size());
     for (std::size_t i = 0; i < pose.joints.size(); ++i) {
         const int parent = skeleton.joints[i].parent;
-        out[i] = parent < 0 ? pose.joints[i] : out[static_cast<std::size_t>(parent)] * pose.joints[i];
+        out[i] = parent < 0 ? pose.joints[i] : compose(out[static_cast<std::size_t>(parent)], pose.joints[i]);
     }
 }
 

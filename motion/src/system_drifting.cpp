@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "body_noise.hpp"
+#include "motion/clip_edit.hpp"
 #include "pointing_plan.hpp"
 #include "systems.hpp"
 
@@ -34,10 +35,11 @@ LocalPose meanOf(const std::vector<LocalPose>& poses) {
 
 /// Mean pointing posture of one hand over the demonstrations and their mirror images.
 LocalPose meanPosture(const PointingBody& body, const std::vector<DemonstrationPlan>& plans, Side hand) {
+    const std::vector<int> partners = mirrorPartners(body.skeleton);
     std::vector<LocalPose> postures;
     for (const DemonstrationPlan& plan : plans)
         postures.push_back(plan.motion.hand == hand ? plan.motion.peak
-                                                    : mirrored(body.skeleton, body.map, plan.motion.peak));
+                                                    : mirrored(body.skeleton, partners, plan.motion.peak));
     return meanOf(postures);
 }
 

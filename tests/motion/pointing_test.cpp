@@ -28,8 +28,8 @@ TEST_SUITE("motion/pointing") {
         const auto& avatar = motion::referenceHumanoid();
         const auto map = motion::mapByVrmNames(avatar);
         const auto world = motion::worldPose(avatar, motion::restPose(avatar));
-        for (const auto kind :
-             {PointingRay::forearm, PointingRay::shoulder_hand, PointingRay::index_finger}) {
+        for (const auto kind : {PointingRay::forearm, PointingRay::shoulder_hand, PointingRay::index_finger,
+                                PointingRay::shoulder_fingertip, PointingRay::elbow_fingertip}) {
             const Ray left = motion::pointingRay(avatar, map, world, Side::left, kind);
             const Ray right = motion::pointingRay(avatar, map, world, Side::right, kind);
             CHECK(glm::length(left.direction) == Approx(1.0));
@@ -66,9 +66,73 @@ TEST_SUITE("motion/pointing") {
         CHECK(degreesFromRadians(motion::angularError(ray, {0, 1, -1})) == Approx(180.0));
     }
 
+    TEST_CASE("The head's ray starts between the eyes and goes where the face looks, turned as the head is") {
+        const auto& avatar = motion::referenceHumanoid();
+        const auto map = motion::mapByVrmNames(avatar);
+        motion::LocalPose pose = motion::restPose(avatar);
+        const auto ray = [&] {
+            return motion::pointingRay(avatar, map, motion::worldPose(avatar, pose), Side::left,
+                                       PointingRay::head);
+        };
+        CHECK(glm::length(ray().direction - Vec3(0, 0, 1)) < 0.02);
+        const Vec3 before = ray().direction;
+        const Quat turn = yawRotation(radiansFromDegrees(40.0));
+        pose.joints[static_cast<std::size_t>(map[motion::Bone::head])].orientation = turn;
+        CHECK(glm::length(ray().direction - turn * before) < 1e-12);
+        const auto world = motion::worldPose(avatar, pose);
+        CHECK(glm::length(ray().origin - motion::eyePosition(map, world)) < 1e-12);
+    }
+
+    TEST_CASE("A skeleton whose rest pose stands otherwise has the same head ray") {
+        // The whole figure rests lying on its back (z up), and is stood up by its root in the pose.
+        motion::Skeleton lying = motion::referenceHumanoid();
+        const Quat down = glm::angleAxis(radiansFromDegrees(-90.0), Vec3(1, 0, 0));
+        const auto map = motion::mapByVrmNames(lying);
+        lying.joints[0].rest = Pose{Vec3(0.0), down};
+        motion::LocalPose pose = motion::restPose(lying);
+        pose.joints[0].orientation = no_rotation;
+        const Vec3 face = motion::headDirection(lying, map, motion::worldPose(lying, pose));
+        CHECK(glm::length(face - Vec3(0, 0, 1)) < 0.02);
+    }
+
+    TEST_CASE("Bones of no length give a ray without direction") {
+        const auto& avatar = motion::referenceHumanoid();
+        const auto map = motion::mapByVrmNames(avatar);
+        auto world = motion::worldPose(avatar, motion::restPose(avatar));
+        world[static_cast<std::size_t>(map[motion::Bone::leftHand])].position =
+            world[static_cast<std::size_t>(map[motion::Bone::leftLowerArm])].position;
+        CHECK(motion::pointingRay(avatar, map, world, Side::left, PointingRay::forearm).direction ==
+              Vec3(0.0));
+    }
+
+    TEST_CASE("The distance to a ray is the perpendicular before it, and to its origin behind it") {
+        const Ray ray{{0, 1, 0}, {0, 0, 1}};
+        CHECK(motion::distanceToRay(ray, {3, 5, 7}).distance_m == Approx(5.0));
+        CHECK_FALSE(motion::distanceToRay(ray, {3, 5, 7}).points_away);
+        CHECK(motion::distanceToRay(ray, {0, 1, 2}).distance_m == 0.0);
+        CHECK(motion::distanceToRay(ray, {2, 1, -2}).distance_m == Approx(std::sqrt(8.0)));
+        CHECK(motion::distanceToRay(ray, {2, 1, -2}).points_away);
+    }
+
+    TEST_CASE("The ball that is chosen is the one missed by the smallest angle, not by the least distance") {
+        const Ray ray{{0, 0, 0}, {0, 0, 1}};
+        // 0.3 m aside at 1 m is 16.7 degrees; 0.5 m aside at 3 m is 9.5 degrees; one behind.
+        const std::vector<Vec3> balls{{0.3, 0, 1}, {0, 0.5, 3}, {0, 0, -1}};
+        const auto choice = motion::chosenBall(ray, balls);
+        REQUIRE(choice.has_value());
+        CHECK(choice->ball == 1);
+        CHECK(degreesFromRadians(choice->error_rad) == Approx(9.46232));
+        CHECK(degreesFromRadians(choice->margin_rad.value()) == Approx(16.69924 - 9.46232));
+        // The best comes first: the margin is still to the second best.
+        const auto first = motion::chosenBall(ray, {balls[1], balls[2], balls[0]});
+        CHECK(first->ball == 0);
+        CHECK(*first->margin_rad == Approx(*choice->margin_rad));
+        CHECK_FALSE(motion::chosenBall(ray, {balls[0]})->margin_rad.has_value());
+        CHECK_FALSE(motion::chosenBall(ray, {}).has_value());
+    }
+
     TEST_CASE("Names of rays read back as the same ray, and other names are refused") {
-        for (const auto kind : {PointingRay::eye_fingertip, PointingRay::index_finger, PointingRay::forearm,
-                                PointingRay::shoulder_hand})
+        for (const auto kind : motion::all_pointing_rays)
             CHECK(motion::pointingRayFromName(motion::pointingRayName(kind)).value() == kind);
         CHECK_FALSE(motion::pointingRayFromName("elbow").has_value());
     }

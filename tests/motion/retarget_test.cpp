@@ -127,8 +127,11 @@ double turnError(const Clip& a, const Clip& b, Bone bone) {
     return degreesFromRadians(worst);
 }
 
+/// With legs that move as the source's: where feet are planted they do not quite.
 Clip retargeted(const Clip& source, motion::RetargetReport* report = nullptr) {
-    auto clip = motion::retarget(source, avatarMap(), avatar(), avatarMap(), report);
+    motion::RetargetOptions options;
+    options.plant_feet = false;
+    auto clip = motion::retarget(source, avatarMap(), avatar(), avatarMap(), options, report);
     REQUIRE_MESSAGE(clip.has_value(), (clip ? "" : clip.error().text()));
     REQUIRE(clip->frames.size() == source.frames.size());
     return *clip;
@@ -199,6 +202,19 @@ TEST_SUITE("motion/retarget") {
             const Clip back = retargeted(source);
             CHECK(limbError(clip, back) < 0.01);
             CHECK(turnError(clip, back, Bone::rightHand) < 0.1);
+        }
+    }
+
+    TEST_CASE("A rig that rests lying on its side, or on its face, moves upright") {
+        const Clip clip = exercise();
+        for (const Quat& lying :
+             {about(Vec3(0, 0, 1), 90), about(Vec3(1, 0, 0), 90), about(Vec3(0, 1, 0), 90)}) {
+            const Clip source = otherRig(
+                clip, [&](Bone) { return lying; }, 100.0, no_rotation);
+            const Clip back = retargeted(source);
+            CHECK(limbError(clip, back) < 0.01);
+            CHECK(turnError(clip, back, Bone::head) < 0.1);
+            CHECK(worldOf(back, 0)[static_cast<std::size_t>(Bone::head)].position.y > 1.4);
         }
     }
 

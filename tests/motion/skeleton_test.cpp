@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/random.hpp"
+#include "motion/humanoid_mapping.hpp"
 #include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
 
 using namespace deixis;
 using motion::Bone;

@@ -30,14 +30,14 @@ struct TargetDraw {
 
 /// The line that the pointer lays through fingertip and target, and its errors.
 struct PointingLineParameters {
-    double origin_k = 0.25;          ///< the line starts at (1-k) eye + k shoulder
-    Spread extension{0.985, 0.006};  ///< shoulder to fingertip over the length of the straight arm
+    double origin_k = 0.12;          ///< the line starts at (1-k) eye + k shoulder
+    Spread extension{0.996, 0.002};  ///< shoulder to fingertip over the length of the straight arm
     /// Share of the index finger's angle to the target that wrist and knuckle mend, and their limits.
     double index_alignment = 0.15;
     double wrist_limit_deg = 18.0;
     double knuckle_limit_deg = 15.0;
-    double actor_bias_sd_deg = 3.0;     ///< constant error of the one actor, per axis
-    double trial_bias_sd_deg = 2.0;     ///< error of a trial, per axis
+    double actor_bias_sd_deg = 2.0;     ///< constant error of the one actor, per axis
+    double trial_bias_sd_deg = 1.5;     ///< error of a trial, per axis
     Spread palm_inward_deg{20.0, 8.0};  ///< turn of the palm from facing down towards the body's middle
 };
 

@@ -12,7 +12,8 @@ constexpr double reference_height_m = 1.75;
 /// Joints in Bone order, named by boneName(); fingertips, toes, jaw and eyes carry end sites.
 [[nodiscard]] const Skeleton& referenceHumanoid();
 
-/// The avatar at ease: arms down and a little out, elbows slightly bent, fingers relaxed.
-[[nodiscard]] LocalPose relaxedPose(const Skeleton& reference);
+/// An avatar at ease: arms down and a little out, elbows slightly bent, fingers relaxed. `skeleton` stands in
+/// the T pose facing +z, without rest rotations, its bones with VRM names; bones that it lacks are left out.
+[[nodiscard]] LocalPose relaxedPose(const Skeleton& skeleton);
 
 }  // namespace deixis::motion

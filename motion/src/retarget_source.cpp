@@ -1,0 +1,119 @@
+#include "retarget_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace deixis::motion {
+
+namespace {
+
+using enum Bone;
+
+constexpr std::size_t most_looks = 200;
+
+double alongUp(const BodyShape& shape, Bone bone, const Vec3& rise) {
+    const auto direction = shape.direction(bone);
+    return direction ? glm::dot(*direction, rise) : 1.0;
+}
+
+/// Mean turn of the limbs from one pose to the next, radians.
+double meanTurn(const BodyShape& from, const BodyShape& to) {
+    double sum = 0.0;
+    int count = 0;
+    for (const Hinge& hinge : hinges())
+        for (const Bone bone : {hinge.upper, hinge.lower}) {
+            const auto a = from.direction(bone);
+            const auto b = to.direction(bone);
+            if (!a || !b) continue;
+            sum += angleBetween(*a, *b);
+            ++count;
+        }
+    return count > 0 ? sum / count : 0.0;
+}
+
+}  // namespace
+
+double standing(const BodyShape& shape) {
+    const TrunkAxes axes = standingAxes(shape);
+    if (glm::length(axes.hips_up) < 1e-6 || glm::length(axes.hip_line) < 1e-6 ||
+        glm::length(axes.shoulder_line) < 1e-6)
+        return -6.0;
+    const Vec3 rise = glm::normalize(axes.hips_up);
+    const Vec3 hip_centre = 0.5 * (*shape.at(leftUpperLeg) + *shape.at(rightUpperLeg));
+    double score = glm::dot(glm::normalize(*shape.at(head) - hip_centre), rise);
+    for (const Bone bone : {leftUpperLeg, rightUpperLeg, leftLowerLeg, rightLowerLeg})
+        score -= alongUp(shape, bone, rise);
+    return score + 1.0 - std::abs(glm::dot(glm::normalize(axes.hip_line), rise));
+}
+
+Source::Source(const Clip& clip, const HumanoidMap& map) : clip_(clip), map_(map) {
+    std::vector<bool> needed(clip.skeleton.joints.size(), false);
+    for (const int joint : map.joint)
+        for (int j = joint; j >= 0; j = clip.skeleton.joints[static_cast<std::size_t>(j)].parent)
+            needed[static_cast<std::size_t>(j)] = true;
+    for (std::size_t j = 0; j < needed.size(); ++j)
+        if (needed[j]) needed_.push_back(j);
+
+    const std::size_t count = std::min(clip.frames.size(), most_looks);
+    looks_.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t frame = count < 2 ? 0 : i * (clip.frames.size() - 1) / (count - 1);
+        auto world = worldPose(clip.skeleton, clip.frames[frame]);
+        const BodyShape shape = shapeOf(clip.skeleton, map, world);
+        looks_.push_back({frame, std::move(world), shape});
+    }
+}
+
+Neutral Source::neutral() const {
+    constexpr double well_enough = 4.5;
+    auto world = worldPose(clip_.skeleton, restPose(clip_.skeleton));
+    const BodyShape rest = shapeOf(clip_.skeleton, map_, world);
+    if (standing(rest) > well_enough) return {std::move(world), rest, true};
+    const auto best = std::max_element(looks_.begin(), looks_.end(), [](const Look& a, const Look& b) {
+        return standing(a.shape) < standing(b.shape);
+    });
+    return {best->world, best->shape, false};
+}
+
+Vec3 Source::upAxis(const Neutral& neutral) const {
+    Vec3 mean(0.0);
+    for (const Look& look : looks_) mean += glm::normalize(standingAxes(look.shape).hips_up);
+    mean = glm::normalize(mean);
+    constexpr double clearly = 0.7;
+    if (mean.y > 1.0 - clearly) return up;
+    if (neutral.is_rest && glm::normalize(standingAxes(neutral.shape).hips_up).y > clearly) return up;
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(mean[i]) > std::abs(mean[axis])) axis = i;
+    Vec3 out(0.0);
+    out[axis] = mean[axis] < 0.0 ? -1.0 : 1.0;
+    return out;
+}
+
+bool Source::startsWithAddedPose() const {
+    if (clip_.frames.size() < 3) return false;
+    constexpr double jump_rad = 0.17;
+    BodyShape shapes[3];
+    for (std::size_t f = 0; f < 3; ++f)
+        shapes[f] = shapeOf(clip_.skeleton, map_, worldPose(clip_.skeleton, clip_.frames[f]));
+    const double first = meanTurn(shapes[0], shapes[1]);
+    return first > jump_rad && first > 5.0 * meanTurn(shapes[1], shapes[2]);
+}
+
+void Source::place(std::size_t frame, const Quat& turn, std::vector<Pose>& world) const {
+    const auto& local = clip_.frames[frame].joints;
+    world.resize(local.size());
+    for (const std::size_t j : needed_) {
+        const int parent = clip_.skeleton.joints[j].parent;
+        if (parent < 0) {
+            world[j] = {turn * local[j].position, turn * local[j].orientation};
+            continue;
+        }
+        const Pose& above = world[static_cast<std::size_t>(parent)];
+        world[j].position = above.position + above.orientation * local[j].position;
+        world[j].orientation = above.orientation * local[j].orientation;
+    }
+}
+
+}  // namespace deixis::motion
