@@ -1,18 +1,15 @@
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
-#include <memory>
-#include <system_error>
 #include <vector>
 
 #include "assets/bvh.hpp"
-#include "bvh_unit.hpp"
-#include "core/files.hpp"
+#include "bvh_motion.hpp"
+#include "bvh_text.hpp"
+#include "length_unit.hpp"
+#include "packed_file.hpp"
 
 namespace deixis::assets {
 
@@ -22,90 +19,11 @@ using motion::Clip;
 using motion::Joint;
 using motion::LocalPose;
 
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-bool sameWord(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return lower(x) == lower(y); });
-}
-
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
-}
-
-std::string quoted(std::string_view word) {
-    constexpr std::size_t longest = 40;
-    if (word.empty()) return "the end of the file";
-    return "'" + std::string(word.substr(0, longest)) + (word.size() > longest ? "...'" : "'");
-}
-
-/// Words and lines of a text, with the number of the line.
-class Reader {
-  public:
-    explicit Reader(std::string_view text) : text_(text) {
-        if (text_.substr(0, 3) == "\xEF\xBB\xBF") text_.remove_prefix(3);
-    }
-
-    /// The next word, over line ends; empty at the end. Braces and the colon's right side stand for
-    /// themselves.
-    std::string_view word() {
-        while (at_ < text_.size() && (isBlank(text_[at_]) || text_[at_] == '\n')) skip();
-        word_line_ = line_;
-        return wordHere();
-    }
-
-    /// The next word of this line; empty at its end.
-    std::string_view wordOfLine() {
-        while (at_ < text_.size() && isBlank(text_[at_])) ++at_;
-        return wordHere();
-    }
-
-    /// What is left of this line up to a brace, without blanks around it.
-    std::string_view restOfLine() {
-        const std::size_t begin = at_;
-        while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '{') ++at_;
-        std::string_view rest = text_.substr(begin, at_ - begin);
-        while (!rest.empty() && isBlank(rest.front())) rest.remove_prefix(1);
-        while (!rest.empty() && isBlank(rest.back())) rest.remove_suffix(1);
-        return rest;
-    }
-
-    [[nodiscard]] int wordLine() const { return word_line_; }  ///< of the latest word()
-    [[nodiscard]] int line() const { return line_; }
-    [[nodiscard]] std::size_t bytesLeft() const { return text_.size() - at_; }
-
-  private:
-    void skip() {
-        if (text_[at_] == '\n') ++line_;
-        ++at_;
-    }
-
-    std::string_view wordHere() {
-        const std::size_t begin = at_;
-        if (at_ < text_.size() && (text_[at_] == '{' || text_[at_] == '}'))
-            ++at_;
-        else
-            while (at_ < text_.size() && !isBlank(text_[at_]) && text_[at_] != '\n' && text_[at_] != '{' &&
-                   text_[at_] != '}')
-                if (text_[at_++] == ':') break;
-        return text_.substr(begin, at_ - begin);
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    int line_ = 1;
-    int word_line_ = 1;
-};
-
-struct Channel {
-    bool rotation;
-    int axis;  ///< 0 x, 1 y, 2 z
-};
-
 constexpr std::array<std::string_view, 6> channel_names{"Xposition", "Yposition", "Zposition",
                                                         "Xrotation", "Yrotation", "Zrotation"};
+
+/// A person with fingers and face has some 200.
+constexpr std::size_t most_joints = 10000;
 
 class Parser {
   public:
@@ -131,14 +49,8 @@ class Parser {
         return {};
     }
 
-    Result<double> number(std::string_view word, int line, const char* what) const {
-        double value = 0.0;
-        std::string_view digits = word;
-        if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') digits.remove_prefix(1);
-        const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        if (problem != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-            return wrong(line, "found " + quoted(word) + ", expected a finite number for " + what);
-        return value;
+    [[nodiscard]] Result<double> number(std::string_view word, int line, const char* what) const {
+        return wholeNumber(word, name_ + ":" + std::to_string(line), what);
     }
 
     Result<Vec3> offset() {
@@ -166,6 +78,9 @@ class Parser {
         const auto name = in_.restOfLine();
         if (name.empty()) return wrong(line, "found no name, expected the joint's name");
         if (auto brace = expect("{"); !brace) return brace;
+        if (clip_.skeleton.joints.size() == most_joints)
+            return wrong(line, "found more than " + std::to_string(most_joints) +
+                                   " joints, expected a figure of a person");
         Joint joint;
         joint.name = uniqueName(name);
         joint.parent = parent;
@@ -257,7 +172,7 @@ class Parser {
         const auto count_word = in_.wordOfLine();
         const auto count = number(count_word, in_.line(), "Frames");
         if (!count) return tl::unexpected(count.error());
-        if (*count < 1 || *count > 1e8 || *count != std::floor(*count))
+        if (*count < 1 || *count > 1e15 || *count != std::floor(*count))
             return wrong(in_.line(), "found " + quoted(count_word) + " frames, expected at least 1");
         if (auto word = expect("Frame"); !word) return word;
         if (auto word = expect("Time:"); !word) return word;
@@ -267,61 +182,13 @@ class Parser {
         if (*time <= 0.0)
             return wrong(in_.line(), "found frame time " + quoted(time_word) + ", expected seconds above 0");
         clip_.frame_time_s = *time;
-        return frames(static_cast<std::size_t>(*count));
-    }
-
-    Result<void> frames(std::size_t count) {
-        const std::string declared = std::to_string(count) + " as 'Frames:' says";
-        // The declared number may be nonsense; the bytes left bound what there can be.
-        clip_.frames.reserve(std::min(count, in_.bytesLeft() / (2 * values_per_frame_) + 1));
-        std::vector<double> values(values_per_frame_);
-        const LocalPose rest = motion::restPose(clip_.skeleton);
-        for (;;) {
-            std::string_view word = in_.word();
-            if (word.empty()) break;
-            const int line = in_.wordLine();
-            if (clip_.frames.size() == count)
-                return wrong(line, "found more lines of motion, expected " + declared);
-            std::size_t read = 0;
-            for (; !word.empty(); word = in_.wordOfLine(), ++read) {
-                const auto value = number(word, line, "a channel");
-                if (!value) return tl::unexpected(value.error());
-                if (read < values_per_frame_) values[read] = *value;
-            }
-            if (read != values_per_frame_)
-                return wrong(line, "found " + std::to_string(read) + " values, expected " +
-                                       std::to_string(values_per_frame_) + ", one for each channel");
-            clip_.frames.push_back(rest);
-            fill(values, clip_.frames.back());
-        }
-        if (clip_.frames.size() != count)
-            return wrong(in_.line(), "found the end of the file after " +
-                                         std::to_string(clip_.frames.size()) + " frames, expected " +
-                                         declared);
-        return {};
-    }
-
-    void fill(const std::vector<double>& values, LocalPose& pose) const {
-        std::size_t next = 0;
-        for (std::size_t j = 0; j < channels_.size(); ++j) {
-            Pose& joint = pose.joints[j];
-            for (const Channel& channel : channels_[j]) {
-                const double value = values[next++];
-                if (!channel.rotation) {
-                    joint.position[channel.axis] = value;
-                    continue;
-                }
-                const double half = 0.5 * radiansFromDegrees(value);
-                Quat turn(std::cos(half), 0.0, 0.0, 0.0);
-                (channel.axis == 0 ? turn.x : channel.axis == 1 ? turn.y : turn.z) = std::sin(half);
-                joint.orientation = joint.orientation * turn;
-            }
-        }
+        return readBvhMotion({in_.rest(), in_.line(), name_, static_cast<std::size_t>(*count)}, channels_,
+                             clip_);
     }
 
     [[nodiscard]] bool hasPositions(std::size_t joint) const {
         return std::any_of(channels_[joint].begin(), channels_[joint].end(),
-                           [](const Channel& c) { return !c.rotation; });
+                           [](const BvhChannel& c) { return !c.rotation; });
     }
 
     /// Blender can write the positions of joints below the root as shifts from OFFSET. Told by their size:
@@ -348,15 +215,16 @@ class Parser {
             "positions of joints below the root are close to 0: taken as shifts from OFFSET");
     }
 
-    Reader in_;
+    BvhText in_;
     const std::string& name_;
     Clip clip_;
-    std::vector<std::vector<Channel>> channels_;  // of each joint, in file order
+    BvhChannels channels_;
     std::size_t values_per_frame_ = 0;
     std::map<std::string, int> name_uses_;
 };
 
 void scale(Clip& clip, double factor) {
+    if (factor == 1.0) return;
     for (Joint& joint : clip.skeleton.joints) {
         joint.rest.position *= factor;
         if (joint.end_site) *joint.end_site *= factor;
@@ -365,37 +233,21 @@ void scale(Clip& clip, double factor) {
         for (Pose& pose : frame.joints) pose.position *= factor;
 }
 
-Result<std::string> unpack(const std::filesystem::path& path) {
-    const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), &gzclose);
-    if (!file) return fail(path.string(), "cannot be opened");
-    std::string text;
-    std::vector<char> buffer(1 << 16);
-    for (;;) {
-        const int count = gzread(file.get(), buffer.data(), static_cast<unsigned>(buffer.size()));
-        int code = Z_OK;
-        const char* problem = gzerror(file.get(), &code);
-        if (count < 0 || (code != Z_OK && code != Z_STREAM_END))
-            return fail(path.string(),
-                        std::string("found damaged gzip data (") + problem + "), expected a whole file");
-        if (count == 0) return text;
-        text.append(buffer.data(), static_cast<std::size_t>(count));
-    }
-}
-
 }  // namespace
 
 Result<BvhFile> parseBvh(std::string_view text, const std::string& name, const BvhOptions& options) {
     Parser parser(text, name);
     auto clip = parser.parse();
     if (!clip) return tl::unexpected(clip.error());
-    const LengthUnit unit =
-        options.metres_per_unit ? LengthUnit{*options.metres_per_unit, "as given"} : detectUnit(*clip);
-    scale(*clip, unit.metres_per_unit);
-    return BvhFile{std::move(*clip), unit.metres_per_unit, unit.words, std::move(parser.remarks)};
+    const FoundUnit unit = options.metres_per_unit ? FoundUnit{*options.metres_per_unit, Origin::given,
+                                                               givenUnitName(*options.metres_per_unit)}
+                                                   : detectUnit(*clip);
+    scale(*clip, unit.metres);
+    return BvhFile{std::move(*clip), unit, std::move(parser.remarks)};
 }
 
 Result<BvhFile> readBvh(const std::filesystem::path& path, const BvhOptions& options) {
-    const auto text = path.extension() == ".gz" ? unpack(path) : readFile(path);
+    const auto text = readUnpacked(path);
     if (!text) return tl::unexpected(text.error());
     return parseBvh(*text, path.string(), options);
 }

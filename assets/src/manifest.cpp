@@ -31,14 +31,18 @@ enum Column {
     hold,
     end,
     fps,
-    seed
+    seed,
+    source_error_deg,
+    avatar_error_deg
 };
-constexpr std::array<std::string_view, 13> column_names{
-    "clip",  "system", "target_id", "target_x", "target_y", "target_z", "hand",
-    "onset", "peak",   "hold",      "end",      "fps",      "seed"};
+constexpr std::array<std::string_view, 15> column_names{
+    "clip", "system", "target_id", "target_x", "target_y",         "target_z",        "hand", "onset", "peak",
+    "hold", "end",    "fps",       "seed",     "source_error_deg", "avatar_error_deg"};
+constexpr std::size_t required_columns = 13;  // the first ones
+constexpr std::size_t absent = ~std::size_t{0};
 
-std::string header() {
-    return fmt::format("{}", fmt::join(column_names, ","));
+std::string header(std::size_t columns = required_columns) {
+    return fmt::format("{}", fmt::join(column_names.begin(), column_names.begin() + columns, ","));
 }
 
 /// One record by column name; notes the first problem.
@@ -75,6 +79,16 @@ class RowReader {
         if (!first_)
             first_ = Error{fmt::format("{}:{}: {}", file_, record_.line, column_names[column]), message,
                            std::move(mend)};
+    }
+
+    /// Degrees from 0 to 180; none where there is no such column, or the field is empty.
+    std::optional<double> angle(Column column) {
+        if (places_[column] == absent || !any({column})) return std::nullopt;
+        constexpr std::string_view expected = "degrees from 0 to 180";
+        const auto value = number<double>(column, expected);
+        if (value < 0.0 || value > 180.0)
+            problem(column, fmt::format("found {}, expected {}", value, expected));
+        return value;
     }
 
     [[nodiscard]] const std::optional<Error>& first() const { return first_; }
@@ -126,6 +140,8 @@ Result<ManifestRow> readRow(RowReader reader) {
     row.fps = reader.number<double>(fps, "frames per second, more than 0");
     if (row.fps <= 0.0) reader.problem(fps, fmt::format("found {}, expected more than 0", row.fps));
     row.seed = reader.number<std::uint64_t>(seed, "a whole number from 0 to 18446744073709551615");
+    row.source_error_deg = reader.angle(source_error_deg);
+    row.avatar_error_deg = reader.angle(avatar_error_deg);
     if (reader.first()) return tl::unexpected(*reader.first());
     return row;
 }
@@ -135,6 +151,10 @@ Result<std::array<std::size_t, column_names.size()>> findColumns(const CsvRecord
     std::array<std::size_t, column_names.size()> places{};
     for (std::size_t i = 0; i < column_names.size(); ++i) {
         const auto count = std::count(first.fields.begin(), first.fields.end(), column_names[i]);
+        if (count == 0 && i >= required_columns) {
+            places[i] = absent;
+            continue;
+        }
         if (count != 1)
             return fail(fmt::format("{}:{}: {}", file, first.line, column_names[i]),
                         count == 0 ? "this column is missing from the header"
@@ -179,7 +199,10 @@ Result<Manifest> readManifest(const std::filesystem::path& path) {
 }
 
 std::string manifestCsv(const std::vector<ManifestRow>& rows) {
-    std::string out = header() + "\n";
+    const bool errors = std::any_of(rows.begin(), rows.end(), [](const ManifestRow& row) {
+        return row.source_error_deg || row.avatar_error_deg;
+    });
+    std::string out = header(errors ? column_names.size() : required_columns) + "\n";
     for (const ManifestRow& row : rows) {
         out += fmt::format("{},{},{},", csvField(row.clip), csvField(row.system), csvField(row.target_id));
         out += row.target ? fmt::format("{},{},{},", row.target->x, row.target->y, row.target->z) : ",,,";
@@ -188,7 +211,11 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
                                p->hold_frame, p->end_frame);
         else
             out += ",,,,,";
-        out += fmt::format("{},{}\n", row.fps, row.seed);
+        out += fmt::format("{},{}", row.fps, row.seed);
+        if (errors)
+            for (const auto& error : {row.source_error_deg, row.avatar_error_deg})
+                out += error ? fmt::format(",{}", *error) : ",";
+        out += "\n";
     }
     return out;
 }

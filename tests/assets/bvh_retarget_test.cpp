@@ -121,6 +121,86 @@ TEST_SUITE("assets/bvh_retarget") {
         }
     }
 
+    TEST_CASE("Each recording's naming scheme is recognised") {
+        const std::pair<const char*, const char*> schemes[] = {
+            {"bvh/bvhpython_test_freebvh.bvh", "Mixamo"},
+            {"bvh/bvhtoolbox_walk01/walk01.bvh", "Mixamo"},
+            {"bvh/cmu_cgspeed_motionbuilder_02_01.bvh", "CMU/cgspeed"},
+            {"bvh/cmu_iclone_002_01.bvh", "iClone"},
+            {"bvh/dme_example.bvh", "CMU/cgspeed"},
+            {"bvh/makehuman_tpose.bvh", "MakeHuman"},
+            {"bvh/optitrack_arena_louise.bvh.gz", "OptiTrack"},
+            {"bvh/pybvh_bvh_test1.bvh", "Mixamo"}};
+        for (const auto& row : schemes) {
+            const std::string name(row.first);
+            const auto& scheme = row.second;
+            const auto path = tests::sharedData(name);
+            DEIXIS_SKIP_WITHOUT(path);
+            INFO(name);
+            const auto mapping = motion::mapHumanoid(load(path).skeleton);
+            CHECK(mapping.scheme == scheme);
+            CHECK(mapping.remarks.empty());
+            for (const Bone bone : motion::requiredBones()) CHECK(mapping.map.has(bone));
+        }
+    }
+
+    TEST_CASE("Walkers' feet neither slide nor sink on the avatar") {
+        for (const char* name :
+             {"bvh/bvhtoolbox_walk01/walk01.bvh", "bvh/cmu_cgspeed_motionbuilder_02_01.bvh",
+              "bvh/cmu_iclone_002_01.bvh", "bvh/dme_example.bvh", "bvh/optitrack_arena_louise.bvh.gz"}) {
+            const auto path = tests::sharedData(name);
+            DEIXIS_SKIP_WITHOUT(path);
+            INFO(std::string(name));
+            const auto& avatar = motion::referenceHumanoid();
+            const Clip source = load(path);
+            const auto map = motion::detectHumanoid(source.skeleton);
+            motion::RetargetReport report;
+            const auto clip =
+                motion::retarget(source, map, avatar, motion::mapByVrmNames(avatar), {}, &report);
+            REQUIRE(clip.has_value());
+            motion::RetargetOptions free;
+            free.plant_feet = false;
+            const auto before = motion::retarget(source, map, avatar, motion::mapByVrmNames(avatar), free);
+            REQUIRE(before.has_value());
+            MESSAGE(std::string(name), ": standing ", report.feet.standing_share, ", slides ",
+                    1000.0 * report.feet.before_m_s, " -> ", 1000.0 * report.feet.after_m_s, " mm/s, lowest ",
+                    1000.0 * report.feet.lowest_before_m, " -> ", 1000.0 * report.feet.lowest_after_m, " mm");
+            CHECK(report.feet.standing_share > 0.2);
+            CHECK(report.feet.after_m_s < 0.02);
+            CHECK(report.feet.after_m_s < report.feet.before_m_s);
+            CHECK(report.feet.lowest_after_m > -0.005);
+            // Measured anew: the ball of a foot that touches the floor, and that rested as recorded, does not
+            // move on the avatar.
+            const auto rest = motion::worldPose(avatar, motion::restPose(avatar));
+            const auto fps = clip->framesPerSecond();
+            for (const bool left : {true, false}) {
+                const Bone foot = left ? Bone::leftFoot : Bone::rightFoot;
+                const Bone toes = left ? Bone::leftToes : Bone::rightToes;
+                Vec3 ball = rest[static_cast<std::size_t>(toes)].position;
+                ball.y = 0.0;
+                ball -= rest[static_cast<std::size_t>(foot)].position;
+                const auto ballAt = [&](const Clip& c, std::size_t f) {
+                    return transformPoint(Body(c, f).pose(foot), ball);
+                };
+                double worst = 0.0;
+                int touches = 0;
+                for (std::size_t f = 1; f < clip->frames.size(); ++f) {
+                    const double recorded_m_s =
+                        glm::length(ballAt(*before, f) - ballAt(*before, f - 1)) * fps;
+                    const Vec3 now = ballAt(*clip, f);
+                    const Vec3 last = ballAt(*clip, f - 1);
+                    if (recorded_m_s > 0.15 || std::max(now.y, last.y) > 0.003) continue;
+                    ++touches;
+                    worst = std::max(worst, std::hypot(now.x - last.x, now.z - last.z) * fps);
+                    CHECK(now.y > -0.005);
+                }
+                MESSAGE(touches, " frames on the floor, fastest ", 1000.0 * worst, " mm/s");
+                CHECK(touches > 0);
+                CHECK(worst < 0.06);
+            }
+        }
+    }
+
     TEST_CASE("Walkers walk the way they face") {
         for (const char* name :
              {"bvh/bvhtoolbox_walk01/walk01.bvh", "bvh/cmu_cgspeed_motionbuilder_02_01.bvh",
@@ -214,7 +294,7 @@ TEST_SUITE("assets/bvh_retarget") {
         const Clip clip = onAvatar(load(path));
         const auto again = assets::parseBvh(assets::writeBvh(clip), "again.bvh");
         REQUIRE(again.has_value());
-        CHECK(again->metres_per_unit == 1.0);
+        CHECK(again->unit.metres == 1.0);
         const auto map = motion::detectHumanoid(again->clip.skeleton);
         double worst = 0.0;
         for (std::size_t f = 0; f < clip.frames.size(); f += 13) {

@@ -231,22 +231,22 @@ TEST_SUITE("assets/bvh_unit") {
             const char* words;
         };
         const double cgspeed = 0.0254 / 0.45;
-        for (const Case& c :
-             {Case{"bvh/bvhpython_test_freebvh.bvh", 0.01, "centimetre (detected)"},
-              Case{"bvh/bvhtoolbox_walk01/walk01.bvh", 0.01, "centimetre (detected)"},
-              Case{"bvh/cmu_iclone_002_01.bvh", 0.01, "centimetre (detected)"},
-              Case{"bvh/optitrack_arena_louise.bvh.gz", 0.01, "centimetre (detected)"},
-              Case{"bvh/makehuman_tpose.bvh", 0.1, "decimetre (detected)"},
-              Case{"bvh/pybvh_bvh_test1.bvh", 0.0254, "inch (detected)"},
-              Case{"bvh/cmu_cgspeed_motionbuilder_02_01.bvh", cgspeed, "1/0.45 inch (detected)"},
-              Case{"bvh/dme_example.bvh", cgspeed, "1/0.45 inch (detected)"}}) {
+        for (const Case& c : {Case{"bvh/bvhpython_test_freebvh.bvh", 0.01, "centimetre"},
+                              Case{"bvh/bvhtoolbox_walk01/walk01.bvh", 0.01, "centimetre"},
+                              Case{"bvh/cmu_iclone_002_01.bvh", 0.01, "centimetre"},
+                              Case{"bvh/optitrack_arena_louise.bvh.gz", 0.01, "centimetre"},
+                              Case{"bvh/makehuman_tpose.bvh", 0.1, "decimetre"},
+                              Case{"bvh/pybvh_bvh_test1.bvh", 0.0254, "inch"},
+                              Case{"bvh/cmu_cgspeed_motionbuilder_02_01.bvh", cgspeed, "1/0.45 inch"},
+                              Case{"bvh/dme_example.bvh", cgspeed, "1/0.45 inch"}}) {
             const auto path = tests::sharedData(c.file);
             DEIXIS_SKIP_WITHOUT(path);
             const auto file = assets::readBvh(path);
             REQUIRE_MESSAGE(file.has_value(), (file ? "" : file.error().text()));
             INFO(std::string(c.file));
-            CHECK(file->metres_per_unit == Approx(c.metres));
-            CHECK(file->unit == std::string(c.words));
+            CHECK(file->unit.metres == Approx(c.metres));
+            CHECK(file->unit.name == std::string(c.words));
+            CHECK(file->unit.origin == assets::Origin::detected);
         }
     }
 
@@ -256,7 +256,7 @@ TEST_SUITE("assets/bvh_unit") {
         const auto file = assets::readBvh(path, assets::BvhOptions{0.02});
         REQUIRE(file.has_value());
         CHECK(file->clip.skeleton.joints[0].rest.position.y == Approx(103.511 * 0.02));
-        CHECK(file->unit == "as given");
+        CHECK(file->unit.origin == assets::Origin::given);
     }
 
     TEST_CASE("The avatar scaled to each unit is recognised in it") {
@@ -270,7 +270,7 @@ TEST_SUITE("assets/bvh_unit") {
             clip.frames.assign(1, motion::restPose(clip.skeleton));
             const auto file = parseBvh(assets::writeBvh(clip), "f");
             REQUIRE(file.has_value());
-            CHECK(file->metres_per_unit == Approx(unit));
+            CHECK(file->unit.metres == Approx(unit));
         }
     }
 }
@@ -300,7 +300,7 @@ TEST_SUITE("assets/bvh_write") {
                 glm::angleAxis(radiansFromDegrees(20), Vec3(0, 1, 0));
         const auto file = parseBvh(assets::writeBvh(clip), "f");
         REQUIRE_MESSAGE(file.has_value(), (file ? "" : file.error().text()));
-        CHECK(file->metres_per_unit == 1.0);
+        CHECK(file->unit.metres == 1.0);
         CHECK(file->clip.frame_time_s == clip.frame_time_s);
         REQUIRE(file->clip.frameCount() == clip.frameCount());
         double worst = 0.0;

@@ -74,7 +74,7 @@ TEST_SUITE("assets/demonstrations") {
         refused("hold_s = [0.7, 1.3]", "hold_s = [1.3, 0.7]", "timing.hold_s", "the first number is greater");
         refused("hold_s = [0.7, 1.3]", "hold_s = [0.7]", "timing.hold_s", "expected a list of 2 numbers");
         refused("hold_s = [0.7, 1.3]", "hold_s = 0.7", "timing.hold_s", "expected a list of 2 numbers");
-        refused("extension = [0.985, 0.006]", "extension = [0.985, -1.0]", "line.extension", "found -1");
+        refused("extension = [0.996, 0.002]", "extension = [0.996, -1.0]", "line.extension", "found -1");
         refused("left_count = 25", "left_count = 0", "library.left_count", "found 0, expected 1 to 10000");
         refused("left_count = 25", "left_count = 2.5", "library.left_count", "expected a whole number");
         refused("seed = 1 ", "seed = -1 ", "library.seed", "expected a whole number, 0 or more");

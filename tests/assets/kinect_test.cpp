@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "assets/clip_import.hpp"
 #include "assets/joint_positions.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "shared_data.hpp"
@@ -48,8 +50,21 @@ std::string line(double time_s, const std::array<Vec3, 25>& p, int untracked = -
     return out + ",\r\n";
 }
 
+Result<motion::Clip> parsed(const std::string& text, const assets::ImportOptions& options = {}) {
+    return assets::parseKinectClip(text, "k.csv", options).map([](assets::ImportedClip&& imported) {
+        return std::move(imported.clip);
+    });
+}
+
+Result<motion::Clip> readKinectClip(const std::filesystem::path& path) {
+    return assets::importClip(path).map([](assets::ImportedClip&& imported) {
+        CHECK(imported.format == "Kinect v2 joint positions");
+        return std::move(imported.clip);
+    });
+}
+
 std::string errorOf(const std::string& text) {
-    const auto clip = assets::parseKinectClip(text, "k.csv");
+    const auto clip = parsed(text);
     REQUIRE_FALSE(clip.has_value());
     return clip.error().text();
 }
@@ -63,7 +78,7 @@ Vec3 at(const motion::Clip& clip, std::size_t frame, Bone bone) {
 TEST_SUITE("assets/kinect") {
     TEST_CASE("A person who faces the camera stands on the avatar's feet and faces +z") {
         const auto p = standingPerson();
-        const auto clip = assets::parseKinectClip(line(0, p) + line(0.5, p) + line(1.0, p), "k.csv");
+        const auto clip = parsed(line(0, p) + line(0.5, p) + line(1.0, p));
         REQUIRE_MESSAGE(clip.has_value(), (clip ? "" : clip.error().text()));
         CHECK(clip->frameCount() == 31);
         CHECK(clip->framesPerSecond() == doctest::Approx(30.0));
@@ -84,9 +99,8 @@ TEST_SUITE("assets/kinect") {
         raised[10] = {0.2, 1.05, 2.5};
         auto nonsense = p;
         nonsense[10] = {9, 9, 9};
-        const auto clip = assets::parseKinectClip(
-            line(0, p) + line(0.1, nonsense, 10) + line(0.2, p) + line(1.2, raised) + line(1.4, raised),
-            "k.csv");
+        const auto clip = parsed(line(0, p) + line(0.1, nonsense, 10) + line(0.2, p) + line(1.2, raised) +
+                                 line(1.4, raised));
         REQUIRE(clip.has_value());
         CHECK(clip->frameCount() == 43);
         for (const std::size_t f : {2U, 3U, 4U}) {
@@ -98,6 +112,16 @@ TEST_SUITE("assets/kinect") {
         const Vec3 upper = at(*clip, 21, Bone::rightLowerArm) - at(*clip, 21, Bone::rightUpperArm);
         CHECK(degreesFromRadians(std::atan2(upper.y, -upper.x)) == doctest::Approx(45.0).epsilon(0.05));
         CHECK(glm::normalize(at(*clip, 42, Bone::rightHand) - at(*clip, 42, Bone::rightUpperArm)).y > 0.99);
+    }
+
+    TEST_CASE("With a given rate the lines follow each other at it, whatever their times") {
+        const auto p = standingPerson();
+        assets::ImportOptions options;
+        options.fps = 60.0;
+        const auto clip = parsed(line(0, p) + line(0.5, p) + line(3.0, p), options);
+        REQUIRE(clip.has_value());
+        CHECK(clip->frameCount() == 3);
+        CHECK(clip->framesPerSecond() == doctest::Approx(60.0));
     }
 
     TEST_CASE("Faults are reported with file and line") {
@@ -114,13 +138,12 @@ TEST_SUITE("assets/kinect") {
         CHECK(contains(errorOf(line(1, p) + good), "k.csv:2: found a time that is not after"));
         CHECK(contains(errorOf(good + line(1e5, p)), "more than an hour"));
         CHECK(contains(errorOf(line(0, p, 10)), "no position for rightHand"));
-        CHECK(contains(assets::readKinectClip("no_such.csv").error().text(), "no_such.csv"));
     }
 
     TEST_CASE("In the recorded pointing gesture the right arm is straight and raised at 3.6 s") {
         const auto path = tests::sharedData("pointing/labanotation_kinect/Ges05_demopoint.csv");
         DEIXIS_SKIP_WITHOUT(path);
-        const auto clip = assets::readKinectClip(path);
+        const auto clip = readKinectClip(path);
         REQUIRE_MESSAGE(clip.has_value(), (clip ? "" : clip.error().text()));
         CHECK(clip->duration_s() == doctest::Approx(6.33).epsilon(0.01));
         const std::size_t f = 108;  // 3.6 s
@@ -142,7 +165,7 @@ TEST_SUITE("assets/kinect") {
                                  "Ges04_comehere", "Ges05_demopoint", "Ges06_chickenwing"}) {
             const auto path = tests::sharedData("pointing/labanotation_kinect/" + std::string(name) + ".csv");
             DEIXIS_SKIP_WITHOUT(path);
-            const auto clip = assets::readKinectClip(path);
+            const auto clip = readKinectClip(path);
             INFO(std::string(name));
             REQUIRE(clip.has_value());
             double fastest_deg = 0.0;  // no bone flips from one frame to the next

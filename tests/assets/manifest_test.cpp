@@ -41,6 +41,22 @@ std::string with(int column, const std::string& value) {
 }  // namespace
 
 TEST_SUITE("assets/manifest") {
+    TEST_CASE("errors of retargeted clips are kept in columns of their own, which may lack") {
+        const std::string wide = header.substr(0, header.size() - 1) + ",source_error_deg,avatar_error_deg\n";
+        const std::string row = good.substr(0, good.size() - 1);
+        const auto read = parseManifest(wide + row + ",3.5,3.25\n" + row + ",,\n", "m.csv");
+        REQUIRE(read.has_value());
+        CHECK(read->rows[0].source_error_deg == 3.5);
+        CHECK(read->rows[0].avatar_error_deg == 3.25);
+        CHECK_FALSE(read->rows[1].source_error_deg.has_value());
+        CHECK(manifestCsv(read->rows) == wide + row + ",3.5,3.25\n" + row + ",,\n");
+        CHECK_FALSE(parseManifest(header + good, "m.csv")->rows[0].avatar_error_deg.has_value());
+        CHECK(manifestCsv(parseManifest(header + good, "m.csv")->rows) == header + good);
+        CHECK(
+            says(errorOf(wide + row + ",181,3\n"), "m.csv:2: source_error_deg: found 181, expected degrees"));
+        CHECK(says(errorOf(wide + row + ",3,x\n"), "m.csv:2: avatar_error_deg: found 'x'"));
+    }
+
     TEST_CASE("bad rows are refused with file, line and column") {
         CHECK(says(errorOf(with(0, "")), "m.csv:2: clip: is empty"));
         CHECK(says(errorOf(with(3, "nan")), "m.csv:2: target_x: found 'nan', expected a finite number"));

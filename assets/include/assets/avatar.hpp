@@ -1,4 +1,8 @@
-// An avatar as CPU data: skeleton, humanoid map and skinned mesh, read from a glTF 2.0 binary.
+// An avatar as CPU data: any humanoid glTF 2.0 or VRM figure, brought to one shape.
+//
+// Whatever the file's rest pose, bone axes, scales and facing are, the skeleton that comes out stands in the
+// T pose in metres, y up, facing +z, its lowest vertex on the floor, and its joints have no rest rotations.
+// Joints that play a bone carry that bone's VRM name. How the skin is carried over: docs/avatar.md.
 #pragma once
 
 #include <array>
@@ -6,7 +10,6 @@
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -18,21 +21,51 @@ namespace deixis::assets {
 struct SkinnedVertex {
     glm::vec3 position{0.0F};  ///< bind pose, metres
     glm::vec3 normal{0.0F};
-    glm::vec3 colour{1.0F};                 ///< linear
+    glm::vec3 colour{1.0F};                 ///< linear; the material's base colour factor is in it
     std::array<std::uint16_t, 4> joints{};  ///< indices into the skeleton
     std::array<float, 4> weights{};         ///< sum 1
+    glm::vec2 uv{0.0F};                     ///< (0, 0) is the upper left corner of the texture
 };
+
+enum class TextureWrap : unsigned char { repeat, clamp, mirror };
+
+/// A base colour texture, sRGB, rows from the top, 4 bytes a pixel.
+struct AvatarTexture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+    TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+    bool nearest = false;  ///< texels stay square, for palettes and pixel art
+};
+
+/// Triangles that are drawn in the same way.
+struct AvatarPart {
+    std::uint32_t first_index = 0, index_count = 0;  ///< of Avatar::indices
+    int texture = -1;                                ///< of Avatar::textures; -1: vertex colours alone
+    float alpha_cutoff = 0.0F;                       ///< texels of less alpha are holes; 0: none are
+    bool double_sided = false;
+};
+
+/// As many joints as can be drawn.
+constexpr std::size_t most_avatar_joints = 340;
 
 struct Avatar {
     motion::Skeleton skeleton;
     motion::HumanoidMap humanoid;
     std::vector<SkinnedVertex> vertices;
     std::vector<std::uint32_t> indices;  ///< triangles
+    std::vector<AvatarPart> parts{};     ///< in the order of their indices; none: all triangles, plain
+    std::vector<AvatarTexture> textures{};
     /// joint_from_bind of each skeleton joint (the inverse bind matrix as a rigid transform).
     std::vector<Pose> joint_from_bind;
-    std::string content_hash;  ///< SHA-256 of the file
+    double height_m = 0.0;               ///< of the mesh in the T pose
+    std::string content_hash;            ///< SHA-256 of the file, and of the files that it names
+    std::vector<std::string> remarks{};  ///< for people: what was adapted or left out
 };
 
+/// Reads .glb, .vrm (0.x and 1.0) and .gltf with the files beside it. Fails, naming the file, where it is not
+/// readable, where it is no humanoid (naming the bones that lack: hips, head, both arms to the hand, both
+/// legs to the foot), where it needs an extension that is not known here, and where a file that it names lies
+/// outside its folder.
 [[nodiscard]] Result<Avatar> loadAvatar(const std::filesystem::path& path);
 
 }  // namespace deixis::assets

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assets/clip_import.hpp"
 #include "core/error.hpp"
 #include "motion/clip.hpp"
 
@@ -19,9 +20,8 @@ struct BvhOptions {
 };
 
 struct BvhFile {
-    motion::Clip clip;                   ///< metres
-    double metres_per_unit = 1.0;        ///< what was used
-    std::string unit;                    ///< in words, such as "centimetre (detected)"
+    motion::Clip clip;  ///< metres, the file's own axes
+    FoundUnit unit{};
     std::vector<std::string> remarks{};  ///< what was unusual about the file and how it was taken
 };
 

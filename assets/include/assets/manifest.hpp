@@ -33,6 +33,9 @@ struct ManifestRow {
     std::optional<PointingPhases> phases{};
     double fps = 30.0;
     std::uint64_t seed = 0;
+    /// Where the clip was retargeted: the error of its pointing ray as recorded, and on the avatar; degrees.
+    std::optional<double> source_error_deg{};
+    std::optional<double> avatar_error_deg{};
 };
 
 struct Manifest {
@@ -46,7 +49,8 @@ struct Manifest {
 [[nodiscard]] Result<Manifest> readManifest(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors and in the result.
 [[nodiscard]] Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name);
-/// Header and rows, every number with as many digits as bring the same number back.
+/// Header and rows, with the columns of the errors where a row has one; every number with as many digits as
+/// bring the same number back.
 [[nodiscard]] std::string manifestCsv(const std::vector<ManifestRow>& rows);
 
 }  // namespace deixis::assets

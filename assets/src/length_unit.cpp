@@ -1,13 +1,16 @@
-#include "bvh_unit.hpp"
+#include "length_unit.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 #include <string_view>
 
-#include "motion/retarget.hpp"
+#include "motion/humanoid_mapping.hpp"
 
 namespace deixis::assets {
 
@@ -32,6 +35,10 @@ constexpr double usual_m = 1.72;
 
 // Thigh and shin as a part of stature (Drillis & Contini 1966: hip 0.530, ankle 0.039).
 constexpr double leg_of_stature = 0.491;
+// Upper arm and forearm (the same).
+constexpr double arm_of_stature = 0.186 + 0.146;
+
+using motion::Bone;
 
 double segmentLength(const motion::Clip& clip, int joint, int ancestor) {
     double length = 0.0;
@@ -47,7 +54,6 @@ double segmentLength(const motion::Clip& clip, int joint, int ancestor) {
 /// Stature by the legs' bones, which no pose changes; 0 where the figure has no legs.
 double statureByLegs(const motion::Clip& clip) {
     const motion::HumanoidMap map = motion::detectHumanoid(clip.skeleton);
-    using motion::Bone;
     if (!map.has(Bone::leftUpperLeg) || !map.has(Bone::leftFoot)) return 0.0;
     return segmentLength(clip, map[Bone::leftFoot], map[Bone::leftUpperLeg]) / leg_of_stature;
 }
@@ -67,19 +73,57 @@ double statureByExtent(const motion::Clip& clip) {
     return std::max({size.x, size.y, size.z});
 }
 
-}  // namespace
-
-LengthUnit detectUnit(const motion::Clip& clip) {
-    double stature = statureByLegs(clip);
-    if (stature <= 0.0) stature = statureByExtent(clip);
-    if (stature <= 0.0) return {1.0, "metre (assumed: the figure has no size)"};
+FoundUnit unitOf(double stature) {
+    if (!(stature > 0.0) || !std::isfinite(stature))
+        return {1.0, Origin::assumed, "metre, for the figure has no size"};
     for (const Unit& unit : units)
         if (const double metres = stature * unit.metres; metres >= shortest_m && metres <= tallest_m)
-            return {unit.metres, std::string(unit.name) + " (detected)"};
+            return {unit.metres, Origin::detected, std::string(unit.name)};
     const auto distance = [&](const Unit& u) { return std::abs(std::log(stature * u.metres / usual_m)); };
     const Unit* best = &*std::min_element(
         units.begin(), units.end(), [&](const Unit& a, const Unit& b) { return distance(a) < distance(b); });
-    return {best->metres, std::string(best->name) + " (guessed: no common unit gives a person's size)"};
+    return {best->metres, Origin::assumed,
+            std::string(best->name) + ", for no common unit gives a person's size"};
+}
+
+/// Mean length of the line over those bones, of the frames that know them all; 0 where none does.
+double meanLength(const std::vector<motion::BonePositions>& frames, std::initializer_list<Bone> line) {
+    double sum = 0.0;
+    int count = 0;
+    for (const motion::BonePositions& p : frames) {
+        if (!std::all_of(line.begin(), line.end(), [&](Bone bone) { return p[bone].has_value(); })) continue;
+        ++count;
+        for (const Bone* bone = line.begin(); bone + 1 != line.end(); ++bone)
+            sum += glm::length(*p[bone[1]] - *p[bone[0]]);
+    }
+    return count == 0 ? 0.0 : sum / count;
+}
+
+}  // namespace
+
+FoundUnit detectUnit(const motion::Clip& clip) {
+    const double by_legs = statureByLegs(clip);
+    return unitOf(by_legs > 0.0 ? by_legs : statureByExtent(clip));
+}
+
+FoundUnit detectUnit(const std::vector<motion::BonePositions>& frames) {
+    using enum Bone;
+    const double leg = 0.5 * (meanLength(frames, {leftUpperLeg, leftLowerLeg, leftFoot}) +
+                              meanLength(frames, {rightUpperLeg, rightLowerLeg, rightFoot}));
+    if (leg > 0.0) return unitOf(leg / leg_of_stature);
+    const double arm = 0.5 * (meanLength(frames, {leftUpperArm, leftLowerArm, leftHand}) +
+                              meanLength(frames, {rightUpperArm, rightLowerArm, rightHand}));
+    return unitOf(arm / arm_of_stature);
+}
+
+std::string givenUnitName(double metres) {
+    for (const Unit& unit : units)
+        if (std::abs(unit.metres - metres) < 1e-9 * metres) return std::string(unit.name);
+    return fmt::format("{:.6g} m", metres);
+}
+
+std::string unitWords(const FoundUnit& unit) {
+    return unit.name + " (" + std::string(originName(unit.origin)) + ")";
 }
 
 }  // namespace deixis::assets

@@ -1,14 +1,11 @@
-#include "assets/joint_positions.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <vector>
 
-#include "core/files.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
+#include "assets/joint_positions.hpp"
+#include "position_import.hpp"
 
 namespace deixis::assets {
 
@@ -19,7 +16,8 @@ using motion::Bone;
 constexpr std::size_t joint_count = 25;
 constexpr std::size_t field_count = 1 + 4 * joint_count;
 constexpr double ticks_per_second = 1e7;
-constexpr double frame_time_s = 1.0 / 30.0;
+constexpr double usual_fps = 30.0;
+constexpr double smoothing_step_s = 0.75 / usual_fps;
 
 /// Joints that are used, by their number in Kinect's JointType. Kinect's Neck lies in the throat; the point
 /// between the shoulders (20) is what the solver calls neck.
@@ -33,41 +31,19 @@ constexpr Used used[] = {{0, Bone::hips},           {20, Bone::neck},          {
                          {12, Bone::leftUpperLeg},  {13, Bone::leftLowerLeg},  {14, Bone::leftFoot},
                          {16, Bone::rightUpperLeg}, {17, Bone::rightLowerLeg}, {18, Bone::rightFoot}};
 
-/// One joint over time; only moments at which it was tracked.
-struct Track {
-    std::vector<double> time_s;
-    std::vector<Vec3> position;
-
-    [[nodiscard]] Vec3 at(double t) const {
-        const auto after = std::upper_bound(time_s.begin(), time_s.end(), t);
-        if (after == time_s.begin()) return position.front();
-        if (after == time_s.end()) return position.back();
-        const auto i = static_cast<std::size_t>(after - time_s.begin());
-        const double part = (t - time_s[i - 1]) / (time_s[i] - time_s[i - 1]);
-        return position[i - 1] + (position[i] - position[i - 1]) * part;
-    }
-
-    /// Mean of the moments around t, weighted 1 2 3 2 1, three quarters of a frame apart.
-    [[nodiscard]] Vec3 smoothAt(double t) const {
-        constexpr std::array<double, 5> weight{1.0, 2.0, 3.0, 2.0, 1.0};
-        Vec3 sum(0.0);
-        for (std::size_t i = 0; i < 5; ++i)
-            sum += weight[i] / 9.0 * at(t + (static_cast<double>(i) - 2.0) * 0.75 * frame_time_s);
-        return sum;
-    }
-};
-
 struct Recording {
-    std::array<Track, joint_count> tracks;
+    std::array<JointTrack, joint_count> tracks;
     double first_s = 0.0;
     double last_s = 0.0;
 };
 
-Result<Recording> parseLines(std::string_view text, const std::string& name) {
+/// With `fps` lines follow each other at that rate, whatever times they tell.
+Result<Recording> parseLines(std::string_view text, const std::string& name,
+                             const std::optional<double>& fps) {
     Recording recording;
     std::array<double, field_count> fields{};
     double previous_s = 0.0;
-    bool any = false;
+    int rows = 0;
     for (int line = 1; !text.empty(); ++line) {
         const auto end = std::min(text.find('\n'), text.size());
         std::string_view row = text.substr(0, end);
@@ -92,11 +68,10 @@ Result<Recording> parseLines(std::string_view text, const std::string& name) {
         if (count != field_count)
             return fail(where, "found " + std::to_string(count) + " columns, expected " +
                                    std::to_string(field_count) + ": time and x,y,z,state of 25 joints");
-        const double time_s = fields[0] / ticks_per_second;
-        if (any && time_s <= previous_s)
+        const double time_s = fps ? rows / *fps : fields[0] / ticks_per_second;
+        if (rows > 0 && time_s <= previous_s)
             return fail(where, "found a time that is not after the one before, expected rising times");
-        if (!any) recording.first_s = time_s;
-        any = true;
+        if (rows++ == 0) recording.first_s = time_s;
         recording.last_s = previous_s = time_s;
         for (std::size_t j = 0; j < joint_count; ++j) {
             if (fields[4 + 4 * j] < 0.5) continue;
@@ -105,7 +80,7 @@ Result<Recording> parseLines(std::string_view text, const std::string& name) {
                                                       fields[3 + 4 * j]);
         }
     }
-    if (!any) return fail(name, "found no lines, expected a Kinect recording");
+    if (rows == 0) return fail(name, "found no lines, expected a Kinect recording");
     constexpr double longest_s = 3600.0;
     if (recording.last_s - recording.first_s > longest_s)
         return fail(name,
@@ -116,27 +91,25 @@ Result<Recording> parseLines(std::string_view text, const std::string& name) {
 
 }  // namespace
 
-Result<motion::Clip> parseKinectClip(std::string_view text, const std::string& name) {
-    const auto recording = parseLines(text, name);
+Result<ImportedClip> parseKinectClip(std::string_view text, const std::string& name,
+                                     const ImportOptions& options) {
+    const auto recording = parseLines(text, name, options.fps);
     if (!recording) return tl::unexpected(recording.error());
+    PositionRecording out;
+    out.format = "Kinect v2 joint positions";
+    out.unit = FoundUnit{};
+    out.up = UpAxis::y;
+    out.rate = options.fps ? FoundRate{*options.fps, Origin::given} : FoundRate{usual_fps, Origin::declared};
+    const double frame_time_s = 1.0 / out.rate.fps;
     const int count =
         static_cast<int>(std::floor((recording->last_s - recording->first_s) / frame_time_s + 1e-6)) + 1;
-    std::vector<motion::BonePositions> frames(static_cast<std::size_t>(count));
+    out.frames.resize(static_cast<std::size_t>(count));
     for (int f = 0; f < count; ++f)
         for (const Used& u : used)
-            if (const Track& track = recording->tracks[u.joint]; !track.position.empty())
-                frames[static_cast<std::size_t>(f)][u.bone] =
-                    track.smoothAt(recording->first_s + f * frame_time_s);
-    const motion::Skeleton& avatar = motion::referenceHumanoid();
-    auto clip = motion::clipFromPositions(frames, frame_time_s, avatar, motion::mapByVrmNames(avatar));
-    if (!clip) return fail(name, clip.error().message, clip.error().mend);
-    return clip;
-}
-
-Result<motion::Clip> readKinectClip(const std::filesystem::path& path) {
-    const auto text = readFile(path);
-    if (!text) return tl::unexpected(text.error());
-    return parseKinectClip(*text, path.string());
+            if (const JointTrack& track = recording->tracks[u.joint]; !track.empty())
+                out.frames[static_cast<std::size_t>(f)][u.bone] =
+                    track.smoothAt(recording->first_s + f * frame_time_s, smoothing_step_s);
+    return clipOfPositions(std::move(out), name, options);
 }
 
 }  // namespace deixis::assets

@@ -1,0 +1,21 @@
+// A glTF file and all that it names, as bytes in memory; private to reading avatars.
+#pragma once
+
+#include <tiny_gltf.h>
+
+#include <filesystem>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace deixis::assets {
+
+struct AvatarFile {
+    tinygltf::Model model;     ///< images hold their files' bytes, not yet decoded
+    std::string content_hash;  ///< SHA-256 of the file; where it names others, of all of them together
+};
+
+/// GLB or glTF JSON, told apart by the first bytes. Only files in the folder of `path` and below are opened.
+[[nodiscard]] Result<AvatarFile> readAvatarFile(const std::filesystem::path& path);
+
+}  // namespace deixis::assets

@@ -1,0 +1,30 @@
+// The containers of glTF: the binary's chunks, data URIs and the files that a glTF file names.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace deixis::assets::gltf {
+
+struct Chunks {
+    std::string_view json, bin;
+    bool has_bin = false;
+};
+
+/// The chunks of a GLB (glTF 2.0, section 4.4), or the whole text of a .gltf. Throws Refusal.
+[[nodiscard]] Chunks splitChunks(std::string_view bytes, const std::string& file);
+
+/// The bytes of a data URI (RFC 2397, base64 alone); none where the URI is no data URI. Throws Refusal.
+[[nodiscard]] std::optional<std::string> decodeDataUri(std::string_view uri, const std::string& where);
+
+/// The bytes of a file that a glTF file in `folder` names. Refused are addresses with a scheme, absolute
+/// paths, paths and links that leave the folder, and what is no plain file of `at_least` bytes or more.
+/// Throws Refusal; `where` names the place in the file for it.
+[[nodiscard]] std::string readNeighbour(std::string_view uri, const std::filesystem::path& folder,
+                                        std::size_t at_least, const std::string& where);
+
+}  // namespace deixis::assets::gltf

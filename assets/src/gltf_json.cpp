@@ -1,0 +1,130 @@
+#include "gltf_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace deixis::assets::gltf {
+
+namespace {
+
+constexpr int deepest = 64;
+constexpr std::size_t most_values = 3'000'000;
+
+/// Refuses text whose tree would be too deep or too large, by its brackets and commas alone.
+void checkSize(std::string_view text, const std::string& file) {
+    int depth = 0;
+    std::size_t values = 1;
+    bool in_string = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (in_string) {
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                in_string = false;
+            continue;
+        }
+        if (c == '"') in_string = true;
+        if (c == '}' || c == ']') --depth;
+        if (c != '{' && c != '[' && c != ',') continue;
+        if (++values > most_values)
+            refuse(file, fmt::format("holds more than {} values, which no clip needs", most_values),
+                   "Export the armature with its animation alone");
+        if (c != ',' && ++depth > deepest)
+            refuse(file, fmt::format("nests deeper than {} levels, expected a glTF file", deepest));
+    }
+}
+
+}  // namespace
+
+void refuse(std::string where, std::string message, std::string mend) {
+    throw Refusal{Error{std::move(where), std::move(message), std::move(mend)}};
+}
+
+nlohmann::json parseJson(std::string_view text, const std::string& file) {
+    checkSize(text, file);
+    try {
+        nlohmann::json json = nlohmann::json::parse(text.begin(), text.end());
+        if (!json.is_object()) refuse(file, "its JSON is no object, expected a glTF file");
+        return json;
+    } catch (const nlohmann::json::exception& problem) {
+        refuse(file, fmt::format("no readable JSON, expected a glTF file ({})", problem.what()));
+    }
+}
+
+bool Cursor::has(const char* key) const {
+    if (!value_->is_object()) expected("an object");
+    return value_->contains(key);
+}
+
+Cursor Cursor::at(const char* key) const {
+    if (!has(key)) refuse(fmt::format("has no \"{}\", which it must have", key));
+    return {(*value_)[key], *file_, path_ + "/" + key};
+}
+
+Cursor Cursor::at(std::size_t element) const {
+    if (element >= size()) refuse(fmt::format("has {} elements, expected more", size()));
+    return {(*value_)[element], *file_, fmt::format("{}/{}", path_, element)};
+}
+
+std::size_t Cursor::size() const {
+    if (!value_->is_array()) expected("an array");
+    return value_->size();
+}
+
+std::size_t Cursor::whole() const {
+    constexpr double most = 9007199254740992.0;
+    const double found = value_->is_number() ? value_->get<double>() : -1.0;
+    if (!(found >= 0.0 && found <= most && found == std::floor(found)))
+        expected("a whole number, 0 or greater");
+    return static_cast<std::size_t>(found);
+}
+
+int Cursor::index(std::size_t count, const char* what) const {
+    const std::size_t found = whole();
+    if (found >= count)
+        refuse(fmt::format("{} {} does not exist; the file has {} (counted from 0)", what, found, count));
+    return static_cast<int>(found);
+}
+
+double Cursor::number() const {
+    if (!value_->is_number()) expected("a number");
+    const auto found = value_->get<double>();
+    if (!std::isfinite(found)) expected("a finite number");
+    return found;
+}
+
+bool Cursor::flag() const {
+    if (!value_->is_boolean()) expected("true or false");
+    return value_->get<bool>();
+}
+
+const std::string& Cursor::text() const {
+    if (!value_->is_string()) expected("a string");
+    return value_->get_ref<const std::string&>();
+}
+
+std::size_t Cursor::whole(const char* key, std::size_t otherwise) const {
+    return has(key) ? at(key).whole() : otherwise;
+}
+
+int Cursor::index(const char* key, std::size_t count, const char* what) const {
+    return has(key) ? at(key).index(count, what) : -1;
+}
+
+std::string Cursor::text(const char* key, const std::string& otherwise) const {
+    return has(key) ? at(key).text() : otherwise;
+}
+
+void Cursor::refuse(std::string message) const {
+    gltf::refuse(*file_ + ": " + (path_.empty() ? "/" : path_), std::move(message));
+}
+
+void Cursor::expected(const char* what) const {
+    std::string found(value_->type_name());
+    if (value_->is_number()) found = value_->dump();
+    refuse(fmt::format("found {}, expected {}", found, what));
+}
+
+}  // namespace deixis::assets::gltf

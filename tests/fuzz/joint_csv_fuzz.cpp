@@ -1,0 +1,14 @@
+// Any bytes as joint positions: CSV with named joints, and Kinect v2.
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "assets/joint_positions.hpp"
+#include "clip_invariants.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    deixis::fuzz::checkClip(deixis::assets::parseJointCsv(text, "fuzz.csv"));
+    deixis::fuzz::checkClip(deixis::assets::parseKinectClip(text, "fuzz.csv"));
+    return 0;
+}
