@@ -90,10 +90,10 @@ void main() {
 const std::string_view draw_fragment_glsl = R"(
 in vec3 stage_position;
 in vec4 stage_normal;
-in vec3 albedo;
 out vec4 colour;
 void main() {
-    vec3 n = normalize(stage_normal.xyz);
+    SURFACE
+    vec3 n = side * normalize(stage_normal.xyz);
     vec3 to_eye = normalize(this_view.eye.xyz - stage_position);
     float light = stage_normal.w;
     // The floor is near the feet and takes light from what faces it.
@@ -105,7 +105,44 @@ void main() {
 }
 )";
 
-constexpr std::size_t most_joints = 340;  // as many fit the smallest uniform block that GL promises
+// As above, for parts with a texture, with holes or with two sides.
+const std::string_view textured_vertex_glsl = R"(
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 normal;  // w: key light
+layout(location = 2) in vec3 colour;
+layout(location = 3) in vec2 uv;
+out vec3 stage_position;
+out vec4 stage_normal;
+out vec3 albedo_factor;
+out vec2 texture_place;
+void main() {
+    stage_position = position;
+    stage_normal = normal;
+    albedo_factor = colour;
+    texture_place = uv;
+    gl_Position = this_view.clip_from_stage * vec4(position, 1.0);
+}
+)";
+
+const std::string_view textured_surface_glsl = R"(
+layout(binding = 2) uniform sampler2D base_colour;
+layout(location = 0) uniform float alpha_cutoff;
+in vec3 albedo_factor;
+in vec2 texture_place;
+#define SURFACE \
+    vec4 texel = texture(base_colour, texture_place); \
+    if (texel.a < alpha_cutoff) discard; \
+    vec3 albedo = albedo_factor * texel.rgb; \
+    float side = gl_FrontFacing ? 1.0 : -1.0;
+)";
+
+const std::string_view plain_surface_glsl = R"(
+in vec3 albedo;
+#define SURFACE const float side = 1.0;
+)";
+
+constexpr std::size_t most_joints = assets::most_avatar_joints;
+static_assert(most_joints * 3 <= 1020, "as many fit the smallest uniform block that GL promises");
 
 struct BindVertex {
     glm::vec3 position, normal;
@@ -175,6 +212,34 @@ std::vector<std::uint32_t> coarseTriangles(const assets::Avatar& avatar, float c
     return coarse;
 }
 
+constexpr GLuint base_colour_unit = 2;  // as the shader has it
+
+bool isPlain(const assets::AvatarPart& part) {
+    return part.texture < 0 && part.alpha_cutoff <= 0.0F && !part.double_sided;
+}
+
+GLint wrapMode(assets::TextureWrap wrap) {
+    if (wrap == assets::TextureWrap::clamp) return GL_CLAMP_TO_EDGE;
+    return wrap == assets::TextureWrap::mirror ? GL_MIRRORED_REPEAT : GL_REPEAT;
+}
+
+gl::Texture uploaded(const assets::AvatarTexture& source) {
+    const int longer = std::max(source.width, source.height);
+    const int levels = 1 + static_cast<int>(std::floor(std::log2(longer)));
+    gl::Texture texture = gl::texture2d(GL_SRGB8_ALPHA8, source.width, source.height, levels);
+    const GLuint name = texture.name();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTextureSubImage2D(name, 0, 0, 0, source.width, source.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                        source.rgba.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glGenerateTextureMipmap(name);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, wrapMode(source.wrap_u));
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, wrapMode(source.wrap_v));
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, source.nearest ? GL_NEAREST : GL_LINEAR);
+    return texture;
+}
+
 }  // namespace
 
 AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
@@ -187,18 +252,24 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
       skin_program_(gl::computeProgram("skin", {skin_glsl})),
       light_program_(gl::computeProgram("light", {frame_glsl, shadow_glsl, light_glsl})),
       shadow_program_(gl::drawProgram("shadow", {frame_glsl, shadow_vertex_glsl}, {shadow_fragment_glsl})),
-      draw_program_("avatar", {draw_vertex_glsl}, {frame_glsl, lighting_glsl, draw_fragment_glsl}) {
+      draw_program_("avatar", {draw_vertex_glsl},
+                    {frame_glsl, lighting_glsl, plain_surface_glsl, draw_fragment_glsl}) {
     if (joint_from_bind_.size() > most_joints)
         throw std::invalid_argument(fmt::format("the avatar has {} joints, at most {} can be drawn",
                                                 joint_from_bind_.size(), most_joints));
     std::vector<BindVertex> vertices;
     std::vector<glm::vec3> colours;
+    std::vector<glm::vec2> uvs;
     vertices.reserve(avatar.vertices.size());
     colours.reserve(avatar.vertices.size());
+    uvs.reserve(avatar.vertices.size());
     for (const assets::SkinnedVertex& v : avatar.vertices) {
         vertices.push_back(packed(v));
         colours.push_back(v.colour);
+        uvs.push_back(v.uv);
     }
+    makeParts(avatar);
+    if (textured_program_) uvs_ = gl::fixedBuffer(std::span<const glm::vec2>(uvs));
     bind_vertices_ = gl::fixedBuffer(std::span<const BindVertex>(vertices));
     colours_ = gl::fixedBuffer(std::span<const glm::vec3>(colours));
     std::vector<std::uint32_t> indices = avatar.indices;
@@ -229,6 +300,21 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
     for (std::size_t i = 0; i < most_avatars; ++i) makeFigure(static_cast<int>(i));
 }
 
+void AvatarPass::makeParts(const assets::Avatar& avatar) {
+    parts_ = avatar.parts;
+    if (parts_.empty()) parts_.push_back({0, static_cast<std::uint32_t>(avatar.indices.size())});
+    const bool plain = std::all_of(parts_.begin(), parts_.end(), isPlain);
+    if (plain) return;
+    textured_program_.emplace(
+        "textured avatar", gl::Parts{textured_vertex_glsl},
+        gl::Parts{frame_glsl, lighting_glsl, textured_surface_glsl, draw_fragment_glsl});
+    for (const assets::AvatarTexture& texture : avatar.textures) textures_.push_back(uploaded(texture));
+    assets::AvatarTexture white;  // for parts without a texture
+    white.width = white.height = 1;
+    white.rgba.assign(4, 255);
+    textures_.push_back(uploaded(white));
+}
+
 void AvatarPass::makeFigure(int layer) {
     Figure& figure = figures_[static_cast<std::size_t>(layer)];
     figure.skinned = gl::dynamicBuffer(static_cast<GLsizeiptr>(std::max(vertex_count_, 1)) *
@@ -238,6 +324,12 @@ void AvatarPass::makeFigure(int layer) {
     const GLuint vao = figure.vertices.name();
     glVertexArrayVertexBuffer(vao, 0, figure.skinned.name(), 0, sizeof(SkinnedVertex));
     glVertexArrayVertexBuffer(vao, 1, colours_.name(), 0, sizeof(glm::vec3));
+    if (textured_program_) {
+        glVertexArrayVertexBuffer(vao, 2, uvs_.name(), 0, sizeof(glm::vec2));
+        glVertexArrayAttribFormat(vao, 3, 2, GL_FLOAT, GL_FALSE, 0);
+        glVertexArrayAttribBinding(vao, 3, 2);
+        glEnableVertexArrayAttrib(vao, 3);
+    }
     glVertexArrayElementBuffer(vao, indices_.name());
     glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, position));
     glVertexArrayAttribFormat(vao, 1, 4, GL_FLOAT, GL_FALSE, offsetof(SkinnedVertex, normal));
@@ -387,11 +479,30 @@ void AvatarPass::draw(Views views) {
     if (count_ == 0) return;
     draw_program_.use(views);
     glEnable(GL_CULL_FACE);
-    for (std::size_t i = 0; i < count_; ++i) {
-        glBindVertexArray(figures_[i].vertices.name());
-        glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    for (const assets::AvatarPart& part : parts_)
+        if (isPlain(part)) drawPart(part);
+    if (textured_program_) {
+        textured_program_->use(views);
+        for (const assets::AvatarPart& part : parts_) {
+            if (isPlain(part)) continue;
+            (part.double_sided ? glDisable : glEnable)(GL_CULL_FACE);
+            const auto texture =
+                part.texture < 0 ? textures_.size() - 1 : static_cast<std::size_t>(part.texture);
+            glBindTextureUnit(base_colour_unit, textures_[texture].name());
+            glUniform1f(0, part.alpha_cutoff);
+            drawPart(part);
+        }
     }
     glDisable(GL_CULL_FACE);
+}
+
+void AvatarPass::drawPart(const assets::AvatarPart& part) const {
+    for (std::size_t i = 0; i < count_; ++i) {
+        glBindVertexArray(figures_[i].vertices.name());
+        glDrawElements(
+            GL_TRIANGLES, static_cast<GLsizei>(part.index_count), GL_UNSIGNED_INT,
+            reinterpret_cast<const void*>(static_cast<std::uintptr_t>(part.first_index) * sizeof(GLuint)));
+    }
 }
 
 }  // namespace deixis::renderer

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "assets/avatar.hpp"
@@ -33,9 +34,11 @@ class AvatarPass {
         gl::VertexArray vertices;
         gl::Framebuffer shadow_target;
     };
+    void makeParts(const assets::Avatar& avatar);
     void makeFigure(int layer);
     void skin(const std::vector<Pose>& stage_from_joint, const Figure& figure);
     void placeShadow(const std::vector<Pose>& stage_from_joint, std::size_t avatar, FrameBlock& block) const;
+    void drawPart(const assets::AvatarPart& part) const;
     void placeFeet(const std::vector<Pose>& stage_from_joint, std::size_t avatar, FrameBlock& block) const;
 
     motion::HumanoidMap humanoid_;
@@ -48,7 +51,10 @@ class AvatarPass {
     int shadow_resolution_ = 0;
     gl::Program skin_program_, light_program_, shadow_program_;
     ViewProgram draw_program_;
-    gl::Buffer bind_vertices_, colours_, indices_;
+    std::optional<ViewProgram> textured_program_;  // where the avatar has parts that need it
+    std::vector<assets::AvatarPart> parts_;
+    std::vector<gl::Texture> textures_;  // the avatar's, then a white one
+    gl::Buffer bind_vertices_, colours_, uvs_, indices_;
     gl::Texture shadow_maps_, shadow_depths_view_;
     std::array<Figure, most_avatars> figures_;
     std::size_t count_ = 0;  // of figures in this frame

@@ -23,10 +23,12 @@ double turn_deg(const Quat& a, const Quat& b) {
 GestureObserver::GestureObserver(const motion::Skeleton& avatar, motion::PointingRay kind)
     : avatar_(avatar), map_(motion::mapByVrmNames(avatar)), kind_(kind) {
     using motion::Bone;
-    for (const Bone bone : {Bone::head, Bone::chest, Bone::leftUpperArm, Bone::leftLowerArm, Bone::leftHand,
+    for (const Bone bone : {Bone::head, Bone::leftUpperArm, Bone::leftLowerArm, Bone::leftHand,
                             Bone::rightUpperArm, Bone::rightLowerArm, Bone::rightHand})
         if (!map_.has(bone))
             throw std::invalid_argument("the avatar has no joint " + std::string(motion::boneName(bone)));
+    for (const Bone bone : {Bone::hips, Bone::spine, Bone::upperChest, Bone::chest})
+        if (map_.has(bone)) trunk_ = map_[bone];
     seen_.reserve(512);
 }
 
@@ -43,7 +45,7 @@ void GestureObserver::see(const std::vector<Pose>& stage_from_joint, double time
         glimpse.ray[index] = motion::pointingRay(avatar_, map_, stage_from_joint, side, kind_);
     }
     glimpse.head = stage_from_joint[static_cast<std::size_t>(map_[motion::Bone::head])].orientation;
-    glimpse.trunk = stage_from_joint[static_cast<std::size_t>(map_[motion::Bone::chest])].orientation;
+    glimpse.trunk = stage_from_joint[static_cast<std::size_t>(trunk_)].orientation;
 }
 
 std::vector<double> GestureObserver::speeds(std::size_t side) const {

@@ -46,6 +46,7 @@ class GestureObserver {
 
     const motion::Skeleton& avatar_;
     motion::HumanoidMap map_;
+    int trunk_ = 0;  ///< the joint that the trunk turns with
     motion::PointingRay kind_;
     std::vector<Glimpse> seen_;
 };

@@ -52,13 +52,14 @@ void readLanguage(TomlTable& table, StudyReader& reader, TextBook& texts, const 
     if (!table.faulty("languages") || table.sound("languages")) readWords(table, reader);
 }
 
-void readHead(TomlTable& table, Study& study) {
+void readHead(TomlTable& table, const fs::path& folder, Study& study) {
     study.name = table.name("name");
     study.title = table.text("title");
     study.description = table.note("description", "");
     study.reference = table.note("reference", "");
     study.seed = static_cast<std::uint64_t>(table.whole("seed", 0, std::numeric_limits<std::int64_t>::max()));
     study.eye_height_m = table.number("eye_height_m", 0.5, 2.5, study.eye_height_m);
+    if (table.has("avatar")) study.avatar = (folder / table.note("avatar")).lexically_normal();
     study.inter_trial_s = table.number("inter_trial_s", 0.0, 60.0, study.inter_trial_s);
     constexpr std::string_view after_interruption[] = {"resume", "repeat"};
     study.after_interruption = static_cast<AfterInterruption>(
@@ -85,7 +86,7 @@ void readStudy(StudyReader& reader, TextBook& texts, const std::string& language
     foresee(reader);
     TomlTable head = reader.root.below("study", reader.root.section("study", true), keys::study);
     readLanguage(head, reader, texts, language);
-    readHead(head, reader.study);
+    readHead(head, reader.folder, reader.study);
     readTargets(reader);
     readDistances(reader);
     readLayouts(reader);

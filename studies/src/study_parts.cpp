@@ -64,6 +64,13 @@ SystemSource readSystem(TomlTable& table, const std::string& name, const fs::pat
     if (!system.manifest.empty())
         for (const std::string_view key : {"hold_s", "unsteadiness_m"})
             table.refuse(key, "with a manifest, whose clips are as they are");
+    if (!system.generator.empty())
+        for (const std::string_view key : {"keep", "fingers"})
+            table.refuse(key, "with a generator, whose clips are made for the avatar");
+    constexpr std::string_view keeps[] = {"joint-angles", "pointing-ray"};
+    system.keep = static_cast<motion::Keep>(table.choice("keep", keeps, false).value_or(0));
+    constexpr std::string_view fingers[] = {"relaxed", "pointing"};
+    system.pointing_fingers = table.choice("fingers", fingers, false).value_or(0) == 1;
     if (table.has("hold_s")) system.hold_s = table.number("hold_s", 0.1, 10.0);
     if (table.has("unsteadiness_m")) system.unsteadiness_m = table.number("unsteadiness_m", 0.0, 0.5);
     system.levels = table.levels("levels");

@@ -174,6 +174,24 @@ void readSession(TomlTable& table, int before, Stage& stage) {
                                                stage.session, before, before + 1));
 }
 
+/// A sitting that asks nothing would count as answered before it began.
+void refuseSessionsOfPages(std::deque<StageEntry>& stages) {
+    const auto asks = [](const StageEntry& one) {
+        return one.stage.practice ||
+               (one.stage.kind != StageKind::instructions && one.stage.kind != StageKind::rest);
+    };
+    for (std::size_t i = 1; i < stages.size(); ++i) {
+        const int session = stages[i].stage.session;
+        if (session == stages[i - 1].stage.session) continue;
+        if (std::none_of(stages.begin(), stages.end(), [&](const StageEntry& other) {
+                return other.stage.session == session && (asks(other) || other.kind == std::size(kind_names));
+            }))
+            stages[i].table.problem(
+                "session", fmt::format("session {} asks nothing, expected a stage that is answered", session),
+                "Move its pages to the end of the session before");
+    }
+}
+
 }  // namespace
 
 std::deque<StageEntry> readStages(StudyReader& reader) {
@@ -208,6 +226,7 @@ std::deque<StageEntry> readStages(StudyReader& reader) {
         }
         out.push_back({std::move(table), kind, std::move(stage)});
     }
+    refuseSessionsOfPages(out);
     return out;
 }
 

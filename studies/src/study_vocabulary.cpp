@@ -85,13 +85,14 @@ constexpr std::string_view root_keys[] = {"study",   "texts",   "targets", "dist
                                           "systems", "between", "stages",  "headset",   "analysis"};
 constexpr std::string_view study_keys[] = {
     "name",      "title",        "description",   "reference",          "seed",
-    "languages", "eye_height_m", "inter_trial_s", "after_interruption", "instructions_again_after_s"};
+    "languages", "eye_height_m", "inter_trial_s", "after_interruption", "instructions_again_after_s",
+    "avatar"};
 constexpr std::string_view targets_keys[] = {"count",        "height_m",      "arc_deg",        "radius_m",
                                              "fit_manifest", "from_manifest", "ball_diameter_m"};
 constexpr std::string_view distances_keys[] = {"name", "distance_m", "distractors"};
 constexpr std::string_view layouts_keys[] = {"name", "viewer_m", "heading_deg"};
-constexpr std::string_view systems_keys[] = {"name",   "generator",      "manifest",
-                                             "hold_s", "unsteadiness_m", "levels"};
+constexpr std::string_view systems_keys[] = {"name",           "generator", "manifest", "hold_s",
+                                             "unsteadiness_m", "keep",      "fingers",  "levels"};
 constexpr std::string_view between_keys[] = {"name", "levels"};
 constexpr std::string_view checks_keys[] = {"kind",     "count", "tolerance",
                                             "distance", "rule",  "after_failures"};

@@ -96,14 +96,14 @@ inline Bytes pixelAt(const renderer::Image& image, const renderer::Camera& camer
 
 /// One context and renderer for a test case.
 struct Gl {
-    explicit Gl(int samples = 1) {
+    explicit Gl(int samples = 1, const assets::Avatar& avatar = postAvatar()) {
         auto made = renderer::OffscreenContext::create();
         REQUIRE_MESSAGE(made.has_value(), (made ? std::string() : made.error().text()));
         context.emplace(std::move(*made));
         renderer::Quality quality;
         quality.samples = samples;
         quality.shadow_resolution = 512;
-        auto drawing = renderer::Renderer::create(postAvatar(), quality);
+        auto drawing = renderer::Renderer::create(avatar, quality);
         REQUIRE_MESSAGE(drawing.has_value(), (drawing ? std::string() : drawing.error().text()));
         renderer.emplace(std::move(*drawing));
     }

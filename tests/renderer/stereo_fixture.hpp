@@ -89,9 +89,9 @@ class StereoTextures {
 /// Calls `test` for every way of drawing that the driver has: with four samples and with one, in two passes
 /// and with multiview (which some drivers have for one sample only). Says where that is left out.
 template <typename Test>
-void inEachWay(const Test& test) {
+void inEachWay(const Test& test, const assets::Avatar& avatar = postAvatar()) {
     for (const int samples : {4, 1}) {
-        Gl gl(samples);
+        Gl gl(samples, avatar);
         CAPTURE(samples);
         for (const renderer::StereoMode mode :
              {renderer::StereoMode::two_passes, renderer::StereoMode::multiview}) {

@@ -176,6 +176,7 @@ TEST_SUITE("studies/study_file") {
         CHECK(study.inter_trial_s == 1.0);
         CHECK(study.after_interruption == AfterInterruption::repeat);
         CHECK(study.instructions_again_after_s == 60.0);
+        CHECK(study.avatar == fixtures / "figures/child.vrm");
         CHECK(study.targets.ball_diameter_m == 0.08);
         REQUIRE(study.distances.size() == 2);
         CHECK(study.distances[1].distractors == 1);
@@ -184,7 +185,12 @@ TEST_SUITE("studies/study_file") {
         CHECK(system->hold_s == 2.0);
         CHECK(system->unsteadiness_m == 0.01);
         CHECK(system->levels == std::map<std::string, std::string>{{"hold", "long"}});
-        CHECK(study.findSystem("lab")->manifest == (fixtures / "clips.csv").string());
+        CHECK(system->keep == motion::Keep::joint_angles);
+        CHECK_FALSE(system->pointing_fingers);
+        const SystemSource* lab = study.findSystem("lab");
+        CHECK(lab->manifest == (fixtures / "clips.csv").string());
+        CHECK(lab->keep == motion::Keep::pointing_ray);
+        CHECK(lab->pointing_fingers);
         REQUIRE(study.between.size() == 2);
         CHECK(study.between[1].name == "order");
         CHECK(study.between[1].levels == std::vector<std::string>{"a", "b"});

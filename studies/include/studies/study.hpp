@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/pose.hpp"
+#include "motion/retarget.hpp"
 #include "studies/language.hpp"
 #include "studies/questionnaire.hpp"
 #include "studies/scale.hpp"
@@ -61,6 +62,10 @@ struct SystemSource {
     /// Built-in generators only: how the pointing is held. None: as the generator does by itself.
     std::optional<double> hold_s{};
     std::optional<double> unsteadiness_m{};  ///< how far the fingertip wanders during the hold
+    /// Manifests only: what their clips keep on the avatar, and whether hands of figures without fingers
+    /// close with the index finger out while they point.
+    motion::Keep keep = motion::Keep::joint_angles;
+    bool pointing_fingers = false;
     /// Factors that are nested in the systems, for the analysis: {"hold": "long"}.
     std::map<std::string, std::string> levels{};
 };
@@ -210,6 +215,7 @@ struct Study {
     LanguageTable words;                 ///< the program's, in `language`
     std::string language;                ///< the one that all texts are in
     double eye_height_m = 1.65;          ///< standing eye height of a desktop participant
+    std::filesystem::path avatar{};      ///< glTF or VRM file; empty: the product's own
     double inter_trial_s = 0.6;          ///< pause between an answer and the next clip
     AfterInterruption after_interruption = AfterInterruption::resume;
     double instructions_again_after_s = 3600.0;  ///< who comes back later than this reads them again
