@@ -7,6 +7,9 @@
 #include <map>
 #include <set>
 
+#include "results/descriptive.hpp"
+#include "results/holm.hpp"
+
 namespace deixis::results {
 
 namespace {
@@ -38,21 +41,32 @@ Summary summarise(const Cells& cells, const std::string& system) {
     return {mean(means), sampleSd(means), sampleSd(trials), static_cast<int>(trials.size()), means};
 }
 
+/// Scores as the decimals they were given as: means that are equal on paper are equal.
+Rational exactMeanOf(const Scores& scores) {
+    Rational sum;
+    for (const double score : scores) sum += Rational::fromShortestDecimal(score);
+    return sum / Rational(static_cast<std::int64_t>(scores.size()));
+}
+
+double meanOf(const std::vector<Rational>& values) {
+    return values.empty() ? 0.0 : exactMean(values).toDouble();
+}
+
 /// Participants' means under `a` minus those under `b`, for the participants who have both.
-std::vector<double> pairedDifferences(const Cells& cells, const std::string& a, const std::string& b) {
-    std::vector<double> differences;
+std::vector<Rational> pairedDifferences(const Cells& cells, const std::string& a, const std::string& b) {
+    std::vector<Rational> differences;
     const auto cell_a = cells.find(a);
     const auto cell_b = cells.find(b);
     if (cell_a == cells.end() || cell_b == cells.end()) return differences;
     for (const auto& [participant, scores] : cell_a->second)
         if (const auto other = cell_b->second.find(participant); other != cell_b->second.end())
-            differences.push_back(mean(scores) - mean(other->second));
+            differences.push_back(exactMeanOf(scores) - exactMeanOf(other->second));
     return differences;
 }
 
 void test(Comparison& comparison, const Cells& cells) {
     const auto differences = pairedDifferences(cells, comparison.a, comparison.b);
-    comparison.mean_difference = mean(differences);
+    comparison.mean_difference = meanOf(differences);
     comparison.test = signedRankTest(differences);
 }
 
@@ -60,7 +74,7 @@ void test(Comparison& comparison, const Cells& cells) {
 template <typename Iterator>
 void adjust(Iterator first, Iterator last, double alpha) {
     std::vector<double> p;
-    for (auto it = first; it != last; ++it) p.push_back(it->test.p);
+    for (auto it = first; it != last; ++it) p.push_back(it->test.p_two_sided);
     const auto adjusted = holm(p);
     for (auto it = first; it != last; ++it) {
         it->p_holm = adjusted[static_cast<std::size_t>(it - first)];
@@ -146,13 +160,13 @@ void comparePreferences(AnalysisResult& result) {
         PreferenceResult& out = result.preferences.emplace_back();
         out.a = systems[static_cast<std::size_t>(pair.first)];
         out.b = systems[static_cast<std::size_t>(pair.second)];
-        std::vector<double> means;
+        std::vector<Rational> means;
         for (const auto& [participant, scores] : participants) {
-            means.push_back(mean(scores));
+            means.push_back(exactMeanOf(scores));
             for (const double score : scores)
                 (score > 0.0 ? out.prefers_a : score < 0.0 ? out.prefers_b : out.ties) += 1;
         }
-        out.mean = mean(means);
+        out.mean = meanOf(means);
         out.test = signedRankTest(means);
     }
     adjust(result.preferences.begin(), result.preferences.end(), result.table.alpha);
@@ -180,8 +194,8 @@ void remarkLeftOut(const std::vector<Comparison>& comparisons, const std::string
     int most = 0;
     for (const auto& comparison : comparisons) {
         if (comparison.measure != measure || comparison.factor != factor) continue;
-        fewest = std::min(fewest, comparison.test.n);
-        most = std::max(most, comparison.test.n);
+        fewest = std::min(fewest, comparison.test.n_pairs);
+        most = std::max(most, comparison.test.n_pairs);
     }
     if (fewest == result.participants || most == 0) return;
     result.remarks.push_back(fmt::format(

@@ -21,11 +21,11 @@ Json summaryJson(const Summary& summary) {
 }
 
 void addTest(Json& out, const SignedRankTest& test, double p_holm, bool significant) {
-    out["n"] = test.n;
+    out["n"] = test.n_pairs;
     out["n_zero"] = test.n_zero;
     out["w_plus"] = test.w_plus;
     out["w_minus"] = test.w_minus;
-    out["p"] = test.p;
+    out["p"] = test.p_two_sided;
     out["p_holm"] = p_holm;
     out["significant"] = significant;
     out["method"] = test.method;
@@ -38,7 +38,7 @@ Json comparisonJson(const Comparison& comparison) {
     if (!comparison.system.empty()) out["system"] = comparison.system;
     out["a"] = comparison.a;
     out["b"] = comparison.b;
-    out["mean_difference"] = orNull(comparison.test.n > 0, comparison.mean_difference);
+    out["mean_difference"] = orNull(comparison.test.n_pairs > 0, comparison.mean_difference);
     addTest(out, comparison.test, comparison.p_holm, comparison.significant);
     return out;
 }

@@ -97,7 +97,8 @@ SELECT strftime('%Y-%m-%d %H:%M:%S', at, 'unixepoch') || ' ' || what FROM (
      WHERE s.participant = ?1 AND (e.kind LIKE 'operator_%' OR e.kind IN ('pause', 'quit', 'check_failed',
            'warned', 'practice_failed', 'excluded', 'trial_repeated'))
     UNION ALL
-    SELECT superseded_utc_s, 'answer of trial ' || trial_index || ' superseded: ' || superseded
+    SELECT superseded_utc_s, 'answer of trial ' || trial_index || ' superseded' ||
+           CASE superseded WHEN '' THEN '' ELSE ': ' || superseded END
       FROM responses WHERE participant = ?1 AND superseded IS NOT NULL
     UNION ALL
     SELECT answered_utc_s, 'trial ' || trial_index || ' ' || replace(status, '_', ' ') ||

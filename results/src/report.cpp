@@ -81,7 +81,7 @@ std::string levelTable(const AnalysisResult& result, const std::string& factor,
 }
 
 std::string verdict(const SignedRankTest& test, bool significant) {
-    if (test.n == 0) return "<td class=\"text not\">no participant has both</td>";
+    if (test.n_pairs == 0) return "<td class=\"text not\">no participant has both</td>";
     if (!significant) return "<td class=\"text not\">not significant</td>";
     return fmt::format("<td class=\"text sig\">{} higher</td>", test.w_plus > test.w_minus ? "A" : "B");
 }
@@ -91,7 +91,7 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
                       const std::string& factor, const std::string& caption, Numbering& numbering) {
     const auto belongs = [&](const Comparison& c) { return c.measure == measure.name && c.factor == factor; };
     if (std::none_of(comparisons.begin(), comparisons.end(),
-                     [&](const Comparison& c) { return belongs(c) && c.test.n > 0; }))
+                     [&](const Comparison& c) { return belongs(c) && c.test.n_pairs > 0; }))
         return "";
     std::string out = fmt::format(
         "<div class=\"scroll\"><table><caption>{} {}{} n counts participants.</caption><thead><tr>{}<th "
@@ -110,8 +110,8 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
             "<td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{}</td><td>{}</td><td>{}</td>{}</tr>",
             escapeHtml(comparison.a), escapeHtml(comparison.b),
-            test.n > 0 ? scoreText(measure, comparison.mean_difference) : dash, test.n, test.n_zero,
-            test.w_plus, test.w_minus, pText(test.p), pText(comparison.p_holm),
+            test.n_pairs > 0 ? scoreText(measure, comparison.mean_difference) : dash, test.n_pairs,
+            test.n_zero, test.w_plus, test.w_minus, pText(test.p_two_sided), pText(comparison.p_holm),
             verdict(test, comparison.significant));
     }
     return out + "</tbody></table></div>";
@@ -136,8 +136,9 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
             "class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}</tr>",
             escapeHtml(pair.a), escapeHtml(pair.b), pair.prefers_a, pair.ties, pair.prefers_b,
-            scoreText(scale, pair.mean), pair.test.n, pair.test.n_zero, pair.test.w_plus, pair.test.w_minus,
-            pText(pair.test.p), pText(pair.p_holm), verdict(pair.test, pair.significant));
+            scoreText(scale, pair.mean), pair.test.n_pairs, pair.test.n_zero, pair.test.w_plus,
+            pair.test.w_minus, pText(pair.test.p_two_sided), pText(pair.p_holm),
+            verdict(pair.test, pair.significant));
     return out + "</tbody></table></div>";
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "report_text.hpp"
+#include "results/descriptive.hpp"
 
 namespace deixis::results {
 

@@ -73,7 +73,7 @@ std::string significance(const AnalysisResult& result, const std::string& measur
     int significant = 0;
     std::string equal;
     for (const auto& comparison : result.pairwise) {
-        if (comparison.measure != measure || comparison.test.n == 0) continue;
+        if (comparison.measure != measure || comparison.test.n_pairs == 0) continue;
         ++pairs;
         if (comparison.significant)
             ++significant;
@@ -93,7 +93,7 @@ std::string levelSentence(const AnalysisResult& result, const std::string& facto
     bool tested = false;
     for (const auto& comparison : result.level_tests) {
         if (comparison.factor != factor) continue;
-        tested = tested || comparison.test.n > 0;
+        tested = tested || comparison.test.n_pairs > 0;
         if (comparison.significant && (systems.empty() || systems.back() != comparison.system))
             systems.push_back(comparison.system);
     }

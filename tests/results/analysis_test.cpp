@@ -102,8 +102,8 @@ TEST_SUITE("results/analysis") {
         REQUIRE(result.pairwise.size() == 2);
         const auto& accuracy = result.pairwise[0];
         CHECK(accuracy.measure == "accuracy");
-        CHECK(accuracy.test.n == 0);
-        CHECK(accuracy.test.p == 1.0);
+        CHECK(accuracy.test.n_pairs == 0);
+        CHECK(accuracy.test.p_two_sided == 1.0);
         const auto& naturalness = result.pairwise[1];
         CHECK(naturalness.measure == "naturalness");
         CHECK(naturalness.a == "x");
@@ -111,14 +111,14 @@ TEST_SUITE("results/analysis") {
         CHECK(naturalness.mean_difference == doctest::Approx(7.0 / 3.0));
         CHECK(naturalness.test.w_plus == 6.0);
         CHECK(naturalness.test.w_minus == 0.0);
-        CHECK(naturalness.test.p == 0.25);  // 2 of 8 sign patterns
+        CHECK(naturalness.test.p_two_sided == 0.25);  // 2 of 8 sign patterns
         CHECK_FALSE(naturalness.significant);
 
         REQUIRE(result.level_tests.size() == 2);
         CHECK(result.level_tests[0].system == "x");
-        CHECK(result.level_tests[0].test.n == 2);
+        CHECK(result.level_tests[0].test.n_pairs == 2);
         CHECK(result.level_tests[0].test.n_zero == 1);
-        CHECK(result.level_tests[0].test.p == 1.0);
+        CHECK(result.level_tests[0].test.p_two_sided == 1.0);
         CHECK(anyContains(result.remarks, "Tests of layout: participants without answers"));
         CHECK(anyContains(result.remarks, "With 3 participants no difference"));
         CHECK_FALSE(anyContains(result.remarks, "incomplete"));
@@ -156,7 +156,7 @@ TEST_SUITE("results/analysis") {
         REQUIRE(result.pairwise.size() == 6);
         const double p = std::exp2(-11);  // all of 12 differences positive
         const auto& xy = result.pairwise[3];
-        CHECK(xy.test.p == doctest::Approx(p));
+        CHECK(xy.test.p_two_sided == doctest::Approx(p));
         CHECK(xy.p_holm == doctest::Approx(3.0 * p));
         CHECK(xy.significant);
         CHECK(result.pairwise[5].p_holm == 1.0);
@@ -183,7 +183,7 @@ TEST_SUITE("results/analysis") {
         CHECK(pair.prefers_b == 1);
         // Means of participants: 1.5, -1, 0.
         CHECK(pair.mean == doctest::Approx(0.5 / 3.0));
-        CHECK(pair.test.n == 3);
+        CHECK(pair.test.n_pairs == 3);
         CHECK(pair.test.n_zero == 1);
         CHECK(pair.test.w_plus == 2.0);
         CHECK(pair.test.w_minus == 1.0);
@@ -204,8 +204,8 @@ TEST_SUITE("results/analysis") {
             ++tests;
             CHECK(one.a == "near");
             CHECK(one.mean_difference == -1.0);
-            CHECK(one.test.p == 0.25);  // 2 of 8 sign patterns
-            CHECK(one.p_holm == 0.5);   // x and y: a family of two
+            CHECK(one.test.p_two_sided == 0.25);  // 2 of 8 sign patterns
+            CHECK(one.p_holm == 0.5);             // x and y: a family of two
         }
         CHECK(tests == 1);
     }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "results/response_table.hpp"
-#include "results/statistics.hpp"
+#include "results/signed_rank.hpp"
 
 namespace deixis::results {
 

@@ -1,0 +1,41 @@
+// Bootstrap intervals of means, resampling whole participants.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace deixis::results {
+
+struct BootstrapOptions {
+    int resamples = 10000;  ///< at least 1
+    std::uint64_t seed = 1;
+    double level = 0.95;  ///< between 0 and 1
+};
+
+struct BootstrapInterval {
+    double lower = 0.0;
+    double upper = 0.0;
+};
+
+/// Of one column. Nothing is estimated of a column without values.
+struct BootstrapMean {
+    int n = 0;  ///< participants with a value
+    std::optional<double> estimate{};
+    std::optional<double> se{};                     ///< standard deviation of the resampled means
+    std::optional<BootstrapInterval> percentile{};  ///< type-7 quantiles of the resampled means
+    /// Bias-corrected and accelerated (Efron 1987): the bias from the share of resampled means below the
+    /// estimate, equal ones counting half; the acceleration from the jackknife. None where that share is 0 or
+    /// 1.
+    std::optional<BootstrapInterval> bca{};
+};
+
+/// `rows`: one a participant, all of one length; NaN where a value is missing. A resample draws as many
+/// participants as there are, with replacement, the same ones for all columns; its mean of a column is over
+/// the values drawn, and a resample without any is passed over. The same seed gives the same result on every
+/// machine.
+[[nodiscard]] std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> rows,
+                                                        const BootstrapOptions& options);
+
+}  // namespace deixis::results

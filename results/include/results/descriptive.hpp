@@ -1,0 +1,32 @@
+// Means, spreads and quantiles.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "results/rational.hpp"
+
+namespace deixis::results {
+
+[[nodiscard]] double mean(std::span<const double> x);            ///< 0 of no values
+[[nodiscard]] double sampleSd(std::span<const double> x);        ///< n - 1; 0 for fewer than two
+[[nodiscard]] double quantile(std::vector<double> x, double q);  ///< R's type 7; 0 of no values
+
+/// The exact mean; of at least one value.
+[[nodiscard]] Rational exactMean(std::span<const Rational> x);
+
+/// Sums, differences and quantiles are exact; only the results are rounded, to the nearest double.
+struct Description {
+    int n = 0;
+    std::optional<double> mean{};  ///< this and all below: none of no values
+    std::optional<double> sd{};    ///< n - 1; none for fewer than two values
+    std::optional<double> se{};    ///< sd / sqrt(n); likewise
+    std::optional<double> min{}, q05{}, q25{}, median{}, q75{}, q95{}, max{};  ///< quantiles of type 7
+    /// 1.4826 times the median of the distances from the median, as R's mad().
+    std::optional<double> mad{};
+};
+
+[[nodiscard]] Description describe(std::span<const Rational> x);
+
+}  // namespace deixis::results

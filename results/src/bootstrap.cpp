@@ -1,0 +1,130 @@
+#include "results/bootstrap.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <cstddef>
+
+#include "core/random.hpp"
+#include "results/descriptive.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+/// Values by participant, missing ones as 0, with what counts beside them.
+struct Table {
+    std::size_t participants = 0;
+    std::size_t columns = 0;
+    bool complete = true;
+    std::vector<double> values;
+    std::vector<double> counts;  ///< 1, or 0 where the value is missing
+};
+
+Table flatten(std::span<const std::vector<double>> rows) {
+    Table table;
+    table.participants = rows.size();
+    table.columns = rows.front().size();
+    for (const std::vector<double>& row : rows) {
+        for (const double value : row) {
+            const bool missing = std::isnan(value);
+            table.complete = table.complete && !missing;
+            table.values.push_back(missing ? 0.0 : value);
+            table.counts.push_back(missing ? 0.0 : 1.0);
+        }
+    }
+    return table;
+}
+
+/// The resampled means of each column.
+std::vector<std::vector<double>> resample(const Table& table, const BootstrapOptions& options) {
+    Random random(options.seed, "bootstrap");
+    const std::size_t columns = table.columns;
+    std::vector<std::vector<double>> means(columns);
+    for (auto& of_column : means) of_column.reserve(static_cast<std::size_t>(options.resamples));
+    std::vector<double> sums(columns);
+    std::vector<double> counts(columns);
+    for (int b = 0; b < options.resamples; ++b) {
+        std::fill(sums.begin(), sums.end(), 0.0);
+        std::fill(counts.begin(), counts.end(),
+                  table.complete ? static_cast<double>(table.participants) : 0.0);
+        for (std::size_t drawn = 0; drawn < table.participants; ++drawn) {
+            const std::size_t at = random.below(table.participants) * columns;
+            for (std::size_t c = 0; c < columns; ++c) sums[c] += table.values[at + c];
+            if (table.complete) continue;
+            for (std::size_t c = 0; c < columns; ++c) counts[c] += table.counts[at + c];
+        }
+        for (std::size_t c = 0; c < columns; ++c)
+            if (counts[c] > 0.0) means[c].push_back(sums[c] / counts[c]);
+    }
+    return means;
+}
+
+double typeSeven(const std::vector<double>& sorted, double q) {
+    const double position = q * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(position);
+    const std::size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+/// From the means that leave out one value each.
+double acceleration(const std::vector<double>& values) {
+    const auto n = static_cast<double>(values.size());
+    const double centre = mean(values);
+    double squares = 0.0;
+    double cubes = 0.0;
+    for (const double value : values) {
+        // Without the value the mean is this much smaller than the mean of all such means.
+        const double influence = (value - centre) / (n - 1.0);
+        squares += influence * influence;
+        cubes += influence * influence * influence;
+    }
+    return squares > 0.0 ? cubes / (6.0 * std::pow(squares, 1.5)) : 0.0;
+}
+
+std::optional<BootstrapInterval> correctedInterval(const std::vector<double>& sorted,
+                                                   const std::vector<double>& values, double estimate,
+                                                   double level) {
+    // Means that are equal on paper differ in their last bits.
+    const double allowance = 1e-12 * std::max(std::abs(sorted.front()), std::abs(sorted.back()));
+    const auto below = std::lower_bound(sorted.begin(), sorted.end(), estimate - allowance) - sorted.begin();
+    const auto up_to = std::upper_bound(sorted.begin(), sorted.end(), estimate + allowance) - sorted.begin();
+    const double share = static_cast<double>(below + up_to) / (2.0 * static_cast<double>(sorted.size()));
+    if (share <= 0.0 || share >= 1.0) return std::nullopt;
+    const boost::math::normal normal;
+    const double bias = boost::math::quantile(normal, share);
+    const double a = values.size() > 1 ? acceleration(values) : 0.0;
+    const auto moved = [&](double q) {
+        const double z = bias + boost::math::quantile(normal, q);
+        return boost::math::cdf(normal, bias + z / (1.0 - a * z));
+    };
+    const double tail = 0.5 * (1.0 - level);
+    return BootstrapInterval{typeSeven(sorted, moved(tail)), typeSeven(sorted, moved(1.0 - tail))};
+}
+
+}  // namespace
+
+std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> rows,
+                                          const BootstrapOptions& options) {
+    if (rows.empty()) return {};
+    const Table table = flatten(rows);
+    auto means = resample(table, options);
+    std::vector<BootstrapMean> out(table.columns);
+    for (std::size_t c = 0; c < table.columns; ++c) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < table.participants; ++i)
+            if (table.counts[i * table.columns + c] > 0.0) values.push_back(rows[i][c]);
+        out[c].n = static_cast<int>(values.size());
+        if (values.empty() || means[c].empty()) continue;
+        std::vector<double>& sorted = means[c];
+        std::sort(sorted.begin(), sorted.end());
+        const double tail = 0.5 * (1.0 - options.level);
+        out[c].estimate = mean(values);
+        out[c].se = sampleSd(sorted);
+        out[c].percentile = BootstrapInterval{typeSeven(sorted, tail), typeSeven(sorted, 1.0 - tail)};
+        out[c].bca = correctedInterval(sorted, values, *out[c].estimate, options.level);
+    }
+    return out;
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,214 @@
+#include "rank_distributions.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace deixis::results {
+
+namespace {
+
+/// out[i] += in[i]; the two do not overlap.
+void addTo(double* __restrict out, const double* __restrict in, std::int64_t count) {
+    constexpr std::int64_t lanes = 8;  // a fixed inner loop becomes vector code at any level of optimisation
+    std::int64_t i = 0;
+    for (; i + lanes <= count; i += lanes)
+        for (std::int64_t lane = 0; lane < lanes; ++lane) out[i + lane] += in[i + lane];
+    for (; i < count; ++i) out[i] += in[i];
+}
+
+/// counts[k] += counts[k - shift] for k from `first` to `last`, all at once: from above, in blocks that do
+/// not overlap their sources.
+void addShifted(std::vector<double>& counts, std::int64_t first, std::int64_t last, std::int64_t shift) {
+    constexpr std::int64_t longest_block = 2048;
+    const std::int64_t block = std::min(shift, longest_block);
+    for (std::int64_t end = last + 1; end > first;) {
+        const std::int64_t begin = std::max(first, end - block);
+        addTo(counts.data() + begin, counts.data() + (begin - shift), end - begin);
+        end = begin;
+    }
+}
+
+/// How many of the 2^n sign patterns give each sum from `low` to w, times 2^exponent.
+struct SignCounts {
+    std::vector<double> counts;
+    std::int64_t low = 0;
+    int exponent = 0;
+    double left_out = 0.0;  ///< bound on the probability that was left out of any lower tail
+};
+
+/// The distribution is symmetric at every stage, so only its lower half is kept. Of that, the far end is
+/// left out as long as no more than the probability `to_spare` is lost with it.
+SignCounts countSigns(const std::vector<std::int64_t>& ranks, std::int64_t w, double to_spare) {
+    SignCounts out;
+    const auto n = static_cast<int>(ranks.size());
+    // 2^2000 patterns do not fit a double; 2^-1000 to 2^1000 do.
+    const int start = n > 1000 ? -1000 : 0;
+    out.exponent = -n - start;
+    out.counts.assign(static_cast<std::size_t>(w) + 1, 0.0);
+    auto& counts = out.counts;
+    counts[0] = std::ldexp(1.0, start);
+    std::int64_t sum = 0;
+    std::int64_t top = 0;
+    for (int step = 1; step <= n; ++step) {
+        const std::int64_t rank = ranks[static_cast<std::size_t>(step - 1)];
+        const std::int64_t new_top = std::min(w, (sum + rank) / 2);
+        for (std::int64_t k = top + 1; k <= std::min(new_top, sum - out.low); ++k)
+            counts[static_cast<std::size_t>(k)] = counts[static_cast<std::size_t>(sum - k)];
+        addShifted(counts, out.low + rank, new_top, rank);
+        sum += rank;
+        top = new_top;
+        const double spare = to_spare * step / n;
+        while (out.low < top) {
+            // What is left out below is also missing from its mirror image.
+            const double lost = 2.0 * std::ldexp(counts[static_cast<std::size_t>(out.low)], -step - start);
+            if (out.left_out + lost > spare) break;
+            out.left_out += lost;
+            counts[static_cast<std::size_t>(out.low)] = 0.0;
+            ++out.low;
+        }
+    }
+    return out;
+}
+
+/// Divides all by their greatest common divisor, and sorts them; returns the divisor.
+std::int64_t reduce(std::vector<std::int64_t>& ranks) {
+    std::int64_t divisor = 0;
+    for (const std::int64_t rank : ranks) divisor = std::gcd(divisor, rank);
+    for (std::int64_t& rank : ranks) rank /= divisor;
+    std::sort(ranks.begin(), ranks.end());
+    return divisor;
+}
+
+double normalTail(double z) {
+    return boost::math::cdf(boost::math::normal(), z);
+}
+
+/// For each total excess over the least possible sum, how many subsets of `chosen` give it, up to `most`.
+std::vector<double> countSubsets(const std::vector<std::int64_t>& sorted, std::size_t chosen,
+                                 std::int64_t most) {
+    const std::size_t n = sorted.size();
+    // counts[j]: of subsets of j so far. The j-th chosen (in order) exceeds the j-th smallest by its share.
+    std::vector<std::vector<double>> counts(chosen + 1);
+    for (auto& row : counts) row.assign(static_cast<std::size_t>(most) + 1, 0.0);
+    std::vector<std::int64_t> tops(chosen + 1, -1);  // the largest excess that occurs
+    counts[0][0] = 1.0;
+    tops[0] = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t still_to_come = n - 1 - i;
+        const std::size_t least = chosen > still_to_come ? chosen - still_to_come : 1;
+        for (std::size_t j = std::min(chosen, i + 1); j >= std::max<std::size_t>(least, 1); --j) {
+            const std::int64_t excess = sorted[i] - sorted[j - 1];
+            const std::int64_t top = std::min(most, tops[j - 1] + excess);
+            if (tops[j - 1] < 0 || excess > most) continue;
+            addTo(counts[j].data() + excess, counts[j - 1].data(), top - excess + 1);
+            tops[j] = std::max(tops[j], top);
+        }
+    }
+    return std::move(counts[chosen]);
+}
+
+/// n choose k; exact while below 2^53.
+double subsets(std::size_t n, std::size_t k) {
+    double out = 1.0;
+    for (std::size_t i = 1; i <= k; ++i) out = out * static_cast<double>(n - k + i) / static_cast<double>(i);
+    return out;
+}
+
+/// The largest k with P(W <= k - 1) <= (1 - level) / 2 in `probabilities` of 0, 1, ...
+IntervalRank intervalRank(const std::vector<double>& probabilities, double level) {
+    // 1 - level is seldom a double: a tail that equals it on paper counts as within.
+    const double tail = 0.5 * (1.0 - level) * (1.0 + 1e-12);
+    IntervalRank out;
+    double below = probabilities[0];
+    out.level = 1.0 - 2.0 * below;
+    for (std::size_t k = 1; k < probabilities.size(); ++k) {
+        below += probabilities[k];
+        if (below > tail) break;
+        out.k = k + 1;
+        out.level = 1.0 - 2.0 * below;
+    }
+    return out;
+}
+
+IntervalRank normalInterval(double centre, double sd, double level) {
+    const double z =
+        boost::math::quantile(boost::math::complement(boost::math::normal(), 0.5 * (1.0 - level)));
+    IntervalRank out;
+    const double k = std::floor(centre - z * sd + 0.5);
+    out.k = static_cast<std::uint64_t>(std::max(1.0, k));
+    out.level = 1.0 - 2.0 * normalTail((static_cast<double>(out.k) - 0.5 - centre) / sd);
+    return out;
+}
+
+}  // namespace
+
+TailProbability signedRankTail(std::vector<std::int64_t> ranks, std::int64_t w) {
+    if (ranks.empty() || w < 0) return {w < 0 ? 0.0 : 1.0, w < 0 ? 0.0 : 1.0};
+    w /= reduce(ranks);
+    double squares = 0.0;
+    double half = 0.0;
+    for (const std::int64_t rank : ranks) {
+        squares += static_cast<double>(rank) * static_cast<double>(rank);
+        half += 0.5 * static_cast<double>(rank);
+    }
+    // A guess says how much may be left out; what comes out tells whether it was too much.
+    double guess = 0.01 * normalTail((static_cast<double>(w) - half) / (0.5 * std::sqrt(squares)));
+    for (;;) {
+        const SignCounts counted = countSigns(ranks, w, 1e-15 * guess);
+        const double sum = std::accumulate(counted.counts.begin() + counted.low, counted.counts.end(), 0.0);
+        TailProbability tail;
+        tail.at_most = std::ldexp(sum, counted.exponent);
+        tail.at = std::ldexp(counted.counts.back(), counted.exponent);
+        if (counted.left_out <= 1e-14 * tail.at_most || guess == 0.0) return tail;
+        guess = std::min(tail.at_most, 0.01 * guess);
+    }
+}
+
+TailProbability rankSumTail(std::vector<std::int64_t> ranks, std::size_t chosen, std::int64_t w) {
+    std::sort(ranks.begin(), ranks.end());
+    const auto split = ranks.begin() + static_cast<std::ptrdiff_t>(chosen);
+    const std::int64_t excess = w - std::accumulate(ranks.begin(), split, std::int64_t{0});
+    const std::int64_t least = ranks.front();
+    std::int64_t divisor = 0;
+    for (const std::int64_t rank : ranks) divisor = std::gcd(divisor, rank - least);
+    if (excess < 0) return {0.0, 0.0};
+    if (divisor == 0) return {};
+    for (std::int64_t& rank : ranks) rank = (rank - least) / divisor;
+    const auto counts = countSubsets(ranks, chosen, excess / divisor);
+    const double all = subsets(ranks.size(), chosen);
+    TailProbability tail;
+    tail.at_most = std::min(1.0, std::accumulate(counts.begin(), counts.end(), 0.0) / all);
+    tail.at = counts.back() / all;
+    return tail;
+}
+
+IntervalRank signedRankInterval(std::size_t n, double level) {
+    const auto size = static_cast<double>(n);
+    if (n > signed_rank_exact_limit)
+        return normalInterval(size * (size + 1.0) / 4.0,
+                              std::sqrt(size * (size + 1.0) * (2.0 * size + 1.0) / 24.0), level);
+    std::vector<std::int64_t> ranks(n);
+    std::iota(ranks.begin(), ranks.end(), std::int64_t{1});
+    const auto half = static_cast<std::int64_t>(n * (n + 1) / 4);
+    SignCounts counted = countSigns(ranks, half, 1e-16 * (1.0 - level));
+    for (double& count : counted.counts) count = std::ldexp(count, counted.exponent);
+    return intervalRank(counted.counts, level);
+}
+
+IntervalRank rankSumInterval(std::size_t n_a, std::size_t n_b, double level) {
+    const auto a = static_cast<double>(n_a);
+    const auto b = static_cast<double>(n_b);
+    if (n_a + n_b > rank_sum_exact_limit)
+        return normalInterval(a * b / 2.0, std::sqrt(a * b * (a + b + 1.0) / 12.0), level);
+    std::vector<std::int64_t> ranks(n_a + n_b);
+    std::iota(ranks.begin(), ranks.end(), std::int64_t{1});
+    const std::size_t chosen = std::min(n_a, n_b);
+    auto counts = countSubsets(ranks, chosen, static_cast<std::int64_t>(n_a * n_b / 2));
+    const double all = subsets(n_a + n_b, chosen);
+    for (double& count : counts) count /= all;
+    return intervalRank(counts, level);
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,43 @@
+// Null distributions of rank sums, by dynamic programming over the ranks at hand. Only sums of positive
+// numbers occur, so every probability has a relative error below 1e-12, in the far tails too.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace deixis::results {
+
+struct TailProbability {
+    double at_most = 1.0;  ///< P(W <= w)
+    double at = 1.0;       ///< P(W = w)
+
+    [[nodiscard]] double atLeast() const { return 1.0 - at_most + at; }  ///< P(W >= w)
+};
+
+/// An order statistic k, counted from both ends of all pairwise means or differences, that bounds an
+/// interval.
+struct IntervalRank {
+    std::uint64_t k = 1;  ///< at least 1
+    double level = 0.0;   ///< 1 - 2 P(W <= k - 1)
+};
+
+inline constexpr std::size_t signed_rank_exact_limit = 2000;
+inline constexpr std::size_t rank_sum_exact_limit = 400;
+
+/// W is the sum of those `ranks` (positive; at most 2,000) whose sign turns out positive; each sign has
+/// probability one half. `w` is at most half of their sum.
+[[nodiscard]] TailProbability signedRankTail(std::vector<std::int64_t> ranks, std::int64_t w);
+
+/// W is the sum of `chosen` of the `ranks` (at most 400), each subset of that size being equally likely.
+/// 1 <= chosen <= half of them.
+[[nodiscard]] TailProbability rankSumTail(std::vector<std::int64_t> ranks, std::size_t chosen,
+                                          std::int64_t w);
+
+/// The largest k with P(W <= k - 1) <= (1 - level) / 2, at least 1, for n untied ranks; from the normal
+/// approximation beyond the limit.
+[[nodiscard]] IntervalRank signedRankInterval(std::size_t n, double level);
+/// Likewise for U, the number of pairs of two samples in which the first is larger.
+[[nodiscard]] IntervalRank rankSumInterval(std::size_t n_a, std::size_t n_b, double level);
+
+}  // namespace deixis::results
