@@ -68,9 +68,14 @@ Result<void> failWith(const std::string& study, const std::vector<Error>& proble
                 fmt::format("has {} {}", problems.size(), problems.size() == 1 ? "problem" : "problems"));
 }
 
-void describe(const StudySetup& setup, const std::vector<studies::StudyPlan>& plans) {
+void describe(const StudySetup& setup, const assets::Avatar& avatar,
+              const std::vector<studies::StudyPlan>& plans) {
     const studies::Study& study = setup.study;
     fmt::print("{}: no problem found\n", study.file.string());
+    if (!study.avatar.empty()) {
+        fmt::print("avatar: {}, {} joints\n", study.avatar.string(), avatar.skeleton.size());
+        for (const std::string& remark : avatar.remarks) fmt::print("  {}\n", remark);
+    }
     fmt::print("languages: {}\n", fmt::join(study.languages, ", "));
     for (const auto& plan : plans) {
         std::string cell;
@@ -99,10 +104,12 @@ Result<void> check(const std::string& name) {
     if (!setup) return failWith(name, setup.error());
     std::vector<Error> problems;
     checkManifests(*setup, problems);
+    const auto avatar = loadStudyAvatar(setup->study);
+    if (!avatar) problems.push_back(avatar.error());
     const auto plans = plansOf(*setup);
     if (!plans) problems.push_back(plans.error());
     if (!problems.empty()) return failWith(name, problems);
-    describe(*setup, *plans);
+    describe(*setup, *avatar, *plans);
     return {};
 }
 

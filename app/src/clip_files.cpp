@@ -1,11 +1,9 @@
 #include "clip_files.hpp"
 
-#include <fmt/format.h>
-
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "assets/joint_positions.hpp"
+#include "assets/humanoid_file.hpp"
 #include "motion/retarget.hpp"
 
 namespace deixis::app {
@@ -28,33 +26,38 @@ std::vector<int> sameSkeletonOrder(const motion::Skeleton& clip, const motion::S
     return order;
 }
 
-}  // namespace
-
-Result<ClipFile> readClipFile(const std::filesystem::path& path, const assets::BvhOptions& options) {
-    if (path.extension() == ".csv") {
-        auto clip = assets::readKinectClip(path);
-        if (!clip) return tl::unexpected(clip.error());
-        std::string description = fmt::format("Kinect v2 joint positions, {} frames at {:.4g} fps",
-                                              clip->frameCount(), clip->framesPerSecond());
-        return ClipFile{std::move(*clip), std::move(description)};
-    }
-    auto bvh = assets::readBvh(path, options);
-    if (!bvh) return tl::unexpected(bvh.error());
-    std::string description =
-        fmt::format("BVH, unit {}, {} joints, {} frames at {:.4g} fps", bvh->unit, bvh->clip.skeleton.size(),
-                    bvh->clip.frameCount(), bvh->clip.framesPerSecond());
-    return ClipFile{std::move(bvh->clip), std::move(description)};
+Result<motion::HumanoidMapping> mapOf(const assets::ImportedClip& imported,
+                                      const std::filesystem::path& file) {
+    return assets::mapClip(file, imported.clip.skeleton, imported.humanoid ? &*imported.humanoid : nullptr);
 }
 
-Result<motion::Clip> clipOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar,
-                                  const std::string& name) {
+}  // namespace
+
+Result<MappedClip> readMappedClip(const std::filesystem::path& file, const assets::ImportOptions& options) {
+    auto imported = assets::importClip(file, options);
+    if (!imported) return tl::unexpected(imported.error());
+    const auto mapping = mapOf(*imported, file);
+    if (!mapping) return tl::unexpected(mapping.error());
+    return MappedClip{std::move(imported->clip), mapping->map};
+}
+
+bool isOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar) {
+    return !sameSkeletonOrder(clip.skeleton, avatar.skeleton).empty();
+}
+
+Result<motion::Clip> clipOnAvatar(const assets::ImportedClip& imported, const std::string& file,
+                                  const assets::Avatar& avatar, const motion::RetargetOptions& options,
+                                  motion::RetargetReport* report) {
+    const motion::Clip& clip = imported.clip;
     const std::vector<int> order = sameSkeletonOrder(clip.skeleton, avatar.skeleton);
     if (order.empty()) {
+        const auto mapping = mapOf(imported, file);
+        if (!mapping) return tl::unexpected(mapping.error());
         auto retargeted =
-            motion::retarget(clip, motion::detectHumanoid(clip.skeleton), avatar.skeleton, avatar.humanoid);
+            motion::retarget(clip, mapping->map, avatar.skeleton, avatar.humanoid, options, report);
         if (!retargeted && retargeted.error().where.empty()) {
             Error error = retargeted.error();
-            error.where = name;
+            error.where = file;
             return tl::unexpected(error);
         }
         return retargeted;
@@ -68,6 +71,9 @@ Result<motion::Clip> clipOnAvatar(const motion::Clip& clip, const assets::Avatar
         for (const int index : order)
             out.frames[f].joints.push_back(clip.frames[f].joints[static_cast<std::size_t>(index)]);
     }
+    if (report != nullptr && options.gesture)
+        report->source_error = report->avatar_error =
+            motion::pointingError(out, avatar.humanoid, *options.gesture);
     return out;
 }
 

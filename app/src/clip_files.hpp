@@ -1,28 +1,36 @@
-// Clip files of every kind that the program reads, and clips on the avatar.
+// Clips of any file with their humanoid bones, and on the avatar.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "assets/avatar.hpp"
-#include "assets/bvh.hpp"
+#include "assets/clip_import.hpp"
 #include "core/error.hpp"
 #include "motion/clip.hpp"
+#include "motion/retarget.hpp"
 
 namespace deixis::app {
 
-struct ClipFile {
-    motion::Clip clip;        ///< metres, on the file's own skeleton
-    std::string description;  ///< for people: format, unit, frames, rate
+struct MappedClip {
+    motion::Clip clip;  ///< metres, y up, on the file's own skeleton
+    motion::HumanoidMap map;
 };
 
-/// BVH (.bvh, .bvh.gz) or Kinect v2 joint positions (.csv).
-[[nodiscard]] Result<ClipFile> readClipFile(const std::filesystem::path& path,
-                                            const assets::BvhOptions& options);
+/// Any file that assets::importClip() reads. Its bones are those that the file beside it says
+/// (assets/humanoid_file.hpp), else the file itself, else those that are found.
+[[nodiscard]] Result<MappedClip> readMappedClip(const std::filesystem::path& file,
+                                                const assets::ImportOptions& options = {});
 
 /// The clip on the avatar's skeleton: its joints put in the avatar's order where it was made for this avatar
-/// (same names and bone lengths), else retargeted. `name` stands for the clip in errors.
-[[nodiscard]] Result<motion::Clip> clipOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar,
-                                                const std::string& name);
+/// (same names and bone lengths), else retargeted, its bones as the file beside it says where there is one
+/// (assets/humanoid_file.hpp). `file`: the clip's, which also stands for it in errors.
+[[nodiscard]] Result<motion::Clip> clipOnAvatar(const assets::ImportedClip& imported, const std::string& file,
+                                                const assets::Avatar& avatar,
+                                                const motion::RetargetOptions& options = {},
+                                                motion::RetargetReport* report = nullptr);
+
+/// Whether a clip was made for the avatar, so that clipOnAvatar leaves its motion as it is.
+[[nodiscard]] bool isOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar);
 
 }  // namespace deixis::app

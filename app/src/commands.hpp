@@ -17,6 +17,7 @@ using Command = std::function<Result<void>()>;
 void addRunCommand(CLI::App& cli, Command& chosen);
 void addSimulateCommand(CLI::App& cli, Command& chosen);
 void addReportCommand(CLI::App& cli, Command& chosen);
+void addEvaluateCommand(CLI::App& cli, Command& chosen);
 void addReplayCommand(CLI::App& cli, Command& chosen);
 void addCheckCommand(CLI::App& cli, Command& chosen);
 void addPlanCommand(CLI::App& cli, Command& chosen);
@@ -26,6 +27,7 @@ void addMergeCommand(CLI::App& cli, Command& chosen);
 void addTargetsCommand(CLI::App& cli, Command& chosen);
 void addGenerateCommand(CLI::App& cli, Command& chosen);
 void addClipsCommand(CLI::App& cli, Command& chosen);
+void addStatsCommand(CLI::App& cli, Command& chosen);
 void addViewCommand(CLI::App& cli, Command& chosen);
 
 }  // namespace deixis::app

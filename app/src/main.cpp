@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
     addRunCommand(cli, chosen);
     addSimulateCommand(cli, chosen);
     addReportCommand(cli, chosen);
+    addEvaluateCommand(cli, chosen);
+    addStatsCommand(cli, chosen);
     addReplayCommand(cli, chosen);
     addCheckCommand(cli, chosen);
     addPlanCommand(cli, chosen);

@@ -48,9 +48,9 @@ Result<RecordedClips> RecordedClips::load(const results::ClipRecords& records, c
     for (const auto& [stimulus, record] : records) {
         const auto file = findClip(record, folder);
         if (!file) return tl::unexpected(file.error());
-        const auto read = readClipFile(*file, {});
+        const auto read = assets::importClip(*file);
         if (!read) return tl::unexpected(read.error());
-        auto on_avatar = clipOnAvatar(read->clip, avatar, file->string());
+        auto on_avatar = clipOnAvatar(*read, file->string(), avatar);
         if (!on_avatar) return tl::unexpected(on_avatar.error());
         out.clips_.emplace(stimulus, std::move(*on_avatar));
     }

@@ -27,6 +27,7 @@ struct Options {
     bool list = false;
     bool choices = false;
     std::string stimuli;
+    std::string avatar;
 #ifdef DEIXIS_IMMERSIVE
     ReplayOptions view;
 #endif
@@ -110,7 +111,7 @@ Result<void> replay(Options options) {
                     fmt::format("{} has answered no trial that shows clips", options.participant));
     results::ClipRecords records;
     for (const auto& answer : recording->answers) records.insert(answer.clips.begin(), answer.clips.end());
-    const auto avatar = loadShippedAvatar();
+    const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     const auto clips = RecordedClips::load(records, *avatar, options.stimuli);
     if (!clips) return tl::unexpected(clips.error());
@@ -136,6 +137,7 @@ void addReplayCommand(CLI::App& cli, Command& chosen) {
                       "Print each choice of the game and what the recorded rays give");
     command->add_option("--stimuli", options->stimuli,
                         "Folder of the clips that were shown [where they lay]");
+    command->add_option("--avatar", options->avatar, "The avatar that was shown, glTF or VRM [Deixis's own]");
 #ifdef DEIXIS_IMMERSIVE
     command->add_option("--view", options->view.view, "first: by the participant's eyes; third: from outside")
         ->check(CLI::IsMember({"first", "third"}))

@@ -10,4 +10,7 @@ namespace deixis::app {
 [[nodiscard]] Result<void> writeReport(const std::string& database, const std::string& page,
                                        const std::string& json);
 
+/// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
+[[nodiscard]] Result<void> checkOutput(const std::string& file);
+
 }  // namespace deixis::app

@@ -21,7 +21,8 @@ struct Options {
     std::string json;
 };
 
-// A slip of the names must not cost a study: no report is written over a database.
+}  // namespace
+
 Result<void> checkOutput(const std::string& file) {
     std::error_code code;
     if (file.empty() || !std::filesystem::is_regular_file(file, code)) return {};
@@ -32,8 +33,6 @@ Result<void> checkOutput(const std::string& file) {
         return fail(file, "is a database; a report is not written over it", "Name another file");
     return {};
 }
-
-}  // namespace
 
 Result<void> writeReport(const std::string& database, const std::string& page, const std::string& json) {
     for (const std::string& file : {page, json})

@@ -228,8 +228,6 @@ Result<void> run(Options options) {
     if (options.database.empty()) options.database = setup->study.name + ".sqlite";
     const auto recording = recordingOptions();
     if (!recording) return tl::unexpected(recording.error());
-    auto avatar = loadShippedAvatar();
-    if (!avatar) return tl::unexpected(avatar.error());
 
     auto store = results::Store::open(options.database, results::Durability::each_answer);
     if (!store) return tl::unexpected(store.error());
@@ -237,6 +235,8 @@ Result<void> run(Options options) {
         options.participant.empty() ? nextParticipant(*store) : options.participant;
     setup = setupFor(options, *store, participant, std::move(*setup));
     if (!setup) return tl::unexpected(setup.error());
+    auto avatar = loadStudyAvatar(setup->study);
+    if (!avatar) return tl::unexpected(avatar.error());
     if (auto takes_part = checkTakesPart(options, *store, participant); !takes_part) return takes_part;
     const auto lock = results::ParticipantLock::take(options.database, participant);
     if (!lock) return tl::unexpected(lock.error());

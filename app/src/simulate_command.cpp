@@ -55,7 +55,7 @@ int takePart(const StudySetup& setup, const studies::StudyPlan& plan, const asse
 Result<void> simulate(const Options& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
-    const auto avatar = loadShippedAvatar();
+    const auto avatar = loadStudyAvatar(setup->study);
     if (!avatar) return tl::unexpected(avatar.error());
     const auto parameters = studies::loadSimulatedParameters(options.parameters);
     if (!parameters) return tl::unexpected(parameters.error());

@@ -6,13 +6,17 @@
 #include <future>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "assets/bvh.hpp"
 #include "assets/data_paths.hpp"
 #include "assets/demonstrations.hpp"
+#include "assets/humanoid_file.hpp"
 #include "assets/manifest.hpp"
 #include "clip_files.hpp"
+#include "clip_retargeting.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "generation.hpp"
@@ -23,17 +27,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The manifest of a built-in system's clips, made now where it is not there yet. Once made, the clips stay as
+// The manifest of a built-in system's clips, made now where it is not there yet. `maker` is the product's own
+// avatar, for which they are made whichever one the study shows. Once made, the clips stay as
 // they are: a later version of the program must not change what a running study shows.
 Result<fs::path> builtInManifest(const studies::SystemSource& system, const StudySetup& setup,
-                                 const assets::Avatar& avatar, const fs::path& folder) {
+                                 const assets::Avatar& maker, const fs::path& folder) {
     const fs::path parameters_file = assets::dataFile("demonstrations.toml");
     const auto parameter_bytes = readFile(parameters_file);
     if (!parameter_bytes) return tl::unexpected(parameter_bytes.error());
     const motion::HoldManner manner{system.hold_s, system.unsteadiness_m};
     std::vector<assets::ListedTarget> targets;
     std::string made_from = fmt::format("{}\n{}\n{}\n{}\n", system.generator, setup.study.seed,
-                                        *parameter_bytes, avatar.content_hash);
+                                        *parameter_bytes, maker.content_hash);
     if (manner.hold_s) made_from += fmt::format("hold {}\n", *manner.hold_s);
     if (manner.unsteadiness_m) made_from += fmt::format("unsteadiness {}\n", *manner.unsteadiness_m);
     for (const auto& item : setup.targets) {
@@ -54,7 +59,7 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, const Stud
 
     const auto parameters = assets::loadDemonstrationParameters(parameters_file);
     if (!parameters) return tl::unexpected(parameters.error());
-    const auto generator = motion::makeGenerator(system.generator, avatar.skeleton, *parameters);
+    const auto generator = motion::makeGenerator(system.generator, maker.skeleton, *parameters);
     if (!generator) return tl::unexpected(generator.error());
     const auto rows = generateClips(**generator, targets, setup.study.seed, manner, clips);
     if (!rows) return tl::unexpected(rows.error());
@@ -122,6 +127,50 @@ Result<void> checkFrames(const assets::Manifest& manifest, const assets::Manifes
     return {};
 }
 
+struct LabClip {
+    const assets::ImportedClip& imported;
+    const fs::path& file;
+    const std::string& bytes;
+};
+
+struct ShownClip {
+    motion::Clip clip;
+    results::ClipRecord record;
+};
+
+// A lab's clip on the avatar. One of another figure is retargeted once and kept as a file, which is what the
+// session shows and records: a later version of the program must not change what a running study shows.
+Result<ShownClip> onAvatar(const LabClip& lab, const assets::ManifestRow& row,
+                           const studies::SystemSource& system, const assets::Avatar& avatar,
+                           const fs::path& folder) {
+    if (isOnAvatar(lab.imported.clip, avatar)) {
+        auto clip = clipOnAvatar(lab.imported, lab.file.string(), avatar);
+        if (!clip) return tl::unexpected(clip.error());
+        return ShownClip{std::move(*clip), {lab.file.string(), sha256Hex(lab.bytes)}};
+    }
+    const RetargetManner manner{system.keep, system.pointing_fingers};
+    std::string made_from = lab.bytes + avatar.content_hash + assets::manifestCsv({row}) +
+                            fmt::format("{} {}", motion::keepName(manner.keep), manner.close_hand);
+    if (const auto words = readFile(assets::humanoidFileOf(lab.file))) made_from += *words;
+    const fs::path made = folder / fmt::format("{}-on-avatar", system.name) /
+                          fmt::format("{}.bvh", sha256Hex(made_from).substr(0, 16));
+    std::error_code code;
+    if (!fs::exists(made, code)) {
+        assets::ManifestRow measured = row;
+        const auto clip = retargetRow(lab.imported, lab.file.string(), avatar, manner, measured);
+        if (!clip) return tl::unexpected(clip.error());
+        if (auto written = writeFile(made, assets::writeBvh(*clip)); !written)
+            return tl::unexpected(written.error());
+    }
+    const auto bytes = readFile(made);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto read = assets::importClip(made);
+    if (!read) return tl::unexpected(read.error());
+    auto clip = clipOnAvatar(*read, made.string(), avatar);
+    if (!clip) return tl::unexpected(clip.error());
+    return ShownClip{std::move(*clip), {made.string(), sha256Hex(*bytes)}};
+}
+
 }  // namespace
 
 Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
@@ -130,11 +179,18 @@ Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
     std::set<studies::Stimulus> wanted;
     for (const auto& plan : plans)
         for (const auto& trial : plan.trials) wanted.insert(trial.stimuli.begin(), trial.stimuli.end());
+    std::optional<assets::Avatar> own;
+    if (!setup.study.avatar.empty()) {
+        auto loaded = loadShippedAvatar();
+        if (!loaded) return tl::unexpected(loaded.error());
+        own = std::move(*loaded);
+    }
+    const assets::Avatar& maker = own ? *own : avatar;
     // Systems do not depend on each other, and making and reading their clips is most of a start's work.
     using Part = std::map<studies::Stimulus, Loaded>;
     const auto loadSystem = [&](const studies::SystemSource& system) -> Result<Part> {
         Result<fs::path> manifest_file = fs::path(system.manifest);
-        if (!system.generator.empty()) manifest_file = builtInManifest(system, setup, avatar, folder);
+        if (!system.generator.empty()) manifest_file = builtInManifest(system, setup, maker, folder);
         if (!manifest_file) return tl::unexpected(manifest_file.error());
         const auto manifest = assets::readManifest(*manifest_file);
         if (!manifest) return tl::unexpected(manifest.error());
@@ -155,13 +211,13 @@ Result<StimulusLibrary> StimulusLibrary::load(const StudySetup& setup,
             const fs::path file = manifest_file->parent_path() / row.clip;
             const auto bytes = readFile(file);
             if (!bytes) return tl::unexpected(bytes.error());
-            const auto read = readClipFile(file, {});
+            const auto read = assets::importClip(file);
             if (!read) return tl::unexpected(read.error());
             if (auto checked = checkFrames(*manifest, row, read->clip); !checked)
                 return tl::unexpected(checked.error());
-            auto on_avatar = clipOnAvatar(read->clip, avatar, file.string());
-            if (!on_avatar) return tl::unexpected(on_avatar.error());
-            part.emplace(stimulus, Loaded{std::move(*on_avatar), {file.string(), sha256Hex(*bytes)}});
+            auto loaded = onAvatar({*read, file, *bytes}, row, system, avatar, folder);
+            if (!loaded) return tl::unexpected(loaded.error());
+            part.emplace(stimulus, Loaded{std::move(loaded->clip), std::move(loaded->record)});
         }
         return part;
     };

@@ -111,4 +111,18 @@ Result<assets::Avatar> loadShippedAvatar() {
     return assets::loadAvatar(assets::dataFile("avatar.glb"));
 }
 
+Result<assets::Avatar> loadAvatarOrShipped(const std::filesystem::path& file) {
+    return file.empty() ? loadShippedAvatar() : assets::loadAvatar(file);
+}
+
+Result<assets::Avatar> loadStudyAvatar(const studies::Study& study) {
+    auto avatar = loadAvatarOrShipped(study.avatar);
+    if (!avatar) {
+        Error error = avatar.error();
+        error.where = study.file.string() + ": study.avatar: " + error.where;
+        return tl::unexpected(std::move(error));
+    }
+    return avatar;
+}
+
 }  // namespace deixis::app

@@ -1,6 +1,7 @@
 // What every command that uses a study needs first: the study, its targets and the avatar.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,11 @@ struct StudySetup {
 
 /// The product's own avatar.
 [[nodiscard]] Result<assets::Avatar> loadShippedAvatar();
+
+/// The avatar in the file; where none is named, the product's own.
+[[nodiscard]] Result<assets::Avatar> loadAvatarOrShipped(const std::filesystem::path& file);
+
+/// The one that the study shows. Errors name the study's key.
+[[nodiscard]] Result<assets::Avatar> loadStudyAvatar(const studies::Study& study);
 
 }  // namespace deixis::app

@@ -1,4 +1,4 @@
-// deixis targets: a study's targets and distractors as CSV, and a picture of them.
+// deixis targets: a study's targets and distractors as CSV, and a picture of them; or a grid of test points.
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,8 +9,10 @@
 #include "core/files.hpp"
 #include "motion/demonstration_library.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "studies/target_grid.hpp"
 #include "studies/targets.hpp"
 #include "study_setup.hpp"
+#include "training_targets.hpp"
 
 namespace deixis::app {
 
@@ -20,7 +22,18 @@ struct Options {
     std::string study;
     std::string picture;
     bool no_picture = false;
+    int grid = 0;
+    std::string training;
 };
+
+Result<void> printGrid(const Options& options) {
+    const auto training = loadTrainingTargets(options.training);
+    if (!training) return tl::unexpected(training.error());
+    const auto grid = studies::targetGrid(training->targets, options.grid);
+    if (!grid) return fail("--grid", grid.error().message, grid.error().mend);
+    fmt::print("{}", studies::targetsCsv(*grid, {}));
+    return {};
+}
 
 Result<void> printTargets(const Options& options) {
     const auto setup = loadStudySetup(options.study);
@@ -49,10 +62,23 @@ void addTargetsCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command =
         cli.add_subcommand("targets", "Print a study's targets and distractors as CSV, and draw them");
-    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
     command->add_option("--picture", options->picture, "SVG picture to write [STUDY-targets.svg]");
     command->add_flag("--no-picture", options->no_picture, "Only print");
-    command->callback([options, &chosen] { chosen = [options] { return printTargets(*options); }; });
+    command->add_option("--grid", options->grid,
+                        "Instead: so many test points (a third power, such as 1000) within the limits of the "
+                        "training targets");
+    command->add_option("--training", options->training,
+                        "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
+    command->callback([options, command, &chosen] {
+        const bool grid = command->count("--grid") > 0;
+        if (grid != options->study.empty())
+            throw CLI::ValidationError("targets", "Give either STUDY or --grid");
+        if (!grid && !options->training.empty())
+            throw CLI::ValidationError("--training",
+                                       "Belongs to --grid: a study says itself where its targets lie");
+        chosen = [options, grid] { return grid ? printGrid(*options) : printTargets(*options); };
+    });
 }
 
 }  // namespace deixis::app

@@ -1,9 +1,12 @@
 // deixis view: a clip on the avatar, in a window or as a picture.
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <memory>
 
-#include "assets/bvh.hpp"
 #include "clip_files.hpp"
 #include "commands.hpp"
+#include "import_options.hpp"
 #include "study_setup.hpp"
 
 #ifdef DEIXIS_IMMERSIVE
@@ -18,20 +21,20 @@ namespace {
 
 struct Options {
     std::string file;
-    double metres_per_unit = 0.0;
+    std::string avatar;
+    assets::ImportOptions import;
     ViewOptions view;
 };
 
 Result<void> view(const Options& options) {
-    const auto avatar = loadShippedAvatar();
+    const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
-    assets::BvhOptions read;
-    if (options.metres_per_unit > 0.0) read.metres_per_unit = options.metres_per_unit;
-    const auto file = readClipFile(options.file, read);
+    for (const std::string& remark : avatar->remarks) fmt::print(stderr, "{}: {}\n", options.avatar, remark);
+    const auto file = assets::importClip(options.file, options.import);
     if (!file) return tl::unexpected(file.error());
-    const auto clip = clipOnAvatar(file->clip, *avatar, options.file);
+    const auto clip = clipOnAvatar(*file, options.file, *avatar);
     if (!clip) return tl::unexpected(clip.error());
-    return viewClip(*clip, options.file, file->description, *avatar, options.view);
+    return viewClip(*clip, options.file, assets::describe(*file), *avatar, options.view);
 }
 
 }  // namespace
@@ -39,9 +42,9 @@ Result<void> view(const Options& options) {
 void addViewCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<Options>();
     CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar");
-    command->add_option("FILE", options->file, "BVH file (also .bvh.gz) or Kinect v2 CSV")->required();
-    command->add_option("--metres-per-unit", options->metres_per_unit, "Length of a BVH unit [detected]")
-        ->check(CLI::PositiveNumber);
+    command->add_option("FILE", options->file, clip_file_kinds)->required();
+    addImportOptions(*command, options->import);
+    command->add_option("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
     command->add_option("--size", options->view.size, "Window or picture size")->capture_default_str();
     command->add_option("--screenshot", options->view.screenshot, "Write a PNG and open no window");
     command->add_option(

@@ -41,15 +41,16 @@ TEST_SUITE("app/documents") {
             const std::string text = slurp(file);
             for (std::sregex_iterator at(text.begin(), text.end(), command), end; at != end; ++at) {
                 std::string name = (*at)[1];
-                if (name == "clips") name = "clips joints";
                 const std::string rest = (*at)[2];
                 const std::regex what(" ([a-z]+)");
                 std::smatch one;
-                if (name == "participants" && std::regex_search(rest, one, what)) name += " " + one[1].str();
+                if ((name == "participants" || name == "clips") && std::regex_search(rest, one, what))
+                    name += " " + one[1].str();
                 INFO(file.string() << ": deixis " << (*at)[1].str() << rest);
                 const auto help = program(name + " --help");
                 CHECK(help.status == 0);
                 seen.insert(name);
+                if (help.out.find("(not in this build)") != std::string::npos) continue;
                 for (std::sregex_iterator o(rest.begin(), rest.end(), option); o != end; ++o)
                     CHECK(help.out.find((*o)[1].str()) != std::string::npos);
             }

@@ -32,10 +32,12 @@ struct Orbit {
     double elevation_rad = radiansFromDegrees(8.0);
     double distance_m = 3.4;
 
-    [[nodiscard]] Pose stageFromEye(const Vec3& hips) const {
-        const Vec3 middle(hips.x, 0.83, hips.z);
+    /// From farther away where the figure is taller than people are.
+    [[nodiscard]] Pose stageFromEye(const Vec3& hips, double height_m) const {
+        const double size = std::max(1.0, height_m / 1.9);
+        const Vec3 middle(hips.x, 0.83 * size, hips.z);
         const Quat turn = yawRotation(azimuth_rad) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
-        return {middle + turn * Vec3(0, 0, distance_m), turn};
+        return {middle + turn * Vec3(0, 0, distance_m * size), turn};
     }
 };
 
@@ -62,7 +64,7 @@ class ClipScene {
         motion::worldPose(avatar_.skeleton, pose_, joints);
         const auto hips = static_cast<std::size_t>(std::max(0, avatar_.humanoid[motion::Bone::hips]));
         keepInRoom(joints, hips);
-        scene.camera.stage_from_eye = orbit.stageFromEye(joints[hips].position);
+        scene.camera.stage_from_eye = orbit.stageFromEye(joints[hips].position, avatar_.height_m);
         scene.camera.vertical_fov_rad = radiansFromDegrees(42.0);
         return scene;
     }

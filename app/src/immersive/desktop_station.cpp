@@ -32,7 +32,7 @@ constexpr double max_lean_m = 0.25;
 constexpr double lean_speed_per_s = 4.0;
 const Vec3 eye_to_hand{0.20, -0.28, -0.20};  // in the head's frame turned upright
 constexpr double farthest_aim_m = 8.0;
-constexpr double click_after_focus_s = 0.3;
+constexpr double settles_after_focus_s = 0.3;
 constexpr double longest_gap_s = 3600.0;  // between frames, for counting those dropped
 
 bool oneOf(const std::string& state, std::initializer_list<const char*> states) {
@@ -156,6 +156,8 @@ void DesktopStation::State::onFocus(bool focused) {
 void DesktopStation::State::onCursor(double x, double y) {
     const double right_px = x - std::exchange(cursor_x, x);
     const double down_px = y - std::exchange(cursor_y, y);
+    // What the mouse did elsewhere, and what brings it back, turns nobody's head.
+    if (!in_front || now_s() - focused_at_s < settles_after_focus_s) return;
     // What is selected is what was in the middle of the view when the button went down, also where the mouse
     // has gone on since, in a slow frame far: that turns the view in the next one.
     if (pending.select) {
@@ -317,7 +319,7 @@ void DesktopStation::State::connectCallbacks() {
         auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
         if (button != GLFW_MOUSE_BUTTON_LEFT) return;
         // The click that brings the window back is no answer.
-        const bool meant = state->now_s() - state->focused_at_s > click_after_focus_s;
+        const bool meant = state->now_s() - state->focused_at_s > settles_after_focus_s;
         state->held = action == GLFW_PRESS && meant;
         if (state->held) state->pending.select = true;
     });

@@ -1,6 +1,7 @@
 """Sessions that are interrupted: paused, ended early and gone on with, killed, declined."""
 
 import signal
+import subprocess
 import time
 
 import borrowed  # noqa: F401
@@ -87,6 +88,7 @@ def paused(settings):
         require(line["trial"] == trial and button(line, option)["chosen"], "the pause lost what was answered")
 
         full_screen(rig, hands)
+        look_elsewhere(rig, hands)
 
         # In a clip: it starts over.
         person.take_part(stop=lambda now: now["state"] == "playing" and now["stage"] == "certainty")
@@ -126,9 +128,29 @@ def full_screen(rig, hands):
     for wanted in ((1280, 800), windowed):
         rig.mouse.key("F11")
         until(f"window of {wanted}", lambda: rig.window_size() == wanted, 30.0)
-        seen = hands.look()["frame"]
-        hands.wait("frames", lambda now: now["frame"] > seen + 3)
+        frames_pass(hands)
     require(hands.look()["state"] in (line["state"], "paused"), "F11 changed what is shown")
+
+
+def frames_pass(hands):
+    seen = hands.look()["frame"]
+    hands.wait("frames", lambda now: now["frame"] > seen + 3)
+
+
+def look_elsewhere(rig, hands):
+    """Somebody takes the mouse to another window and back: that pauses, and does not turn the participant's head."""
+    root = subprocess.run(
+        ["xdotool", "search", "--maxdepth", "0", ""], env=rig.environment, capture_output=True, text=True, check=True
+    ).stdout.split()[0]
+    rig.mouse.do("windowfocus", root)
+    hands.wait("pause", lambda now: now["state"] == "paused")
+    frames_pass(hands)
+    before = hands.look()["head"]
+    rig.mouse.do("mousemove", 1100, 700)
+    rig.focus()
+    frames_pass(hands)
+    turned = max(abs(now - then) for now, then in zip(hands.look()["head"], before))
+    require(turned < 1e-6, f"the mouse elsewhere turned the head: {before} became {hands.look()['head']}")
 
 
 def check_pauses(database, clip, choice):

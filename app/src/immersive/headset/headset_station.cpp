@@ -25,7 +25,10 @@ double avatarEyeHeight(const assets::Avatar& avatar) {
     double sum_m = 0.0;
     for (const motion::Bone eye : {motion::Bone::leftEye, motion::Bone::rightEye}) {
         const int joint = avatar.humanoid[eye];
-        if (joint < 0) return 1.65;
+        if (joint < 0) {  // as high over the head as those of the own avatar
+            const int head = avatar.humanoid[motion::Bone::head];
+            return head < 0 ? 1.65 : joints[static_cast<std::size_t>(head)].position.y + 0.09;
+        }
         sum_m += joints[static_cast<std::size_t>(joint)].position.y;
     }
     return sum_m / 2.0;

@@ -1,0 +1,26 @@
+// What may be wrong with a clip before anybody watches it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assets/clip_import.hpp"
+
+namespace deixis::app {
+
+struct ClipProblem {
+    bool fatal;  ///< the clip cannot be used; else somebody should look at it
+    std::string text;
+};
+
+/// Bones that the clip's joints play: as the file says, else by their names.
+[[nodiscard]] motion::HumanoidMap humanoidOf(const assets::ImportedClip& imported);
+
+/// Names of the bones without which no clip plays on an avatar and that the map lacks.
+[[nodiscard]] std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map);
+
+/// All at once: missing bones, limbs without length, jumps, feet below the floor, a single frame, and the
+/// importer's remarks.
+[[nodiscard]] std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported);
+
+}  // namespace deixis::app

@@ -1,0 +1,48 @@
+// deixis clips joints: the joints of a clip and where they are.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "assets/joint_positions.hpp"
+#include "clips_commands.hpp"
+#include "import_options.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct Options {
+    std::string file;
+    bool csv = false;
+    assets::ImportOptions import;
+};
+
+Result<void> printJoints(const Options& options) {
+    const auto file = assets::importClip(options.file, options.import);
+    if (!file) return tl::unexpected(file.error());
+    if (options.csv) {
+        fmt::print("{}", assets::writeJointCsv(file->clip));
+        return {};
+    }
+    fmt::print("{}\n", assets::describe(*file));
+    const auto& joints = file->clip.skeleton.joints;
+    for (const auto& joint : joints)
+        fmt::print(
+            "{}{}\n", joint.name,
+            joint.parent < 0 ? std::string() : "  <- " + joints[static_cast<std::size_t>(joint.parent)].name);
+    return {};
+}
+
+}  // namespace
+
+void addClipsJointsCommand(CLI::App& clips, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* joints =
+        clips.add_subcommand("joints", "The joints of a clip; with --csv their world positions");
+    joints->add_option("FILE", options->file, clip_file_kinds)->required();
+    joints->add_flag("--csv", options->csv, "World positions of every joint in every frame, metres");
+    addImportOptions(*joints, options->import);
+    joints->callback([options, &chosen] { chosen = [options] { return printJoints(*options); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,42 @@
+// deixis clips resample: a clip at another frame rate.
+#include <memory>
+
+#include "clip_files.hpp"
+#include "clip_output.hpp"
+#include "clips_commands.hpp"
+#include "import_options.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct Options {
+    std::string in;
+    std::string out;
+    double fps = 30.0;
+    assets::ImportOptions import;
+    bool force = false;
+};
+
+Result<void> resample(const Options& options) {
+    const auto source = readMappedClip(options.in, options.import);
+    if (!source) return tl::unexpected(source.error());
+    return writeClip(motion::resample(source->clip, 1.0 / options.fps), options.out, options.force);
+}
+
+}  // namespace
+
+void addClipsResampleCommand(CLI::App& clips, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = clips.add_subcommand("resample", "Bring a clip to another frame rate");
+    command->add_option("IN", options->in, "Clip file")->required();
+    command->add_option("OUT", options->out, "The clip at the new rate, BVH")->required();
+    command->add_option("--fps", options->fps, "Frames a second of OUT")
+        ->required()
+        ->check(CLI::Range(1.0, 1000.0));
+    addImportOptionsWithoutRate(*command, options->import);
+    command->add_flag("--force", options->force, "Replace what is there already");
+    command->callback([options, &chosen] { chosen = [options] { return resample(*options); }; });
+}
+
+}  // namespace deixis::app

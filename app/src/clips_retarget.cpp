@@ -1,0 +1,81 @@
+// deixis clips retarget: a folder of clips on an avatar.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "clip_retargeting.hpp"
+#include "clips_commands.hpp"
+#include "study_setup.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct Options {
+    std::string manifest;
+    std::string folder;
+    std::string keep = "joint-angles";
+    std::string avatar;
+    std::string fingers = "relaxed";
+    std::string feet = "planted";
+};
+
+void printRow(const assets::ManifestRow& row, const motion::RetargetReport& report) {
+    fmt::print("{}", row.clip);
+    if (report.source_error && report.avatar_error)
+        fmt::print("  pointing error {:.2f} deg (at most {:.2f}), on the avatar {:.2f} (at most {:.2f})",
+                   report.source_error->median_deg, report.source_error->max_deg,
+                   report.avatar_error->median_deg, report.avatar_error->max_deg);
+    if (report.feet.standing_share > 0.0)
+        fmt::print("  feet slide {:.1f} mm/s, were {:.1f}", 1000.0 * report.feet.after_m_s,
+                   1000.0 * report.feet.before_m_s);
+    fmt::print("\n");
+    for (const std::string& remark : report.remarks) fmt::print("    {}\n", remark);
+}
+
+Result<void> retargetAll(const Options& options) {
+    const auto manifest = assets::readManifest(options.manifest);
+    if (!manifest) return tl::unexpected(manifest.error());
+    const auto avatar = loadAvatarOrShipped(options.avatar);
+    if (!avatar) return tl::unexpected(avatar.error());
+    const RetargetManner manner{*motion::keepFromName(options.keep), options.fingers == "pointing",
+                                options.feet == "planted"};
+    std::vector<double> differences;
+    const auto rows =
+        retargetClips(*manifest, *avatar, manner, options.folder,
+                      [&](const assets::ManifestRow& row, const motion::RetargetReport& report) {
+                          printRow(row, report);
+                          if (row.source_error_deg && row.avatar_error_deg)
+                              differences.push_back(std::abs(*row.avatar_error_deg - *row.source_error_deg));
+                      });
+    if (!rows) return tl::unexpected(rows.error());
+    fmt::print("{} clips and manifest.csv in {}\n", rows->size(), options.folder);
+    if (!differences.empty())
+        fmt::print("pointing error of source and avatar: at most {:.2f} deg apart\n",
+                   *std::max_element(differences.begin(), differences.end()));
+    return {};
+}
+
+}  // namespace
+
+void addClipsRetargetCommand(CLI::App& clips, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        clips.add_subcommand("retarget", "Bring the clips of a manifest to an avatar, as BVH files");
+    command->add_option("MANIFEST", options->manifest, "CSV, see docs/manifest.md")->required();
+    command->add_option("--out", options->folder, "Folder for the clips and their manifest")->required();
+    command->add_option("--keep", options->keep, "What a pointing arm keeps")
+        ->check(CLI::IsMember({"joint-angles", "pointing-ray"}))
+        ->capture_default_str();
+    command->add_option("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
+    command->add_option("--fingers", options->fingers, "Hands of figures without fingers while they point")
+        ->check(CLI::IsMember({"relaxed", "pointing"}))
+        ->capture_default_str();
+    command->add_option("--feet", options->feet, "Whether feet that stand are held")
+        ->check(CLI::IsMember({"planted", "free"}))
+        ->capture_default_str();
+    command->callback([options, &chosen] { chosen = [options] { return retargetAll(*options); }; });
+}
+
+}  // namespace deixis::app

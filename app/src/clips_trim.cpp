@@ -1,0 +1,75 @@
+// deixis clips trim: a part of a clip.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "clip_files.hpp"
+#include "clip_output.hpp"
+#include "clips_commands.hpp"
+#include "import_options.hpp"
+#include "motion/clip_edit.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct Options {
+    std::string in;
+    std::string out;
+    std::string from = "0";
+    std::string to;
+    assets::ImportOptions import;
+    bool force = false;
+};
+
+/// "30": frame 30; "1.5s": the frame nearest to that time.
+Result<int> frameFrom(std::string_view option, const std::string& text, const motion::Clip& clip) {
+    const bool in_seconds = text.ends_with('s');
+    const char* end = text.data() + text.size() - (in_seconds ? 1 : 0);
+    if (in_seconds) {
+        double time_s = 0.0;
+        const auto [last, code] = std::from_chars(text.data(), end, time_s);
+        // The frames that a file may have are far fewer.
+        if (code == std::errc() && last == end && std::abs(time_s) < 1e6)
+            if (const double frame = std::round(time_s / clip.frame_time_s); std::abs(frame) < 1e9)
+                return static_cast<int>(frame);
+    } else {
+        int frame = 0;
+        const auto [last, code] = std::from_chars(text.data(), end, frame);
+        if (code == std::errc() && last == end) return frame;
+    }
+    return fail(std::string(option),
+                fmt::format("found '{}', expected a frame such as 30 or seconds such as 1.5s", text));
+}
+
+Result<void> trim(const Options& options) {
+    const auto source = readMappedClip(options.in, options.import);
+    if (!source) return tl::unexpected(source.error());
+    const auto first = frameFrom("--from", options.from, source->clip);
+    if (!first) return tl::unexpected(first.error());
+    const auto last = options.to.empty() ? Result<int>(source->clip.frameCount() - 1)
+                                         : frameFrom("--to", options.to, source->clip);
+    if (!last) return tl::unexpected(last.error());
+    const auto part = motion::trimmed(source->clip, *first, *last);
+    if (!part) return fail(options.in, part.error().message, part.error().mend);
+    return writeClip(*part, options.out, options.force);
+}
+
+}  // namespace
+
+void addClipsTrimCommand(CLI::App& clips, Command& chosen) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = clips.add_subcommand("trim", "Keep a part of a clip");
+    command->add_option("IN", options->in, "Clip file")->required();
+    command->add_option("OUT", options->out, "The part, BVH")->required();
+    command->add_option("--from", options->from, "First frame kept, from 0, or seconds as in 1.5s")
+        ->capture_default_str();
+    command->add_option("--to", options->to, "Last frame kept, or seconds as in 3s [the clip's last]");
+    addImportOptions(*command, options->import);
+    command->add_flag("--force", options->force, "Replace what is there already");
+    command->callback([options, &chosen] { chosen = [options] { return trim(*options); }; });
+}
+
+}  // namespace deixis::app

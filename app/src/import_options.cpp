@@ -1,0 +1,49 @@
+#include "import_options.hpp"
+
+#include <map>
+#include <string>
+
+namespace deixis::app {
+
+namespace {
+
+// Metres of a unit by its name, or as a number.
+double metresOf(const std::string& unit) {
+    static const std::map<std::string, double> names{
+        {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"inch", 0.0254}};
+    if (const auto found = names.find(unit); found != names.end()) return found->second;
+    double metres = 0.0;
+    if (!CLI::detail::lexical_cast(unit, metres) || !(metres > 0.0))
+        throw CLI::ValidationError(
+            "--unit", "found '" + unit + "', expected m, dm, cm, mm, inch, or a unit's length in metres");
+    return metres;
+}
+
+}  // namespace
+
+const char* const clip_file_kinds =
+    "Clip: BVH, glTF or VRM, CSV of joint positions, Kinect v2 CSV, exponential maps or SGToolkit JSON; also "
+    "packed (.gz)";
+
+void addImportOptionsWithoutRate(CLI::App& command, assets::ImportOptions& options) {
+    command.add_option_function<std::string>(
+        "--unit", [&options](const std::string& unit) { options.metres_per_unit = metresOf(unit); },
+        "Unit of length: m, dm, cm, mm, inch, or its length in metres [as the file says, or detected]");
+    command
+        .add_option_function<std::string>(
+            "--up", [&options](const std::string& axis) { options.up_axis = assets::upAxisFromName(axis); },
+            "Axis that points up, such as y, z or -y (write --up=-y) [as the file says, or detected]")
+        ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
+    command.add_option("--animation", options.animation,
+                       "Which animation of a file that holds several: its name, or its number from 0");
+}
+
+void addImportOptions(CLI::App& command, assets::ImportOptions& options) {
+    addImportOptionsWithoutRate(command, options);
+    command
+        .add_option_function<double>(
+            "--fps", [&options](double fps) { options.fps = fps; }, "Frames a second [as the file says]")
+        ->check(CLI::Range(0.1, 10000.0));
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,147 @@
+// deixis stats: statistical tests of the columns of a CSV file.
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+
+#include "commands.hpp"
+#include "stats_table.hpp"
+#include "stats_tests.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct Options {
+    ColumnChoice choice;
+    StatsOptions test;
+    std::string chance;
+    bool json = false;
+};
+
+/// Which options a test has besides its columns.
+struct Takes {
+    bool long_form = false;
+    bool paired_by = false;
+    bool level = false;
+    bool chance = false;
+    bool resamples = false;
+};
+
+std::string asText(const nlohmann::ordered_json& value) {
+    if (value.is_null()) return "undefined";
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
+    if (!value.is_array()) return value.dump();
+    std::string out;
+    for (const auto& item : value) out += (out.empty() ? "" : ", ") + asText(item);
+    return out;
+}
+
+/// A line for each number; the numbers of an inner object are indented below its name.
+void printText(const nlohmann::ordered_json& object, int indent) {
+    for (const auto& [key, value] : object.items()) {
+        if (value.is_object() || (value.is_array() && !value.empty() && value[0].is_object())) {
+            fmt::print("{:{}}{}\n", "", indent, key);
+            if (value.is_object()) {
+                printText(value, indent + 2);
+                continue;
+            }
+            for (const auto& item : value) {
+                printText(item, indent + 2);
+                if (&item != &value.back()) fmt::print("\n");
+            }
+            continue;
+        }
+        fmt::print("{:{}}{:<{}} {}\n", "", indent, key, 20 - indent, asText(value));
+    }
+}
+
+Result<void> runTest(StatsTest test, const Options& options) {
+    StatsOptions with = options.test;
+    if (!(with.level > 0.0 && with.level < 1.0))
+        return fail("--level", fmt::format("{} is not between 0 and 1", with.level));
+    if (!options.chance.empty()) {
+        const auto chance = results::Rational::parse(options.chance);
+        if (!chance) return fail("--chance", chance.error());
+        if (chance->sign() <= 0 || *chance >= results::Rational(1))
+            return fail("--chance", fmt::format("{} is not between 0 and 1", options.chance));
+        with.chance = *chance;
+    }
+    const auto table = readStatsTable(options.choice);
+    if (!table) return tl::unexpected(table.error());
+    const auto found = test(*table, with);
+    if (!found) return tl::unexpected(found.error());
+    if (options.json)
+        fmt::print("{}\n", found->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    else
+        printText(*found, 0);
+    return {};
+}
+
+void addTest(CLI::App& stats, Command& chosen, const std::string& name, const std::string& description,
+             StatsTest test, const Takes& takes) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = stats.add_subcommand(name, description);
+    command
+        ->add_option("FILE", options->choice.file,
+                     "CSV file with the columns' names in its first line; - "
+                     "for standard input")
+        ->required();
+    CLI::Option* columns =
+        command
+            ->add_option("--columns", options->choice.columns,
+                         takes.long_form ? "Columns, as in a,b; with --group: its levels, in order [all]"
+                                         : "Columns, as in a,b")
+            ->delimiter(',');
+    if (!takes.long_form) columns->required();
+    if (takes.paired_by)
+        command->add_option("--paired-by,--cluster", options->choice.paired_by,
+                            "Rows that agree in this column are one participant, who counts with their mean");
+    if (takes.long_form) {
+        command->add_option("--group", options->choice.group,
+                            "Long form: the column that tells the conditions apart");
+        command->add_option("--value", options->choice.value, "Long form: the column with the numbers");
+    }
+    if (takes.level)
+        command->add_option("--level", options->test.level, "Confidence level of intervals")
+            ->capture_default_str();
+    if (takes.chance)
+        command->add_option("--chance", options->chance, "Chance level to test against, as in 1/3");
+    if (takes.resamples) {
+        command->add_option("--resamples", options->test.resamples, "Number of resamples")
+            ->capture_default_str()
+            ->check(CLI::Range(1, 10'000'000));
+        command->add_option("--seed", options->test.seed, "Seed of the resampling")->capture_default_str();
+    }
+    command->add_flag("--json", options->json, "Print one JSON object, with all digits");
+    command->callback(
+        [options, test, &chosen] { chosen = [options, test] { return runTest(test, *options); }; });
+}
+
+}  // namespace
+
+void addStatsCommand(CLI::App& cli, Command& chosen) {
+    CLI::App* stats = cli.add_subcommand("stats", "Exact statistical tests of the columns of a CSV file");
+    stats->require_subcommand(1);
+    addTest(*stats, chosen, "signed-rank", "Wilcoxon's signed-rank test of paired columns a and b",
+            statsSignedRank, {.long_form = true, .paired_by = true, .level = true});
+    addTest(*stats, chosen, "rank-sum", "Rank-sum test (Mann and Whitney's U) of independent samples a and b",
+            statsRankSum, {.long_form = true, .paired_by = true, .level = true});
+    addTest(*stats, chosen, "friedman", "Friedman's test of two or more columns, with Kendall's W",
+            statsFriedman, {.long_form = true, .paired_by = true});
+    addTest(*stats, chosen, "shapiro", "Shapiro and Wilk's test of a column, or of the differences of two",
+            statsShapiro, {.long_form = true, .paired_by = true});
+    addTest(*stats, chosen, "spearman", "Spearman's rank correlation of two columns", statsSpearman,
+            {.paired_by = true});
+    addTest(*stats, chosen, "holm", "Holm's correction of a column of p values", statsHolm, {});
+    addTest(*stats, chosen, "bootstrap", "Bootstrap intervals of the columns' means and their differences",
+            statsBootstrap, {.long_form = true, .paired_by = true, .level = true, .resamples = true});
+    addTest(*stats, chosen, "proportion",
+            "Share of ones in a column of 0 and 1, with exact interval and test", statsProportion,
+            {.level = true, .chance = true});
+    addTest(*stats, chosen, "describe", "Mean, spread and quantiles of columns", statsDescribe,
+            {.long_form = true, .paired_by = true});
+}
+
+}  // namespace deixis::app

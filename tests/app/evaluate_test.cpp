@@ -1,0 +1,202 @@
+// evaluate and targets --grid: the real program, from made clips to a page.
+#include "program.hpp"
+
+using namespace deixis::tests;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Clips of two systems for a grid of eight points, made once.
+const fs::path& corpus() {
+    static const fs::path folder = [] {
+        const fs::path made = fs::path(DEIXIS_BINARY_DIR) / "evaluate-clips";
+        fs::create_directories(made);
+        const auto grid = program("targets --grid 8");
+        REQUIRE_MESSAGE(grid.status == 0, grid.err);
+        spill(made / "grid.csv", grid.out);
+        for (const std::string system : {"direct", "stiff"}) {
+            const auto clips = program("generate " + system + " --targets " + (made / "grid.csv").string() +
+                                       " --out " + (made / system).string());
+            REQUIRE_MESSAGE(clips.status == 0, clips.err);
+        }
+        return made;
+    }();
+    return folder;
+}
+
+std::string manifests() {
+    return (corpus() / "direct").string() + " " + (corpus() / "stiff/manifest.csv").string();
+}
+
+/// A manifest of its own folder with one clip of `direct` under the name clip.bvh; `row` follows the clip's
+/// name.
+std::string manifestWith(const Scratch& scratch, const std::string& row) {
+    fs::copy_file(corpus() / "direct/direct_G0001.bvh", scratch / "clip.bvh",
+                  fs::copy_options::overwrite_existing);
+    spill(scratch / "manifest.csv",
+          "clip,system,target_id,target_x,target_y,target_z,hand,onset,peak,hold,end,fps,seed\nclip.bvh," +
+              row + "\n");
+    return scratch / "manifest.csv";
+}
+
+}  // namespace
+
+TEST_SUITE("app/evaluate") {
+    TEST_CASE("Two systems' clips become a page, numbers and tables, the same whatever the threads") {
+        const Scratch scratch;
+        const auto evaluated = [&](const std::string& name, const std::string& more) {
+            const auto done =
+                program("evaluate " + manifests() + " -o " + (scratch / (name + ".html")) + " --json " +
+                        (scratch / (name + ".json")) + " --csv " + (scratch / name) + more);
+            REQUIRE_MESSAGE(done.status == 0, done.err);
+            CHECK(contains(done.out, name + ".html"));
+        };
+        evaluated("one", " --threads 1");
+        evaluated("five", " --threads 5");
+        for (const std::string ending : {".html", ".json", "/clips.csv", "/systems.csv", "/profiles.csv",
+                                         "/targets.csv", "/clusters.csv"}) {
+            CAPTURE(ending);
+            CHECK(slurp(scratch / ("one" + ending)) == slurp(scratch / ("five" + ending)));
+            CHECK(slurp(scratch / ("one" + ending)).size() > 100);
+        }
+        const auto json = nlohmann::json::parse(slurp(scratch / "one.json"));
+        REQUIRE(json["systems"].size() == 2);
+        for (const auto& system : json["systems"]) {
+            CHECK(system["clips"] == 8);
+            CHECK(system["missing"] == 0);
+            CHECK(system["synthetic"] == true);
+            CHECK(system["placed"] == 0);
+            CHECK(system["phases_found"] == 0);
+            const double mean = system["accuracy"]["mean"].get<double>();
+            CHECK(mean > 0.4);
+            CHECK(mean < 0.6322);
+        }
+        CHECK(json["training"]["synthetic"] == true);
+        CHECK(json["training"]["targets"].size() == 104);
+        CHECK(json["targets"].size() == 8);
+        CHECK(json["files"].size() == 3);
+        CHECK(shell("xmllint --noout " + (scratch / "one.html")).status == 0);
+        CHECK(contains(slurp(scratch / "one.html"), "class=\"synthetic\""));
+    }
+
+    TEST_CASE("Bandwidths and training targets can be given; the settings stand in the numbers") {
+        const Scratch scratch;
+        const auto done =
+            program("evaluate " + manifests() + " --training " + (corpus() / "grid.csv").string() +
+                    " --bandwidth 0.80,0.36,0.35 --meanshift-bandwidth 0.78 -o " + (scratch / "e.html") +
+                    " --json " + (scratch / "e.json"));
+        REQUIRE_MESSAGE(done.status == 0, done.err);
+        const auto json = nlohmann::json::parse(slurp(scratch / "e.json"));
+        CHECK(json["settings"]["bandwidths_m"] == std::vector<double>{0.80, 0.36, 0.35});
+        CHECK(json["settings"]["mean_shift_bandwidth_m"] == 0.78);
+        CHECK(json["training"]["synthetic"] == false);
+        CHECK(json["training"]["targets"].size() == 8);
+        const auto by_manifest =
+            program("evaluate " + manifests() + " --training " + (corpus() / "direct/manifest.csv").string() +
+                    " -o " + (scratch / "m.html") + " --json " + (scratch / "m.json"));
+        REQUIRE_MESSAGE(by_manifest.status == 0, by_manifest.err);
+        CHECK(nlohmann::json::parse(slurp(scratch / "m.json"))["training"]["synthetic"] == true);
+    }
+
+    TEST_CASE("A clip without phases is measured where its hand is farthest out") {
+        const Scratch scratch;
+        const auto grid = slurp(corpus() / "grid.csv");
+        const auto line = grid.substr(grid.find("G0001,") + 6);
+        const std::string target = line.substr(0, line.find('\n'));
+        const auto done = program("evaluate " + manifestWith(scratch, "mine,G0001," + target + ",,,,,,30,0") +
+                                  " -o " + (scratch / "e.html") + " --json " + (scratch / "e.json"));
+        REQUIRE_MESSAGE(done.status == 0, done.err);
+        const auto found = nlohmann::json::parse(slurp(scratch / "e.json"))["systems"][0];
+        CHECK(found["phases_found"] == 1);
+        CHECK(found["synthetic"] == false);
+        CHECK(found["n"] == 1);
+        CHECK(found["accuracy"]["mean"].get<double>() > 0.4);
+    }
+
+    TEST_CASE("Every clip that is missing or cannot be measured is told at once, and nothing is written") {
+        const Scratch scratch;
+        for (const char* name : {"direct", "stiff"})
+            fs::copy(corpus() / name, scratch / name, fs::copy_options::recursive);
+        fs::remove(scratch / "direct/direct_G0002.bvh");
+        fs::remove(scratch / "stiff/stiff_G0007.bvh");
+        const std::string command =
+            "evaluate " + (scratch / "direct") + " " + (scratch / "stiff") + " -o " + (scratch / "e.html");
+        const auto missing = program(command);
+        CHECK(missing.status == 1);
+        for (const std::string words : {"direct_G0002.bvh: the clip's file is not there",
+                                        "stiff_G0007.bvh: the clip's file is not there",
+                                        "deixis: error: 2 clips missing; nothing was written"})
+            CHECK_MESSAGE(contains(missing.err, words), missing.err);
+
+        spill(scratch / "direct/direct_G0002.bvh", "HIERARCHY\nnonsense");
+        spill(
+            scratch / "stiff/stiff_G0007.bvh",
+            "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\nEnd Site\n{\n"
+            "OFFSET 0 1 0\n}\n}\nMOTION\nFrames: 200\nFrame Time: 0.0333333\n" +
+                [] {
+                    std::string frames;
+                    for (int i = 0; i < 200; ++i) frames += "0 1 0\n";
+                    return frames;
+                }());
+        const auto bad = program(command);
+        CHECK(bad.status == 1);
+        CHECK_MESSAGE(contains(bad.err, "direct_G0002.bvh:2: found 'nonsense', expected 'ROOT'"), bad.err);
+        CHECK_MESSAGE(contains(bad.err, "stiff_G0007.bvh: no joint was found for"), bad.err);
+        CHECK_MESSAGE(contains(bad.err, "2 clips cannot be measured"), bad.err);
+        CHECK_FALSE(fs::exists(scratch / "e.html"));
+    }
+
+    TEST_CASE("Bad input is refused with the place and the mend") {
+        const Scratch scratch;
+        const std::string out = " -o " + (scratch / "e.html");
+        CHECK_FAILS_SAYING(program("evaluate " + (scratch / "none.csv") + out), "none.csv",
+                           "cannot be opened");
+        CHECK_FAILS_SAYING(program("evaluate " + manifestWith(scratch, "mine,G0001,,,,,,,,,30,0") + out),
+                           "manifest.csv", "no clip with a target", "target_x");
+        CHECK_FAILS_SAYING(program("evaluate " + manifests() + " " + (corpus() / "direct").string() + out),
+                           "is given twice");
+        CHECK_FAILS_SAYING(program("evaluate " + manifests() + " --bandwidth 0.8,0.3" + out), "--bandwidth",
+                           "found 2 lengths");
+        CHECK_FAILS_SAYING(program("evaluate " + manifests() + " --bandwidth 0.8,x,1" + out),
+                           "0.80,0.36,0.35");
+        CHECK_FAILS_SAYING(program("evaluate " + manifests() + " --bandwidth silverman" + out),
+                           "normal-reference, scott or scott-covariance");
+        CHECK_FAILS_SAYING(program("evaluate " + manifests() + " --meanshift-bandwidth 0" + out), "auto");
+        CHECK_FAILS_SAYING(
+            program("evaluate " + manifests() + " -o " + (scratch / "x") + " --json " + (scratch / "x")),
+            "both the page and the JSON");
+        CHECK_FAILS_SAYING(
+            program("evaluate " + manifests() + " -o " + (corpus() / "direct/manifest.csv").string()),
+            "is one of the inputs");
+        for (const auto& [row, words] : std::vector<std::pair<std::string, std::string>>{
+                 {"mine,G1,1,1,1,right,3,6,9,4000,30,0",
+                  "frames, but its manifest lets the gesture end in frame 4000"},
+                 {"mine,G1,1,1,1,right,3,6,9,12,60,0", "but its manifest says 60"}}) {
+            const auto told = program("evaluate " + manifestWith(scratch, row) + out);
+            CHECK(told.status == 1);
+            CHECK_MESSAGE(contains(told.err, words), told.err);
+            CHECK(contains(told.err, "deixis: error: 1 clip cannot be measured; nothing was written"));
+        }
+        spill(scratch / "empty.csv", "target_id,x,y,z\n");
+        CHECK_FAILS_SAYING(
+            program("evaluate " + manifests() + " --training " + (scratch / "empty.csv") + out), "empty.csv",
+            "holds no targets");
+        CHECK_FALSE(fs::exists(scratch / "e.html"));
+    }
+
+    TEST_CASE("A grid is printed as targets are, within the limits of the training targets") {
+        const Scratch scratch;
+        spill(scratch / "training.csv", "target_id,x,y,z\nA,-1,0.5,2\nB,2,1.5,0.5\n");
+        const auto grid = program("targets --grid 8 --training " + (scratch / "training.csv"));
+        CHECK(grid.status == 0);
+        CHECK(grid.out.rfind("target_id,x,y,z\nG0001,-1.0000,0.5000,0.5000\n", 0) == 0);
+        CHECK(contains(grid.out, "\nG0008,2.0000,1.5000,2.0000\n"));
+        CHECK_FAILS_SAYING(program("targets --grid 10"), "--grid", "8 or 27");
+        CHECK(program("targets").status == 2);
+        CHECK(program("targets pointing2023 --grid 8").status == 2);
+        CHECK(program("targets pointing2023 --training x.csv").status == 2);
+    }
+}

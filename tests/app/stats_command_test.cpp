@@ -1,0 +1,181 @@
+// deixis stats: what it prints, and what it says of files that it cannot read.
+#include <sstream>
+
+#include "program.hpp"
+
+using namespace deixis::tests;
+using nlohmann::json;
+
+namespace {
+
+/// `deixis stats TEST FILE OPTIONS --json` of a file with this content.
+Finished stats(const std::string& test, const std::string& content, const std::string& options) {
+    const Scratch scratch;
+    spill(scratch / "data.csv", content);
+    return program("stats " + test + " " + (scratch / "data.csv") + " " + options);
+}
+
+json numbers(const std::string& test, const std::string& content, const std::string& options) {
+    const auto finished = stats(test, content, options + " --json");
+    INFO(finished.err);
+    REQUIRE(finished.status == 0);
+    return json::parse(finished.out);
+}
+
+const std::string pairs = "who,a,b\nP1,0.2,0\nP2,0,1/5\nP3,2/5,0\nP4,0.4,0\nP5,1,1\nP6,3/5,0e3\nP7,,3\n";
+
+}  // namespace
+
+TEST_SUITE("app/stats") {
+    TEST_CASE("signed-rank prints every key that scripts rely on, and reads fractions exactly") {
+        const json out = numbers("signed-rank", pairs, "--columns a,b");
+        CHECK(out["n_pairs"] == 6);
+        CHECK(out["n_missing"] == 1);
+        CHECK(out["n_zero"] == 1);
+        CHECK(out["n_positive"] == 4);
+        CHECK(out["n_negative"] == 1);
+        CHECK(out["ties"] == 2);
+        CHECK(out["w_plus"] == 13.5);
+        CHECK(out["w_minus"] == 1.5);
+        CHECK(out["method"] == "exact with ties");
+        CHECK(out["p_two_sided"] == 0.1875);  // 3 of 32 sign patterns, twice
+        CHECK(out["p_greater"] == 0.09375);
+        CHECK(out["p_less"] == 0.96875);
+        CHECK(out["pratt"]["w_plus"] == 17.5);
+        CHECK(out["pratt"]["p_two_sided"] == 0.1875);
+        CHECK(out["z"] == out["normal"]["z"]);
+        CHECK(out["normal"]["p_two_sided"].get<double>() == doctest::Approx(0.13441657417));
+        CHECK(out["rank_biserial"] == 0.8);
+        CHECK(out["paired_superiority"] == 0.75);
+        CHECK(out["hodges_lehmann"]["estimate"] == 0.2);
+        CHECK(out["hodges_lehmann"]["level"] == 0.96875);
+        CHECK(!out.contains("note"));
+    }
+
+    TEST_CASE("Undefined values are null, and a note says why") {
+        const json none = numbers("signed-rank", "a,b\n", "--columns a,b");
+        CHECK(none["n_pairs"] == 0);
+        CHECK(none["p_two_sided"] == 1.0);
+        CHECK(none["z"].is_null());
+        CHECK(none["hodges_lehmann"]["estimate"].is_null());
+        CHECK(none["note"].get<std::string>().find("no complete pair") != std::string::npos);
+        const json zeros = numbers("signed-rank", "a,b\n1,1\n2,2\n", "--columns a,b");
+        CHECK(zeros["p_two_sided"] == 1.0);
+        CHECK(zeros["rank_biserial"].is_null());
+        CHECK(zeros["note"].get<std::string>().find("zero") != std::string::npos);
+        CHECK(numbers("rank-sum", "a,b\n1,\n", "--columns a,b")["p_two_sided"].is_null());
+        CHECK(numbers("friedman", "a,b\n1,1\n", "--columns a,b")["chi2"].is_null());
+        CHECK(numbers("shapiro", "a\n1\n2\n", "--columns a")["w"].is_null());
+        CHECK(numbers("spearman", "a,b\n1,2\n1,3\n", "--columns a,b")["rho"].is_null());
+        CHECK(numbers("describe", "a\n", "--columns a")["mean"].is_null());
+        CHECK(numbers("proportion", "a\n", "--columns a --chance 1/3")["lower"].is_null());
+    }
+
+    TEST_CASE("The other tests print their keys") {
+        const json rank_sum = numbers("rank-sum", pairs, "--columns a,b");
+        for (const char* key :
+             {"u", "method", "p_two_sided", "p_greater", "p_less", "a12", "cliffs_delta", "hodges_lehmann"})
+            CHECK(!rank_sum[key].is_null());
+        const json friedman = numbers("friedman", pairs, "--columns a,b");
+        CHECK(friedman["n_missing"] == 1);
+        CHECK(friedman["df"] == 1);
+        CHECK(friedman["chi2"].get<double>() == doctest::Approx(1.8));  // 4 rows for a, 1 for b, 1 tied
+        CHECK(friedman["iman_davenport"]["df2"] == 5);
+        for (const char* key : {"p", "kendalls_w"}) CHECK(friedman[key].is_number());
+        const json spearman = numbers("spearman", "x,y\n1,2\n2,4\n3,9\n", "--columns x,y");
+        CHECK(spearman["rho"] == 1.0);
+        CHECK(spearman["method"] == "exact");
+        CHECK(spearman["p"].get<double>() == doctest::Approx(1.0 / 3.0));
+        const json shapiro = numbers("shapiro", pairs, "--columns a,b");
+        CHECK(shapiro["of"] == "differences");
+        CHECK(shapiro["n"] == 6);
+        const json described = numbers("describe", "x\n1\n2\n3\n10\n", "--columns x");
+        for (const char* key :
+             {"n", "mean", "sd", "se", "min", "q05", "q25", "median", "q75", "q95", "max", "mad"})
+            CHECK(described[key].is_number());
+        CHECK(described["q25"] == 1.75);
+        CHECK(described["mad"] == 1.4826);
+        CHECK(numbers("describe", pairs, "--columns a,b")["by_column"]["b"]["n"] == 7);
+        const json shares = numbers("proportion", "c\n1\n1\n0\n1\n1\n\n", "--columns c --chance 1/3");
+        CHECK(shares["successes"] == 4);
+        CHECK(shares["n"] == 5);
+        CHECK(shares["n_missing"] == 1);
+        CHECK(shares["p_chance"].get<double>() == doctest::Approx(11.0 / 243.0));
+    }
+
+    TEST_CASE("holm keeps the order, and a missing p stays missing also where it is an empty line") {
+        const json out = numbers("holm", "p\n0.01\n\n3/100\nNA\n0.005\n", "--columns p");
+        CHECK(out["adjusted"] == json::array({0.02, nullptr, 0.03, nullptr, 0.015}));
+    }
+
+    TEST_CASE("bootstrap prints its seed, resamples participants and repeats itself") {
+        const std::string rows = "who,a,b\nP1,1,2\nP1,3,\nP2,2,1\nP3,5,2\n";
+        const json out = numbers("bootstrap", rows, "--columns a,b --cluster who --seed 7 --resamples 500");
+        CHECK(out["participants"] == 3);
+        CHECK(out["seed"] == 7);
+        CHECK(out["resamples"] == 500);
+        CHECK(out["means"][0]["estimate"] == 3.0);  // of 2, 2 and 5
+        CHECK(out["differences"][0]["a"] == "a");
+        CHECK(out == numbers("bootstrap", rows, "--columns a,b --cluster who --seed 7 --resamples 500"));
+    }
+
+    TEST_CASE("Rows of one participant are averaged exactly, over different numbers of answers") {
+        // P1: 4/3 against 4/3, P2: 3/2 against 1.
+        const std::string rows = "who,a,b\nP1,1,2\nP1,1,\nP1,2,1\nP1,,1\nP2,1,1\nP2,2,1\nP3,,4\n";
+        const json out = numbers("signed-rank", rows, "--columns a,b --paired-by who");
+        CHECK(out["n_zero"] == 1);
+        CHECK(out["n_positive"] == 1);
+        CHECK(out["n_missing"] == 1);
+        CHECK(out["hodges_lehmann"]["upper"] == 0.5);
+    }
+
+    TEST_CASE("The long form gives the same numbers as the wide one") {
+        const std::string rows =
+            "who,system,score\nP1,a,0.2\nP1,b,0\nP2,b,1/5\nP2,a,0\nP3,a,2/"
+            "5\nP3,b,0\nP4,a,0.4\nP4,b,0\nP5,a,1\n"
+            "P5,b,1\nP6,a,3/5\nP6,b,0\nP7,b,3\nP7,c,9\n";
+        auto wide = numbers("signed-rank", pairs, "--columns a,b");
+        CHECK(numbers("signed-rank", rows, "--group system --value score --paired-by who --columns a,b") ==
+              wide);
+        const json shared_out = numbers("rank-sum", rows, "--group system --value score --columns b,a");
+        CHECK(shared_out["n_a"] == 7);
+        CHECK(shared_out["n_b"] == 6);
+        CHECK_FAILS_SAYING(stats("signed-rank", rows, "--group system --value score --columns a,b"),
+                           "belong together", "--paired-by");
+        CHECK_FAILS_SAYING(stats("signed-rank", rows, "--group system --value score --paired-by who"),
+                           "takes 2 columns", "3 are chosen");
+        CHECK_FAILS_SAYING(stats("rank-sum", rows, "--group system --columns a,b"), "--value",
+                           "belong together");
+        CHECK_FAILS_SAYING(stats("rank-sum", rows, "--group system --value score --columns a,z"), "\"z\"",
+                           "system");
+    }
+
+    TEST_CASE("What cannot be read is named with file, line and column") {
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n1,two\n", "--columns a,b"), "data.csv:3", "\"b\"",
+                           "\"two\" is not a number", "7/3");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2/0\n", "--columns a,b"), "data.csv:2",
+                           "divides by zero");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1\n", "--columns a,b"), "data.csv:2", "1 fields",
+                           "2 columns");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n", "--columns a,c"), "no column \"c\"", "a, b");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,a\n1,2\n", "--columns a,a"), "several columns");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n", "--columns a"), "takes 2 columns",
+                           "1 is chosen");
+        CHECK_FAILS_SAYING(stats("signed-rank", "", "--columns a,b"), "is empty");
+        CHECK_FAILS_SAYING(stats("holm", "p\n0.1\n1.5\n", "--columns p"), "data.csv:3", "not a p value");
+        CHECK_FAILS_SAYING(stats("proportion", "c\n1\n2\n", "--columns c"), "data.csv:3", "neither 0 nor 1");
+        CHECK_FAILS_SAYING(stats("proportion", "c\n1\n", "--columns c --chance 3/2"), "--chance");
+        CHECK_FAILS_SAYING(stats("describe", "who,a\n,1\n", "--columns a --paired-by who"), "data.csv:2",
+                           "\"who\"");
+        CHECK_FAILS_SAYING(stats("rank-sum", pairs, "--columns a,b --level 1"), "--level");
+        CHECK_FAILS_SAYING(program("stats describe /nowhere/x.csv --columns a"), "/nowhere/x.csv");
+        CHECK(stats("signed-rank", pairs, "").status == 1);
+        CHECK(program("stats").status == 2);
+    }
+
+    TEST_CASE("Standard input is read, and people get a line for each number") {
+        const auto finished = program("stats describe - --columns x", "printf 'x\\n1\\n2\\n' |");
+        REQUIRE(finished.status == 0);
+        CHECK(finished.out.find("median               1.5\n") != std::string::npos);
+    }
+}

@@ -1,0 +1,84 @@
+// A study that names its avatar: checked, simulated, kept with the sessions.
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "core/files.hpp"
+#include "core/hash.hpp"
+#include "program.hpp"
+
+using namespace deixis::tests;
+
+namespace {
+
+std::string withAvatar(const std::string& avatar) {
+    return replaced(shippedStudy(), "[study]\n", "[study]\navatar = \"" + avatar + "\"\n");
+}
+
+std::string avatarHashes(const std::string& database) {
+    return SQLite::Database(database, SQLite::OPEN_READONLY)
+        .execAndGet("SELECT group_concat(DISTINCT avatar_hash) FROM sessions WHERE outcome = 'finished'")
+        .getString();
+}
+
+}  // namespace
+
+TEST_SUITE("app/study_avatar") {
+    TEST_CASE("An avatar that is not there, or is none, is a problem that names the study's key") {
+        const Scratch scratch;
+        spill(scratch / "study.toml", withAvatar("lost.glb"));
+        auto checked = program("check " + (scratch / "study.toml"));
+        CHECK(checked.status == 1);
+        CAPTURE(checked.err);
+        CHECK(checked.err.find("study.avatar: " + (scratch / "lost.glb")) != std::string::npos);
+        spill(scratch / "lost.glb", "HIERARCHY\n");
+        checked = program("check " + (scratch / "study.toml"));
+        CHECK(checked.status == 1);
+        CHECK(checked.err.find("not a glTF binary") != std::string::npos);
+        CHECK_FAILS_SAYING(program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
+                                   (scratch / "s.sqlite")),
+                           "study.avatar");
+    }
+
+    TEST_CASE("Sessions keep the hash of the avatar that was shown; the generators' clips are the same") {
+        const Scratch scratch;
+        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "data" / "avatar.glb").string();
+        std::string bytes = slurp(own);
+        bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
+        spill(scratch / "figures/mine.glb", bytes);
+        spill(scratch / "study.toml", withAvatar("figures/mine.glb"));
+        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const auto checked = program("check " + (scratch / "study.toml"));
+        CHECK_MESSAGE(checked.status == 0, checked.err);
+        CHECK(checked.out.find("figures/mine.glb, 55 joints") != std::string::npos);
+        const auto ran = program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
+                                 (scratch / "s.sqlite") + " --stimuli " + stimuli);
+        REQUIRE_MESSAGE(ran.status == 0, ran.err);
+        CHECK(avatarHashes(scratch / "s.sqlite") == deixis::sha256Hex(bytes));
+        const auto plain = program("simulate pointing2023 --participants 1 --db " + (scratch / "p.sqlite") +
+                                   " --stimuli " + stimuli);
+        REQUIRE_MESSAGE(plain.status == 0, plain.err);
+        CHECK(avatarHashes(scratch / "p.sqlite") == deixis::sha256Hex(slurp(own)));
+        const auto clips = [](const std::string& database) {
+            return SQLite::Database(database, SQLite::OPEN_READONLY)
+                .execAndGet(
+                    "SELECT count(DISTINCT clip_hash) || group_concat(DISTINCT clip_hash) FROM "
+                    "(SELECT clip_hash FROM response_stimuli ORDER BY 1)")
+                .getString();
+        };
+        CHECK(clips(scratch / "s.sqlite") == clips(scratch / "p.sqlite"));
+    }
+
+    TEST_CASE("A figure without fingers and eyes carries a whole session") {
+        const fs::path figure = fs::path(DEIXIS_SHARED_DATA) / "avatars/kaykit_mannequin/manny_med_mod.gltf";
+        if (!fs::exists(figure)) {
+            MESSAGE("skipped: ", figure.string(), " is not here");
+            return;
+        }
+        const Scratch scratch;
+        spill(scratch / "study.toml", withAvatar(fs::weakly_canonical(figure).string()));
+        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const auto ran = program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
+                                 (scratch / "s.sqlite") + " --stimuli " + stimuli);
+        REQUIRE_MESSAGE(ran.status == 0, ran.err);
+        CHECK(avatarHashes(scratch / "s.sqlite").size() == 64);
+    }
+}
