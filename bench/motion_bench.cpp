@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "inputs.hpp"
+#include "motion/retarget.hpp"
 
 namespace {
 
@@ -25,6 +26,36 @@ void sampleAndPlace(benchmark::State& state) {
     }
 }
 BENCHMARK(sampleAndPlace)->Name("clip/sample_and_forward_kinematics")->Unit(benchmark::kMicrosecond);
+
+/// 10,000 frames of 55 joints: the gesture again and again, by a figure whose arms are longer and which walks
+/// on.
+motion::Clip longClip() {
+    motion::Clip clip = bench::pointingClip();
+    const std::vector<motion::LocalPose> gesture = clip.frames;
+    clip.frames.clear();
+    for (std::size_t f = 0; f < 10000; ++f) {
+        clip.frames.push_back(gesture[f % gesture.size()]);
+        clip.frames.back().joints[0].position.z += 0.01 * static_cast<double>(f);
+    }
+    for (const motion::Bone bone : {motion::Bone::leftHand, motion::Bone::rightHand}) {
+        const auto joint = static_cast<std::size_t>(bone);
+        clip.skeleton.joints[joint].rest.position *= 1.2;
+        for (auto& frame : clip.frames) frame.joints[joint].position *= 1.2;
+    }
+    return clip;
+}
+
+void retargetLong(benchmark::State& state) {
+    const motion::Clip clip = longClip();
+    const motion::Skeleton& avatar = motion::referenceHumanoid();
+    const motion::HumanoidMap map = motion::detectHumanoid(clip.skeleton);
+    const motion::HumanoidMap avatar_map = motion::mapByVrmNames(avatar);
+    for (auto _ : state) {
+        auto made = motion::retarget(clip, map, avatar, avatar_map);
+        benchmark::DoNotOptimize(made->frames.data());
+    }
+}
+BENCHMARK(retargetLong)->Name("retarget/10000_frames")->Unit(benchmark::kMillisecond);
 
 /// `playing_s` is how long the clips take to watch.
 void generate(benchmark::State& state, const std::string& system) {

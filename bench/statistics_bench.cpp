@@ -1,4 +1,5 @@
-// The exact signed-rank test with ties, against the normal approximation and the enumeration of all signs.
+// The exact signed-rank test with ties, against the enumeration of all signs and the normal approximation;
+// the other tests on samples as studies have them. bench/statistics_peers.sh times R beside the program.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -7,90 +8,86 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "results/statistics.hpp"
+#include "results/bootstrap.hpp"
+#include "results/rank_sum.hpp"
+#include "results/signed_rank.hpp"
 
 namespace {
 
 using namespace deixis;
+using results::Rational;
 
 /// Differences of shares of ten answers: none zero, many tied.
-std::vector<double> tiedDifferences(int count) {
+std::vector<Rational> tiedDifferences(int count) {
     Random random(39, "tied differences");
-    std::vector<double> out;
+    std::vector<Rational> out;
     for (int i = 0; i < count; ++i) {
-        const double size = 0.1 * static_cast<double>(1 + random.below(6));
-        out.push_back(random.uniform() < 0.6 ? size : -size);
+        const auto size = static_cast<std::int64_t>(1 + random.below(6));
+        out.emplace_back(random.uniform() < 0.6 ? size : -size, 10);
     }
     return out;
 }
 
-struct SignedRanks {
+double enumeratedP(const std::vector<Rational>& differences) {
     std::vector<double> midranks;
     double w_plus = 0.0;
-    double ties = 0.0;  ///< sum of t^3 - t
-};
-
-SignedRanks rank(const std::vector<double>& differences) {
-    std::vector<double> sizes;
-    for (const double d : differences) sizes.push_back(std::round(std::abs(d) * 1e9));
-    std::vector<double> sorted = sizes;
-    std::sort(sorted.begin(), sorted.end());
-    SignedRanks out;
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), sizes[i]);
-        const auto tied = static_cast<double>(high - low);
-        out.midranks.push_back(static_cast<double>(low - sorted.begin()) + (tied + 1.0) / 2.0);
-        out.ties += tied * tied - 1.0;  // once for each of the tied
-        if (differences[i] > 0.0) out.w_plus += out.midranks.back();
+    for (const Rational& d : differences) {
+        double rank = 0.5;
+        for (const Rational& other : differences)
+            rank += abs(other) < abs(d) ? 1.0 : abs(other) == abs(d) ? 0.5 : 0.0;
+        midranks.push_back(rank);
+        if (d.sign() > 0) w_plus += rank;
     }
-    return out;
-}
-
-double approximateP(const std::vector<double>& differences) {
-    const SignedRanks ranks = rank(differences);
-    const auto n = static_cast<double>(differences.size());
-    const double variance = n * (n + 1.0) * (2.0 * n + 1.0) / 24.0 - ranks.ties / 48.0;
-    const double distance = std::max(0.0, std::abs(ranks.w_plus - n * (n + 1.0) / 4.0) - 0.5);
-    return std::min(1.0, std::erfc(distance / std::sqrt(2.0 * variance)));
-}
-
-double enumeratedP(const std::vector<double>& differences) {
-    const SignedRanks ranks = rank(differences);
     const std::uint32_t patterns = 1U << differences.size();
     const auto n = static_cast<double>(differences.size());
     const double centre = n * (n + 1.0) / 4.0;
     std::uint32_t as_far = 0;
     for (std::uint32_t pattern = 0; pattern < patterns; ++pattern) {
         double w = 0.0;
-        for (std::size_t i = 0; i < ranks.midranks.size(); ++i)
-            if ((pattern >> i & 1U) != 0U) w += ranks.midranks[i];
-        if (std::abs(w - centre) >= std::abs(ranks.w_plus - centre)) ++as_far;
+        for (std::size_t i = 0; i < midranks.size(); ++i)
+            if ((pattern >> i & 1U) != 0U) w += midranks[i];
+        if (std::abs(w - centre) >= std::abs(w_plus - centre)) ++as_far;
     }
     return static_cast<double>(as_far) / static_cast<double>(patterns);
 }
 
 void exact(benchmark::State& state) {
     const auto differences = tiedDifferences(static_cast<int>(state.range(0)));
-    for (auto _ : state) benchmark::DoNotOptimize(results::signedRankTest(differences).p);
+    for (auto _ : state) benchmark::DoNotOptimize(results::signedRankTest(differences).p_two_sided);
 }
-BENCHMARK(exact)->Name("signed_rank/exact_with_ties")->Arg(39)->Arg(16)->Unit(benchmark::kMicrosecond);
-
-using Peer = double (*)(const std::vector<double>&);
-
-/// A peer must agree with the product within `tolerance`, or its time says nothing.
-void peer(benchmark::State& state, Peer peer_p, double tolerance) {
-    const auto differences = tiedDifferences(static_cast<int>(state.range(0)));
-    if (std::abs(peer_p(differences) - results::signedRankTest(differences).p) > tolerance)
-        return state.SkipWithError("the peer finds another p");
-    for (auto _ : state) benchmark::DoNotOptimize(peer_p(differences));
-}
-BENCHMARK_CAPTURE(peer, approximation, approximateP, 0.02)
-    ->Name("signed_rank/peer_normal_approximation")
-    ->Arg(39)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(peer, enumeration, enumeratedP, 1e-12)
-    ->Name("signed_rank/peer_enumeration")
+BENCHMARK(exact)
+    ->Name("signed_rank/exact_with_ties")
     ->Arg(16)
+    ->Arg(39)
+    ->Arg(1000)
+    ->Arg(2000)
     ->Unit(benchmark::kMicrosecond);
+
+/// The peer must agree with the product, or its time says nothing.
+void enumeration(benchmark::State& state) {
+    const auto differences = tiedDifferences(static_cast<int>(state.range(0)));
+    if (std::abs(enumeratedP(differences) - results::signedRankTest(differences).p_two_sided) > 1e-12)
+        return state.SkipWithError("the peer finds another p");
+    for (auto _ : state) benchmark::DoNotOptimize(enumeratedP(differences));
+}
+BENCHMARK(enumeration)->Name("signed_rank/peer_enumeration")->Arg(16)->Unit(benchmark::kMicrosecond);
+
+void rankSum(benchmark::State& state) {
+    const auto a = tiedDifferences(static_cast<int>(state.range(0)));
+    auto b = a;
+    for (Rational& value : b) value += Rational(1, 10);
+    for (auto _ : state) benchmark::DoNotOptimize(results::rankSumTest(a, b).p_two_sided);
+}
+BENCHMARK(rankSum)->Name("rank_sum/exact_with_ties")->Arg(39)->Arg(200)->Unit(benchmark::kMillisecond);
+
+void bootstrap(benchmark::State& state) {
+    Random random(39, "scores");
+    std::vector<std::vector<double>> rows(39, std::vector<double>(4));
+    for (auto& row : rows)
+        for (double& value : row) value = random.normal(3.0, 0.5);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(results::bootstrapMeans(rows, {.resamples = 10000}).front().se);
+}
+BENCHMARK(bootstrap)->Name("bootstrap/10000_of_39_x_4")->Unit(benchmark::kMillisecond);
 
 }  // namespace

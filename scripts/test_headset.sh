@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tests the headset with a real OpenXR runtime and no headset, inside a small Debian 13 system of its own: builds
 # there, runs the unit tests (Debian 13 is the second platform), then somebody scripted takes part in whole sessions.
-#   scripts/test_headset.sh                             all
+#   scripts/test_headset.sh                             all; before a release, since it takes a fourth build of all tests
 #   scripts/test_headset.sh --soak 600                  with a soak of ten minutes instead of one
 #   scripts/test_headset.sh --scenarios-only study soak without the unit tests, and only those scenarios
 # Logs and databases: build/headset-runs. Pictures of every stage: build/headset-pictures.
@@ -31,7 +31,13 @@ inside cmake -S /deixis -B /deixis/build/trixie -G Ninja -Wno-dev -DCMAKE_BUILD_
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache >/dev/null
 targets=(all)
 [ "$unit_tests" = yes ] || targets=(deixis conditions_layer)
-inside cmake --build /deixis/build/trixie --target "${targets[@]}" | tail -n 3
+log=build/test-logs/headset-build.log
+mkdir -p build/test-logs
+inside cmake --build /deixis/build/trixie --target "${targets[@]}" >"$log" || {
+    tail -n 60 "$log"
+    exit 1
+}
+tail -n 1 "$log"
 
 status=0
 if [ "$unit_tests" = yes ]; then
