@@ -15,13 +15,13 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsCheckArguments {
     std::vector<std::string> files;
     assets::ImportOptions import;
 };
 
 // Every problem of one file; errors of reading and retargeting are among them.
-std::vector<ClipProblem> problemsOf(const std::string& file, const Options& options,
+std::vector<ClipProblem> problemsOf(const std::string& file, const ClipsCheckArguments& options,
                                     const assets::Avatar& avatar) {
     const auto imported = assets::importClip(file, options.import);
     if (!imported) return {{true, imported.error().text()}};
@@ -34,7 +34,7 @@ std::vector<ClipProblem> problemsOf(const std::string& file, const Options& opti
     return problems;
 }
 
-Result<void> check(const Options& options) {
+Result<void> check(const ClipsCheckArguments& options) {
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
     int unusable = 0;
@@ -58,7 +58,7 @@ Result<void> check(const Options& options) {
 }  // namespace
 
 void addClipsCheckCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsCheckArguments>();
     CLI::App* command = clips.add_subcommand(
         "check", "Every problem of clip files at once, and whether they play on the avatar");
     command->add_option("FILE", options->files, clip_file_kinds)->required()->expected(1, 1000000);

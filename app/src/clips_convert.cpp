@@ -11,14 +11,14 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsConvertArguments {
     std::string from;
     std::string to;
     bool force = false;
     assets::ImportOptions import;
 };
 
-Result<void> convert(const Options& options) {
+Result<void> convert(const ClipsConvertArguments& options) {
     const auto file = assets::importClip(options.from, options.import);
     if (!file) return tl::unexpected(file.error());
     if (auto done = writeClip(file->clip, options.to, options.force); !done) return done;
@@ -31,7 +31,7 @@ Result<void> convert(const Options& options) {
 }  // namespace
 
 void addClipsConvertCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsConvertArguments>();
     CLI::App* command =
         clips.add_subcommand("convert", "A clip in another format, in metres and y up, on its own skeleton");
     command->add_option("IN", options->from, clip_file_kinds)->required();

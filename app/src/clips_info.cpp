@@ -14,7 +14,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsInfoArguments {
     std::string file;
     bool json = false;
     assets::ImportOptions import;
@@ -99,7 +99,7 @@ void printText(const std::string& file, const assets::ImportedClip& imported) {
     for (const std::string& remark : imported.remarks) fmt::print("  remark   {}\n", remark);
 }
 
-Result<void> info(const Options& options) {
+Result<void> info(const ClipsInfoArguments& options) {
     const auto imported = assets::importClip(options.file, options.import);
     if (!imported) return tl::unexpected(imported.error());
     if (options.json)
@@ -112,7 +112,7 @@ Result<void> info(const Options& options) {
 }  // namespace
 
 void addClipsInfoCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsInfoArguments>();
     CLI::App* command = clips.add_subcommand(
         "info", "Format, frames, rate, unit, up axis and bones of a clip, and how each was found out");
     command->add_option("FILE", options->file, clip_file_kinds)->required();

@@ -11,13 +11,13 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsJointsArguments {
     std::string file;
     bool csv = false;
     assets::ImportOptions import;
 };
 
-Result<void> printJoints(const Options& options) {
+Result<void> printJoints(const ClipsJointsArguments& options) {
     const auto file = assets::importClip(options.file, options.import);
     if (!file) return tl::unexpected(file.error());
     if (options.csv) {
@@ -36,7 +36,7 @@ Result<void> printJoints(const Options& options) {
 }  // namespace
 
 void addClipsJointsCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsJointsArguments>();
     CLI::App* joints =
         clips.add_subcommand("joints", "The joints of a clip; with --csv their world positions");
     joints->add_option("FILE", options->file, clip_file_kinds)->required();

@@ -13,7 +13,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsMapArguments {
     std::string file;
     bool json = false;
     bool toml = false;
@@ -60,7 +60,7 @@ void printTable(const motion::HumanoidMapping& mapping, const motion::Skeleton& 
     for (const std::string& remark : mapping.remarks) fmt::print("remark: {}\n", remark);
 }
 
-Result<void> printMap(const Options& options) {
+Result<void> printMap(const ClipsMapArguments& options) {
     const auto file = assets::importClip(options.file);
     if (!file) return tl::unexpected(file.error());
     const motion::Skeleton& skeleton = file->clip.skeleton;
@@ -78,7 +78,7 @@ Result<void> printMap(const Options& options) {
 }  // namespace
 
 void addClipsMapCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsMapArguments>();
     CLI::App* map = clips.add_subcommand("map", "Which joint of a clip plays which humanoid bone");
     map->add_option("FILE", options->file, clip_file_kinds)->required();
     CLI::Option* json = map->add_flag("--json", options->json, "As JSON");

@@ -16,7 +16,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsMeasureArguments {
     std::vector<std::string> files;
     std::vector<double> target;
     bool detect = false;
@@ -140,7 +140,7 @@ std::string shown(const Entry& entry, bool json) {
     return json ? "null" : "";
 }
 
-void print(const std::vector<Entries>& clips, const Options& options) {
+void print(const std::vector<Entries>& clips, const ClipsMeasureArguments& options) {
     if (options.json) fmt::print("[");
     for (std::size_t i = 0; i < clips.size(); ++i) {
         const Entries& clip = clips[i];
@@ -164,7 +164,7 @@ void print(const std::vector<Entries>& clips, const Options& options) {
     if (options.json) fmt::print("\n]\n");
 }
 
-Result<motion::PointingMeasures> measured(const NamedClip& clip, const Options& options) {
+Result<motion::PointingMeasures> measured(const NamedClip& clip, const ClipsMeasureArguments& options) {
     const auto read = readMappedClip(clip.file);
     if (!read) return tl::unexpected(read.error());
     std::optional<Vec3> target = clip.target;
@@ -179,7 +179,7 @@ Result<motion::PointingMeasures> measured(const NamedClip& clip, const Options& 
     return found;
 }
 
-Result<void> measure(const Options& options) {
+Result<void> measure(const ClipsMeasureArguments& options) {
     const auto clips = namedClips(options.files);
     if (!clips) return tl::unexpected(clips.error());
     std::vector<Entries> rows;
@@ -204,7 +204,7 @@ Result<void> measure(const Options& options) {
 }  // namespace
 
 void addClipsMeasureCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsMeasureArguments>();
     CLI::App* command = clips.add_subcommand(
         "measure", "Phases, rays, steadiness, smoothness and faults of pointing clips (docs/measures.md)");
     command->add_option("FILES", options->files, "Clips, or manifests of clips")->required();

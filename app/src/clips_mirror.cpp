@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ClipsMirrorArguments {
     std::string in;
     std::string out;
     std::string folder;
@@ -32,7 +32,7 @@ std::string mirroredName(const std::string& name) {
     return name + mark;
 }
 
-Result<void> mirrorClip(const Options& options) {
+Result<void> mirrorClip(const ClipsMirrorArguments& options) {
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
     return writeClip(motion::mirrored(source->clip, source->map), options.out, options.force);
@@ -45,7 +45,7 @@ fs::path imageFile(const std::string& clip) {
     return folder / (mirroredName(clipStem(clip)) + ".bvh");
 }
 
-Result<void> mirrorManifest(const Options& options) {
+Result<void> mirrorManifest(const ClipsMirrorArguments& options) {
     const auto manifest = assets::readManifest(options.in);
     if (!manifest) return tl::unexpected(manifest.error());
     const fs::path home = fs::absolute(manifest->file).parent_path();
@@ -77,7 +77,7 @@ Result<void> mirrorManifest(const Options& options) {
     return {};
 }
 
-Result<void> mirror(const Options& options) {
+Result<void> mirror(const ClipsMirrorArguments& options) {
     if (options.out.empty() == options.folder.empty())
         return fail("clips mirror", "expected either OUT for one clip or --out for a manifest's clips");
     return options.folder.empty() ? mirrorClip(options) : mirrorManifest(options);
@@ -86,7 +86,7 @@ Result<void> mirror(const Options& options) {
 }  // namespace
 
 void addClipsMirrorCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsMirrorArguments>();
     CLI::App* command = clips.add_subcommand("mirror", "Exchange left and right: of a clip, or a manifest");
     command->add_option("IN", options->in, "Clip file; with --out a manifest")->required();
     CLI::Option* out = command->add_option("OUT", options->out, "The mirrored clip, BVH");

@@ -10,7 +10,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsResampleArguments {
     std::string in;
     std::string out;
     double fps = 30.0;
@@ -18,7 +18,7 @@ struct Options {
     bool force = false;
 };
 
-Result<void> resample(const Options& options) {
+Result<void> resample(const ClipsResampleArguments& options) {
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
     return writeClip(motion::resample(source->clip, 1.0 / options.fps), options.out, options.force);
@@ -27,7 +27,7 @@ Result<void> resample(const Options& options) {
 }  // namespace
 
 void addClipsResampleCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsResampleArguments>();
     CLI::App* command = clips.add_subcommand("resample", "Bring a clip to another frame rate");
     command->add_option("IN", options->in, "Clip file")->required();
     command->add_option("OUT", options->out, "The clip at the new rate, BVH")->required();

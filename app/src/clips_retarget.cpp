@@ -12,7 +12,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsRetargetArguments {
     std::string manifest;
     std::string folder;
     std::string keep = "joint-angles";
@@ -34,7 +34,7 @@ void printRow(const assets::ManifestRow& row, const motion::RetargetReport& repo
     for (const std::string& remark : report.remarks) fmt::print("    {}\n", remark);
 }
 
-Result<void> retargetAll(const Options& options) {
+Result<void> retargetAll(const ClipsRetargetArguments& options) {
     const auto manifest = assets::readManifest(options.manifest);
     if (!manifest) return tl::unexpected(manifest.error());
     const auto avatar = loadAvatarOrShipped(options.avatar);
@@ -60,7 +60,7 @@ Result<void> retargetAll(const Options& options) {
 }  // namespace
 
 void addClipsRetargetCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsRetargetArguments>();
     CLI::App* command =
         clips.add_subcommand("retarget", "Bring the clips of a manifest to an avatar, as BVH files");
     command->add_option("MANIFEST", options->manifest, "CSV, see docs/manifest.md")->required();

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ClipsSegmentArguments {
     std::string recording;
     std::string folder;
     std::string by = "returns";
@@ -61,7 +61,7 @@ Result<MarkerTrack> markerTrack(const motion::Clip& recording, const std::string
 }
 
 std::vector<PointingClip> clipsOf(const motion::Segmentation& segmentation, const MappedClip& source,
-                                  const Options& options) {
+                                  const ClipsSegmentArguments& options) {
     std::vector<PointingClip> out;
     for (const motion::Gesture& g : segmentation.gestures) {
         PointingClip clip;
@@ -103,7 +103,7 @@ Result<void> attach(std::vector<PointingClip>& clips, const std::vector<assets::
 }
 
 Result<void> attachTargets(std::vector<PointingClip>& clips, const MappedClip& source,
-                           const Options& options) {
+                           const ClipsSegmentArguments& options) {
     const double frame_time_s = source.clip.frame_time_s;
     if (!options.marker.empty()) {
         const auto marker = markerTrack(source.clip, options.marker, options.recording);
@@ -150,7 +150,8 @@ std::string part(const PointingClip& clip) {
     return motion::liesBehind(*clip.row.target) ? "back" : "front";
 }
 
-Result<void> write(const std::vector<PointingClip>& clips, const MappedClip& source, const Options& options) {
+Result<void> write(const std::vector<PointingClip>& clips, const MappedClip& source,
+                   const ClipsSegmentArguments& options) {
     OutputFolder folder(options.folder, options.force);
     std::map<fs::path, std::vector<assets::ManifestRow>> manifests;
     if (!options.split) manifests[{}] = {};
@@ -174,7 +175,7 @@ Result<void> write(const std::vector<PointingClip>& clips, const MappedClip& sou
     return {};
 }
 
-Result<void> segment(const Options& options) {
+Result<void> segment(const ClipsSegmentArguments& options) {
     if (options.system.empty() || options.system.front() == '.' ||
         options.system.find_first_of("/\\") != std::string::npos)
         return fail("--system",
@@ -199,7 +200,7 @@ Result<void> segment(const Options& options) {
 }  // namespace
 
 void addClipsSegmentCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsSegmentArguments>();
     CLI::App* command = clips.add_subcommand("segment", "Cut a recording into pointing clips");
     command->add_option("RECORDING", options->recording, "Clip file of a person who points, y up")
         ->required();

@@ -17,7 +17,7 @@ namespace {
 
 using motion::JointCourses;
 
-struct Options {
+struct ClipsStatisticsArguments {
     std::vector<std::string> files;
     std::vector<std::string> against;
     double fps = 30.0;
@@ -75,7 +75,7 @@ void printStyle(const Corpus& corpus, const Corpus& norm_corpus) {
     line("handedness, -1 right to 1 left", &motion::Style::handedness);
 }
 
-Result<void> statistics(const Options& options) {
+Result<void> statistics(const ClipsStatisticsArguments& options) {
     const auto corpus = readCorpus(options.files, options.fps);
     if (!corpus) return tl::unexpected(corpus.error());
     const auto found = motion::motionStatistics(corpus->compared);
@@ -110,7 +110,7 @@ Result<void> statistics(const Options& options) {
 }  // namespace
 
 void addClipsStatisticsCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsStatisticsArguments>();
     CLI::App* command = clips.add_subcommand(
         "statistics", "Speed, acceleration, jerk and style of clips, and distances of two sets of clips");
     command->add_option("FILES", options->files, "Clips, or manifests of clips")->required();

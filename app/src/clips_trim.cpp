@@ -15,7 +15,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ClipsTrimArguments {
     std::string in;
     std::string out;
     std::string from = "0";
@@ -44,7 +44,7 @@ Result<int> frameFrom(std::string_view option, const std::string& text, const mo
                 fmt::format("found '{}', expected a frame such as 30 or seconds such as 1.5s", text));
 }
 
-Result<void> trim(const Options& options) {
+Result<void> trim(const ClipsTrimArguments& options) {
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
     const auto first = frameFrom("--from", options.from, source->clip);
@@ -60,7 +60,7 @@ Result<void> trim(const Options& options) {
 }  // namespace
 
 void addClipsTrimCommand(CLI::App& clips, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ClipsTrimArguments>();
     CLI::App* command = clips.add_subcommand("trim", "Keep a part of a clip");
     command->add_option("IN", options->in, "Clip file")->required();
     command->add_option("OUT", options->out, "The part, BVH")->required();

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct EvaluateArguments {
     std::vector<std::string> manifests;
     std::string training;
     std::string bandwidth = "normal-reference";
@@ -139,7 +139,7 @@ void showProgress(std::size_t done, std::size_t all) {
     std::fflush(stderr);
 }
 
-Result<void> checkOutputs(const Options& options, const Listed& listed) {
+Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed) {
     if (!options.json.empty() && options.json == options.page)
         return fail(options.page, "was named for both the page and the JSON");
     std::error_code code;
@@ -153,7 +153,7 @@ Result<void> checkOutputs(const Options& options, const Listed& listed) {
     return {};
 }
 
-Result<void> write(const results::Evaluation& evaluation, const Options& options) {
+Result<void> write(const results::Evaluation& evaluation, const EvaluateArguments& options) {
     if (!options.tables.empty())
         for (const auto& [name, bytes] : results::evaluationTables(evaluation))
             if (auto written = writeFile(fs::path(options.tables) / name, bytes); !written) return written;
@@ -163,7 +163,7 @@ Result<void> write(const results::Evaluation& evaluation, const Options& options
     return writeFile(options.page, results::renderEvaluation(evaluation));
 }
 
-Result<void> evaluateClips(const Options& options) {
+Result<void> evaluateClips(const EvaluateArguments& options) {
     results::EvaluationInput input;
     auto bandwidth = bandwidthFrom(options.bandwidth);
     if (!bandwidth) return tl::unexpected(bandwidth.error());
@@ -207,7 +207,7 @@ Result<void> evaluateClips(const Options& options) {
 }  // namespace
 
 void addEvaluateCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateArguments>();
     CLI::App* command = cli.add_subcommand(
         "evaluate", "Measure how accurately systems' clips point: an HTML page, JSON and CSV tables");
     command->add_option("MANIFEST", options->manifests, "Manifests of clips, or folders with a manifest.csv")

@@ -14,7 +14,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct GenerateArguments {
     std::string system;
     std::string targets;
     std::string folder;
@@ -22,7 +22,7 @@ struct Options {
     motion::HoldManner manner;
 };
 
-Result<void> generate(const Options& options) {
+Result<void> generate(const GenerateArguments& options) {
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
     const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
@@ -41,7 +41,7 @@ Result<void> generate(const Options& options) {
 }  // namespace
 
 void addGenerateCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<GenerateArguments>();
     CLI::App* command =
         cli.add_subcommand("generate", "Make a built-in system's clips for a list of targets");
     command

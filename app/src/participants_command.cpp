@@ -14,7 +14,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ParticipantsArguments {
     std::string database;
     std::string participant;
     std::string reason;
@@ -31,7 +31,7 @@ std::string orDash(const std::string& text) {
     return text.empty() ? "-" : text;
 }
 
-Result<void> list(const Options& options) {
+Result<void> list(const ParticipantsArguments& options) {
     const auto found = results::listParticipants(options.database);
     if (!found) return tl::unexpected(found.error());
     fmt::print("{:<16} {:>6}  {:<9} {:<8} {:>8} {:>12} {:>13}  {:<9} {:<16}  {}\n", "participant", "number",
@@ -51,7 +51,7 @@ Result<void> list(const Options& options) {
     return {};
 }
 
-Result<void> show(const Options& options) {
+Result<void> show(const ParticipantsArguments& options) {
     const auto found = results::showParticipant(options.database, options.participant);
     if (!found) return tl::unexpected(found.error());
     const auto& row = found->row;
@@ -67,19 +67,19 @@ Result<void> show(const Options& options) {
     return {};
 }
 
-Result<void> exclude(const Options& options) {
+Result<void> exclude(const ParticipantsArguments& options) {
     auto done = results::excludeParticipant(options.database, options.participant, options.reason);
     if (done) fmt::print("{} is excluded from the analysis; the answers are kept\n", options.participant);
     return done;
 }
 
-Result<void> include(const Options& options) {
+Result<void> include(const ParticipantsArguments& options) {
     auto done = results::includeParticipant(options.database, options.participant);
     if (done) fmt::print("{} takes part again\n", options.participant);
     return done;
 }
 
-Result<void> withdraw(const Options& options) {
+Result<void> withdraw(const ParticipantsArguments& options) {
     if (!options.yes)
         return fail("--yes",
                     fmt::format("is missing: everything that is kept of {} would be erased, for good",
@@ -99,8 +99,9 @@ Result<void> withdraw(const Options& options) {
 void addParticipantsCommand(CLI::App& cli, Command& chosen) {
     CLI::App* group = cli.add_subcommand("participants", "List, show, exclude or withdraw participants");
     group->require_subcommand(1);
-    const auto add = [&](const char* name, const char* what, bool one, Result<void> (*act)(const Options&)) {
-        auto options = std::make_shared<Options>();
+    const auto add = [&](const char* name, const char* what, bool one,
+                         Result<void> (*act)(const ParticipantsArguments&)) {
+        auto options = std::make_shared<ParticipantsArguments>();
         CLI::App* command = group->add_subcommand(name, what);
         command->add_option("DB", options->database, "Database of a study")->required();
         if (one) command->add_option("PARTICIPANT", options->participant, "Pseudonymous id")->required();

@@ -14,7 +14,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct PlanArguments {
     std::string study;
     std::string participant;
     int number = 0;
@@ -45,7 +45,7 @@ std::string jsonForScripts(const studies::StudyPlan& plan) {
     return json.dump(1) + "\n";
 }
 
-Result<void> printPlan(const Options& options) {
+Result<void> printPlan(const PlanArguments& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
     auto groups = parseGroups(options.groups);
@@ -62,7 +62,7 @@ Result<void> printPlan(const Options& options) {
 }  // namespace
 
 void addPlanCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PlanArguments>();
     CLI::App* command = cli.add_subcommand("plan", "Print the exact trials of a participant");
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
     command->add_option("--participant", options->participant, "Pseudonymous id, such as P07")->required();

@@ -20,7 +20,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ReplayArguments {
     std::string database;
     std::string participant;
     int trial = -1;
@@ -89,7 +89,7 @@ Result<void> printChoices(const results::Recording& recording, const studies::Cl
     return {};
 }
 
-Result<void> replay(Options options) {
+Result<void> replay(ReplayArguments options) {
     auto recording = results::loadRecording(options.database, options.participant);
     if (!recording) return tl::unexpected(recording.error());
     if (options.trial >= 0) {
@@ -127,7 +127,7 @@ Result<void> replay(Options options) {
 }  // namespace
 
 void addReplayCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReplayArguments>();
     CLI::App* command = cli.add_subcommand("replay", "Show again what a participant saw and did");
     command->add_option("DB", options->database, "Database of a study")->required();
     command->add_option("--participant", options->participant, "Pseudonymous id")->required();

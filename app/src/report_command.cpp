@@ -15,7 +15,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ReportArguments {
     std::string database;
     std::string page;
     std::string json;
@@ -49,7 +49,7 @@ Result<void> writeReport(const std::string& database, const std::string& page, c
 }
 
 void addReportCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReportArguments>();
     CLI::App* command =
         cli.add_subcommand("report", "Analyse a database: an HTML page, and the numbers as JSON");
     command->add_option("DB", options->database, "Database of a study")->required();

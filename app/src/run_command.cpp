@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct RunArguments {
     std::string study;
     std::string participant;
     std::string language;
@@ -98,7 +98,7 @@ void tellOutcome(const std::string& participant, studies::SessionOutcome outcome
 }
 
 // Where what was answered lies, and the report on it.
-Result<void> report(const Options& options) {
+Result<void> report(const RunArguments& options) {
     const std::string page = options.report.empty()
                                  ? fs::path(options.database).replace_extension(".html").string()
                                  : options.report;
@@ -114,7 +114,7 @@ Result<void> report(const Options& options) {
 }
 
 // In the language asked for, or that of somebody who has been here before.
-Result<StudySetup> setupFor(const Options& options, const results::Store& store,
+Result<StudySetup> setupFor(const RunArguments& options, const results::Store& store,
                             const std::string& participant, StudySetup setup) {
     const auto registered = store.registration(participant);
     if (!registered || registered->language == setup.study.language) return setup;
@@ -127,7 +127,7 @@ Result<StudySetup> setupFor(const Options& options, const results::Store& store,
 }
 
 // Whoever left the study is not asked again by mistake.
-Result<void> checkTakesPart(const Options& options, const results::Store& store,
+Result<void> checkTakesPart(const RunArguments& options, const results::Store& store,
                             const std::string& participant) {
     if (!store.registration(participant)) return {};
     const auto known = results::showParticipant(options.database, participant);
@@ -149,7 +149,7 @@ struct Prepared {
 };
 
 // The session itself: the station's frames, until it has an outcome.
-Result<void> runOn(const Options& options, const Prepared& prepared, results::Store& store,
+Result<void> runOn(const RunArguments& options, const Prepared& prepared, results::Store& store,
                    std::optional<std::ofstream> trace_file, const results::RecordingOptions& recording) {
     const auto& [setup, enrolment, avatar, stimuli] = prepared;
     const std::string& participant = enrolment.registration.participant;
@@ -219,7 +219,7 @@ Result<void> runOn(const Options& options, const Prepared& prepared, results::St
     return reported;
 }
 
-Result<void> run(Options options) {
+Result<void> run(RunArguments options) {
     auto setup = loadStudySetup(options.study, options.language);
     if (!setup) return tl::unexpected(setup.error());
     auto screenshots = parseScreenshots(options.screenshots);
@@ -266,7 +266,7 @@ Result<void> run(Options options) {
 }  // namespace
 
 void addRunCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RunArguments>();
     CLI::App* command = cli.add_subcommand("run", "Run one participant's session; resumes where it was left");
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
     command->add_option("--participant", options->participant,

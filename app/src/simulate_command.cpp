@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct SimulateArguments {
     std::string study;
     int participants = 39;
     std::string database;
@@ -52,7 +52,7 @@ int takePart(const StudySetup& setup, const studies::StudyPlan& plan, const asse
     }
 }
 
-Result<void> simulate(const Options& options) {
+Result<void> simulate(const SimulateArguments& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
     const auto avatar = loadStudyAvatar(setup->study);
@@ -101,7 +101,7 @@ Result<void> simulate(const Options& options) {
 }  // namespace
 
 void addSimulateCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SimulateArguments>();
     CLI::App* command = cli.add_subcommand(
         "simulate", "Run whole studies with simulated participants, in virtual time, without drawing");
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();

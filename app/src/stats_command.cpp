@@ -12,7 +12,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct StatsArguments {
     ColumnChoice choice;
     StatsOptions test;
     std::string chance;
@@ -57,7 +57,7 @@ void printText(const nlohmann::ordered_json& object, int indent) {
     }
 }
 
-Result<void> runTest(StatsTest test, const Options& options) {
+Result<void> runTest(StatsTest test, const StatsArguments& options) {
     StatsOptions with = options.test;
     if (!(with.level > 0.0 && with.level < 1.0))
         return fail("--level", fmt::format("{} is not between 0 and 1", with.level));
@@ -81,7 +81,7 @@ Result<void> runTest(StatsTest test, const Options& options) {
 
 void addTest(CLI::App& stats, Command& chosen, const std::string& name, const std::string& description,
              StatsTest test, const Takes& takes) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StatsArguments>();
     CLI::App* command = stats.add_subcommand(name, description);
     command
         ->add_option("FILE", options->choice.file,

@@ -18,7 +18,7 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct TargetsArguments {
     std::string study;
     std::string picture;
     bool no_picture = false;
@@ -26,7 +26,7 @@ struct Options {
     std::string training;
 };
 
-Result<void> printGrid(const Options& options) {
+Result<void> printGrid(const TargetsArguments& options) {
     const auto training = loadTrainingTargets(options.training);
     if (!training) return tl::unexpected(training.error());
     const auto grid = studies::targetGrid(training->targets, options.grid);
@@ -35,7 +35,7 @@ Result<void> printGrid(const Options& options) {
     return {};
 }
 
-Result<void> printTargets(const Options& options) {
+Result<void> printTargets(const TargetsArguments& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
     if (!options.no_picture) {
@@ -59,7 +59,7 @@ Result<void> printTargets(const Options& options) {
 }  // namespace
 
 void addTargetsCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<TargetsArguments>();
     CLI::App* command =
         cli.add_subcommand("targets", "Print a study's targets and distractors as CSV, and draw them");
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships");

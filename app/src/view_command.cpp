@@ -19,14 +19,14 @@ namespace deixis::app {
 
 namespace {
 
-struct Options {
+struct ViewArguments {
     std::string file;
     std::string avatar;
     assets::ImportOptions import;
     ViewOptions view;
 };
 
-Result<void> view(const Options& options) {
+Result<void> view(const ViewArguments& options) {
     const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     for (const std::string& remark : avatar->remarks) fmt::print(stderr, "{}: {}\n", options.avatar, remark);
@@ -40,7 +40,7 @@ Result<void> view(const Options& options) {
 }  // namespace
 
 void addViewCommand(CLI::App& cli, Command& chosen) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ViewArguments>();
     CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar");
     command->add_option("FILE", options->file, clip_file_kinds)->required();
     addImportOptions(*command, options->import);

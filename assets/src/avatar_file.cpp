@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto export_anew = "Export the file anew";
-
 /// What reading the files beside the glTF needs and finds out.
 struct Beside {
     fs::path folder;
@@ -191,9 +189,10 @@ Result<AvatarFile> readAvatarFile(const fs::path& path) {
         if (!beside.problem.empty())
             return fail(file, beside.problem, "Keep the files that belong together in one folder");
         if (!loaded)
-            return fail(file, fmt::format("not a readable {}: {}", kind, trimmed(problem)), export_anew);
+            return fail(file, fmt::format("not a readable {}: {}", kind, trimmed(problem)),
+                        "Export the file anew");
     } catch (const std::exception& error) {  // tinygltf lets its JSON library's exceptions through
-        return fail(file, fmt::format("not a readable {}: {}", kind, error.what()), export_anew);
+        return fail(file, fmt::format("not a readable {}: {}", kind, error.what()), "Export the file anew");
     }
     for (const std::string& extension : out.model.extensionsRequired)
         if (std::find(known_extensions.begin(), known_extensions.end(), extension) == known_extensions.end())

@@ -14,15 +14,13 @@ namespace deixis::assets {
 
 namespace {
 
-constexpr auto export_anew = "Export the file anew";
-
 bool finite(const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
 Result<glm::dmat4> localMatrix(const tinygltf::Node& node, std::size_t index, const std::string& file) {
     const auto bad = [&](const char* what) {
-        return fail(file, fmt::format("node {} \"{}\" {}", index, node.name, what), export_anew);
+        return fail(file, fmt::format("node {} \"{}\" {}", index, node.name, what), "Export the file anew");
     };
     for (const auto* values : {&node.translation, &node.rotation, &node.scale, &node.matrix})
         if (!finite(*values)) return bad("holds a number that is not finite");
@@ -45,7 +43,9 @@ Result<glm::dmat4> localMatrix(const tinygltf::Node& node, std::size_t index, co
 }
 
 Result<void> findParents(const tinygltf::Model& model, const std::string& file, std::vector<int>& parents) {
-    const auto bad = [&](std::string message) { return fail(file, std::move(message), export_anew); };
+    const auto bad = [&](std::string message) {
+        return fail(file, std::move(message), "Export the file anew");
+    };
     parents.assign(model.nodes.size(), -1);
     for (std::size_t i = 0; i < model.nodes.size(); ++i)
         for (const int child : model.nodes[i].children) {
@@ -78,7 +78,7 @@ Result<NodeTree> readNodes(const tinygltf::Model& model, const std::string& file
         tree.world[at] = parent < 0 ? *local : tree.world[static_cast<std::size_t>(parent)] * *local;
         waiting.insert(waiting.end(), model.nodes[at].children.begin(), model.nodes[at].children.end());
     }
-    if (reached != model.nodes.size()) return fail(file, "the nodes form a ring", export_anew);
+    if (reached != model.nodes.size()) return fail(file, "the nodes form a ring", "Export the file anew");
 
     tree.drawn.assign(model.nodes.size(), model.scenes.empty());
     const auto scene = static_cast<std::size_t>(std::max(model.defaultScene, 0));
@@ -87,7 +87,8 @@ Result<NodeTree> readNodes(const tinygltf::Model& model, const std::string& file
         const int at = waiting.back();
         waiting.pop_back();
         if (at < 0 || static_cast<std::size_t>(at) >= model.nodes.size())
-            return fail(file, fmt::format("the scene has a node {} that does not exist", at), export_anew);
+            return fail(file, fmt::format("the scene has a node {} that does not exist", at),
+                        "Export the file anew");
         if (tree.drawn[static_cast<std::size_t>(at)]) continue;
         tree.drawn[static_cast<std::size_t>(at)] = true;
         const auto& children = model.nodes[static_cast<std::size_t>(at)].children;

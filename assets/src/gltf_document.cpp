@@ -39,23 +39,23 @@ bool isMatrix(const std::string& type) {
     return type.substr(0, 3) == "MAT";
 }
 
-class Reader {
+class DocumentReader {
   public:
-    Reader(const Cursor& root, Document& document) : root_(root), doc_(document) {}
+    DocumentReader(const Cursor& root, Document& document) : root_(root), doc_(document) {}
 
     void read() {
         readAsset();
-        readList("buffers", &Reader::readBuffer);
-        readList("bufferViews", &Reader::readView);
-        readList("accessors", &Reader::readAccessor);
+        readList("buffers", &DocumentReader::readBuffer);
+        readList("bufferViews", &DocumentReader::readView);
+        readList("accessors", &DocumentReader::readAccessor);
         if (count("nodes") > most_nodes)
             refuse(doc_.file, fmt::format("holds {} nodes, expected at most {}", count("nodes"), most_nodes),
                    "Export the armature alone");
         doc_.nodes.resize(count("nodes"));
-        readList("nodes", &Reader::readNode);
+        readList("nodes", &DocumentReader::readNode);
         numberNodes();
-        readList("skins", &Reader::readSkin);
-        readList("animations", &Reader::readAnimation);
+        readList("skins", &DocumentReader::readSkin);
+        readList("animations", &DocumentReader::readAnimation);
         doc_.humanoid = readHumanoid(root_, doc_.nodes.size(), doc_.remarks);
         if (violations_ > most_remarks)
             doc_.remarks.push_back(
@@ -74,7 +74,7 @@ class Reader {
     }
 
     /// Each element of a list; an empty list is told.
-    void readList(const char* name, void (Reader::*read_one)(const Cursor&)) {
+    void readList(const char* name, void (DocumentReader::*read_one)(const Cursor&)) {
         if (!root_.has(name)) return;
         const Cursor list = root_.at(name);
         tellEmpty(list);
@@ -412,7 +412,7 @@ Document readDocument(std::string_view bytes, const std::string& file) {
     document.has_bin = chunks.has_bin;
     const nlohmann::json json = parseJson(chunks.json, file);
     const Cursor root(json, file);
-    Reader(root, document).read();
+    DocumentReader(root, document).read();
     return document;
 }
 

@@ -18,9 +18,9 @@ std::string renamedThumb(const std::string& name) {
     return name;
 }
 
-class Reader {
+class HumanoidReader {
   public:
-    Reader(std::size_t node_count, std::vector<std::string>& remarks)
+    HumanoidReader(std::size_t node_count, std::vector<std::string>& remarks)
         : node_count_(node_count), remarks_(remarks) {}
 
     Humanoid readVrm0(const Cursor& extension) {
@@ -91,7 +91,7 @@ std::optional<Humanoid> readHumanoid(const Cursor& root, std::size_t node_count,
                                      std::vector<std::string>& remarks) {
     if (!root.has("extensions")) return std::nullopt;
     const Cursor extensions = root.at("extensions");
-    Reader reader(node_count, remarks);
+    HumanoidReader reader(node_count, remarks);
     if (extensions.has("VRMC_vrm_animation"))
         return reader.readAnimation(extensions.at("VRMC_vrm_animation"));
     if (extensions.has("VRMC_vrm")) return reader.readVrm1(extensions.at("VRMC_vrm"), "VRMC_vrm");

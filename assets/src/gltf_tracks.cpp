@@ -69,9 +69,9 @@ void checkTimes(const std::vector<double>& times, const std::string& where) {
                                       times[i - 1], i, times[i]));
 }
 
-class Reader {
+class TracksReader {
   public:
-    Reader(const Document& document, Values& values, std::vector<std::string>& remarks)
+    TracksReader(const Document& document, Values& values, std::vector<std::string>& remarks)
         : doc_(document), values_(values), remarks_(remarks) {}
 
     Track read(const Animation& animation, const std::string& place, const Channel& channel) {
@@ -220,7 +220,7 @@ Quat Track::rotation(double time_s, double snap_s) const {
 std::vector<Track> readTracks(const Document& document, int animation, const std::vector<int>& left_out,
                               Values& values, std::vector<std::string>& remarks) {
     const Animation& from = document.animations[static_cast<std::size_t>(animation)];
-    Reader reader(document, values, remarks);
+    TracksReader reader(document, values, remarks);
     std::vector<Track> tracks;
     for (const Channel& channel : from.channels)
         if (std::find(left_out.begin(), left_out.end(), channel.node) == left_out.end())

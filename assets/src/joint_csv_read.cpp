@@ -110,14 +110,14 @@ bool isUnknown(std::string_view field) {
 }
 
 /// What the bones' joints did, and when lines were recorded.
-struct Recording {
+struct JointRecording {
     std::array<JointTrack, motion::bone_count> tracks{};
     std::vector<double> times_s{};
 };
 
-class Reader {
+class JointCsvReader {
   public:
-    Reader(std::string_view text, const std::string& name, const ImportOptions& options)
+    JointCsvReader(std::string_view text, const std::string& name, const ImportOptions& options)
         : lines_(text), name_(name), options_(options) {}
 
     Result<PositionRecording> read() {
@@ -271,7 +271,7 @@ class Reader {
     char separator_ = ',';
     Columns columns_;
     motion::HumanoidMap bones_;
-    Recording recording_;
+    JointRecording recording_;
     bool unknown_ = false;
 };
 
@@ -279,7 +279,7 @@ class Reader {
 
 Result<ImportedClip> parseJointCsv(std::string_view text, const std::string& name,
                                    const ImportOptions& options) {
-    auto recording = Reader(text, name, options).read();
+    auto recording = JointCsvReader(text, name, options).read();
     if (!recording) return tl::unexpected(recording.error());
     return clipOfPositions(std::move(*recording), name, options);
 }

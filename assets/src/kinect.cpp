@@ -31,16 +31,16 @@ constexpr Used used[] = {{0, Bone::hips},           {20, Bone::neck},          {
                          {12, Bone::leftUpperLeg},  {13, Bone::leftLowerLeg},  {14, Bone::leftFoot},
                          {16, Bone::rightUpperLeg}, {17, Bone::rightLowerLeg}, {18, Bone::rightFoot}};
 
-struct Recording {
+struct KinectRecording {
     std::array<JointTrack, joint_count> tracks;
     double first_s = 0.0;
     double last_s = 0.0;
 };
 
 /// With `fps` lines follow each other at that rate, whatever times they tell.
-Result<Recording> parseLines(std::string_view text, const std::string& name,
-                             const std::optional<double>& fps) {
-    Recording recording;
+Result<KinectRecording> parseLines(std::string_view text, const std::string& name,
+                                   const std::optional<double>& fps) {
+    KinectRecording recording;
     std::array<double, field_count> fields{};
     double previous_s = 0.0;
     int rows = 0;

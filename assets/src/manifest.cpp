@@ -35,20 +35,20 @@ enum Column {
     source_error_deg,
     avatar_error_deg
 };
-constexpr std::array<std::string_view, 15> column_names{
+constexpr std::array<std::string_view, 15> manifest_columns{
     "clip", "system", "target_id", "target_x", "target_y",         "target_z",        "hand", "onset", "peak",
     "hold", "end",    "fps",       "seed",     "source_error_deg", "avatar_error_deg"};
 constexpr std::size_t required_columns = 13;  // the first ones
 constexpr std::size_t absent = ~std::size_t{0};
 
 std::string header(std::size_t columns = required_columns) {
-    return fmt::format("{}", fmt::join(column_names.begin(), column_names.begin() + columns, ","));
+    return fmt::format("{}", fmt::join(manifest_columns.begin(), manifest_columns.begin() + columns, ","));
 }
 
 /// One record by column name; notes the first problem.
 class RowReader {
   public:
-    RowReader(const CsvRecord& record, const std::array<std::size_t, column_names.size()>& places,
+    RowReader(const CsvRecord& record, const std::array<std::size_t, manifest_columns.size()>& places,
               const std::string& file)
         : record_(record), places_(places), file_(file) {}
 
@@ -77,7 +77,7 @@ class RowReader {
 
     void problem(Column column, const std::string& message, std::string mend = {}) {
         if (!first_)
-            first_ = Error{fmt::format("{}:{}: {}", file_, record_.line, column_names[column]), message,
+            first_ = Error{fmt::format("{}:{}: {}", file_, record_.line, manifest_columns[column]), message,
                            std::move(mend)};
     }
 
@@ -95,7 +95,7 @@ class RowReader {
 
   private:
     const CsvRecord& record_;
-    const std::array<std::size_t, column_names.size()>& places_;
+    const std::array<std::size_t, manifest_columns.size()>& places_;
     const std::string& file_;
     std::optional<Error> first_;
 };
@@ -146,22 +146,22 @@ Result<ManifestRow> readRow(RowReader reader) {
     return row;
 }
 
-Result<std::array<std::size_t, column_names.size()>> findColumns(const CsvRecord& first,
-                                                                 const std::string& file) {
-    std::array<std::size_t, column_names.size()> places{};
-    for (std::size_t i = 0; i < column_names.size(); ++i) {
-        const auto count = std::count(first.fields.begin(), first.fields.end(), column_names[i]);
+Result<std::array<std::size_t, manifest_columns.size()>> findColumns(const CsvRecord& first,
+                                                                     const std::string& file) {
+    std::array<std::size_t, manifest_columns.size()> places{};
+    for (std::size_t i = 0; i < manifest_columns.size(); ++i) {
+        const auto count = std::count(first.fields.begin(), first.fields.end(), manifest_columns[i]);
         if (count == 0 && i >= required_columns) {
             places[i] = absent;
             continue;
         }
         if (count != 1)
-            return fail(fmt::format("{}:{}: {}", file, first.line, column_names[i]),
+            return fail(fmt::format("{}:{}: {}", file, first.line, manifest_columns[i]),
                         count == 0 ? "this column is missing from the header"
                                    : "this column stands in the header more than once",
                         fmt::format("The columns are {}", header()));
         places[i] = static_cast<std::size_t>(
-            std::find(first.fields.begin(), first.fields.end(), column_names[i]) - first.fields.begin());
+            std::find(first.fields.begin(), first.fields.end(), manifest_columns[i]) - first.fields.begin());
     }
     return places;
 }
@@ -202,7 +202,7 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
     const bool errors = std::any_of(rows.begin(), rows.end(), [](const ManifestRow& row) {
         return row.source_error_deg || row.avatar_error_deg;
     });
-    std::string out = header(errors ? column_names.size() : required_columns) + "\n";
+    std::string out = header(errors ? manifest_columns.size() : required_columns) + "\n";
     for (const ManifestRow& row : rows) {
         out += fmt::format("{},{},{},", csvField(row.clip), csvField(row.system), csvField(row.target_id));
         out += row.target ? fmt::format("{},{},{},", row.target->x, row.target->y, row.target->z) : ",,,";

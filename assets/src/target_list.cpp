@@ -16,7 +16,7 @@ namespace deixis::assets {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> column_names{"target_id", "x", "y", "z"};
+constexpr std::array<std::string_view, 4> target_columns{"target_id", "x", "y", "z"};
 
 bool usableInFileNames(const std::string& id) {
     const auto allowed = [](char c) {
@@ -34,12 +34,12 @@ Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const s
     if (records->size() < 2)
         return fail(name, "holds no targets", "Expected a header target_id,x,y,z and a line for each target");
     const auto& header = records->front().fields;
-    std::array<std::size_t, column_names.size()> places{};
-    for (std::size_t i = 0; i < column_names.size(); ++i) {
-        const auto found = std::find(header.begin(), header.end(), column_names[i]);
+    std::array<std::size_t, target_columns.size()> places{};
+    for (std::size_t i = 0; i < target_columns.size(); ++i) {
+        const auto found = std::find(header.begin(), header.end(), target_columns[i]);
         if (found == header.end())
             return fail(fmt::format("{}:{}", name, records->front().line),
-                        fmt::format("the column '{}' is missing from the header", column_names[i]),
+                        fmt::format("the column '{}' is missing from the header", target_columns[i]),
                         "The columns are target_id,x,y,z; others are passed over");
         places[i] = static_cast<std::size_t>(found - header.begin());
     }
@@ -66,7 +66,7 @@ Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const s
             double value = 0.0;
             const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
             if (code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
-                return fail(fmt::format("{}: {}", where, column_names[column]),
+                return fail(fmt::format("{}: {}", where, target_columns[column]),
                             fmt::format("found '{}', expected a finite number of metres", cell));
             target.position[axis] = value;
         }

@@ -95,11 +95,11 @@ int nearestStop(const View& v, int limit) {
 
 }  // namespace
 
-GesturePhases gesturePhases(const std::vector<double>& speed, int from, int leaves, int middle,
+GestureFrames gesturePhases(const std::vector<double>& speed, int from, int leaves, int middle,
                             int comes_back, int to) {
     const Way raise = wayFrom(View(speed, middle, -1), middle - leaves, middle - from);
     const Way lower = wayFrom(View(speed, middle, 1), comes_back - middle, to - middle);
-    GesturePhases out;
+    GestureFrames out;
     out.onset = std::min(middle - raise.departed, middle - 1);
     out.end = std::max(middle + lower.departed, middle + 1);
     out.peak = std::max(middle - raise.reached, out.onset + 1);
@@ -107,7 +107,7 @@ GesturePhases gesturePhases(const std::vector<double>& speed, int from, int leav
     return out;
 }
 
-GesturePhases phasesAroundHold(const std::vector<double>& speed, int from, int peak, int hold, int to) {
+GestureFrames phasesAroundHold(const std::vector<double>& speed, int from, int peak, int hold, int to) {
     return {peak - nearestStop(View(speed, peak, -1), peak - from), peak, hold,
             hold + nearestStop(View(speed, hold, 1), to - hold)};
 }

@@ -5,7 +5,7 @@
 
 namespace deixis::motion {
 
-struct GesturePhases {
+struct GestureFrames {
     int onset = 0;
     int peak = 0;
     int hold = 0;
@@ -17,12 +17,12 @@ struct GesturePhases {
 /// movement are found from how fast it gets under way, as in a minimum-jerk movement (Flash & Hogan 1985).
 /// The hold is the slow stretch about the frame `middle`. Looked for in the frames `from` to `to`; 0 <= from
 /// <= leaves <= middle <= comes_back <= to, from < middle < to.
-[[nodiscard]] GesturePhases gesturePhases(const std::vector<double>& speed, int from, int leaves, int middle,
+[[nodiscard]] GestureFrames gesturePhases(const std::vector<double>& speed, int from, int leaves, int middle,
                                           int comes_back, int to);
 
 /// The same where the hold, `peak` to `hold`, is known and the hand may not rest before and after it: onset
 /// and end are where it last and next all but stops or turns. from < peak <= hold < to.
-[[nodiscard]] GesturePhases phasesAroundHold(const std::vector<double>& speed, int from, int peak, int hold,
+[[nodiscard]] GestureFrames phasesAroundHold(const std::vector<double>& speed, int from, int peak, int hold,
                                              int to);
 
 }  // namespace deixis::motion

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "axes.hpp"
 #include "motion/reference_humanoid.hpp"
 
 namespace deixis::motion {
@@ -25,8 +26,6 @@ const Curl closed_fingers[] = {
 Quat about(const Vec3& axis, double degrees) {
     return glm::angleAxis(radiansFromDegrees(degrees), axis);
 }
-
-const Vec3 x_axis(1, 0, 0), y_axis(0, 1, 0), z_axis(0, 0, 1);
 
 // The thumb swings under the palm and lies across the closed middle finger.
 struct Turn {

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
+#include "axes.hpp"
 #include "body_noise.hpp"
 #include "motion/arm_ik.hpp"
 #include "motion/minimum_jerk.hpp"
@@ -14,8 +15,6 @@
 namespace deixis::motion {
 
 namespace {
-
-const Vec3 y_axis{0.0, 1.0, 0.0};
 
 /// 0 at rest, 1 in the pointing posture.
 struct Course {

@@ -5,15 +5,12 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "axes.hpp"
 #include "motion/arm_ik.hpp"
 
 namespace deixis::motion {
 
 namespace {
-
-const Vec3 x_axis{1.0, 0.0, 0.0};
-const Vec3 y_axis{0.0, 1.0, 0.0};
-const Vec3 z_axis{0.0, 0.0, 1.0};
 
 double signOf(Side side) {
     return side == Side::left ? 1.0 : -1.0;

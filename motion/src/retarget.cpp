@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "bone_index.hpp"
 #include "motion/pointing.hpp"
 #include "retarget_assembly.hpp"
 #include "retarget_feet.hpp"
@@ -16,20 +17,16 @@ namespace {
 
 using enum Bone;
 
-constexpr std::size_t index(Bone bone) {
-    return static_cast<std::size_t>(bone);
-}
-
 /// The bones whose rotation the source gives. Fingers count where a whole finger is there: single stand-ins
 /// for all fingers (CMU) leave the avatar's hand relaxed.
 BoneSet givenBones(const HumanoidMap& map) {
     BoneSet given{};
     for (std::size_t b = 0; b < bone_count; ++b) given[b] = map.joint[b] >= 0;
-    for (auto b = index(leftThumbMetacarpal); b < bone_count; b += 3) {  // fingers have three bones each
+    for (auto b = indexOf(leftThumbMetacarpal); b < bone_count; b += 3) {  // fingers have three bones each
         const bool whole = given[b] && given[b + 1];
         for (std::size_t i = b; i < b + 3; ++i) given[i] = given[i] && whole;
     }
-    given[index(jaw)] = given[index(leftEye)] = given[index(rightEye)] = false;
+    given[indexOf(jaw)] = given[indexOf(leftEye)] = given[indexOf(rightEye)] = false;
     return given;
 }
 
@@ -72,7 +69,7 @@ class Retargeter {
             for (const Source::Look& look : source.looks()) fit.add(rotations(look.world), look.shape);
             for (const Hinge& hinge : hinges()) {
                 const Bone bone = lower ? hinge.lower : hinge.upper;
-                twist[index(bone)] = fit.twist(bone);
+                twist[indexOf(bone)] = fit.twist(bone);
             }
             align(neutral, twist);
         }
@@ -100,20 +97,21 @@ class Retargeter {
     /// The avatar has three bones between hips and neck; a source with fewer gives its topmost rotation to
     /// the upper chest, and the others lie between their neighbours. Toes go with the foot.
     void fillGaps(BoneTurns& out) const {
-        if (!given_[index(upperChest)])
-            out[index(upperChest)] = out[index(given_[index(chest)]   ? chest
-                                               : given_[index(spine)] ? spine
-                                                                      : hips)];
-        const bool own_chest = given_[index(chest)] && given_[index(upperChest)];
-        const bool own_spine = given_[index(spine)] && given_[index(chest)];
-        if (!own_spine) out[index(spine)] = glm::slerp(out[index(hips)], out[index(upperChest)], 1.0 / 3.0);
-        if (!own_chest) out[index(chest)] = glm::slerp(out[index(spine)], out[index(upperChest)], 0.5);
-        if (!given_[index(neck)])
-            out[index(neck)] = glm::slerp(out[index(upperChest)], out[index(head)], 0.5);
+        if (!given_[indexOf(upperChest)])
+            out[indexOf(upperChest)] = out[indexOf(given_[indexOf(chest)]   ? chest
+                                                   : given_[indexOf(spine)] ? spine
+                                                                            : hips)];
+        const bool own_chest = given_[indexOf(chest)] && given_[indexOf(upperChest)];
+        const bool own_spine = given_[indexOf(spine)] && given_[indexOf(chest)];
+        if (!own_spine)
+            out[indexOf(spine)] = glm::slerp(out[indexOf(hips)], out[indexOf(upperChest)], 1.0 / 3.0);
+        if (!own_chest) out[indexOf(chest)] = glm::slerp(out[indexOf(spine)], out[indexOf(upperChest)], 0.5);
+        if (!given_[indexOf(neck)])
+            out[indexOf(neck)] = glm::slerp(out[indexOf(upperChest)], out[indexOf(head)], 0.5);
         for (const Bone bone : {leftShoulder, rightShoulder})
-            if (!given_[index(bone)]) out[index(bone)] = out[index(upperChest)];
-        if (!given_[index(leftToes)]) out[index(leftToes)] = out[index(leftFoot)];
-        if (!given_[index(rightToes)]) out[index(rightToes)] = out[index(rightFoot)];
+            if (!given_[indexOf(bone)]) out[indexOf(bone)] = out[indexOf(upperChest)];
+        if (!given_[indexOf(leftToes)]) out[indexOf(leftToes)] = out[indexOf(leftFoot)];
+        if (!given_[indexOf(rightToes)]) out[indexOf(rightToes)] = out[indexOf(rightFoot)];
     }
 
     const Source& source_;
@@ -192,7 +190,7 @@ class Mover {
             out.frames.push_back(frame(f));
             const int number = static_cast<int>(f);
             if (finder && number >= gesture->onset_frame && number <= gesture->end_frame)
-                out.lines.push_back(finder->find(world_, out.frames.back().rotation[index(head)]));
+                out.lines.push_back(finder->find(world_, out.frames.back().rotation[indexOf(head)]));
         }
         return out;
     }
@@ -269,7 +267,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     const double scale = avatar.leg_length_m / legLength(neutral.shape);
     const bool alike = isBuiltAlike(source_clip.skeleton, source_map, avatar, scale);
     if (alike)
-        for (const Bone bone : {jaw, leftEye, rightEye}) given[index(bone)] = source_map.has(bone);
+        for (const Bone bone : {jaw, leftEye, rightEye}) given[indexOf(bone)] = source_map.has(bone);
     const Retargeter retargeter(source, avatar, given, neutral, alike);
     const Vec3 up_axis = source.upAxis(neutral);
     const bool has_target = gesture != nullptr && gesture->target.has_value();
@@ -284,7 +282,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     Moved moved = Mover(source, retargeter, avatar, scale, rotationBetween(up_axis, up))
                       .move(added ? 1 : 0, gesture, made.remarks);
     const Side pointing = gesture != nullptr ? gesture->hand : Side::right;
-    const bool fingers = given[index(armBones(pointing).index_proximal)];
+    const bool fingers = given[indexOf(armBones(pointing).index_proximal)];
     const bool closes = options.close_hand && gesture != nullptr && !fingers;
     if (!fingers)
         made.remarks.emplace_back(closes ? "no fingers in the source: the hand closes while it points"
@@ -292,7 +290,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
 
     // What fillGaps derives is driven too.
     for (const Bone bone : {spine, chest, upperChest, neck, leftShoulder, rightShoulder, leftToes, rightToes})
-        given[index(bone)] = true;
+        given[indexOf(bone)] = true;
     if (options.plant_feet) {
         made.feet = plantFeet(avatar, moved.frames, source_clip.frame_time_s);
         made.feet.lowest_before_m = moved.lowest_m;

@@ -1,4 +1,5 @@
 #include "retarget_alignment.hpp"
+#include "bone_index.hpp"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -11,10 +12,6 @@ namespace {
 using enum Bone;
 
 constexpr double shortest_bone_m = 1e-4;
-
-std::size_t index(Bone bone) {
-    return static_cast<std::size_t>(bone);
-}
 
 /// The bones at which a bone may point, best first.
 std::initializer_list<Bone> aims(Bone bone) {
@@ -90,7 +87,7 @@ class Aligner {
     }
 
   private:
-    Quat& at(Bone bone) { return out_[index(bone)]; }
+    Quat& at(Bone bone) { return out_[indexOf(bone)]; }
 
     /// As little turned from `base` as makes the bone point as in the shape.
     void pointFrom(const Quat& base, Bone bone) {
@@ -98,7 +95,8 @@ class Aligner {
         const auto wanted = shape_.direction(bone);
         at(bone) = base;
         if (!rest || !wanted) return;
-        at(bone) = rotationBetween(base * *rest, *wanted) * base * glm::angleAxis(twist_[index(bone)], *rest);
+        at(bone) =
+            rotationBetween(base * *rest, *wanted) * base * glm::angleAxis(twist_[indexOf(bone)], *rest);
     }
 
     void alignArm(bool left) {
@@ -174,7 +172,7 @@ std::optional<Vec3> BodyShape::direction(Bone bone) const {
         if (const auto& to = at(left ? aim : mirroredBone(aim));
             to && glm::length(*to - *from) > shortest_bone_m)
             return glm::normalize(*to - *from);
-    if (const auto& to = tip[index(bone)]; to && glm::length(*to - *from) > shortest_bone_m)
+    if (const auto& to = tip[indexOf(bone)]; to && glm::length(*to - *from) > shortest_bone_m)
         return glm::normalize(*to - *from);
     return std::nullopt;
 }
@@ -229,10 +227,10 @@ void HingeFit::add(const BoneTurns& rotation, const BodyShape& shape) {
         const auto look = [&](Bone bone, const Vec3& towards) {
             const auto rest = avatar_.direction(bone);
             if (!rest) return;
-            const Vec3 local = glm::conjugate(rotation[index(bone)]) * towards;
+            const Vec3 local = glm::conjugate(rotation[indexOf(bone)]) * towards;
             const double angle = angleAbout(*rest, hinge.bend, local);
-            cosine_[index(bone)] += weight * std::cos(angle);
-            sine_[index(bone)] += weight * std::sin(angle);
+            cosine_[indexOf(bone)] += weight * std::cos(angle);
+            sine_[indexOf(bone)] += weight * std::sin(angle);
         };
         look(hinge.upper, *lower);
         look(hinge.lower, -*upper);
@@ -240,7 +238,7 @@ void HingeFit::add(const BoneTurns& rotation, const BodyShape& shape) {
 }
 
 double HingeFit::twist(Bone bone) const {
-    return std::atan2(sine_[index(bone)], cosine_[index(bone)] + prior_);
+    return std::atan2(sine_[indexOf(bone)], cosine_[indexOf(bone)] + prior_);
 }
 
 }  // namespace deixis::motion

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "bone_index.hpp"
 #include "motion/hand_shapes.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "motion/reference_humanoid.hpp"
@@ -14,16 +15,12 @@ namespace {
 
 using enum Bone;
 
-constexpr std::size_t index(Bone bone) {
-    return static_cast<std::size_t>(bone);
-}
-
 bool isFinger(std::size_t bone) {
-    return bone >= index(leftThumbMetacarpal);
+    return bone >= indexOf(leftThumbMetacarpal);
 }
 
 Side sideOf(std::size_t finger_bone) {
-    return finger_bone >= index(rightThumbMetacarpal) ? Side::right : Side::left;
+    return finger_bone >= indexOf(rightThumbMetacarpal) ? Side::right : Side::left;
 }
 
 Vec3 onFloor(const Vec3& point) {
@@ -124,7 +121,7 @@ LocalPose BodyPoser::pose(const BodyFrame& body, int frame) const {
 }
 
 Quat BodyPoser::rotation(const BodyFrame& body, int frame, Bone bone) const {
-    const std::size_t b = index(bone);
+    const std::size_t b = indexOf(bone);
     if (driven_[b]) return body.rotation[b];
     const int above = avatar_.above[b];
     const Quat up_there = above < 0 ? no_rotation : rotation(body, frame, static_cast<Bone>(above));
@@ -132,10 +129,10 @@ Quat BodyPoser::rotation(const BodyFrame& body, int frame, Bone bone) const {
 }
 
 Vec3 BodyPoser::position(const BodyFrame& body, int frame, Bone bone) const {
-    const int above = avatar_.above[index(bone)];
+    const int above = avatar_.above[indexOf(bone)];
     if (bone == hips || above < 0) return hipsPosition(avatar_, body);
     const auto from = static_cast<Bone>(above);
-    return position(body, frame, from) + rotation(body, frame, from) * avatar_.offset[index(bone)];
+    return position(body, frame, from) + rotation(body, frame, from) * avatar_.offset[indexOf(bone)];
 }
 
 Vec3 BodyPoser::eye(const BodyFrame& body, int frame) const {
@@ -176,18 +173,18 @@ double soleHeight(const AvatarRest& avatar, const std::array<Sole, 2>& soles, co
     const Vec3 from = hipsPosition(avatar, frame);
     double lowest = 1e9;
     const auto below = [&](Bone bone, const Vec3& start) {
-        const auto above = static_cast<std::size_t>(avatar.above[index(bone)]);
-        return start + frame.rotation[above] * avatar.offset[index(bone)];
+        const auto above = static_cast<std::size_t>(avatar.above[indexOf(bone)]);
+        return start + frame.rotation[above] * avatar.offset[indexOf(bone)];
     };
     for (const Sole& sole : soles) {
         const bool left = sole.foot == leftFoot;
         const Vec3 ankle = below(sole.foot, below(left ? leftLowerLeg : rightLowerLeg,
                                                   below(left ? leftUpperLeg : rightUpperLeg, from)));
-        const Quat& foot = frame.rotation[index(sole.foot)];
+        const Quat& foot = frame.rotation[indexOf(sole.foot)];
         lowest = std::min({lowest, (ankle + foot * sole.heel).y, (ankle + foot * sole.ball).y});
         if (sole.tip)
-            lowest =
-                std::min(lowest, (below(sole.toes, ankle) + frame.rotation[index(sole.toes)] * *sole.tip).y);
+            lowest = std::min(lowest,
+                              (below(sole.toes, ankle) + frame.rotation[indexOf(sole.toes)] * *sole.tip).y);
     }
     return lowest;
 }
@@ -203,11 +200,11 @@ FloorHeight floorHeight(const AvatarRest& avatar, const std::vector<BodyFrame>& 
 }
 
 Vec3 hipsPosition(const AvatarRest& avatar, const BodyFrame& frame) {
-    return frame.hip_centre - frame.rotation[index(hips)] * avatar.hip_centre_from_hips;
+    return frame.hip_centre - frame.rotation[indexOf(hips)] * avatar.hip_centre_from_hips;
 }
 
 Quat turnToFront(const BodyFrame& frame) {
-    const Vec3 forward = frame.rotation[index(hips)] * Vec3(0, 0, 1);
+    const Vec3 forward = frame.rotation[indexOf(hips)] * Vec3(0, 0, 1);
     return yawRotation(-std::atan2(forward.x, forward.z));
 }
 
@@ -237,7 +234,7 @@ Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const Bon
 std::string missingBones(const BoneSet& has) {
     std::string names;
     for (const Bone bone : requiredBones())
-        if (!has[index(bone)]) names += (names.empty() ? "" : ", ") + std::string(boneName(bone));
+        if (!has[indexOf(bone)]) names += (names.empty() ? "" : ", ") + std::string(boneName(bone));
     return names;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "bone_index.hpp"
 #include "motion/minimum_jerk.hpp"
 #include "two_bones.hpp"
 
@@ -25,10 +26,6 @@ constexpr double longest_slide_m = 0.12;
 constexpr double smoothing_s = 0.1;
 constexpr double deepest_drop_m = 0.1;
 constexpr double stretched = 0.9995;  // share of the leg's length to which a leg is stretched
-
-std::size_t index(Bone bone) {
-    return static_cast<std::size_t>(bone);
-}
 
 std::size_t framesIn(double time_s, double frame_time_s) {
     return static_cast<std::size_t>(std::max(1.0, std::round(time_s / frame_time_s)));
@@ -76,7 +73,7 @@ class Foot {
           sole_(soleOf(avatar, side)),
           upper_(side == Side::left ? leftUpperLeg : rightUpperLeg),
           lower_(side == Side::left ? leftLowerLeg : rightLowerLeg),
-          leg_{avatar.offset[index(lower_)], avatar.offset[index(sole_.foot)], Vec3(1, 0, 0)},
+          leg_{avatar.offset[indexOf(lower_)], avatar.offset[indexOf(sole_.foot)], Vec3(1, 0, 0)},
           frame_time_s_(frame_time_s) {
         readPath(frames);
         levelWhereFlat();
@@ -99,16 +96,16 @@ class Foot {
     void apply(BodyFrame& frame, std::size_t f, double drop_m) {
         const Vec3 hip = hip_[f] - Vec3(0.0, drop_m, 0.0);
         const Vec3 goal = ankle_[f] + shift_[f];
-        Quat& foot = frame.rotation[index(sole_.foot)];
+        Quat& foot = frame.rotation[indexOf(sole_.foot)];
         if (const Quat levelling = turn_[f] * glm::conjugate(foot); turn_[f] != foot) {
-            Quat& toes = frame.rotation[index(sole_.toes)];
+            Quat& toes = frame.rotation[indexOf(sole_.toes)];
             toes = levelling * toes;
             foot = turn_[f];
         }
         const bool still = drop_m == 0.0 && shift_[f] == Vec3(0.0);
-        if (!still) reach(leg_, goal - hip, frame.rotation[index(upper_)], frame.rotation[index(lower_)]);
+        if (!still) reach(leg_, goal - hip, frame.rotation[indexOf(upper_)], frame.rotation[indexOf(lower_)]);
         const Vec3 ankle =
-            hip + frame.rotation[index(upper_)] * leg_.upper + frame.rotation[index(lower_)] * leg_.lower;
+            hip + frame.rotation[indexOf(upper_)] * leg_.upper + frame.rotation[indexOf(lower_)] * leg_.lower;
         shift_[f] = still ? Vec3(0.0) : ankle - ankle_[f];
         lowest_ = std::min({lowest_, (ankle + foot * sole_.heel).y, (ankle + foot * sole_.ball).y});
         if (sole_.tip) lowest_ = std::min(lowest_, bendToes(frame, ankle));
@@ -140,12 +137,12 @@ class Foot {
     void readPath(const std::vector<BodyFrame>& frames) {
         for (auto* path : {&hip_, &ankle_, &heel_, &ball_}) path->reserve(frames.size());
         turn_.reserve(frames.size());
-        const Vec3 to_hip = avatar_.offset[index(upper_)];
+        const Vec3 to_hip = avatar_.offset[indexOf(upper_)];
         for (const BodyFrame& frame : frames) {
-            const Quat& turn = frame.rotation[index(sole_.foot)];
-            hip_.push_back(hipsPosition(avatar_, frame) + frame.rotation[index(hips)] * to_hip);
-            ankle_.push_back(hip_.back() + frame.rotation[index(upper_)] * leg_.upper +
-                             frame.rotation[index(lower_)] * leg_.lower);
+            const Quat& turn = frame.rotation[indexOf(sole_.foot)];
+            hip_.push_back(hipsPosition(avatar_, frame) + frame.rotation[indexOf(hips)] * to_hip);
+            ankle_.push_back(hip_.back() + frame.rotation[indexOf(upper_)] * leg_.upper +
+                             frame.rotation[indexOf(lower_)] * leg_.lower);
             heel_.push_back(ankle_.back() + turn * sole_.heel);
             ball_.push_back(ankle_.back() + turn * sole_.ball);
             turn_.push_back(turn);
@@ -260,8 +257,8 @@ class Foot {
 
     /// Gives the height of the toes' tip.
     double bendToes(BodyFrame& frame, const Vec3& ankle) const {
-        const Vec3 start = ankle + frame.rotation[index(sole_.foot)] * avatar_.offset[index(sole_.toes)];
-        Quat& turn = frame.rotation[index(sole_.toes)];
+        const Vec3 start = ankle + frame.rotation[indexOf(sole_.foot)] * avatar_.offset[indexOf(sole_.toes)];
+        Quat& turn = frame.rotation[indexOf(sole_.toes)];
         const Vec3 way = turn * *sole_.tip;
         const double length = glm::length(way);
         const double across = horizontal(way);

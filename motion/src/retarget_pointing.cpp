@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "bone_index.hpp"
 #include "motion/pointing.hpp"
 #include "two_bones.hpp"
 
@@ -16,10 +17,6 @@ using enum Bone;
 constexpr double hand_of_stature = 0.108;
 constexpr double leg_of_stature = 0.491;  // thigh and shin
 constexpr double shortest_hand_m = 0.02;
-
-std::size_t index(Bone bone) {
-    return static_cast<std::size_t>(bone);
-}
 
 /// The tip of a joint in its frame: its end site, or the farthest joint or end below it at rest.
 Vec3 tipAtRest(const Skeleton& skeleton, int joint) {
@@ -74,11 +71,11 @@ class ArmTurner {
         : poser_(poser), side_(side), arm_(armBones(side)) {
         for (std::size_t b = 0; b < bone_count; ++b) {
             int above = static_cast<int>(b);
-            while (above >= 0 && above != static_cast<int>(index(arm_.lower_arm)))
+            while (above >= 0 && above != static_cast<int>(indexOf(arm_.lower_arm)))
                 above = avatar.above[static_cast<std::size_t>(above)];
             if (above >= 0 && driven[b]) forearm_and_on_.push_back(b);
         }
-        bones_.upper = avatar.offset[index(arm_.lower_arm)];
+        bones_.upper = avatar.offset[indexOf(arm_.lower_arm)];
         bones_.hinge = Vec3(0.0, side == Side::left ? -1.0 : 1.0, 0.0);
     }
 
@@ -101,8 +98,8 @@ class ArmTurner {
     void bring(BodyFrame& body, int frame, const Vec3& goal) const {
         const Vec3 elbow = poser_.position(body, frame, arm_.lower_arm);
         const Vec3 tip = poser_.fingertip(body, frame, side_);
-        Quat& upper = body.rotation[index(arm_.upper_arm)];
-        const Quat lower = body.rotation[index(arm_.lower_arm)];
+        Quat& upper = body.rotation[indexOf(arm_.upper_arm)];
+        const Quat lower = body.rotation[indexOf(arm_.lower_arm)];
         TwoBones bones = bones_;
         bones.lower = glm::conjugate(lower) * (tip - elbow);
         Quat turned = lower;

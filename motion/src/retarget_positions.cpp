@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "bone_index.hpp"
 #include "motion/retarget.hpp"
 #include "retarget_assembly.hpp"
 
@@ -10,10 +11,6 @@ namespace deixis::motion {
 namespace {
 
 using enum Bone;
-
-std::size_t index(Bone bone) {
-    return static_cast<std::size_t>(bone);
-}
 
 BodyShape shapeOf(const BonePositions& positions, const Quat& turn) {
     BodyShape shape;
@@ -64,8 +61,8 @@ std::string fault(const BonePositions& positions, Part part) {
     BoneSet known{};
     for (std::size_t b = 0; b < bone_count; ++b) known[b] = positions.at[b].has_value();
     if (part == Part::upper_body) {
-        for (const Bone bone : leg_bones) known[index(bone)] = true;
-        known[index(hips)] = known[index(hips)] || known[index(spine)];
+        for (const Bone bone : leg_bones) known[indexOf(bone)] = true;
+        known[indexOf(hips)] = known[indexOf(hips)] || known[indexOf(spine)];
     }
     auto missing = missingBones(known);
     if (!positions[neck]) missing += missing.empty() ? "neck" : ", neck";
@@ -91,20 +88,20 @@ BoneTurns solve(const AvatarRest& avatar, const BodyShape& shape, Part part) {
         fit.add(turns, shape);
         for (const Hinge& hinge : hinges()) {
             const Bone bone = lower ? hinge.lower : hinge.upper;
-            twist[index(bone)] = fit.twist(bone);
+            twist[indexOf(bone)] = fit.twist(bone);
         }
         turns = alignBody(avatar.shape, upright, shape, axes, twist);
     }
-    const Vec3 forward = turns[index(hips)] * Vec3(0, 0, 1);
+    const Vec3 forward = turns[indexOf(hips)] * Vec3(0, 0, 1);
     const Quat flat = yawRotation(std::atan2(forward.x, forward.z));
-    for (const Bone bone : {leftFoot, rightFoot, leftToes, rightToes}) turns[index(bone)] = flat;
+    for (const Bone bone : {leftFoot, rightFoot, leftToes, rightToes}) turns[indexOf(bone)] = flat;
     return turns;
 }
 
 /// Head and neck lean from the chest as the line from neck to head leans from its mean.
 void turnHeads(const std::vector<BodyShape>& shapes, std::vector<BodyFrame>& frames) {
     const auto local = [&](std::size_t f) {
-        return glm::conjugate(frames[f].rotation[index(upperChest)]) *
+        return glm::conjugate(frames[f].rotation[indexOf(upperChest)]) *
                glm::normalize(*shapes[f].at(head) - *shapes[f].at(neck));
     };
     Vec3 mean(0.0);
@@ -112,8 +109,8 @@ void turnHeads(const std::vector<BodyShape>& shapes, std::vector<BodyFrame>& fra
     if (!hasLength(mean)) return;
     for (std::size_t f = 0; f < frames.size(); ++f) {
         BoneTurns& turns = frames[f].rotation;
-        turns[index(head)] = turns[index(upperChest)] * rotationBetween(mean, local(f));
-        turns[index(neck)] = glm::slerp(turns[index(upperChest)], turns[index(head)], 0.5);
+        turns[indexOf(head)] = turns[indexOf(upperChest)] * rotationBetween(mean, local(f));
+        turns[indexOf(neck)] = glm::slerp(turns[indexOf(upperChest)], turns[indexOf(head)], 0.5);
     }
 }
 
@@ -188,10 +185,10 @@ Result<Clip> clipFromPositions(const std::vector<BonePositions>& positions, doub
     BoneSet driven{};
     for (const Bone bone :
          {hips, spine, chest, upperChest, neck, head, leftShoulder, rightShoulder, leftToes, rightToes})
-        driven[index(bone)] = true;
+        driven[indexOf(bone)] = true;
     for (const Hinge& hinge : hinges())
-        driven[index(hinge.upper)] = driven[index(hinge.lower)] = driven[index(hinge.end)] = true;
-    for (std::size_t b = index(leftThumbMetacarpal); b < bone_count; ++b)
+        driven[indexOf(hinge.upper)] = driven[indexOf(hinge.lower)] = driven[indexOf(hinge.end)] = true;
+    for (std::size_t b = indexOf(leftThumbMetacarpal); b < bone_count; ++b)
         driven[b] = std::all_of(positions.begin(), positions.end(),
                                 [&](const BonePositions& p) { return p.at[b].has_value(); });
     if (report) report->scale = scale;

@@ -227,7 +227,7 @@ class Cutter {
             if (sagittal(e.hand, f) >= 0.9 * farthest &&
                 (middle < 0 || speed(e.hand, f) < speed(e.hand, middle)))
                 middle = f;
-        const GesturePhases phases = gesturePhases(track(e.hand).speed_m_s, e.around.begin, e.frames.begin,
+        const GestureFrames phases = gesturePhases(track(e.hand).speed_m_s, e.around.begin, e.frames.begin,
                                                    middle, e.frames.end, e.around.end);
         double reach = 0.0;
         for (int f = phases.peak; f <= phases.hold; ++f)
@@ -244,7 +244,7 @@ class Cutter {
         return gesture(phases, e.around, e.hand, std::move(remarks));
     }
 
-    [[nodiscard]] Gesture gesture(const GesturePhases& phases, Run around, Side hand,
+    [[nodiscard]] Gesture gesture(const GestureFrames& phases, Run around, Side hand,
                                   std::vector<std::string> remarks) const {
         const int margin = static_cast<int>(std::lround(options_.margin_s / dt_));
         return {std::max(around.begin, phases.onset - margin),

@@ -8,7 +8,7 @@
 namespace deixis::renderer {
 namespace {
 
-const std::string_view vertex_glsl = R"(
+const std::string_view ball_vertex_glsl = R"(
 layout(location = 0) in vec3 normal;
 layout(location = 1) in vec4 place;  // centre, radius
 layout(location = 2) in vec3 own_colour;
@@ -28,7 +28,7 @@ void main() {
 }
 )";
 
-const std::string_view fragment_glsl = R"(
+const std::string_view ball_fragment_glsl = R"(
 in vec3 stage_position;
 in vec3 stage_normal;
 flat in vec3 albedo;
@@ -82,7 +82,8 @@ constexpr int segments = 32;
 }  // namespace
 
 BallPass::BallPass()
-    : program_("ball", {frame_glsl, shadow_glsl, vertex_glsl}, {frame_glsl, lighting_glsl, fragment_glsl}),
+    : program_("ball", {frame_glsl, shadow_glsl, ball_vertex_glsl},
+               {frame_glsl, lighting_glsl, ball_fragment_glsl}),
       ring_program_("ring", {ring_vertex_glsl}, {ring_fragment_glsl}),
       vertices_(gl::vertexArray()),
       no_vertices_(gl::vertexArray()) {

@@ -6,7 +6,7 @@ namespace deixis::renderer {
 namespace {
 
 // Vertices 0..3: the ribbon; 4..7: the dot. Everything in the eye's frame.
-const std::string_view vertex_glsl = R"(
+const std::string_view beam_vertex_glsl = R"(
 layout(location = 0) uniform vec3 origin;
 layout(location = 1) uniform vec3 end;
 out vec2 across;          // metres from the middle line or the dot's centre
@@ -55,7 +55,7 @@ void main() {
 }
 )";
 
-const std::string_view fragment_glsl = R"(
+const std::string_view beam_fragment_glsl = R"(
 in vec2 across;
 flat in float core;
 flat in float is_dot;
@@ -78,7 +78,8 @@ void main() {
 
 }  // namespace
 
-BeamPass::BeamPass() : program_("beam", {vertex_glsl}, {fragment_glsl}), no_vertices_(gl::vertexArray()) {}
+BeamPass::BeamPass()
+    : program_("beam", {beam_vertex_glsl}, {beam_fragment_glsl}), no_vertices_(gl::vertexArray()) {}
 
 void BeamPass::draw(const Beam& beam, Views views) {
     if (!(beam.length_m > 1e-3)) return;

@@ -9,7 +9,7 @@
 namespace deixis::renderer {
 namespace {
 
-const std::string_view vertex_glsl = R"(
+const std::string_view head_vertex_glsl = R"(
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float own_shade;
@@ -27,7 +27,7 @@ void main() {
 }
 )";
 
-const std::string_view fragment_glsl = R"(
+const std::string_view head_fragment_glsl = R"(
 layout(location = 1) uniform vec3 head_colour;
 in vec3 stage_position;
 in vec3 stage_normal;
@@ -41,7 +41,7 @@ void main() {
 }
 )";
 
-struct Corner {
+struct HeadCorner {
     glm::vec3 position, normal;
     float shade;  // 1: the head's colour; 0: black
 };
@@ -68,9 +68,10 @@ double bent(double value, double exponent) {
 }  // namespace
 
 HeadPass::HeadPass()
-    : program_("head", {frame_glsl, shadow_glsl, vertex_glsl}, {frame_glsl, lighting_glsl, fragment_glsl}),
+    : program_("head", {frame_glsl, shadow_glsl, head_vertex_glsl},
+               {frame_glsl, lighting_glsl, head_fragment_glsl}),
       vertices_(gl::vertexArray()) {
-    std::vector<Corner> corners;
+    std::vector<HeadCorner> corners;
     std::vector<std::uint16_t> indices;
     for (const Body& body : bodies)
         for (int ring = 0; ring <= rings; ++ring) {
@@ -93,15 +94,15 @@ HeadPass::HeadPass()
                     indices.push_back(static_cast<std::uint16_t>(index));
             }
         }
-    corners_ = gl::fixedBuffer(std::span<const Corner>(corners));
+    corners_ = gl::fixedBuffer(std::span<const HeadCorner>(corners));
     indices_ = gl::fixedBuffer(std::span<const std::uint16_t>(indices));
     index_count_ = static_cast<GLsizei>(indices.size());
     const GLuint vao = vertices_.name();
-    glVertexArrayVertexBuffer(vao, 0, corners_.name(), 0, sizeof(Corner));
+    glVertexArrayVertexBuffer(vao, 0, corners_.name(), 0, sizeof(HeadCorner));
     glVertexArrayElementBuffer(vao, indices_.name());
-    glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(Corner, position));
-    glVertexArrayAttribFormat(vao, 1, 3, GL_FLOAT, GL_FALSE, offsetof(Corner, normal));
-    glVertexArrayAttribFormat(vao, 2, 1, GL_FLOAT, GL_FALSE, offsetof(Corner, shade));
+    glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(HeadCorner, position));
+    glVertexArrayAttribFormat(vao, 1, 3, GL_FLOAT, GL_FALSE, offsetof(HeadCorner, normal));
+    glVertexArrayAttribFormat(vao, 2, 1, GL_FLOAT, GL_FALSE, offsetof(HeadCorner, shade));
     for (GLuint attribute = 0; attribute < 3; ++attribute) {
         glVertexArrayAttribBinding(vao, attribute, 0);
         glEnableVertexArrayAttrib(vao, attribute);

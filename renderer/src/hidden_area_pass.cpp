@@ -9,7 +9,7 @@ namespace deixis::renderer {
 namespace {
 
 // Both eyes' triangles are drawn for each; the other eye's end outside of what is clipped.
-const std::string_view vertex_glsl = R"(
+const std::string_view hidden_area_vertex_glsl = R"(
 layout(location = 0) in vec2 tangents;
 layout(location = 1) in uint side;
 void main() {
@@ -19,7 +19,7 @@ void main() {
 }
 )";
 
-const std::string_view fragment_glsl = R"(
+const std::string_view hidden_area_fragment_glsl = R"(
 out vec4 colour;
 void main() { colour = vec4(0.0, 0.0, 0.0, 1.0); }
 )";
@@ -32,7 +32,8 @@ struct Corner {
 }  // namespace
 
 HiddenAreaPass::HiddenAreaPass()
-    : program_("hidden area", {vertex_glsl}, {fragment_glsl}), vertices_(gl::vertexArray()) {
+    : program_("hidden area", {hidden_area_vertex_glsl}, {hidden_area_fragment_glsl}),
+      vertices_(gl::vertexArray()) {
     const GLuint vao = vertices_.name();
     glVertexArrayAttribFormat(vao, 0, 2, GL_FLOAT, GL_FALSE, offsetof(Corner, tangents));
     glVertexArrayAttribIFormat(vao, 1, 1, GL_UNSIGNED_INT, offsetof(Corner, side));

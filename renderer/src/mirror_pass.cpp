@@ -8,7 +8,7 @@
 namespace deixis::renderer {
 namespace {
 
-const std::string_view vertex_glsl = R"(
+const std::string_view mirror_vertex_glsl = R"(
 layout(location = 0) uniform vec2 shown;  // the part of the eye's picture, across and up
 out vec2 uv;
 void main() {
@@ -18,7 +18,7 @@ void main() {
 }
 )";
 
-const std::string_view fragment_glsl = R"(
+const std::string_view mirror_fragment_glsl = R"(
 layout(binding = 0) uniform sampler2D eye_picture;
 in vec2 uv;
 out vec4 colour;
@@ -28,7 +28,8 @@ void main() { colour = texture(eye_picture, uv); }
 }  // namespace
 
 MirrorPass::MirrorPass()
-    : program_(gl::drawProgram("mirror", {vertex_glsl}, {fragment_glsl})), no_vertices_(gl::vertexArray()) {}
+    : program_(gl::drawProgram("mirror", {mirror_vertex_glsl}, {mirror_fragment_glsl})),
+      no_vertices_(gl::vertexArray()) {}
 
 void MirrorPass::makeEyePicture(int width, int height) {
     if (width == eye_width_ && height == eye_height_) return;

@@ -110,13 +110,13 @@ std::string roomSizeGlsl() {
     return constant("room_low", room_low) + constant("room_high", room_high);
 }
 
-struct Corner {
+struct RoomCorner {
     glm::vec3 position, normal;
 };
 
 // Two triangles a face, floor first, seen from within.
-std::vector<Corner> roomCorners() {
-    std::vector<Corner> corners;
+std::vector<RoomCorner> roomCorners() {
+    std::vector<RoomCorner> corners;
     const auto face = [&](int axis, bool high) {
         const int u = (axis + 1) % 3;
         const int v = (axis + 2) % 3;
@@ -155,12 +155,12 @@ RoomPass::RoomPass()
       wall_program_("wall", {room_vertex_glsl},
                     {frame_glsl, lighting_glsl, roomSizeGlsl(), wall_fragment_glsl}),
       vertices_(gl::vertexArray()) {
-    const std::vector<Corner> corners = roomCorners();
-    corners_ = gl::fixedBuffer(std::span<const Corner>(corners));
+    const std::vector<RoomCorner> corners = roomCorners();
+    corners_ = gl::fixedBuffer(std::span<const RoomCorner>(corners));
     const GLuint vao = vertices_.name();
-    glVertexArrayVertexBuffer(vao, 0, corners_.name(), 0, sizeof(Corner));
-    glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(Corner, position));
-    glVertexArrayAttribFormat(vao, 1, 3, GL_FLOAT, GL_FALSE, offsetof(Corner, normal));
+    glVertexArrayVertexBuffer(vao, 0, corners_.name(), 0, sizeof(RoomCorner));
+    glVertexArrayAttribFormat(vao, 0, 3, GL_FLOAT, GL_FALSE, offsetof(RoomCorner, position));
+    glVertexArrayAttribFormat(vao, 1, 3, GL_FLOAT, GL_FALSE, offsetof(RoomCorner, normal));
     for (GLuint attribute = 0; attribute < 2; ++attribute) {
         glVertexArrayAttribBinding(vao, attribute, 0);
         glEnableVertexArrayAttrib(vao, attribute);

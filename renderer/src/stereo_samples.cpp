@@ -6,7 +6,7 @@
 namespace deixis::renderer {
 namespace {
 
-int supportedSamples(int wanted) {
+int supportedTextureSamples(int wanted) {
     std::array<GLint, 2> most{1, 1};
     glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most[0]);
     glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &most[1]);
@@ -20,7 +20,7 @@ void attach(const gl::Framebuffer& framebuffer, GLenum attachment, GLuint textur
 }  // namespace
 
 StereoSamples::StereoSamples(int samples)
-    : samples_(supportedSamples(samples)), read_(gl::framebuffer()), resolved_(gl::framebuffer()) {
+    : samples_(supportedTextureSamples(samples)), read_(gl::framebuffer()), resolved_(gl::framebuffer()) {
     has_multiview_ = epoxy_has_gl_extension("GL_OVR_multiview2") && multiviewIsComplete();
 }
 

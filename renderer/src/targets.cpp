@@ -5,7 +5,7 @@
 namespace deixis::renderer {
 namespace {
 
-int supportedSamples(int wanted) {
+int supportedBufferSamples(int wanted) {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
     return std::clamp(wanted, 1, std::max(1, static_cast<int>(most)));
@@ -13,7 +13,7 @@ int supportedSamples(int wanted) {
 
 }  // namespace
 
-Targets::Targets(int samples) : samples_(supportedSamples(samples)) {}
+Targets::Targets(int samples) : samples_(supportedBufferSamples(samples)) {}
 
 void Targets::begin(int width, int height) {
     if (width != width_ || height != height_) {

@@ -142,7 +142,7 @@ std::string findings(const Evaluation& evaluation) {
     return out + "</ul>";
 }
 
-std::string systemsTable(const Evaluation& evaluation) {
+std::string systemsHtml(const Evaluation& evaluation) {
     std::string out = tableStart(
         1,
         "Accuracy (Equation 2, dimensionless) and the same as angle between forearm and target (degrees), "
@@ -181,7 +181,7 @@ std::string correlationTable(const Evaluation& evaluation) {
     return out + table_end;
 }
 
-std::string clustersTable(const Evaluation& evaluation) {
+std::string clustersHtml(const Evaluation& evaluation) {
     std::string head =
         "<th>Cluster</th><th>x (m)</th><th>y (m)</th><th>z (m)</th><th>training targets</th><th>test "
         "points</th>";
@@ -233,7 +233,7 @@ std::string figures(const Evaluation& evaluation) {
         "median; "
         "diamond: mean; whiskers: farthest within 1.5 boxes; points: beyond. Dashed: the ceiling.",
         accuracyBoxesSvg(evaluation), "one");
-    out += systemsTable(evaluation);
+    out += systemsHtml(evaluation);
     out +=
         "\n<h2>Around the time of pointing</h2>\n<p class=\"small\"><b>Figure 2.</b> Reward and speed of the "
         "pointing hand, mean and one standard deviation over clips (the paper&#8217;s Figures 2 and 3). 0 is "
@@ -273,7 +273,7 @@ std::string figures(const Evaluation& evaluation) {
     for (std::size_t i = 0; i < evaluation.systems.size(); ++i)
         out += figure("<b>" + escapeHtml(evaluation.systems[i].system) + "</b> &#183; accuracy",
                       accuracyMapSvg(evaluation, i));
-    return out + "</div>" + clustersTable(evaluation);
+    return out + "</div>" + clustersHtml(evaluation);
 }
 
 std::string methods(const Evaluation& evaluation) {

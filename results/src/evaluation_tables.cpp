@@ -165,7 +165,7 @@ std::string clipsTable(const Evaluation& evaluation) {
     return table.take();
 }
 
-std::string systemsTable(const Evaluation& evaluation) {
+std::string systemsCsv(const Evaluation& evaluation) {
     using enum ColumnType;
     CsvTable table({column("system", text), column("synthetic", truth), column("clips", whole),
                     column("n", whole), column("missing", whole), column("left_hand", whole),
@@ -229,7 +229,7 @@ std::string targetsTable(const Evaluation& evaluation) {
     return table.take();
 }
 
-std::string clustersTable(const Evaluation& evaluation) {
+std::string clustersCsv(const Evaluation& evaluation) {
     using enum ColumnType;
     std::vector<ColumnSpec> columns{
         column("cluster", whole),    column("x"), column("y"), column("z"), column("training_targets", whole),
@@ -254,10 +254,10 @@ std::string clustersTable(const Evaluation& evaluation) {
 
 std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluation& evaluation) {
     return {{"clips.csv", clipsTable(evaluation)},
-            {"systems.csv", systemsTable(evaluation)},
+            {"systems.csv", systemsCsv(evaluation)},
             {"profiles.csv", profilesTable(evaluation)},
             {"targets.csv", targetsTable(evaluation)},
-            {"clusters.csv", clustersTable(evaluation)}};
+            {"clusters.csv", clustersCsv(evaluation)}};
 }
 
 }  // namespace deixis::results

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "big_rational.hpp"
+#include "core/text.hpp"
 
 namespace deixis::results {
 
@@ -69,10 +70,6 @@ std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 /// A decimal as it stands: digits * 10^exponent, without its sign.

@@ -18,7 +18,7 @@ namespace {
 constexpr double left = 58.0;
 constexpr double top = 14.0;
 constexpr double plot_height = 270.0;
-constexpr double column = 92.0;
+constexpr double column_width = 92.0;
 constexpr double bottom = 52.0;
 constexpr double margin_right = 58.0;  // for the word "chance"
 
@@ -124,7 +124,8 @@ std::string boxPlotSvg(const AnalysisResult& result, std::size_t index) {
     // Room above and below, so that points at the ends of the scale are whole.
     const double room = 0.03 * std::max(1e-9, measure.high - measure.low);
     const Axis axis{measure.low - room, measure.high + room};
-    const double right = left + column * static_cast<double>(std::max<std::size_t>(1, result.systems.size()));
+    const double right =
+        left + column_width * static_cast<double>(std::max<std::size_t>(1, result.systems.size()));
     const double width = right + margin_right;
     const double height = top + plot_height + bottom;
     std::string out = fmt::format(
@@ -144,7 +145,7 @@ std::string boxPlotSvg(const AnalysisResult& result, std::size_t index) {
     }
     for (std::size_t i = 0; i < result.systems.size(); ++i) {
         const SystemResult& system = result.systems[i];
-        const double centre = left + column * (static_cast<double>(i) + 0.5);
+        const double centre = left + column_width * (static_cast<double>(i) + 0.5);
         const auto& values = system.measures[index].by_participant;
         if (values.empty())
             out += label(centre, top + plot_height / 2.0, "middle", "no answers");

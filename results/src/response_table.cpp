@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using SQLite::Statement;
 
-std::vector<std::string> column(SQLite::Database& database, const char* sql) {
+std::vector<std::string> textColumn(SQLite::Database& database, const char* sql) {
     std::vector<std::string> out;
     Statement query(database, sql);
     while (query.executeStep()) out.push_back(query.getColumn(0).getString());
@@ -30,17 +30,18 @@ void readStudy(SQLite::Database& database, ResponseTable& table) {
     table.study_hash = study.getColumn(2).getString();
     table.alpha = study.getColumn(3).getDouble();
     table.systems =
-        column(database,
-               "SELECT name FROM systems WHERE name IN (SELECT system FROM trial_stimuli WHERE scored) "
-               "ORDER BY position");
-    table.layouts = column(database,
-                           "SELECT name FROM layouts WHERE name IN (SELECT layout FROM trials WHERE kind = "
-                           "'referential-game' AND NOT practice) ORDER BY position");
+        textColumn(database,
+                   "SELECT name FROM systems WHERE name IN (SELECT system FROM trial_stimuli WHERE scored) "
+                   "ORDER BY position");
+    table.layouts =
+        textColumn(database,
+                   "SELECT name FROM layouts WHERE name IN (SELECT layout FROM trials WHERE kind = "
+                   "'referential-game' AND NOT practice) ORDER BY position");
     table.distances =
-        column(database,
-               "SELECT name FROM distances WHERE name IN (SELECT distance FROM trials WHERE NOT "
-               "practice AND check_kind IS NOT 'catch') ORDER BY position");
-    table.between = column(database, "SELECT DISTINCT factor FROM participant_groups ORDER BY 1");
+        textColumn(database,
+                   "SELECT name FROM distances WHERE name IN (SELECT distance FROM trials WHERE NOT "
+                   "practice AND check_kind IS NOT 'catch') ORDER BY position");
+    table.between = textColumn(database, "SELECT DISTINCT factor FROM participant_groups ORDER BY 1");
     table.planned_participants =
         database.execAndGet("SELECT count(*) FROM participants WHERE status = 'active'").getInt();
     table.withdrawn = database.execAndGet("SELECT count(*) FROM withdrawals").getInt();
@@ -109,8 +110,8 @@ void readSessions(SQLite::Database& database, ResponseTable& table) {
     while (stations.executeStep())
         table.stations.push_back({stations.getColumn(0).getString(), stations.getColumn(1).getString(),
                                   stations.getColumn(2).getInt() != 0, stations.getColumn(3).getInt()});
-    table.program_versions = column(database, "SELECT DISTINCT program_version FROM sessions ORDER BY 1");
-    table.avatar_hashes = column(database, "SELECT DISTINCT avatar_hash FROM sessions ORDER BY 1");
+    table.program_versions = textColumn(database, "SELECT DISTINCT program_version FROM sessions ORDER BY 1");
+    table.avatar_hashes = textColumn(database, "SELECT DISTINCT avatar_hash FROM sessions ORDER BY 1");
 }
 
 void readLeftOut(SQLite::Database& database, ResponseTable& table) {

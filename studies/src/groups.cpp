@@ -5,15 +5,12 @@
 #include <cstddef>
 
 #include "core/random.hpp"
+#include "core/text.hpp"
 #include "studies/plan.hpp"
 
 namespace deixis::studies {
 
 namespace {
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 /// Every combination of one level of each factor, the last factor's levels changing fastest.
 std::vector<Groups> allCells(const std::vector<BetweenFactor>& factors) {

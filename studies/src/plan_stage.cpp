@@ -76,16 +76,16 @@ Result<void> checkDesign(const Study& study, const Stage& stage) {
 
 /// Runs of a system and of an item, where the design limits them.
 OrderTask orderTask(const TrialDesign& design, const DesignLevels& levels,
-                    const std::vector<TrialUnit>& units) {
+                    const std::vector<PlannedTrial>& units) {
     OrderTask task;
     std::vector<const TargetItem*> items;
-    for (const TrialUnit& unit : units) items.push_back(unit.item);
+    for (const PlannedTrial& unit : units) items.push_back(unit.item);
     std::sort(items.begin(), items.end());
     items.erase(std::unique(items.begin(), items.end()), items.end());
     const int systems = static_cast<int>(design.systems.size());
     task.max_run.assign(systems, design.max_run_of_system);
     task.max_run.resize(systems + items.size(), 1);
-    for (const TrialUnit& unit : units) {
+    for (const PlannedTrial& unit : units) {
         OrderTask::Unit& out = task.units.emplace_back();
         out.block = unit.block;
         if (design.max_run_of_system > 0) out.labels = levels.shown[unit.shown];
@@ -108,7 +108,7 @@ std::string describeLimits(const TrialDesign& design) {
 
 /// Puts `count` second times into an order: each of another unit, in the same block, with a quarter of the
 /// block's trials or more in between. False where there is no room.
-bool insertRepeats(std::vector<TrialUnit>& units, OrderTask& task, std::vector<int>& order, int count,
+bool insertRepeats(std::vector<PlannedTrial>& units, OrderTask& task, std::vector<int>& order, int count,
                    Random& random) {
     struct Room {
         int unit = 0;
@@ -123,7 +123,7 @@ bool insertRepeats(std::vector<TrialUnit>& units, OrderTask& task, std::vector<i
     for (int n = 0; n < count; ++n) {
         std::vector<Room> rooms;
         for (std::size_t first = 0; first < order.size(); ++first) {
-            const TrialUnit& unit = units[order[first]];
+            const PlannedTrial& unit = units[order[first]];
             if (unit.is_catch || unit.repeat_of >= 0 || taken[order[first]]) continue;
             const std::size_t between = std::max(1, block_size[unit.block] / 4);
             for (std::size_t before = first + 1 + between; before <= order.size(); ++before) {
@@ -136,7 +136,7 @@ bool insertRepeats(std::vector<TrialUnit>& units, OrderTask& task, std::vector<i
         const Room room = rooms[random.below(rooms.size())];
         taken[room.unit] = true;
         taken.push_back(true);
-        TrialUnit repeat = units[room.unit];
+        PlannedTrial repeat = units[room.unit];
         repeat.repeat_of = room.unit;
         order.insert(order.begin() + static_cast<std::ptrdiff_t>(room.before),
                      static_cast<int>(units.size()));
@@ -148,7 +148,7 @@ bool insertRepeats(std::vector<TrialUnit>& units, OrderTask& task, std::vector<i
 
 /// The units' order of presentation, repeats added to both.
 Result<std::vector<int>> orderUnits(const Stage& stage, const DesignLevels& levels,
-                                    std::vector<TrialUnit>& units, std::uint64_t seed) {
+                                    std::vector<PlannedTrial>& units, std::uint64_t seed) {
     const OrderTask task = orderTask(stage.design, levels, units);
     const int repeats = countOf(stage, CheckKind::repeat);
     Random random(seed, "order");
@@ -162,7 +162,7 @@ Result<std::vector<int>> orderUnits(const Stage& stage, const DesignLevels& leve
                             describeLimits(stage.design)),
                 "Loosen the limits, or ask for more items");
         if (repeats == 0) return *order;
-        std::vector<TrialUnit> more_units = units;
+        std::vector<PlannedTrial> more_units = units;
         OrderTask more_task = task;
         if (!insertRepeats(more_units, more_task, *order, repeats, random)) continue;
         units = std::move(more_units);
@@ -182,7 +182,7 @@ void shuffle(std::vector<int>& values, Random& random) {
 
 /// Pairwise: by unit, whether the second of the pair stands left. Evenly over a pair's trials, and over those
 /// in each layout; a repeat's side is chance's.
-std::vector<char> drawSides(const std::vector<TrialUnit>& units, std::size_t pairs, Random random) {
+std::vector<char> drawSides(const std::vector<PlannedTrial>& units, std::size_t pairs, Random random) {
     std::vector<char> swapped(units.size());
     for (std::size_t pair = 0; pair < pairs; ++pair) {
         std::vector<int> members;
@@ -205,7 +205,7 @@ std::vector<char> drawSides(const std::vector<TrialUnit>& units, std::size_t pai
 
 /// Adds a trial of `design`'s kind; the stimuli of a page and the balls in an order of chance.
 Trial& addTrial(std::vector<Trial>& trials, const Study& study, const Stage& stage, const Stage& design,
-                const TrialUnit& unit, const std::vector<int>& shown, Random& random) {
+                const PlannedTrial& unit, const std::vector<int>& shown, Random& random) {
     Trial& trial = trials.emplace_back();
     trial.index = static_cast<int>(trials.size()) - 1;
     trial.stage = stage.name;
@@ -306,7 +306,7 @@ Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
     if (const Result<void> checked = checkDesign(study, stage); !checked)
         return tl::unexpected(checked.error());
     const DesignLevels levels = levelsOf(study, stage);
-    std::vector<TrialUnit> units = makeUnits(study, stage, items, number, seed);
+    std::vector<PlannedTrial> units = makeUnits(study, stage, items, number, seed);
     const Result<std::vector<int>> order = orderUnits(stage, levels, units, seed);
     if (!order) return tl::unexpected(order.error());
 
@@ -318,7 +318,7 @@ Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
     std::vector<int> trial_of_unit(units.size(), -1);
     trials.reserve(order->size());
     for (const int i : *order) {
-        const TrialUnit& unit = units[i];
+        const PlannedTrial& unit = units[i];
         Trial& trial = addTrial(trials, study, stage, stage, unit, levels.shown[unit.shown], random);
         if (swapped[i]) std::swap(trial.stimuli[0], trial.stimuli[1]);
         if (unit.is_catch) trial.check = TrialCheck{CheckKind::catch_trial};
@@ -350,8 +350,8 @@ Result<std::vector<Trial>> practiceTrials(const Study& study, const Stage& stage
             shareLevels({levels.layouts, static_cast<int>(levels.bands.size())}, stage.design.items, random);
         for (int i = 0; i < stage.design.items; ++i) {
             const int shown = nextInTurn(levels, design.design.systems, current);
-            TrialUnit unit{items[attempt * stage.design.items + i], shown, own[i][0],
-                           levels.bands[own[i][1]]};
+            PlannedTrial unit{items[attempt * stage.design.items + i], shown, own[i][0],
+                              levels.bands[own[i][1]]};
             std::vector<int> systems = levels.shown[shown];
             if (design.kind == StageKind::pairwise) shuffle(systems, random);
             Trial& trial = addTrial(trials, study, stage, design, unit, systems, random);

@@ -36,7 +36,7 @@ std::vector<int> blockOrder(const TrialDesign& design, int levels, int number, R
     return order;
 }
 
-void setBlocks(std::vector<TrialUnit>& units, const TrialDesign& design, const DesignLevels& levels,
+void setBlocks(std::vector<PlannedTrial>& units, const TrialDesign& design, const DesignLevels& levels,
                int number, std::uint64_t seed) {
     if (design.block_by.empty()) return;
     const bool by_system = design.block_by == "system";
@@ -46,7 +46,7 @@ void setBlocks(std::vector<TrialUnit>& units, const TrialDesign& design, const D
                                                    : levels.bands.size());
     const std::vector<int> order = blockOrder(design, count, number, Random(seed, "blocks"));
     Random random(seed, "blocks of catch trials");
-    for (TrialUnit& unit : units) {
+    for (PlannedTrial& unit : units) {
         int level = by_system ? unit.shown : unit.layout;
         if (!by_system && !by_layout) {
             const auto band = std::find(levels.bands.begin(), levels.bands.end(), unit.band);
@@ -81,9 +81,9 @@ DesignLevels levelsOf(const Study& study, const Stage& design) {
     return out;
 }
 
-std::vector<TrialUnit> makeUnits(const Study& study, const Stage& stage,
-                                 const std::vector<const TargetItem*>& items, int number,
-                                 std::uint64_t seed) {
+std::vector<PlannedTrial> makeUnits(const Study& study, const Stage& stage,
+                                    const std::vector<const TargetItem*>& items, int number,
+                                    std::uint64_t seed) {
     const TrialDesign& design = stage.design;
     const DesignLevels levels = levelsOf(study, stage);
     const int shown = static_cast<int>(levels.shown.size());
@@ -97,7 +97,7 @@ std::vector<TrialUnit> makeUnits(const Study& study, const Stage& stage,
         {nestedLevels(design.system_meets, shown), nestedLevels(design.layout_meets, levels.layouts),
          nestedLevels(design.distance_meets, bands)},
         design.items, random);
-    std::vector<TrialUnit> units;
+    std::vector<PlannedTrial> units;
     for (int i = 0; i < design.items; ++i) {
         const LevelRange systems = levelsMet(design.system_meets, shown, own[i][0]);
         const LevelRange layouts = levelsMet(design.layout_meets, levels.layouts, own[i][1]);

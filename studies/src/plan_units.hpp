@@ -19,7 +19,7 @@ struct DesignLevels {
 [[nodiscard]] DesignLevels levelsOf(const Study& study, const Stage& design);
 
 /// A trial in the making.
-struct TrialUnit {
+struct PlannedTrial {
     const TargetItem* item = nullptr;
     int shown = 0;   ///< of DesignLevels::shown
     int layout = 0;  ///< of TrialDesign::layouts
@@ -31,8 +31,8 @@ struct TrialUnit {
 
 /// A stage's trials but for repeats, with their blocks in the order of presentation. `items` as itemsNeeded()
 /// says.
-[[nodiscard]] std::vector<TrialUnit> makeUnits(const Study& study, const Stage& stage,
-                                               const std::vector<const TargetItem*>& items, int number,
-                                               std::uint64_t seed);
+[[nodiscard]] std::vector<PlannedTrial> makeUnits(const Study& study, const Stage& stage,
+                                                  const std::vector<const TargetItem*>& items, int number,
+                                                  std::uint64_t seed);
 
 }  // namespace deixis::studies

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/text.hpp"
 #include "panel_layout.hpp"
 #include "studies/session.hpp"
 
@@ -35,10 +36,6 @@ Ask& askOf(std::vector<Ask>& asks, AskKind kind, std::size_t number, bool of_mov
     made.number = number;
     made.of_movement = of_movement;
     return made;
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 std::vector<double> numbersIn(const std::string& text) {

@@ -5,16 +5,14 @@
 #include <cmath>
 #include <string>
 
+#include "core/text.hpp"
+
 namespace deixis::studies {
 
 namespace {
 
 double share(double value, double none, double all) {
     return std::clamp((value - none) / (all - none), 0.0, 1.0);
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 }  // namespace

@@ -5,15 +5,13 @@
 #include "assets/bvh.hpp"
 #include "assets/manifest.hpp"
 #include "program.hpp"
+#include "text.hpp"
 
 using namespace deixis::tests;
+using deixis::tests::contains;
 namespace assets = deixis::assets;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 const std::string targets = "target_id,x,y,z\nA,1.2,1.3,1.6\nB,-0.9,0.8,1.8\nC,-1.5,1.6,1.3\n";
 

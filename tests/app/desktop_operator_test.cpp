@@ -4,35 +4,15 @@
 
 #include <string>
 
-#include "program.hpp"
+#include "display.hpp"
 
 using namespace deixis::tests;
 
 namespace {
 
-// An X server of its own for one test. The participant's window, 480x320, is put against its left edge, and
-// the experimenter's takes what is left beside it, over the whole height.
-class Display {
-  public:
-    Display()
-        : server_("Xvfb :" + std::to_string(number()) +
-                  " -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1") {
-        REQUIRE(eventually(20.0, [] { return xdotool("getdisplaygeometry").status == 0; }));
-    }
-    [[nodiscard]] static std::string environment() { return "env DISPLAY=:" + std::to_string(number()); }
-    static Finished xdotool(const std::string& arguments) {
-        return shell(environment() + " xdotool " + arguments);
-    }
-
-  private:
-    static int number() {
-        static const int chosen = 100 + static_cast<int>(getpid()) % 800;
-        return chosen;
-    }
-    Background server_;
-};
-
-// Middles of what is at the foot of the panel, at the right of the screen.
+// The participant's window, 480x320, is put against the screen's left edge; the experimenter's takes what is
+// left beside it, over the whole height. Middles of what is at the foot of the panel, at the right of the
+// screen.
 struct Place {
     int x, y;
 };
@@ -57,15 +37,6 @@ void type(const std::string& text) {
     wait(0.6);
     Display::xdotool("key Return");
     wait(0.6);
-}
-
-int count(const std::string& database, const std::string& query) {
-    try {
-        SQLite::Database db(database, SQLite::OPEN_READONLY, 1000);
-        return db.execAndGet("select count(*) from " + query).getInt();
-    } catch (const SQLite::Exception&) {
-        return -1;
-    }
 }
 
 }  // namespace
@@ -97,11 +68,11 @@ TEST_SUITE("app/desktop_operator") {
                 Display::xdotool(std::string("key ") + key);
                 wait(0.2);
             }
-            return count(database, "responses") >= 3 || !session.running();
+            return countIn(database, "select count(*) from responses") >= 3 || !session.running();
         });
         REQUIRE(rated);
         REQUIRE(session.running());
-        CHECK(count(database, "events where kind = 'pause'") == 0);
+        CHECK(countIn(database, "select count(*) from events where kind = 'pause'") == 0);
 
         // With the mouse in the other window the participant cannot answer: so the session is paused.
         const auto toOperator = [] {
@@ -110,22 +81,25 @@ TEST_SUITE("app/desktop_operator") {
         };
         toOperator();
         CHECK(eventually(20.0, [&] {
-            return count(database, "events where kind = 'pause' and detail = 'operator'") == 1;
+            return countIn(database,
+                           "select count(*) from events where kind = 'pause' and detail = 'operator'") == 1;
         }));
         click(note_field);
         type("the phone rang, p and r");
         CHECK(eventually(20.0, [&] {
-            return count(database,
-                         "events where kind = 'operator_note' and detail = 'the phone rang, p and r'") == 1;
+            return countIn(database,
+                           "select count(*) from events where kind = 'operator_note' and detail = 'the phone "
+                           "rang, p and r'") == 1;
         }));
-        CHECK(count(database, "events where kind = 'recentre'") == 0);
+        CHECK(countIn(database, "select count(*) from events where kind = 'recentre'") == 0);
 
         // Asked twice; a response that is repeated stays, and is marked.
         click(repeat_button);
-        CHECK(count(database, "responses where superseded is not null") == 0);
+        CHECK(countIn(database, "select count(*) from responses where superseded is not null") == 0);
         click(repeat_button);
-        CHECK(
-            eventually(20.0, [&] { return count(database, "responses where superseded is not null") == 1; }));
+        CHECK(eventually(20.0, [&] {
+            return countIn(database, "select count(*) from responses where superseded is not null") == 1;
+        }));
 
         // A trial is skipped with its reason, once one is under way.
         const bool skipped = eventually(60.0, [&] {
@@ -133,7 +107,9 @@ TEST_SUITE("app/desktop_operator") {
             Display::xdotool("key Return");
             wait(0.8);
             type("the clip did not move");
-            if (eventually(5.0, [&] { return count(database, "responses where status = 'skipped'") == 1; }))
+            if (eventually(5.0, [&] {
+                    return countIn(database, "select count(*) from responses where status = 'skipped'") == 1;
+                }))
                 return true;
             Display::xdotool("key p");
             wait(1.5);
@@ -141,18 +117,22 @@ TEST_SUITE("app/desktop_operator") {
             return !session.running();
         });
         CHECK(skipped);
-        CHECK(count(database, "responses where status = 'skipped' and reason = 'the clip did not move'") ==
-              1);
+        CHECK(countIn(database,
+                      "select count(*) from responses where status = 'skipped' and reason = 'the clip did "
+                      "not move'") == 1);
 
         // Going on brings the participant's window to the front again: keys are the participant's.
         Display::xdotool("key p");
-        CHECK(eventually(20.0, [&] { return count(database, "events where kind = 'resume'") >= 1; }));
+        CHECK(eventually(20.0, [&] {
+            return countIn(database, "select count(*) from events where kind = 'resume'") >= 1;
+        }));
         wait(0.5);
-        const int paused = count(database, "events where kind = 'pause'");
+        const int paused = countIn(database, "select count(*) from events where kind = 'pause'");
         Display::xdotool("key Escape");
         CHECK(eventually(20.0, [&] {
-            return count(database, "events where kind = 'pause' and detail = 'escape'") == 1 &&
-                   count(database, "events where kind = 'pause'") == paused + 1;
+            return countIn(database,
+                           "select count(*) from events where kind = 'pause' and detail = 'escape'") == 1 &&
+                   countIn(database, "select count(*) from events where kind = 'pause'") == paused + 1;
         }));
 
         // Aborting takes a reason and is asked twice.
@@ -161,12 +141,15 @@ TEST_SUITE("app/desktop_operator") {
         type("felt unwell");
         wait(0.5);
         CHECK(session.running());
-        CHECK(count(database, "sessions where outcome is not null") == 0);
+        CHECK(countIn(database, "select count(*) from sessions where outcome is not null") == 0);
         click(abort_button);
         CHECK(eventually(30.0, [&] { return !session.running(); }));
         CHECK(session.wait() == 0);
-        CHECK(count(database, "sessions where outcome = 'aborted'") == 1);
-        CHECK(count(database, "events where kind = 'operator_abort' and detail = 'felt unwell'") == 1);
+        CHECK(countIn(database, "select count(*) from sessions where outcome = 'aborted'") == 1);
+        CHECK(
+            countIn(database,
+                    "select count(*) from events where kind = 'operator_abort' and detail = 'felt unwell'") ==
+            1);
     }
 
     TEST_CASE(

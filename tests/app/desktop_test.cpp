@@ -2,41 +2,9 @@
 // by mouse and keyboard: tests/desktop.
 #include <SQLiteCpp/SQLiteCpp.h>
 
-#include "program.hpp"
+#include "display.hpp"
 
 using namespace deixis::tests;
-
-namespace {
-
-// An X server of its own for one test.
-class Display {
-  public:
-    Display()
-        : server_("Xvfb :" + std::to_string(number()) +
-                  " -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1") {
-        REQUIRE(eventually(20.0,
-                           [&] { return shell(environment() + " xdotool getdisplaygeometry").status == 0; }));
-    }
-    [[nodiscard]] static std::string environment() { return "env DISPLAY=:" + std::to_string(number()); }
-
-  private:
-    static int number() {
-        static const int chosen = 100 + static_cast<int>(getpid()) % 800;
-        return chosen;
-    }
-    Background server_;
-};
-
-int count(const std::string& database, const std::string& query) {
-    try {
-        SQLite::Database db(database, SQLite::OPEN_READONLY, 1000);
-        return db.execAndGet(query).getInt();
-    } catch (const SQLite::Exception&) {
-        return -1;
-    }
-}
-
-}  // namespace
 
 TEST_SUITE("app/desktop") {
     TEST_CASE("a person at the desktop reads, rates and pauses by key alone; the answers are kept") {
@@ -60,18 +28,19 @@ TEST_SUITE("app/desktop") {
         const bool rated = eventually(240.0, [&] {
             press("Return");
             press("4");
-            return count(database, "select count(*) from responses") >= 3 || !session.running();
+            return countIn(database, "select countIn(*) from responses") >= 3 || !session.running();
         });
         INFO(slurp(scratch / "out"));
         REQUIRE(rated);
-        CHECK(count(database,
-                    "select count(*) from answers a join responses r on r.id = a.response "
-                    "where a.question = 'rating' and a.value = 4 and r.input = 'key'") >= 3);
-        CHECK(count(database, "select count(*) from sessions where station = 'desktop' and synthetic = 0") ==
-              1);
+        CHECK(countIn(database,
+                      "select countIn(*) from answers a join responses r on r.id = a.response "
+                      "where a.question = 'rating' and a.value = 4 and r.input = 'key'") >= 3);
+        CHECK(countIn(database,
+                      "select countIn(*) from sessions where station = 'desktop' and synthetic = 0") == 1);
         press("Escape");
-        CHECK(eventually(
-            20.0, [&] { return count(database, "select count(*) from events where kind = 'pause'") >= 1; }));
+        CHECK(eventually(20.0, [&] {
+            return countIn(database, "select countIn(*) from events where kind = 'pause'") >= 1;
+        }));
         session.kill(SIGTERM);
     }
 

@@ -1,13 +1,11 @@
 // evaluate and targets --grid: the real program, from made clips to a page.
 #include "program.hpp"
+#include "text.hpp"
 
 using namespace deixis::tests;
+using deixis::tests::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// Clips of two systems for a grid of eight points, made once.
 const fs::path& corpus() {

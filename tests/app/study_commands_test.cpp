@@ -5,8 +5,10 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include "program.hpp"
+#include "text.hpp"
 
 using namespace deixis::tests;
+using deixis::tests::contains;
 
 namespace {
 
@@ -30,10 +32,6 @@ Finished simulated(const std::string& study, int participants, const std::string
 
 int count(const std::string& database, const std::string& query) {
     return SQLite::Database(database, SQLite::OPEN_READONLY).execAndGet(query).getInt();
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

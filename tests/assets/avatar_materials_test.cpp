@@ -43,12 +43,12 @@ fs::path folder() {
     return path;
 }
 
-Result<assets::Avatar> load(const std::string& bytes, const std::string& name = "figure.glb") {
+Result<assets::Avatar> loadMaterials(const std::string& bytes, const std::string& name = "figure.glb") {
     REQUIRE(writeFile(folder() / name, bytes).has_value());
     return assets::loadAvatar(folder() / name);
 }
 
-void checkError(const Result<assets::Avatar>& result, const std::string& words) {
+void checkMaterialError(const Result<assets::Avatar>& result, const std::string& words) {
     REQUIRE_FALSE(result.has_value());
     INFO(result.error().text());
     CHECK(result.error().text().find(words) != std::string::npos);
@@ -85,11 +85,12 @@ const std::string textured = R"({"pbrMetallicRoughness":{"baseColorTexture":{"in
 
 TEST_SUITE("assets/avatar_materials") {
     TEST_CASE("A base colour texture is decoded; factor and vertex colours multiply") {
-        const auto avatar = load(figure(R"({"alphaMode":"MASK","alphaCutoff":0.3,"doubleSided":true,)"
-                                        R"("pbrMetallicRoughness":{"baseColorFactor":[0.4,0.5,0.6,0.5],)"
-                                        R"("baseColorTexture":{"index":0}}})",
-                                        data_image)
-                                     .glb());
+        const auto avatar =
+            loadMaterials(figure(R"({"alphaMode":"MASK","alphaCutoff":0.3,"doubleSided":true,)"
+                                 R"("pbrMetallicRoughness":{"baseColorFactor":[0.4,0.5,0.6,0.5],)"
+                                 R"("baseColorTexture":{"index":0}}})",
+                                 data_image)
+                              .glb());
         REQUIRE_MESSAGE(avatar.has_value(), (avatar ? std::string() : avatar.error().text()));
         REQUIRE(avatar->textures.size() == 1);
         const assets::AvatarTexture& texture = avatar->textures[0];
@@ -113,7 +114,7 @@ TEST_SUITE("assets/avatar_materials") {
     }
 
     TEST_CASE("KHR_texture_transform moves the texture coordinates: scaled, turned, shifted") {
-        const auto avatar = load(
+        const auto avatar = loadMaterials(
             figure(
                 R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"extensions":)"
                 R"({"KHR_texture_transform":{"offset":[0.1,0.2],"scale":[2,0.5],"rotation":1.5707963267948966}}}}})",
@@ -126,7 +127,7 @@ TEST_SUITE("assets/avatar_materials") {
     }
 
     TEST_CASE("A translucent material is drawn with holes, with a remark; an opaque one has none") {
-        auto avatar = load(
+        auto avatar = loadMaterials(
             figure(
                 R"({"name":"veil","alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})",
                 data_image)
@@ -135,20 +136,22 @@ TEST_SUITE("assets/avatar_materials") {
         CHECK(avatar->parts[0].alpha_cutoff == 0.5F);
         REQUIRE(avatar->remarks.size() == 1);
         CHECK(avatar->remarks[0].find("veil") != std::string::npos);
-        avatar = load(figure(textured, data_image).glb());
+        avatar = loadMaterials(figure(textured, data_image).glb());
         REQUIRE(avatar.has_value());
         CHECK(avatar->parts[0].alpha_cutoff == 0.0F);
         CHECK(avatar->remarks.empty());
     }
 
     TEST_CASE("Pictures that are none are named, and only those that are shown are opened") {
-        checkError(load(figure(textured, R"({"name":"face","uri":"data:image/png;base64,AAAA"})").glb()),
-                   "\"face\" is no readable PNG or JPEG");
-        checkError(
-            load(figure(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":4}}})", data_image).glb()),
+        checkMaterialError(
+            loadMaterials(figure(textured, R"({"name":"face","uri":"data:image/png;base64,AAAA"})").glb()),
+            "\"face\" is no readable PNG or JPEG");
+        checkMaterialError(
+            loadMaterials(
+                figure(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":4}}})", data_image).glb()),
             "texture 4");
         const auto unused =
-            load(figure(R"({"name":"plain"})", R"({"uri":"data:image/png;base64,AAAA"})").glb());
+            loadMaterials(figure(R"({"name":"plain"})", R"({"uri":"data:image/png;base64,AAAA"})").glb());
         CHECK(unused.has_value());
     }
 
@@ -157,7 +160,7 @@ TEST_SUITE("assets/avatar_materials") {
         REQUIRE(writeFile(folder() / "figure data.bin", file.bytes()).has_value());
         REQUIRE(writeFile(folder() / "my face.png", unbase64(png_base64)).has_value());
         const std::string text = file.json("figure%20data.bin");
-        const auto avatar = load(text, "figure.gltf");
+        const auto avatar = loadMaterials(text, "figure.gltf");
         REQUIRE_MESSAGE(avatar.has_value(), (avatar ? std::string() : avatar.error().text()));
         CHECK(avatar->textures.size() == 1);
         CHECK(avatar->content_hash.size() == 64);
@@ -165,7 +168,7 @@ TEST_SUITE("assets/avatar_materials") {
         std::string changed = unbase64(png_base64);
         changed += '\0';  // behind the picture's end
         REQUIRE(writeFile(folder() / "my face.png", changed).has_value());
-        const auto other = load(text, "figure.gltf");
+        const auto other = loadMaterials(text, "figure.gltf");
         REQUIRE(other.has_value());
         CHECK(other->content_hash != avatar->content_hash);
     }
@@ -173,17 +176,22 @@ TEST_SUITE("assets/avatar_materials") {
     TEST_CASE("Names that leave the folder, or lead to no file, are refused before anything is opened") {
         const GlbText file = figure(textured, data_image);
         REQUIRE(writeFile(folder().parent_path() / "outside.bin", file.bytes()).has_value());
-        checkError(load(file.json("../outside.bin"), "figure.gltf"), "outside its folder");
-        checkError(load(file.json("%2e%2e/outside.bin"), "figure.gltf"), "outside its folder");
-        checkError(load(file.json("a/../../outside.bin"), "figure.gltf"), "outside its folder");
-        checkError(load(file.json("/etc/passwd"), "figure.gltf"), "\"/etc/passwd\"");
-        checkError(load(file.json("http://example.org/a.bin"), "figure.gltf"), "http://example.org/a.bin");
-        checkError(load(file.json("file:///etc/passwd"), "figure.gltf"), "file:///etc/passwd");
-        checkError(load(file.json("lost.bin"), "figure.gltf"), "which is not there");
+        checkMaterialError(loadMaterials(file.json("../outside.bin"), "figure.gltf"), "outside its folder");
+        checkMaterialError(loadMaterials(file.json("%2e%2e/outside.bin"), "figure.gltf"),
+                           "outside its folder");
+        checkMaterialError(loadMaterials(file.json("a/../../outside.bin"), "figure.gltf"),
+                           "outside its folder");
+        checkMaterialError(loadMaterials(file.json("/etc/passwd"), "figure.gltf"), "\"/etc/passwd\"");
+        checkMaterialError(loadMaterials(file.json("http://example.org/a.bin"), "figure.gltf"),
+                           "http://example.org/a.bin");
+        checkMaterialError(loadMaterials(file.json("file:///etc/passwd"), "figure.gltf"),
+                           "file:///etc/passwd");
+        checkMaterialError(loadMaterials(file.json("lost.bin"), "figure.gltf"), "which is not there");
         std::error_code code;
         fs::remove(folder() / "link.bin", code);
         fs::create_symlink(folder().parent_path() / "outside.bin", folder() / "link.bin", code);
-        if (!code) checkError(load(file.json("link.bin"), "figure.gltf"), "outside its folder");
+        if (!code)
+            checkMaterialError(loadMaterials(file.json("link.bin"), "figure.gltf"), "outside its folder");
     }
 
     TEST_CASE(
@@ -192,10 +200,10 @@ TEST_SUITE("assets/avatar_materials") {
         const std::string before = file.more;
         file.more +=
             R"(,"extensionsUsed":["KHR_draco_mesh_compression"],"extensionsRequired":["KHR_draco_mesh_compression"])";
-        checkError(load(file.glb()), "KHR_draco_mesh_compression");
+        checkMaterialError(loadMaterials(file.glb()), "KHR_draco_mesh_compression");
         file.more =
             before +
             R"(,"extensionsUsed":["KHR_materials_unlit"],"extensionsRequired":["KHR_materials_unlit"])";
-        CHECK(load(file.glb()).has_value());
+        CHECK(loadMaterials(file.glb()).has_value());
     }
 }

@@ -37,7 +37,7 @@ const Avatar& avatar() {
 }
 
 /// Linear blend skinning, written from glTF 2.0 section 3.7.3.3.
-std::vector<Vec3> skinned(const Avatar& a, const motion::LocalPose& pose) {
+std::vector<Vec3> skinned_file(const Avatar& a, const motion::LocalPose& pose) {
     const auto world = motion::worldPose(a.skeleton, pose);
     std::vector<Vec3> out;
     for (const auto& v : a.vertices) {
@@ -96,7 +96,7 @@ TEST_SUITE("assets/avatar") {
 
     TEST_CASE("the rest pose bends no vertex") {
         const Avatar& a = avatar();
-        const auto posed = skinned(a, motion::restPose(a.skeleton));
+        const auto posed = skinned_file(a, motion::restPose(a.skeleton));
         double worst = 0.0;
         for (std::size_t v = 0; v < posed.size(); ++v)
             worst = std::max(worst, glm::length(posed[v] - Vec3(a.vertices[v].position)));
@@ -205,13 +205,13 @@ TEST_SUITE("assets/avatar") {
         const Avatar& a = avatar();
         const double at_rest = volume(a, restPositions(a));
         motion::LocalPose relaxed = motion::relaxedPose(a.skeleton);
-        CHECK(volume(a, skinned(a, relaxed)) == doctest::Approx(at_rest).epsilon(0.05));
+        CHECK(volume(a, skinned_file(a, relaxed)) == doctest::Approx(at_rest).epsilon(0.05));
         motion::LocalPose bent = motion::restPose(a.skeleton);
         bent.joints[static_cast<std::size_t>(Bone::leftLowerArm)].orientation =
             glm::angleAxis(radiansFromDegrees(-120), Vec3(0, 1, 0));
         bent.joints[static_cast<std::size_t>(Bone::leftLowerLeg)].orientation =
             glm::angleAxis(radiansFromDegrees(90), Vec3(1, 0, 0));
-        CHECK(volume(a, skinned(a, bent)) == doctest::Approx(at_rest).epsilon(0.05));
+        CHECK(volume(a, skinned_file(a, bent)) == doctest::Approx(at_rest).epsilon(0.05));
     }
 
     TEST_CASE("the pointing hand stretches the index and closes the other fingers, on either side") {
@@ -230,7 +230,7 @@ TEST_SUITE("assets/avatar") {
                 CHECK(tip(a, world, bone(b)).y < 1.38);  // on the palm's side of the hand, which faces down
             }
             // The pointing finger is the foremost part of the hand's surface.
-            const auto posed = skinned(a, pose);
+            const auto posed = skinned_file(a, pose);
             const double sign = side == motion::Side::left ? 1.0 : -1.0;
             double index_reach = 0.0, other_reach = 0.0;
             for (std::size_t v = 0; v < posed.size(); ++v) {
@@ -262,7 +262,7 @@ TEST_SUITE("assets/avatar") {
         motion::LocalPose pose = motion::restPose(a.skeleton);
         pose.joints[static_cast<std::size_t>(Bone::leftEye)].orientation =
             yawRotation(radiansFromDegrees(20));
-        const auto posed = skinned(a, pose);
+        const auto posed = skinned_file(a, pose);
         int moved = 0;
         for (std::size_t v = 0; v < posed.size(); ++v) {
             const double by = glm::length(posed[v] - Vec3(a.vertices[v].position));

@@ -11,9 +11,11 @@
 #include "core/random.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "shared_data.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using assets::parseBvh;
+using deixis::tests::contains;
 using doctest::Approx;
 
 namespace {
@@ -43,11 +45,6 @@ Vec3 worldOf(const assets::BvhFile& file, int frame, const char* joint) {
 void checkNear(const Vec3& found, const Vec3& expected, double tolerance = 1e-9) {
     INFO("found " << found.x << " " << found.y << " " << found.z);
     CHECK(glm::length(found - expected) < tolerance);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    INFO(text);
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -15,20 +15,17 @@
 #include "motion/reference_humanoid.hpp"
 #include "motion/retarget.hpp"
 #include "shared_data.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using assets::ImportedClip;
 using assets::ImportOptions;
 using assets::Origin;
 using assets::UpAxis;
+using deixis::tests::contains;
 using doctest::Approx;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    INFO(text);
-    return text.find(part) != std::string::npos;
-}
 
 ImportedClip imported(const std::string& bytes, const std::string& name, const ImportOptions& options = {}) {
     auto clip = assets::importClipBytes(bytes, name, options);

@@ -36,7 +36,7 @@ int lineOf(const std::string& text, const std::string& part) {
            static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(text.find(part)), '\n'));
 }
 
-std::string errorOf(const std::string& text) {
+std::string demonstrationsError(const std::string& text) {
     const auto read = parseDemonstrationParameters(text, "d.toml");
     REQUIRE_FALSE(read.has_value());
     return read.error().text();
@@ -52,12 +52,12 @@ bool says(const std::string& text, const std::string& part) {
 TEST_SUITE("assets/demonstrations") {
     TEST_CASE("an unknown key or section is refused with file, line and key") {
         const std::string key = edited("raise_s = [0.65, 0.95]", "raise = [0.65, 0.95]");
-        CHECK(says(errorOf(key), "timing.raise_s: this key is missing"));
+        CHECK(says(demonstrationsError(key), "timing.raise_s: this key is missing"));
         const std::string more = edited("[stiff]", "[stiff]\nspeed = 3");
-        CHECK(says(errorOf(more),
+        CHECK(says(demonstrationsError(more),
                    "d.toml:" + std::to_string(lineOf(more, "speed = 3")) + ": stiff.speed: unknown key"));
         const std::string section = shippedText() + "\n[moglow]\n";
-        CHECK(says(errorOf(section),
+        CHECK(says(demonstrationsError(section),
                    "d.toml:" + std::to_string(lineOf(section, "[moglow]")) + ": moglow: unknown key"));
     }
 
@@ -66,7 +66,7 @@ TEST_SUITE("assets/demonstrations") {
                                 const std::string& reason) {
             const std::string text = edited(from, to);
             const std::string where = "d.toml:" + std::to_string(lineOf(text, to)) + ": " + key + ": ";
-            CHECK(says(errorOf(text), where + reason));
+            CHECK(says(demonstrationsError(text), where + reason));
         };
         refused("warp = 0.9", "warp = 0.0", "timing.warp", "found 0, expected 0.2 to 5");
         refused("warp = 0.9", "warp = nan", "timing.warp", "expected a finite number");
@@ -81,9 +81,9 @@ TEST_SUITE("assets/demonstrations") {
     }
 
     TEST_CASE("a missing section or file, and broken TOML, are errors that say where") {
-        CHECK(says(errorOf(""), "d.toml: the section [library] is missing"));
-        CHECK(says(errorOf("[library\n"), "d.toml:1: this is not valid TOML"));
-        CHECK(says(errorOf("library = 3\n"), "library"));
+        CHECK(says(demonstrationsError(""), "d.toml: the section [library] is missing"));
+        CHECK(says(demonstrationsError("[library\n"), "d.toml:1: this is not valid TOML"));
+        CHECK(says(demonstrationsError("library = 3\n"), "library"));
         const auto read = loadDemonstrationParameters("no/such.toml");
         REQUIRE_FALSE(read.has_value());
         CHECK(says(read.error().text(), "no/such.toml"));

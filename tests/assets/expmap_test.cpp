@@ -12,18 +12,15 @@
 #include "assets/clip_import.hpp"
 #include "motion/retarget.hpp"
 #include "shared_data.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using assets::ImportedClip;
 using assets::Origin;
+using deixis::tests::contains;
 using doctest::Approx;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    INFO(text);
-    return text.find(part) != std::string::npos;
-}
 
 constexpr double cmu_unit = 0.0254 / 0.45;
 
@@ -45,7 +42,7 @@ ImportedClip parsed(const std::string& text, const assets::ImportOptions& option
     return std::move(*clip);
 }
 
-std::string errorOf(const std::string& text) {
+std::string expmapError(const std::string& text) {
     const auto clip = assets::parseExpmapRows(text, "e.txt");
     REQUIRE_FALSE(clip.has_value());
     return clip.error().text();
@@ -143,12 +140,13 @@ TEST_SUITE("assets/expmap") {
     }
 
     TEST_CASE("Each fault is reported with its line") {
-        CHECK(contains(errorOf(""), "e.txt: found no lines"));
-        CHECK(contains(errorOf("1 2 3\n"), "e.txt:1: found 3 numbers, expected 99 (Human3.6M) or 117 (CMU)"));
-        CHECK(contains(errorOf(row(32, {0, 0, 0}, {}) + row(38, {0, 0, 0}, {})),
+        CHECK(contains(expmapError(""), "e.txt: found no lines"));
+        CHECK(contains(expmapError("1 2 3\n"),
+                       "e.txt:1: found 3 numbers, expected 99 (Human3.6M) or 117 (CMU)"));
+        CHECK(contains(expmapError(row(32, {0, 0, 0}, {}) + row(38, {0, 0, 0}, {})),
                        "e.txt:2: found 117 numbers, expected 99"));
         std::string bad = row(32, {0, 0, 0}, {});
         bad.replace(0, 1, "nan");
-        CHECK(contains(errorOf(bad), "e.txt:1: found 'nan' in column 1, expected a number from"));
+        CHECK(contains(expmapError(bad), "e.txt:1: found 'nan' in column 1, expected a number from"));
     }
 }

@@ -16,7 +16,7 @@ using tests::TinyGltf;
 
 namespace {
 
-const std::string one_node = R"("nodes":[{"name":"a"}])";
+const std::string single_node = R"("nodes":[{"name":"a"}])";
 
 std::string errorOf(const std::string& bytes) {
     const auto file = assets::parseGltfClip(bytes, "f.glb");
@@ -37,7 +37,7 @@ std::string animated(const TinyGltf& file, int input, int output, const char* in
                      const char* path = "translation") {
     TinyGltf gltf = file;
     gltf.animate(0, path, input, output, interpolation);
-    return gltf.glb(one_node);
+    return gltf.glb(single_node);
 }
 
 std::string goodFile() {

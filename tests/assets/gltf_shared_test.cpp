@@ -36,7 +36,7 @@ Vec3 extent(const GltfClipFile& file, std::size_t frame) {
     return greatest - least;
 }
 
-Vec3 worldOf(const GltfClipFile& file, std::size_t frame, const char* joint) {
+Vec3 worldAtFrame(const GltfClipFile& file, std::size_t frame, const char* joint) {
     const int index = file.clip.skeleton.find(joint);
     REQUIRE(index >= 0);
     return motion::worldPose(file.clip.skeleton, file.clip.frames.at(frame))
@@ -156,8 +156,8 @@ TEST_SUITE("assets/gltf_shared") {
             CAPTURE(size.y);
             CHECK(size.y > 1.4);
             CHECK(size.y < 2.0);
-            CHECK(worldOf(file, 0, "Head").y > worldOf(file, 0, "Hips").y + 0.4);
-            CHECK(worldOf(file, 0, "Hand.L").x > 0.2);
+            CHECK(worldAtFrame(file, 0, "Head").y > worldAtFrame(file, 0, "Hips").y + 0.4);
+            CHECK(worldAtFrame(file, 0, "Hand.L").x > 0.2);
             CHECK(file.clip.skeleton.size() >= 49);
             CHECK(file.remarks.size() == 1);  // that it has no animation
         }
@@ -186,8 +186,9 @@ TEST_SUITE("assets/gltf_shared") {
         const auto file = read(path, waving);
         double highest = 0.0;
         for (std::size_t k = 0; k < file.clip.frames.size(); ++k)
-            highest = std::max({highest, worldOf(file, k, "hand.r").y, worldOf(file, k, "hand.l").y});
-        CHECK(highest > worldOf(file, 0, "head").y);  // a waving hand is above the neck
+            highest =
+                std::max({highest, worldAtFrame(file, k, "hand.r").y, worldAtFrame(file, k, "hand.l").y});
+        CHECK(highest > worldAtFrame(file, 0, "head").y);  // a waving hand is above the neck
     }
 
     TEST_CASE("VRM 1.0 and a VRM animation bring their humanoid bones") {
@@ -207,7 +208,7 @@ TEST_SUITE("assets/gltf_shared") {
         for (const int joint : vrma.humanoid->joint) bones += joint >= 0 ? 1 : 0;
         CHECK(bones == 51);
         CHECK(vrma.clip.duration_s() == Approx(3.0));
-        CHECK(worldOf(vrma, 0, "leftHand").x > 0.5);  // T pose, facing +z
-        CHECK(worldOf(vrma, 0, "head").y > 1.3);
+        CHECK(worldAtFrame(vrma, 0, "leftHand").x > 0.5);  // T pose, facing +z
+        CHECK(worldAtFrame(vrma, 0, "head").y > 1.3);
     }
 }

@@ -12,19 +12,16 @@
 #include "motion/generator.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "shared_data.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using assets::ImportedClip;
 using assets::Origin;
+using deixis::tests::contains;
 using doctest::Approx;
 using motion::Bone;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    INFO(text);
-    return text.find(part) != std::string::npos;
-}
 
 ImportedClip parsed(const std::string& text, const assets::ImportOptions& options = {}) {
     auto clip = assets::parseJointCsv(text, "j.csv", options);
@@ -32,7 +29,7 @@ ImportedClip parsed(const std::string& text, const assets::ImportOptions& option
     return std::move(*clip);
 }
 
-std::string errorOf(const std::string& text) {
+std::string jointCsvError(const std::string& text) {
     const auto clip = assets::parseJointCsv(text, "j.csv");
     REQUIRE_FALSE(clip.has_value());
     return clip.error().text();
@@ -184,26 +181,27 @@ TEST_SUITE("assets/joint_csv") {
 
     TEST_CASE("Each fault is reported with its line, what was found and what was expected") {
         const std::string head = header(dotted);
-        CHECK(contains(errorOf(""), "j.csv: found no lines"));
-        CHECK(contains(errorOf(head), "j.csv: found no frames"));
-        CHECK(contains(errorOf("a,b,c,d\n1,2,3,4\n"), "j.csv:1: found no columns of joints"));
-        CHECK(contains(errorOf("time,head.x,head.y\n"), "j.csv:1: found no column head.z"));
-        CHECK(contains(errorOf("head.x,head.y,head.z,head.x\n"), "'head.x' twice"));
-        CHECK(contains(errorOf("p1.x,p1.y,p1.z\n1,2,3\n"), "no joint whose name is that of a person's bone"));
-        CHECK(contains(errorOf(head + "0,1,2\n"), "j.csv:2: found 3 fields, expected 40"));
-        CHECK(contains(errorOf(head + row("soon")), "j.csv:2: found 'soon' as time"));
-        CHECK(contains(errorOf(head + row("1") + row("1")), "j.csv:3: found a time that is not after"));
-        CHECK(contains(errorOf(head + row("0") + row("0.1") + row("1e9")), "gaps of time"));
+        CHECK(contains(jointCsvError(""), "j.csv: found no lines"));
+        CHECK(contains(jointCsvError(head), "j.csv: found no frames"));
+        CHECK(contains(jointCsvError("a,b,c,d\n1,2,3,4\n"), "j.csv:1: found no columns of joints"));
+        CHECK(contains(jointCsvError("time,head.x,head.y\n"), "j.csv:1: found no column head.z"));
+        CHECK(contains(jointCsvError("head.x,head.y,head.z,head.x\n"), "'head.x' twice"));
+        CHECK(contains(jointCsvError("p1.x,p1.y,p1.z\n1,2,3\n"),
+                       "no joint whose name is that of a person's bone"));
+        CHECK(contains(jointCsvError(head + "0,1,2\n"), "j.csv:2: found 3 fields, expected 40"));
+        CHECK(contains(jointCsvError(head + row("soon")), "j.csv:2: found 'soon' as time"));
+        CHECK(contains(jointCsvError(head + row("1") + row("1")), "j.csv:3: found a time that is not after"));
+        CHECK(contains(jointCsvError(head + row("0") + row("0.1") + row("1e9")), "gaps of time"));
         std::string bad = row("0");
         bad.replace(bad.find("1.6"), 3, "inf");
-        CHECK(contains(errorOf(head + bad), "found 'inf000' in column head.y"));
+        CHECK(contains(jointCsvError(head + bad), "found 'inf000' in column head.y"));
         // A hand that no line knows.
-        CHECK(contains(errorOf(head + row("0", 1.0, ',', 6) + row("0.1", 1.0, ',', 6)),
+        CHECK(contains(jointCsvError(head + row("0", 1.0, ',', 6) + row("0.1", 1.0, ',', 6)),
                        "has no position for rightHand"));
-        CHECK(contains(errorOf(head + row("0", 0.0)), "in one place"));
+        CHECK(contains(jointCsvError(head + row("0", 0.0)), "in one place"));
         std::string far = row("0");
         far.replace(far.find("1.6000"), 6, "1e200");
-        CHECK(contains(errorOf(head + far), "j.csv: frame 0: found head"));
+        CHECK(contains(jointCsvError(head + far), "j.csv: frame 0: found head"));
     }
 
     TEST_CASE("The joint positions of bvh-toolbox's walk give the pose that its BVH has") {

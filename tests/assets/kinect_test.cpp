@@ -50,7 +50,7 @@ std::string line(double time_s, const std::array<Vec3, 25>& p, int untracked = -
     return out + ",\r\n";
 }
 
-Result<motion::Clip> parsed(const std::string& text, const assets::ImportOptions& options = {}) {
+Result<motion::Clip> parsedKinect(const std::string& text, const assets::ImportOptions& options = {}) {
     return assets::parseKinectClip(text, "k.csv", options).map([](assets::ImportedClip&& imported) {
         return std::move(imported.clip);
     });
@@ -63,13 +63,13 @@ Result<motion::Clip> readKinectClip(const std::filesystem::path& path) {
     });
 }
 
-std::string errorOf(const std::string& text) {
-    const auto clip = parsed(text);
+std::string kinectError(const std::string& text) {
+    const auto clip = parsedKinect(text);
     REQUIRE_FALSE(clip.has_value());
     return clip.error().text();
 }
 
-Vec3 at(const motion::Clip& clip, std::size_t frame, Bone bone) {
+Vec3 jointAt(const motion::Clip& clip, std::size_t frame, Bone bone) {
     return motion::worldPose(clip.skeleton, clip.frames[frame])[static_cast<std::size_t>(bone)].position;
 }
 
@@ -78,18 +78,20 @@ Vec3 at(const motion::Clip& clip, std::size_t frame, Bone bone) {
 TEST_SUITE("assets/kinect") {
     TEST_CASE("A person who faces the camera stands on the avatar's feet and faces +z") {
         const auto p = standingPerson();
-        const auto clip = parsed(line(0, p) + line(0.5, p) + line(1.0, p));
+        const auto clip = parsedKinect(line(0, p) + line(0.5, p) + line(1.0, p));
         REQUIRE_MESSAGE(clip.has_value(), (clip ? "" : clip.error().text()));
         CHECK(clip->frameCount() == 31);
         CHECK(clip->framesPerSecond() == doctest::Approx(30.0));
-        CHECK(at(*clip, 7, Bone::leftUpperLeg).x > 0.05);
+        CHECK(jointAt(*clip, 7, Bone::leftUpperLeg).x > 0.05);
         // The right arm is stretched to the person's right, -x for the avatar; the left hangs.
-        const Vec3 right = glm::normalize(at(*clip, 7, Bone::rightHand) - at(*clip, 7, Bone::rightUpperArm));
+        const Vec3 right =
+            glm::normalize(jointAt(*clip, 7, Bone::rightHand) - jointAt(*clip, 7, Bone::rightUpperArm));
         CHECK(right.x < -0.999);
-        const Vec3 left = glm::normalize(at(*clip, 7, Bone::leftHand) - at(*clip, 7, Bone::leftUpperArm));
+        const Vec3 left =
+            glm::normalize(jointAt(*clip, 7, Bone::leftHand) - jointAt(*clip, 7, Bone::leftUpperArm));
         CHECK(left.y < -0.999);
-        CHECK(at(*clip, 7, Bone::head).y == doctest::Approx(1.53).epsilon(0.02));
-        CHECK(at(*clip, 7, Bone::leftToes).y == doctest::Approx(0.025).epsilon(0.02));
+        CHECK(jointAt(*clip, 7, Bone::head).y == doctest::Approx(1.53).epsilon(0.02));
+        CHECK(jointAt(*clip, 7, Bone::leftToes).y == doctest::Approx(0.025).epsilon(0.02));
     }
 
     TEST_CASE("Gaps and untracked joints are bridged by straight lines") {
@@ -99,26 +101,28 @@ TEST_SUITE("assets/kinect") {
         raised[10] = {0.2, 1.05, 2.5};
         auto nonsense = p;
         nonsense[10] = {9, 9, 9};
-        const auto clip = parsed(line(0, p) + line(0.1, nonsense, 10) + line(0.2, p) + line(1.2, raised) +
-                                 line(1.4, raised));
+        const auto clip = parsedKinect(line(0, p) + line(0.1, nonsense, 10) + line(0.2, p) +
+                                       line(1.2, raised) + line(1.4, raised));
         REQUIRE(clip.has_value());
         CHECK(clip->frameCount() == 43);
         for (const std::size_t f : {2U, 3U, 4U}) {
             const Vec3 arm =
-                glm::normalize(at(*clip, f, Bone::rightHand) - at(*clip, f, Bone::rightUpperArm));
+                glm::normalize(jointAt(*clip, f, Bone::rightHand) - jointAt(*clip, f, Bone::rightUpperArm));
             CHECK(arm.x < -0.99);
         }
         // Half way through the gap the elbow is half way along the line: 45 degrees up.
-        const Vec3 upper = at(*clip, 21, Bone::rightLowerArm) - at(*clip, 21, Bone::rightUpperArm);
+        const Vec3 upper = jointAt(*clip, 21, Bone::rightLowerArm) - jointAt(*clip, 21, Bone::rightUpperArm);
         CHECK(degreesFromRadians(std::atan2(upper.y, -upper.x)) == doctest::Approx(45.0).epsilon(0.05));
-        CHECK(glm::normalize(at(*clip, 42, Bone::rightHand) - at(*clip, 42, Bone::rightUpperArm)).y > 0.99);
+        CHECK(
+            glm::normalize(jointAt(*clip, 42, Bone::rightHand) - jointAt(*clip, 42, Bone::rightUpperArm)).y >
+            0.99);
     }
 
     TEST_CASE("With a given rate the lines follow each other at it, whatever their times") {
         const auto p = standingPerson();
         assets::ImportOptions options;
         options.fps = 60.0;
-        const auto clip = parsed(line(0, p) + line(0.5, p) + line(3.0, p), options);
+        const auto clip = parsedKinect(line(0, p) + line(0.5, p) + line(3.0, p), options);
         REQUIRE(clip.has_value());
         CHECK(clip->frameCount() == 3);
         CHECK(clip->framesPerSecond() == doctest::Approx(60.0));
@@ -131,13 +135,13 @@ TEST_SUITE("assets/kinect") {
             INFO(text);
             return text.find(part) != std::string::npos;
         };
-        CHECK(contains(errorOf(""), "k.csv: found no lines"));
-        CHECK(contains(errorOf(good + "1,2,3\n"), "k.csv:2: found 3 columns, expected 101"));
-        CHECK(contains(errorOf(good + "hello\n"), "k.csv:2: found no finite number in column 1"));
-        CHECK(contains(errorOf("5,nan" + good.substr(good.find(',', 12)) + "\n"), "column 2"));
-        CHECK(contains(errorOf(line(1, p) + good), "k.csv:2: found a time that is not after"));
-        CHECK(contains(errorOf(good + line(1e5, p)), "more than an hour"));
-        CHECK(contains(errorOf(line(0, p, 10)), "no position for rightHand"));
+        CHECK(contains(kinectError(""), "k.csv: found no lines"));
+        CHECK(contains(kinectError(good + "1,2,3\n"), "k.csv:2: found 3 columns, expected 101"));
+        CHECK(contains(kinectError(good + "hello\n"), "k.csv:2: found no finite number in column 1"));
+        CHECK(contains(kinectError("5,nan" + good.substr(good.find(',', 12)) + "\n"), "column 2"));
+        CHECK(contains(kinectError(line(1, p) + good), "k.csv:2: found a time that is not after"));
+        CHECK(contains(kinectError(good + line(1e5, p)), "more than an hour"));
+        CHECK(contains(kinectError(line(0, p, 10)), "no position for rightHand"));
     }
 
     TEST_CASE("In the recorded pointing gesture the right arm is straight and raised at 3.6 s") {
@@ -147,15 +151,17 @@ TEST_SUITE("assets/kinect") {
         REQUIRE_MESSAGE(clip.has_value(), (clip ? "" : clip.error().text()));
         CHECK(clip->duration_s() == doctest::Approx(6.33).epsilon(0.01));
         const std::size_t f = 108;  // 3.6 s
-        const Vec3 upper = at(*clip, f, Bone::rightLowerArm) - at(*clip, f, Bone::rightUpperArm);
-        const Vec3 lower = at(*clip, f, Bone::rightHand) - at(*clip, f, Bone::rightLowerArm);
+        const Vec3 upper = jointAt(*clip, f, Bone::rightLowerArm) - jointAt(*clip, f, Bone::rightUpperArm);
+        const Vec3 lower = jointAt(*clip, f, Bone::rightHand) - jointAt(*clip, f, Bone::rightLowerArm);
         CHECK(degreesFromRadians(angleBetween(upper, lower)) < 20.0);
-        CHECK(at(*clip, f, Bone::rightHand).y > at(*clip, f, Bone::rightUpperArm).y + 0.2);
-        CHECK(at(*clip, f, Bone::rightHand).x < -0.4);
-        CHECK(at(*clip, 0, Bone::rightHand).y < at(*clip, 0, Bone::hips).y + 0.05);  // at the start it hangs
+        CHECK(jointAt(*clip, f, Bone::rightHand).y > jointAt(*clip, f, Bone::rightUpperArm).y + 0.2);
+        CHECK(jointAt(*clip, f, Bone::rightHand).x < -0.4);
+        CHECK(jointAt(*clip, 0, Bone::rightHand).y <
+              jointAt(*clip, 0, Bone::hips).y + 0.05);  // at the start it hangs
         for (std::size_t i = 0; i < clip->frames.size(); ++i) {
-            CHECK(at(*clip, i, Bone::head).y - at(*clip, i, Bone::hips).y > 0.5);
-            const double lowest = std::min(at(*clip, i, Bone::leftToes).y, at(*clip, i, Bone::rightToes).y);
+            CHECK(jointAt(*clip, i, Bone::head).y - jointAt(*clip, i, Bone::hips).y > 0.5);
+            const double lowest =
+                std::min(jointAt(*clip, i, Bone::leftToes).y, jointAt(*clip, i, Bone::rightToes).y);
             CHECK(lowest == doctest::Approx(0.025).epsilon(0.02));
         }
     }

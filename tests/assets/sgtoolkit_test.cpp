@@ -9,17 +9,14 @@
 #include "assets/clip_import.hpp"
 #include "assets/joint_positions.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using assets::ImportedClip;
+using deixis::tests::contains;
 using motion::Bone;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    INFO(text);
-    return text.find(part) != std::string::npos;
-}
 
 using Pose10 = std::array<Vec3, 10>;
 

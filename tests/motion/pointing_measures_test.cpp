@@ -15,7 +15,7 @@ using doctest::Approx;
 
 namespace {
 
-GeneratedClip made(const std::string& system, const Vec3& target, std::uint64_t seed = 3) {
+GeneratedClip generated(const std::string& system, const Vec3& target, std::uint64_t seed = 3) {
     const auto generator = makeGenerator(system, referenceHumanoid(), {});
     REQUIRE(generator.has_value());
     return (*generator)->generate({"T", target, seed});
@@ -49,7 +49,7 @@ const Vec3 target(-1.2, 1.3, 1.6);
 TEST_SUITE("motion/pointing_measures") {
     TEST_CASE("the exact systems are exact, and a careful reader of the forearm is misled") {
         for (const char* system : {"direct", "stiff"}) {
-            const auto clip = made(system, target);
+            const auto clip = generated(system, target);
             const PointingMeasures m = measured(clip.clip, target);
             CHECK(m.phases.hand == Side::right);
             CHECK(m.phases.clear_hold);
@@ -68,8 +68,8 @@ TEST_SUITE("motion/pointing_measures") {
     }
 
     TEST_CASE("an unsteady hold drifts and jitters more than a still one, in fingertip and ray") {
-        const auto still = made("direct", target);
-        const auto moving = made("drifting", target);
+        const auto still = generated("direct", target);
+        const auto moving = generated("drifting", target);
         const PointingMeasures a = measured(still.clip, target, known(still));
         const PointingMeasures b = measured(moving.clip, target, known(moving));
         CHECK(b.fingertip->jitter_rms > 3.0 * a.fingertip->jitter_rms);
@@ -79,15 +79,15 @@ TEST_SUITE("motion/pointing_measures") {
     }
 
     TEST_CASE("a steady joint speed is less smooth than minimum jerk by both measures") {
-        const PointingMeasures smooth = measured(made("direct", target).clip, target);
-        const PointingMeasures abrupt = measured(made("stiff", target).clip, target);
+        const PointingMeasures smooth = measured(generated("direct", target).clip, target);
+        const PointingMeasures abrupt = measured(generated("stiff", target).clip, target);
         CHECK(smooth.log_dimensionless_jerk.value() > abrupt.log_dimensionless_jerk.value());
         CHECK(smooth.spectral_arc_length.value() > abrupt.spectral_arc_length.value());
         CHECK(smooth.log_dimensionless_jerk.value() < -4.5);
     }
 
     TEST_CASE("a clip that is turned, and its target with it, measures the same") {
-        const auto clip = made("demonstration-nn", target);
+        const auto clip = generated("demonstration-nn", target);
         const PointingMeasures before = measured(clip.clip, target);
         Clip turned = clip.clip;
         const Pose by{Vec3(2, 0, -1), yawRotation(1.0)};
@@ -102,7 +102,7 @@ TEST_SUITE("motion/pointing_measures") {
     }
 
     TEST_CASE("a clip seen in a mirror measures the same with the other hand") {
-        const auto clip = made("demonstration-nn", target);
+        const auto clip = generated("demonstration-nn", target);
         const Demonstration image = mirrored(Demonstration{target, clip});
         const PointingMeasures a = measured(clip.clip, target);
         const PointingMeasures b = measured(image.gesture.clip, image.target);
@@ -115,7 +115,7 @@ TEST_SUITE("motion/pointing_measures") {
     }
 
     TEST_CASE("the same movement at four times the frame rate measures nearly the same") {
-        const auto clip = made("direct", target);
+        const auto clip = generated("direct", target);
         const PointingMeasures a = measured(clip.clip, target);
         const PointingMeasures b = measured(resample(clip.clip, 1.0 / 120.0), target);
         CHECK(b.hold_s == Approx(a.hold_s).epsilon(0.1));
@@ -126,7 +126,7 @@ TEST_SUITE("motion/pointing_measures") {
     }
 
     TEST_CASE("without a target there are no rays; without a bone, a number or a gesture there is an error") {
-        const auto clip = made("stiff", target);
+        const auto clip = generated("stiff", target);
         const auto plain = measurePointing(clip.clip, referenceMap(), {});
         REQUIRE(plain.has_value());
         CHECK_FALSE(plain->reward.has_value());

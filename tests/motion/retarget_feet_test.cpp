@@ -6,23 +6,17 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "avatar.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "motion/retarget.hpp"
 
 using namespace deixis;
 using motion::Bone;
 using motion::Clip;
+using tests::avatar;
+using tests::avatarMap;
 
 namespace {
-
-const motion::Skeleton& avatar() {
-    return motion::referenceHumanoid();
-}
-
-const motion::HumanoidMap& avatarMap() {
-    static const motion::HumanoidMap map = motion::mapByVrmNames(avatar());
-    return map;
-}
 
 /// Somebody who stands with bent knees and sways; the recording lets the whole body slide and bob by this
 /// much.

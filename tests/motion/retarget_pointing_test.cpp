@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "avatar.hpp"
 #include "motion/hand_shapes.hpp"
 #include "motion/retarget.hpp"
 #include "pointing_checks.hpp"
@@ -14,16 +15,10 @@ using motion::Bone;
 using motion::Clip;
 using motion::Keep;
 using motion::Side;
+using tests::avatar;
+using tests::avatarMap;
 
 namespace {
-
-const motion::Skeleton& avatar() {
-    return motion::referenceHumanoid();
-}
-
-const motion::HumanoidMap& avatarMap() {
-    return tests::referenceMap();
-}
 
 struct Recorded {
     Clip clip;

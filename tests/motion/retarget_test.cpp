@@ -1,4 +1,5 @@
 #include "motion/retarget.hpp"
+#include "avatar.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,17 +15,11 @@
 using namespace deixis;
 using motion::Bone;
 using motion::Clip;
+using tests::avatar;
+using tests::avatarMap;
+using tests::worldOf;
 
 namespace {
-
-const motion::Skeleton& avatar() {
-    return motion::referenceHumanoid();
-}
-
-const motion::HumanoidMap& avatarMap() {
-    static const motion::HumanoidMap map = motion::mapByVrmNames(avatar());
-    return map;
-}
 
 Quat about(const Vec3& axis, double degrees) {
     return glm::angleAxis(radiansFromDegrees(degrees), axis);
@@ -85,10 +80,6 @@ constexpr Bone limbs[] = {Bone::leftUpperArm,           Bone::leftLowerArm,  Bon
                           Bone::rightLowerArm,          Bone::leftUpperLeg,  Bone::leftLowerLeg,
                           Bone::rightUpperLeg,          Bone::rightLowerLeg, Bone::leftIndexProximal,
                           Bone::rightLittleIntermediate};
-
-std::vector<Pose> worldOf(const Clip& clip, std::size_t frame) {
-    return motion::worldPose(clip.skeleton, clip.frames[frame]);
-}
 
 Vec3 direction(const std::vector<Pose>& world, Bone bone) {
     const auto j = static_cast<std::size_t>(bone);  // in the avatar, the next bone of a limb comes next

@@ -3,22 +3,17 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "avatar.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "motion/retarget.hpp"
 
 using namespace deixis;
 using motion::Bone;
 using motion::BonePositions;
+using tests::avatar;
+using tests::worldOf;
 
 namespace {
-
-const motion::Skeleton& avatar() {
-    return motion::referenceHumanoid();
-}
-
-std::vector<Pose> worldOf(const motion::Clip& clip, std::size_t frame) {
-    return motion::worldPose(clip.skeleton, clip.frames[frame]);
-}
 
 /// The avatar with its arms moved, frame by frame, and the chest leaning.
 motion::Clip armsMoving() {

@@ -6,9 +6,6 @@ using namespace deixis::tests;
 
 namespace {
 
-constexpr int width = board_picture_width;
-constexpr int height = board_picture_height;
-
 Board questionBoard() {
     Board board;
     board.stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
@@ -33,14 +30,16 @@ TEST_SUITE("renderer/board") {
     TEST_CASE("Text stands bright on the dark card inside its box, and nowhere else") {
         Gl gl;
         Scene scene = boardScene();
-        const Region text = region(gl.renderer->capture(scene, width, height), scene, {0.1, 0.34, 0.8, 0.1});
+        const Region text = region(gl.renderer->capture(scene, board_picture_width, board_picture_height),
+                                   scene, {0.1, 0.34, 0.8, 0.1});
         CHECK(text.brightest > 200);
         CHECK(text.darkest < 70);
-        const Region bare =
-            region(gl.renderer->capture(scene, width, height), scene, {0.05, 0.27, 0.9, 0.05});
+        const Region bare = region(gl.renderer->capture(scene, board_picture_width, board_picture_height),
+                                   scene, {0.05, 0.27, 0.9, 0.05});
         CHECK(bare.brightest < 70);
         scene.boards[0].texts.clear();
-        const Region empty = region(gl.renderer->capture(scene, width, height), scene, {0.1, 0.34, 0.8, 0.1});
+        const Region empty = region(gl.renderer->capture(scene, board_picture_width, board_picture_height),
+                                    scene, {0.1, 0.34, 0.8, 0.1});
         CHECK(empty.brightest < 70);
     }
 
@@ -53,7 +52,8 @@ TEST_SUITE("renderer/board") {
         for (const char* text : {"?", "é", "ß", "–", "—", "“", "…", "Å"}) {
             scene.boards[0].texts = {{{0.3, 0.3, 0.4, 0.18}, text, 0.16, false, true, false}};
             const Region drawn =
-                region(gl.renderer->capture(scene, width, height), scene, {0.3, 0.3, 0.4, 0.18});
+                region(gl.renderer->capture(scene, board_picture_width, board_picture_height), scene,
+                       {0.3, 0.3, 0.4, 0.18});
             CHECK(drawn.brightest > 190);
             means.push_back(drawn.mean);
         }
@@ -72,7 +72,7 @@ TEST_SUITE("renderer/board") {
              false,
              false,
              false}};
-        const Image image = gl.renderer->capture(scene, width, height);
+        const Image image = gl.renderer->capture(scene, board_picture_width, board_picture_height);
         CHECK(region(image, scene, {0.05, 0.41, 0.5, 0.06}).brightest > 190);
         CHECK(region(image, scene, {0.05, 0.29, 0.5, 0.06}).brightest > 190);
         CHECK(region(image, scene, {0.57, 0.05, 0.4, 0.42}).brightest < 70);
@@ -116,21 +116,21 @@ TEST_SUITE("renderer/board") {
         Scene scene = boardScene();
         const BoardRect first = scene.boards[0].buttons[0].box;
         const BoardRect second = scene.boards[0].buttons[1].box;
-        const Image rest = gl.renderer->capture(scene, width, height);
+        const Image rest = gl.renderer->capture(scene, board_picture_width, board_picture_height);
         scene.boards[0].buttons[0].hovered = true;
-        const Image hovered = gl.renderer->capture(scene, width, height);
+        const Image hovered = gl.renderer->capture(scene, board_picture_width, board_picture_height);
         CHECK(region(hovered, scene, first).mean > region(rest, scene, first).mean + 60.0);
         CHECK(region(hovered, scene, second).mean == doctest::Approx(region(rest, scene, second).mean));
         scene.boards[0].buttons[0].enabled = false;
-        CHECK(region(gl.renderer->capture(scene, width, height), scene, first).mean <
-              region(rest, scene, first).mean);
+        CHECK(region(gl.renderer->capture(scene, board_picture_width, board_picture_height), scene, first)
+                  .mean < region(rest, scene, first).mean);
     }
 
     TEST_CASE("Progress fills the bar from the left") {
         Gl gl;
         Scene scene = boardScene();
         scene.boards[0].progress = 0.5;
-        const Image image = gl.renderer->capture(scene, width, height);
+        const Image image = gl.renderer->capture(scene, board_picture_width, board_picture_height);
         CHECK(region(image, scene, {0.1, 0.013, 0.3, 0.009}).brightest > 120);
         CHECK(region(image, scene, {0.6, 0.013, 0.3, 0.009}).brightest < 100);
     }
@@ -157,9 +157,12 @@ TEST_SUITE("renderer/board") {
         const Vec3 middle(0.0, 1.23, 1.6);
         scene.balls = {{middle + Vec3(0.0, 0.0, 0.3), 0.03, glm::vec3(0.9F), glm::vec3(0.3F)}};
         const Vec3 seen = middle + Vec3(0.0, 0.0, 0.33);
-        CHECK(pixelAt(gl.renderer->capture(scene, width, height), scene.camera, seen).g > 180);
+        CHECK(pixelAt(gl.renderer->capture(scene, board_picture_width, board_picture_height), scene.camera,
+                      seen)
+                  .g > 180);
         scene.balls[0].centre = middle - Vec3(0.0, 0.0, 0.3);
-        CHECK(pixelAt(gl.renderer->capture(scene, width, height), scene.camera, scene.balls[0].centre).g <
-              90);
+        CHECK(pixelAt(gl.renderer->capture(scene, board_picture_width, board_picture_height), scene.camera,
+                      scene.balls[0].centre)
+                  .g < 90);
     }
 }

@@ -16,6 +16,9 @@
 
 namespace deixis::tests {
 
+constexpr int picture_width = 320;
+constexpr int picture_height = 240;
+
 /// An upright post of 1.6 m by the avatar's z axis, in two joints: "hips" holds its lower half, "spine",
 /// 0.8 m up, its upper half. Red, so that it stands out from the room.
 inline assets::Avatar postAvatar() {

@@ -6,9 +6,6 @@ using namespace deixis::tests;
 
 namespace {
 
-constexpr int width = 320;
-constexpr int height = 240;
-
 /// The sRGB byte of linear light (IEC 61966-2-1).
 double srgbByte(double linear) {
     return 255.0 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055);
@@ -24,11 +21,11 @@ TEST_SUITE("renderer/balls") {
     TEST_CASE("A black ball is darker and a white ball brighter than the room behind, where each stands") {
         Gl gl;
         Scene scene = emptyScene();
-        const Image empty = gl.renderer->capture(scene, width, height);
+        const Image empty = gl.renderer->capture(scene, picture_width, picture_height);
         const Vec3 left(-0.5, 1.2, 0.3);
         const Vec3 right(0.5, 1.1, 0.6);
         scene.balls = {{left, 0.08, glm::vec3(0.02F), {}}, {right, 0.08, glm::vec3(0.9F), {}}};
-        const Image image = gl.renderer->capture(scene, width, height);
+        const Image image = gl.renderer->capture(scene, picture_width, picture_height);
         CHECK(brightestOf(pixelAt(image, scene.camera, left)) < 110);
         CHECK(pixelAt(image, scene.camera, left).sum() + 200 < pixelAt(empty, scene.camera, left).sum());
         // The white ball's upper side, towards the light.
@@ -45,10 +42,11 @@ TEST_SUITE("renderer/balls") {
         const Vec3 centre(0.0, 1.2, 1.0);
         for (const double light : {0.05, 0.2140, 0.5}) {
             scene.balls = {{centre, 0.3, glm::vec3(0.0F), glm::vec3(static_cast<float>(light))}};
-            const Image image = gl.renderer->capture(scene, width, height);
+            const Image image = gl.renderer->capture(scene, picture_width, picture_height);
             // The lower side, where no highlight falls; the mean evens the dithering out.
             double sum = 0.0;
-            const auto [x, y] = project(scene.camera, centre - Vec3(0.0, 0.15, 0.0), width, height);
+            const auto [x, y] =
+                project(scene.camera, centre - Vec3(0.0, 0.15, 0.0), picture_width, picture_height);
             for (int dx = -4; dx < 4; ++dx)
                 for (int dy = -4; dy < 4; ++dy) sum += pixel(image, x + dx, y + dy).g;
             CHECK(sum / 64.0 == doctest::Approx(srgbByte(light)).epsilon(0.012));
@@ -59,10 +57,10 @@ TEST_SUITE("renderer/balls") {
         Gl gl;
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.0, 2.0, 2.5}, {0.2, 0.0, 0.0});
-        const Image empty = gl.renderer->capture(scene, width, height);
+        const Image empty = gl.renderer->capture(scene, picture_width, picture_height);
         const Vec3 ball(0.27, 1.0, 0.22);
         scene.balls = {{ball, 0.12, glm::vec3(0.02F), {}}};
-        const Image image = gl.renderer->capture(scene, width, height);
+        const Image image = gl.renderer->capture(scene, picture_width, picture_height);
         const auto darkening = [&](const Vec3& p) {
             return pixelAt(empty, scene.camera, p).sum() - pixelAt(image, scene.camera, p).sum();
         };
@@ -78,12 +76,12 @@ TEST_SUITE("renderer/avatar") {
     TEST_CASE("The avatar is seen where its pose puts it, and moving one joint moves that part alone") {
         Gl gl;
         Scene scene = emptyScene();
-        const Image empty = gl.renderer->capture(scene, width, height);
+        const Image empty = gl.renderer->capture(scene, picture_width, picture_height);
         scene.avatars = {postPose()};
-        const Image straight = gl.renderer->capture(scene, width, height);
+        const Image straight = gl.renderer->capture(scene, picture_width, picture_height);
         // The upper half leans by 60 degrees towards the avatar's left, which is +x.
         scene.avatars[0][1].orientation = glm::angleAxis(radiansFromDegrees(-60.0), Vec3(0.0, 0.0, 1.0));
-        const Image leaning = gl.renderer->capture(scene, width, height);
+        const Image leaning = gl.renderer->capture(scene, picture_width, picture_height);
         const auto red = [&](const Image& image, const Vec3& p) {
             const Bytes c = pixelAt(image, scene.camera, p);
             return c.r > 2 * c.g;
@@ -106,9 +104,9 @@ TEST_SUITE("renderer/avatar") {
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.4, 2.2, 2.2}, {0.3, 0.0, 0.0});
         scene.avatars = {postPose()};
-        const Image straight = gl.renderer->capture(scene, width, height);
+        const Image straight = gl.renderer->capture(scene, picture_width, picture_height);
         scene.avatars[0][1].orientation = glm::angleAxis(radiansFromDegrees(-90.0), Vec3(0.0, 0.0, 1.0));
-        const Image leaning = gl.renderer->capture(scene, width, height);
+        const Image leaning = gl.renderer->capture(scene, picture_width, picture_height);
         // The arm lies 0.8 m up along +x; 10 degrees of slant move its shadow 0.05 m and 0.13 m back.
         const Vec3 under(0.45, 0.0, -0.13);
         CHECK(pixelAt(straight, scene.camera, under).sum() >
@@ -119,10 +117,10 @@ TEST_SUITE("renderer/avatar") {
         Gl gl;
         Scene scene = emptyScene();
         scene.avatars = {postPose(), std::vector<Pose>(3)};
-        CHECK_THROWS_WITH(static_cast<void>(gl.renderer->capture(scene, width, height)),
+        CHECK_THROWS_WITH(static_cast<void>(gl.renderer->capture(scene, picture_width, picture_height)),
                           "one of Scene::avatars has 3 poses, the avatar 2 joints");
         scene.avatars = {postPose(), postPose(), postPose()};
-        CHECK_THROWS_WITH(static_cast<void>(gl.renderer->capture(scene, width, height)),
+        CHECK_THROWS_WITH(static_cast<void>(gl.renderer->capture(scene, picture_width, picture_height)),
                           "3 avatars were to be drawn, at most 2 can be");
     }
 }
@@ -132,7 +130,7 @@ TEST_SUITE("renderer/two_avatars") {
         Gl gl;
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.4, 2.2, 2.6}, {0.1, 0.2, 0.0});
-        const Image empty = gl.renderer->capture(scene, width, height);
+        const Image empty = gl.renderer->capture(scene, picture_width, picture_height);
         // A post at either side, whose upper half lies along +x.
         const auto leaning = [](double x) {
             std::vector<Pose> pose = postPose();
@@ -152,9 +150,9 @@ TEST_SUITE("renderer/two_avatars") {
             return c.r > 2 * c.g;
         };
         scene.avatars = {leaning(left), leaning(right)};
-        const Image both = gl.renderer->capture(scene, width, height);
+        const Image both = gl.renderer->capture(scene, picture_width, picture_height);
         scene.avatars = {leaning(right)};
-        const Image one = gl.renderer->capture(scene, width, height);
+        const Image one = gl.renderer->capture(scene, picture_width, picture_height);
         CHECK(red(both, left));
         CHECK(red(both, right));
         CHECK(darker(both, left) > 60);
@@ -174,9 +172,9 @@ TEST_SUITE("renderer/ring") {
             const Vec3 centre(0.0, 1.2, 0.4);
             scene.camera = lookingFrom(from, centre);
             scene.balls = {{centre, 0.1, glm::vec3(0.02F), {}}};
-            const Image plain = gl.renderer->capture(scene, width, height);
+            const Image plain = gl.renderer->capture(scene, picture_width, picture_height);
             scene.balls[0].ring = true;
-            const Image ringed = gl.renderer->capture(scene, width, height);
+            const Image ringed = gl.renderer->capture(scene, picture_width, picture_height);
             const Vec3 towards = glm::normalize(from - centre);
             const Vec3 side = glm::normalize(glm::cross(up, towards));
             const Vec3 above = glm::cross(towards, side);
@@ -198,12 +196,12 @@ TEST_SUITE("renderer/replay") {
     TEST_CASE("A trail is seen along its way, and the fainter the older") {
         Gl gl;
         Scene scene = emptyScene();
-        const Image empty = gl.renderer->capture(scene, width, height);
+        const Image empty = gl.renderer->capture(scene, picture_width, picture_height);
         Trail trail;
         for (int i = 0; i <= 40; ++i) trail.points.emplace_back(-0.8 + 0.04 * i, 1.2, 0.5);
         trail.colour = glm::vec3(0.02F, 0.1F, 1.0F);
         scene.trails = {trail, Trail{}, Trail{{Vec3(0.0)}, {}}};  // those of no way draw nothing
-        const Image image = gl.renderer->capture(scene, width, height);
+        const Image image = gl.renderer->capture(scene, picture_width, picture_height);
         const auto change = [&](double x, double y) {
             const Vec3 p(x, y, 0.5);
             return pixelAt(empty, scene.camera, p).r - pixelAt(image, scene.camera, p).r;
@@ -220,9 +218,9 @@ TEST_SUITE("renderer/replay") {
         const Vec3 eyes(0.0, 1.3, 1.2);
         scene.camera = lookingFrom({0.0, 1.3, 2.4}, eyes);
         scene.heads = {{{eyes, yawRotation(pi)}, glm::vec3(0.6F)}};  // towards the camera
-        const Image front = gl.renderer->capture(scene, width, height);
+        const Image front = gl.renderer->capture(scene, picture_width, picture_height);
         scene.heads[0].stage_from_head.orientation = no_rotation;  // away from it
-        const Image back = gl.renderer->capture(scene, width, height);
+        const Image back = gl.renderer->capture(scene, picture_width, picture_height);
         CHECK(brightestOf(pixelAt(front, scene.camera, eyes)) < 90);
         CHECK(brightestOf(pixelAt(back, scene.camera, eyes)) > 130);
         // The head lies behind the eyes, whose height is a little over its middle.
@@ -236,7 +234,7 @@ TEST_SUITE("renderer/beam") {
         Scene scene = emptyScene();
         const Vec3 from(-0.8, 1.2, 0.5);
         scene.beams = {{{from, Vec3(1.0, 0.0, 0.0)}, 1.6, {1.0F, 0.1F, 0.05F}}};
-        const Image image = gl.renderer->capture(scene, width, height);
+        const Image image = gl.renderer->capture(scene, picture_width, picture_height);
         const auto redness = [&](const Image& picture, const Vec3& p) {
             const Bytes c = pixelAt(picture, scene.camera, p);
             return c.r - std::max(c.g, c.b);
@@ -244,7 +242,8 @@ TEST_SUITE("renderer/beam") {
         for (const double along : {0.5, 0.8, 1.1}) CHECK(redness(image, from + Vec3(along, 0.0, 0.0)) > 50);
         CHECK(redness(image, from + Vec3(0.8, 0.15, 0.0)) < 20);
         scene.balls = {{from + Vec3(0.8, 0.0, 0.4), 0.1, glm::vec3(0.5F), {}}};
-        CHECK(redness(gl.renderer->capture(scene, width, height), from + Vec3(0.8, 0.0, 0.4)) < 20);
+        CHECK(redness(gl.renderer->capture(scene, picture_width, picture_height),
+                      from + Vec3(0.8, 0.0, 0.4)) < 20);
     }
 }
 
@@ -269,8 +268,8 @@ TEST_SUITE("renderer/picture") {
         Scene scene = emptyScene();
         scene.avatars = {postPose()};
         scene.balls = {{{0.3, 1.3, 0.4}, 0.1, glm::vec3(0.9F), {}}};
-        const Image first = gl.renderer->capture(scene, width, height);
-        CHECK(first.rgb == gl.renderer->capture(scene, width, height).rgb);
+        const Image first = gl.renderer->capture(scene, picture_width, picture_height);
+        CHECK(first.rgb == gl.renderer->capture(scene, picture_width, picture_height).rgb);
     }
 
     TEST_CASE("Multisampling puts values between ball and wall on the ball's edge") {
@@ -279,10 +278,10 @@ TEST_SUITE("renderer/picture") {
         // Pixels of the ball's middle row whose brightness lies clearly between the two.
         const auto between = [&](int samples) {
             Gl gl(samples);
-            const Image image = gl.renderer->capture(scene, width, height);
+            const Image image = gl.renderer->capture(scene, picture_width, picture_height);
             int count = 0;
-            for (int y = 0; y < height; ++y)
-                for (int x = 1; x + 1 < width; ++x) {
+            for (int y = 0; y < picture_height; ++y)
+                for (int x = 1; x + 1 < picture_width; ++x) {
                     const int here = pixel(image, x, y).g;
                     const int left = pixel(image, x - 1, y).g;
                     const int right = pixel(image, x + 1, y).g;

@@ -6,10 +6,7 @@ using namespace deixis::tests;
 
 namespace {
 
-constexpr int width = 320;
-constexpr int height = 240;
-
-Board questionBoard() {
+Board smallQuestionBoard() {
     Board board;
     board.stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
     board.texts = {{{0.05, 0.35, 0.9, 0.1}, "How natural is it?", 0.08, true, true, false}};
@@ -29,8 +26,8 @@ TEST_SUITE("renderer/board_hole") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             Scene scene = fullScene();
             scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
-            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
-            const StereoTextures textures(width, height);
+            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
+            const StereoTextures textures(picture_width, picture_height);
             scene.boards.clear();
             drawing.drawStereo(scene, eyes, textures.target(), mode);
             for (int eye = 0; eye < 2; ++eye) {
@@ -46,13 +43,13 @@ TEST_SUITE("renderer/board_hole") {
             drawing.drawStereo(scene, eyes, textures.target(), mode);
             for (int eye = 0; eye < 2; ++eye) {
                 const Eye& seen_by = eyes[static_cast<std::size_t>(eye)];
-                const glm::dvec2 low = project(seen_by, {-0.5, 1.45, 1.6}, width, height);
-                const glm::dvec2 high = project(seen_by, {0.5, 0.95, 1.6}, width, height);
+                const glm::dvec2 low = project(seen_by, {-0.5, 1.45, 1.6}, picture_width, picture_height);
+                const glm::dvec2 high = project(seen_by, {0.5, 0.95, 1.6}, picture_width, picture_height);
                 const EyePicture picture = textures.read(eye);
                 int wrong_inside = 0;
                 int wrong_outside = 0;
-                for (int y = 0; y < height; ++y)
-                    for (int x = 0; x < width; ++x) {
+                for (int y = 0; y < picture_height; ++y)
+                    for (int x = 0; x < picture_width; ++x) {
                         const double inside = std::min(std::min(x - low.x, high.x - x - 1.0),
                                                        std::min(y - low.y, high.y - y - 1.0));
                         // The card's corners are round.
@@ -74,13 +71,14 @@ TEST_SUITE("renderer/board_hole") {
             scene.boards[0].stage_from_board.position = Vec3(-0.5, 0.95, 1.6);
             scene.balls = {greenBall({-0.2, 1.2, 1.9}, 0.05), greenBall({0.3, 1.2, 1.3}, 0.05)};
             scene.beams = {Beam{{{-0.3, 1.1, 1.8}, Vec3(1.0, 0.0, 0.0)}, 0.6, {1.0F, 0.1F, 0.05F}}};
-            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
-            const StereoTextures textures(width, height);
+            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
+            const StereoTextures textures(picture_width, picture_height);
             drawing.drawStereo(scene, eyes, textures.target(), mode);
             for (int eye = 0; eye < 2; ++eye) {
                 const EyePicture picture = textures.read(eye);
                 const auto at = [&](const Vec3& point) {
-                    return glm::ivec2(project(eyes[static_cast<std::size_t>(eye)], point, width, height));
+                    return glm::ivec2(
+                        project(eyes[static_cast<std::size_t>(eye)], point, picture_width, picture_height));
                 };
                 const glm::ivec2 before = at({-0.2, 1.2, 1.9});
                 CHECK(picture.alpha(before.x, before.y) == 255);
@@ -105,7 +103,7 @@ TEST_SUITE("renderer/board_copy") {
         Gl gl(4);
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.0, 1.2, 2.3}, {0.0, 1.2, 0.0});
-        scene.boards = {questionBoard()};
+        scene.boards = {smallQuestionBoard()};
         const Board& board = scene.boards[0];
         const Image seen = gl.renderer->capture(scene, 960, 720);
         CHECK(gl.renderer->boardPaints() == 1);
@@ -143,7 +141,7 @@ TEST_SUITE("renderer/board_copy") {
 
     TEST_CASE("The copy's extent says where on the board its pixels lie") {
         Gl gl;
-        Board board = questionBoard();
+        Board board = smallQuestionBoard();
         board.width_m = 0.9003;  // no whole number of pixels
         board.height_m = 0.4602;
         const std::array<int, 2> size = gl.renderer->boardSize(board);
@@ -178,7 +176,7 @@ TEST_SUITE("renderer/board_copy") {
     TEST_CASE("Copies and eyes together paint a board once, until its content changes") {
         Gl gl;
         Scene scene = emptyScene();
-        scene.boards = {questionBoard()};
+        scene.boards = {smallQuestionBoard()};
         const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, 64, 64), 0.064);
         const StereoTextures textures(64, 64);
         const auto [copy_width, copy_height] = gl.renderer->boardSize(scene.boards[0]);
@@ -211,16 +209,16 @@ TEST_SUITE("renderer/mirror") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             Scene scene = fullScene();
             scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
-            scene.boards = {questionBoard()};
+            scene.boards = {smallQuestionBoard()};
             scene.balls.push_back(greenBall({-0.1, 1.2, 1.9}, 0.05));
-            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
-            const StereoTextures textures(width, height);
-            const Window window(width, height);
+            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
+            const StereoTextures textures(picture_width, picture_height);
+            const Window window(picture_width, picture_height);
             Scene alone = scene;
             alone.camera.stage_from_eye = eyes[0].stage_from_eye;
-            const Image expected = drawing.capture(alone, width, height);
+            const Image expected = drawing.capture(alone, picture_width, picture_height);
             drawing.drawStereo(scene, eyes, textures.target(), mode);
-            drawing.drawMirror(scene, eyes[0], width, height, window.name());
+            drawing.drawMirror(scene, eyes[0], picture_width, picture_height, window.name());
             const Difference off = difference(window.read(), expected);
             CHECK(off.mean < 0.5);
             CHECK(off.off_share < 0.02);
@@ -232,7 +230,7 @@ TEST_SUITE("renderer/mirror") {
         Scene scene = emptyScene();
         scene.camera = lookingFrom({0.0, 1.2, 2.7}, {0.0, 1.2, 0.0});
         scene.balls = {greenBall({0.3, 1.3, 1.0}, 0.1)};
-        scene.boards = {questionBoard()};
+        scene.boards = {smallQuestionBoard()};
         scene.boards[0].stage_from_board.position.x = -0.9;
         const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, 256, 256), 0.064);
         const StereoTextures textures(256, 256);

@@ -4,25 +4,18 @@ using namespace deixis;
 using namespace deixis::renderer;
 using namespace deixis::tests;
 
-namespace {
-
-constexpr int width = 320;
-constexpr int height = 240;
-
-}  // namespace
-
 TEST_SUITE("renderer/stereo") {
     TEST_CASE("Each eye sees what a camera in its place sees") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             const Scene scene = fullScene();
-            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
-            const StereoTextures textures(width, height);
+            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
+            const StereoTextures textures(picture_width, picture_height);
             drawing.drawStereo(scene, eyes, textures.target(), mode);
             for (int eye = 0; eye < 2; ++eye) {
                 CAPTURE(eye);
                 Scene alone = scene;
                 alone.camera.stage_from_eye = eyes[static_cast<std::size_t>(eye)].stage_from_eye;
-                const Image expected = drawing.capture(alone, width, height);
+                const Image expected = drawing.capture(alone, picture_width, picture_height);
                 const Difference off = difference(textures.read(eye).image(), expected);
                 CHECK(off.mean < 0.05);
                 CHECK(off.off_share < 0.001);
@@ -54,9 +47,10 @@ TEST_SUITE("renderer/stereo") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             Scene scene = emptyScene();
             scene.camera = lookingFrom({0.0, 1.4, 3.0}, {0.0, 1.4, 0.0});
-            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
-            const double pixels_per_slope = 0.5 * height / std::tan(0.5 * scene.camera.vertical_fov_rad);
-            const StereoTextures textures(width, height);
+            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
+            const double pixels_per_slope =
+                0.5 * picture_height / std::tan(0.5 * scene.camera.vertical_fov_rad);
+            const StereoTextures textures(picture_width, picture_height);
             for (const double distance_m : {0.6, 2.5}) {
                 CAPTURE(distance_m);
                 scene.balls = {greenBall({0.0, 1.4, 3.0 - distance_m}, 0.04 * distance_m)};
@@ -76,13 +70,13 @@ TEST_SUITE("renderer/stereo") {
             // Canted screens: each eye is turned outwards too.
             eyes[0].stage_from_eye.orientation *= glm::angleAxis(0.08, up);
             eyes[1].stage_from_eye.orientation *= glm::angleAxis(-0.08, up);
-            const StereoTextures textures(width, height);
+            const StereoTextures textures(picture_width, picture_height);
             for (const Vec3 point : {Vec3(0.0, 1.3, 0.5), Vec3(-0.7, 1.8, 1.0), Vec3(0.6, 0.9, 1.2)}) {
                 scene.balls = {greenBall(point, 0.03)};
                 drawing.drawStereo(scene, eyes, textures.target(), mode);
                 for (int eye = 0; eye < 2; ++eye) {
                     const glm::dvec2 expected =
-                        project(eyes[static_cast<std::size_t>(eye)], point, width, height);
+                        project(eyes[static_cast<std::size_t>(eye)], point, picture_width, picture_height);
                     CHECK(glm::distance(middleOfGreen(textures.read(eye)), expected) < 0.6);
                 }
             }
@@ -96,7 +90,7 @@ TEST_SUITE("renderer/stereo") {
             const double radius_m = 0.2;
             scene.balls = {{ball, radius_m, glm::vec3(0.5F), {}}};
             const Eyes eyes = eyesOf(scene.camera, {-0.8, 0.7, 0.6, -0.9}, 0.064);
-            const StereoTextures textures(width, height);
+            const StereoTextures textures(picture_width, picture_height);
             const double near_m = scene.camera.near_m;
             const double far_m = scene.camera.far_m;
             drawing.drawStereo(scene, eyes, textures.target(), mode);
@@ -106,7 +100,7 @@ TEST_SUITE("renderer/stereo") {
                 const Vec3 from = seen_by.stage_from_eye.position;
                 const Vec3 forward = seen_by.stage_from_eye.orientation * Vec3(0.0, 0.0, -1.0);
                 const auto depthAt = [&](const Vec3& point) {
-                    const glm::dvec2 p = project(seen_by, point, width, height);
+                    const glm::dvec2 p = project(seen_by, point, picture_width, picture_height);
                     return picture.depth[picture.at(static_cast<int>(p.x), static_cast<int>(p.y))];
                 };
                 // The same distance along the view axis, from the depth that GL defines.
@@ -126,9 +120,9 @@ TEST_SUITE("renderer/stereo") {
     TEST_CASE("Colours alone are drawn where no depth is wanted, and multiview is refused where it is not") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             const Scene scene = fullScene();
-            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
-            const StereoTextures with(width, height);
-            const StereoTextures without(width, height);
+            const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
+            const StereoTextures with(picture_width, picture_height);
+            const StereoTextures without(picture_width, picture_height);
             StereoTarget colour_only = without.target();
             colour_only.depth = {};
             drawing.drawStereo(scene, eyes, with.target(), mode);
@@ -159,9 +153,10 @@ TEST_SUITE("renderer/hidden_area") {
             areas[1].corners = {{0.0, top}, {0.0, 0.0}, {side, 0.0}, {side, top}};
             areas[1].indices = {0, 1, 2, 0, 2, 3};
             const auto hidden = [](int eye, double x, double y) {
-                return eye == 0 ? y / height - x / width : std::min(x / width - 0.5, 0.5 - y / height);
+                return eye == 0 ? y / picture_height - x / picture_width
+                                : std::min(x / picture_width - 0.5, 0.5 - y / picture_height);
             };
-            const StereoTextures textures(width, height);
+            const StereoTextures textures(picture_width, picture_height);
             drawing.setHiddenArea({});
             drawing.drawStereo(scene, eyes, textures.target(), mode);
             const std::array<EyePicture, 2> before{textures.read(0), textures.read(1)};
@@ -174,8 +169,8 @@ TEST_SUITE("renderer/hidden_area") {
                 int not_black = 0;
                 int changed = 0;
                 int hidden_count = 0;
-                for (int y = 0; y < height; ++y)
-                    for (int x = 0; x < width; ++x) {
+                for (int y = 0; y < picture_height; ++y)
+                    for (int x = 0; x < picture_width; ++x) {
                         const double inside = hidden(eye, x + 0.5, y + 0.5);
                         if (std::abs(inside) < 0.01) continue;
                         if (inside > 0.0) {
@@ -188,7 +183,7 @@ TEST_SUITE("renderer/hidden_area") {
                             ++changed;
                         }
                     }
-                CHECK(hidden_count > width * height / 5);
+                CHECK(hidden_count > picture_width * picture_height / 5);
                 CHECK(not_black == 0);
                 CHECK(changed == 0);
             }

@@ -7,9 +7,6 @@ using namespace deixis::tests;
 
 namespace {
 
-constexpr int width = 320;
-constexpr int height = 240;
-
 /// A board of 1 x 1 m before the origin, 1.2 m up at its middle, facing +z: texels red, green; blue and a
 /// hole in the lower right. Beside it to the left (+x) a plain yellow board.
 assets::Avatar signAvatar(bool double_sided) {
@@ -60,9 +57,9 @@ TEST_SUITE("renderer/textured_avatar") {
     TEST_CASE("Texels lie where their coordinates say, and one of no alpha is a hole") {
         Gl gl(1, signAvatar(false));
         Scene scene = signScene({0.3, 1.2, 3.0});
-        const Image empty = gl.renderer->capture(scene, width, height);
+        const Image empty = gl.renderer->capture(scene, picture_width, picture_height);
         scene.avatars = {{Pose{}}};
-        const Image image = gl.renderer->capture(scene, width, height);
+        const Image image = gl.renderer->capture(scene, picture_width, picture_height);
         const auto at = [&](const Vec3& p) { return pixelAt(image, scene.camera, p); };
         CHECK(isColour(at(red), true, false, false));
         CHECK(isColour(at(green), false, true, false));
@@ -78,9 +75,9 @@ TEST_SUITE("renderer/textured_avatar") {
             CAPTURE(double_sided);
             Gl gl(1, signAvatar(double_sided));
             Scene scene = signScene({0.3, 1.2, -3.0});
-            const Image empty = gl.renderer->capture(scene, width, height);
+            const Image empty = gl.renderer->capture(scene, picture_width, picture_height);
             scene.avatars = {{Pose{}}};
-            const Image image = gl.renderer->capture(scene, width, height);
+            const Image image = gl.renderer->capture(scene, picture_width, picture_height);
             CHECK(isColour(pixelAt(image, scene.camera, red), true, false, false) == double_sided);
             // The plain board has one side.
             CHECK(std::abs(pixelAt(image, scene.camera, yellow).sum() -
@@ -93,14 +90,15 @@ TEST_SUITE("renderer/textured_avatar") {
             [](Renderer& drawing, StereoMode mode) {
                 Scene scene = signScene({0.3, 1.2, 3.0});
                 scene.avatars = {{Pose{}}};
-                const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, width, height), 0.064);
-                const StereoTextures textures(width, height);
+                const Eyes eyes =
+                    eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
+                const StereoTextures textures(picture_width, picture_height);
                 drawing.drawStereo(scene, eyes, textures.target(), mode);
                 for (int eye = 0; eye < 2; ++eye) {
                     CAPTURE(eye);
                     Scene alone = scene;
                     alone.camera.stage_from_eye = eyes[static_cast<std::size_t>(eye)].stage_from_eye;
-                    const Image expected = drawing.capture(alone, width, height);
+                    const Image expected = drawing.capture(alone, picture_width, picture_height);
                     CHECK(isColour(pixelAt(expected, alone.camera, green), false, true, false));
                     const Difference off = difference(textures.read(eye).image(), expected);
                     CHECK(off.mean < 0.05);

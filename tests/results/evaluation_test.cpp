@@ -12,9 +12,11 @@
 #include "core/files.hpp"
 #include "core/random.hpp"
 #include "results/descriptive.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using namespace deixis::results;
+using deixis::tests::contains;
 
 namespace {
 
@@ -29,10 +31,6 @@ std::string xpath(const std::filesystem::path& file, const std::string& expressi
     for (std::size_t got = 0; (got = std::fread(part, 1, sizeof part, pipe)) > 0;) out.append(part, got);
     CHECK(::pclose(pipe) == 0);
     return out;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 /// Four training targets before the agent, in two groups far from each other.

@@ -8,9 +8,11 @@
 #include "fixtures.hpp"
 #include "results/data_export.hpp"
 #include "results/participants.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using namespace deixis::results;
+using deixis::tests::contains;
 
 namespace {
 
@@ -77,10 +79,6 @@ std::string everythingIn(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         all += readFile(entry.path()).value();
     return all;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -6,9 +6,11 @@
 #include "results/data_export.hpp"
 #include "results/recording.hpp"
 #include "results/response_table.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using namespace deixis::results;
+using deixis::tests::contains;
 
 namespace {
 
@@ -37,10 +39,6 @@ std::string list(const std::vector<Error>& errors) {
     std::string out;
     for (const Error& error : errors) out += error.text() + "\n";
     return out;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace

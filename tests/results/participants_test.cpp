@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include "fixtures.hpp"
+#include "text.hpp"
 
 using namespace deixis;
+using deixis::tests::contains;
 using results::excludeParticipant;
 using results::includeParticipant;
 using results::listParticipants;
@@ -14,10 +16,6 @@ using results::withdrawParticipant;
 using studies::SessionOutcome;
 
 namespace {
-
-bool contains(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// P01 went through a study of every kind of stage and was interrupted; P02 declined; P03 never came.
 void makeDatabase(const std::filesystem::path& path) {

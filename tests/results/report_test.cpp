@@ -6,9 +6,11 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using namespace deixis::results;
+using deixis::tests::contains;
 
 namespace {
 
@@ -43,10 +45,6 @@ Page pageOf(const std::filesystem::path& database, const char* name) {
                 "count(//*[local-name()='script' or local-name()='link' or local-name()='img']) + "
                 "count(//@src | //@href)") == "0\n");
     return {html, xpath(file, "string(/)")};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 const std::vector<std::string> systems{"demonstration-nn", "direct", "stiff", "drifting"};

@@ -9,22 +9,20 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
+#include "text.hpp"
 
 using namespace deixis;
+using deixis::tests::contains;
 using results::loadResponses;
 using results::Store;
 
 namespace {
 
-std::string refusal(const std::filesystem::path& path) {
+std::string refusalToLoad(const std::filesystem::path& path) {
     const auto table = loadResponses(path);
     REQUIRE_FALSE(table.has_value());
     CHECK(table.error().where == path.string());
     return table.error().message;
-}
-
-bool contains(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -181,23 +179,23 @@ TEST_SUITE("results/response_table") {
 
     TEST_CASE("Files that hold no answers are refused with what they are") {
         const fixtures::Folder folder;
-        CHECK(contains(refusal(folder / "missing.sqlite"), "no such file"));
-        CHECK(contains(refusal(folder / ""), "no such file"));
+        CHECK(contains(refusalToLoad(folder / "missing.sqlite"), "no such file"));
+        CHECK(contains(refusalToLoad(folder / ""), "no such file"));
         std::ofstream(folder / "notes.txt") << "Dear diary, this file is certainly longer than a header.";
-        CHECK(contains(refusal(folder / "notes.txt"), "not a SQLite database"));
+        CHECK(contains(refusalToLoad(folder / "notes.txt"), "not a SQLite database"));
         SQLite::Database(folder / "b.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
             .exec("CREATE TABLE photos (id)");
-        CHECK(contains(refusal(folder / "b.sqlite"), "another program"));
+        CHECK(contains(refusalToLoad(folder / "b.sqlite"), "another program"));
         std::ofstream(folder / "empty.sqlite").flush();
-        CHECK(contains(refusal(folder / "empty.sqlite"), "no study yet"));
+        CHECK(contains(refusalToLoad(folder / "empty.sqlite"), "no study yet"));
         const auto study = fixtures::study({"direct"});
         {
             Store store = fixtures::open(folder / "a.sqlite");
-            CHECK(contains(refusal(folder / "a.sqlite"), "no study yet"));
+            CHECK(contains(refusalToLoad(folder / "a.sqlite"), "no study yet"));
             fixtures::store(store, study, fixtures::plan(study, "P01", 1));
         }
-        CHECK(contains(refusal(folder / "a.sqlite"), "no answers yet"));
+        CHECK(contains(refusalToLoad(folder / "a.sqlite"), "no answers yet"));
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
-        CHECK(contains(refusal(folder / "a.sqlite"), "version 7"));
+        CHECK(contains(refusalToLoad(folder / "a.sqlite"), "version 7"));
     }
 }

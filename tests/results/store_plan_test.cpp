@@ -3,16 +3,14 @@
 #include <doctest/doctest.h>
 
 #include "fixtures.hpp"
+#include "text.hpp"
 
 using namespace deixis;
+using deixis::tests::contains;
 using results::Store;
 using studies::SessionOutcome;
 
 namespace {
-
-bool contains(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// All rows of a query, columns parted by '|'.
 std::string rows(const std::filesystem::path& path, const std::string& query) {

@@ -9,8 +9,10 @@
 #include <fstream>
 
 #include "fixtures.hpp"
+#include "text.hpp"
 
 using namespace deixis;
+using deixis::tests::contains;
 using results::Durability;
 using results::ParticipantLock;
 using results::Store;
@@ -18,7 +20,7 @@ using results::Store;
 namespace {
 
 /// Opens that must fail; gives the message.
-std::string refusal(const std::filesystem::path& path) {
+std::string refusalToOpen(const std::filesystem::path& path) {
     const auto store = Store::open(path, Durability::each_answer);
     REQUIRE_FALSE(store.has_value());
     CHECK(store.error().where == path.string());
@@ -30,10 +32,6 @@ std::set<int> answered(const Store& store, const std::string& participant) {
     std::set<int> out;
     for (const auto& [trial, _] : store.resume(participant, 0.0).answered) out.insert(trial);
     return out;
-}
-
-bool contains(const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -173,7 +171,7 @@ TEST_SUITE("results/store opening") {
     TEST_CASE("A file that is no database is refused and left as it was") {
         const fixtures::Folder folder;
         std::ofstream(folder / "notes.txt") << "Dear diary, this file is certainly longer than a header.";
-        CHECK(contains(refusal(folder / "notes.txt"), "not a SQLite database"));
+        CHECK(contains(refusalToOpen(folder / "notes.txt"), "not a SQLite database"));
         CHECK(std::filesystem::file_size(folder / "notes.txt") == 56);
     }
 
@@ -181,7 +179,7 @@ TEST_SUITE("results/store opening") {
         const fixtures::Folder folder;
         SQLite::Database(folder / "b.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
             .exec("CREATE TABLE photos (id)");
-        CHECK(contains(refusal(folder / "b.sqlite"), "another program"));
+        CHECK(contains(refusalToOpen(folder / "b.sqlite"), "another program"));
         SQLite::Database reader((folder / "b.sqlite").string());
         CHECK(reader.execAndGet("PRAGMA journal_mode").getString() == "delete");
         CHECK(reader.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 1);
@@ -191,7 +189,7 @@ TEST_SUITE("results/store opening") {
         const fixtures::Folder folder;
         { Store store = fixtures::open(folder / "a.sqlite"); }
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
-        const auto message = refusal(folder / "a.sqlite");
+        const auto message = refusalToOpen(folder / "a.sqlite");
         CHECK(contains(message, "version 7"));
         CHECK(contains(message, "up to 3"));
     }
@@ -201,21 +199,21 @@ TEST_SUITE("results/store opening") {
         { Store store = fixtures::open(folder / "a.sqlite"); }
         SQLite::Database other((folder / "a.sqlite").string(), SQLite::OPEN_READWRITE);
         other.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE");
-        CHECK(contains(refusal(folder / "a.sqlite"), "locked by another program"));
+        CHECK(contains(refusalToOpen(folder / "a.sqlite"), "locked by another program"));
     }
 
     TEST_CASE("A database held by a writing run is refused as locked") {
         const fixtures::Folder folder;
         const Store run = fixtures::open(folder / "a.sqlite", Durability::whole_run);
-        CHECK(contains(refusal(folder / "a.sqlite"), "locked by another program"));
+        CHECK(contains(refusalToOpen(folder / "a.sqlite"), "locked by another program"));
     }
 
     TEST_CASE("Missing and unwritable folders, and folders in place of files, are refused") {
         const fixtures::Folder folder;
-        CHECK(contains(refusal(folder / "nowhere/a.sqlite"), "does not exist"));
-        CHECK(contains(refusal(folder / ""), "found a folder"));
+        CHECK(contains(refusalToOpen(folder / "nowhere/a.sqlite"), "does not exist"));
+        CHECK(contains(refusalToOpen(folder / ""), "found a folder"));
         // Not even root can make a file here.
-        CHECK(contains(refusal("/proc/a.sqlite"), "cannot be opened or created"));
+        CHECK(contains(refusalToOpen("/proc/a.sqlite"), "cannot be opened or created"));
     }
 
     TEST_CASE("Read-only files and folders are refused") {
@@ -231,9 +229,9 @@ TEST_SUITE("results/store opening") {
             MESSAGE("skipped: runs as root and cannot become another user");
             return;
         }
-        const auto read_only_file = refusal(folder / "a.sqlite");
+        const auto read_only_file = refusalToOpen(folder / "a.sqlite");
         std::filesystem::permissions(folder / "", perms::owner_read | perms::owner_exec);
-        const auto read_only_folder = refusal(folder / "new.sqlite");
+        const auto read_only_folder = refusalToOpen(folder / "new.sqlite");
         std::filesystem::permissions(folder / "", perms::owner_all);
         CHECK(::seteuid(user) == 0);
         CHECK(contains(read_only_file, "can be read but not written"));

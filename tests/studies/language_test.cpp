@@ -8,9 +8,11 @@
 #include <stdexcept>
 
 #include "core/files.hpp"
+#include "text.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;
+using deixis::tests::contains;
 
 namespace {
 
@@ -42,10 +44,6 @@ int lineOf(const std::string& key) {
     const std::string bytes = bytesOf("de");
     const auto at = static_cast<std::ptrdiff_t>(bytes.find("\n" + key + " = "));
     return 2 + static_cast<int>(std::count(bytes.begin(), bytes.begin() + at, '\n'));
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 bool hasHangul(const std::string& text) {

@@ -24,11 +24,12 @@ namespace deixis::tests {
 
 using namespace deixis::studies;
 
-inline const std::filesystem::path source = DEIXIS_SOURCE_DIR;
-inline const StudyFolders folders{source / "assets/data/languages", source / "assets/data/questionnaires"};
+inline const std::filesystem::path source_tree = DEIXIS_SOURCE_DIR;
+inline const StudyFolders source_folders{source_tree / "assets/data/languages",
+                                         source_tree / "assets/data/questionnaires"};
 
-inline Study loaded(const std::filesystem::path& file) {
-    auto study = loadStudy(file, folders);
+inline Study loadedStudy(const std::filesystem::path& file) {
+    auto study = loadStudy(file, source_folders);
     std::string problems;
     if (!study)
         for (const Error& error : study.error()) problems += error.text() + "\n";
@@ -39,7 +40,7 @@ inline Study loaded(const std::filesystem::path& file) {
 inline Study written(const std::string& text) {
     const auto path = std::filesystem::temp_directory_path() / "deixis_simulated_study.toml";
     REQUIRE(writeFile(path, text).has_value());
-    return loaded(path);
+    return loadedStudy(path);
 }
 
 /// Clips of the study's built-in systems for its targets, made when asked for.
@@ -184,7 +185,7 @@ inline void checkWhole(const Prepared& prepared, const Outcome& outcome) {
 }
 
 inline Study everyKind() {
-    return loaded(source / "tests/studies/fixtures/simulated_every_kind.toml");
+    return loadedStudy(source_tree / "tests/studies/fixtures/simulated_every_kind.toml");
 }
 
 }  // namespace deixis::tests

@@ -259,12 +259,12 @@ TEST_SUITE("studies/simulated_study") {
     }
 
     TEST_CASE("it goes through every study that ships") {
-        for (const auto& entry : std::filesystem::directory_iterator(source / "assets/data/studies")) {
+        for (const auto& entry : std::filesystem::directory_iterator(source_tree / "assets/data/studies")) {
             if (entry.path().extension() != ".toml") continue;
             CAPTURE(entry.path().filename().string());
             for (const int number : {1, 2}) {
                 CAPTURE(number);
-                const Prepared prepared(loaded(entry.path()), number);
+                const Prepared prepared(loadedStudy(entry.path()), number);
                 checkWhole(prepared, simulate(prepared, static_cast<std::uint64_t>(number), {}, number == 1));
             }
         }

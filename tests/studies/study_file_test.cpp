@@ -13,7 +13,7 @@ using namespace deixis::studies;
 
 namespace {
 
-const fs::path shipped = shipped_studies / "pointing2023.toml";
+const fs::path shipped_pointing = shipped_studies / "pointing2023.toml";
 
 const Stage& stageOf(const Study& study, std::string_view name) {
     const Stage* stage = study.findStage(name);
@@ -58,7 +58,7 @@ std::vector<std::string> documentedKeys() {
 
 TEST_SUITE("studies/study_file") {
     TEST_CASE("The study that ships holds the numbers of the paper's sections 2.4.2, 2.4.3 and 3.1.") {
-        const Study study = loaded(shipped);
+        const Study study = loaded(shipped_pointing);
         CHECK(study.name == "pointing2023");
         CHECK(study.seed == 2023);
         CHECK(study.systems.size() == 4);
@@ -87,12 +87,12 @@ TEST_SUITE("studies/study_file") {
         CHECK(39 * static_cast<std::size_t>(game.design.items) * game.design.systems.size() == 1560);
         CHECK(stageOf(study, "naturalness-practice").design.items == 2);
         CHECK(stageOf(study, "game-practice").design.items == 2);
-        CHECK(study.hash == sha256Hex(readText(shipped)));
-        CHECK(study.file == shipped);
+        CHECK(study.hash == sha256Hex(readText(shipped_pointing)));
+        CHECK(study.file == shipped_pointing);
     }
 
     TEST_CASE("Across looks back at the avatar from beyond the balls; side-by-side stands at its shoulder.") {
-        const Study study = loaded(shipped);
+        const Study study = loaded(shipped_pointing);
         const Layout* across = study.findLayout("across");
         const Layout* beside = study.findLayout("side-by-side");
         REQUIRE(across != nullptr);
