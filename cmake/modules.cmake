@@ -2,10 +2,12 @@
 
 add_library(deixis_options INTERFACE)
 target_compile_options(deixis_options INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
+    -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
     # GCC 12 warns falsely on "text" + std::string (GCC bug 105651), in fully optimised builds with more warnings.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow;-Wno-array-bounds>"
+    # In builds of several files at once (CMAKE_UNITY_BUILD) locals shadow other files' names; dev builds one by one.
+    $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
     -ffp-contract=off) # the same arithmetic on every compiler and processor: plans and clips must not depend on it
 if(DEIXIS_WERROR)
     target_compile_options(deixis_options INTERFACE -Werror)
@@ -15,17 +17,6 @@ if(DEIXIS_SANITIZE)
         -fno-sanitize-recover=all)
     target_link_options(deixis_options INTERFACE -fsanitize=${DEIXIS_SANITIZE})
 endif()
-
-# precompile_common_headers(TARGET [HEADERS...])
-# The headers that most files include, and HEADERS. Files include what they need all the same: the dev preset, which
-# lint reads too, builds without this.
-function(precompile_common_headers target)
-    if(DEIXIS_PRECOMPILE)
-        target_precompile_headers(${target} PRIVATE <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory>
-            <optional> <string> <vector> <fmt/format.h> <glm/glm.hpp> <glm/gtc/quaternion.hpp> <tl/expected.hpp>
-            ${ARGN})
-    endif()
-endfunction()
 
 # add_module(NAME [PUBLIC libs...] [PRIVATE libs...])
 # A static library deixis::NAME of every src/*.cpp here, with its own include root NAME/include. Only what is linked
@@ -37,7 +28,6 @@ function(add_module name)
     add_library(deixis::${name} ALIAS deixis_${name})
     target_include_directories(deixis_${name} PUBLIC include PRIVATE src)
     target_link_libraries(deixis_${name} PUBLIC ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
-    precompile_common_headers(deixis_${name})
 endfunction()
 
 # Of the tests' code only time to compile is asked; what they test is compiled as the build type says.
@@ -51,7 +41,6 @@ function(add_module_tests name)
     target_link_libraries(${name} PRIVATE deixis_options doctest::doctest ${ARG_LIBS})
     target_compile_options(${name} PRIVATE ${DEIXIS_TEST_OPTIONS})
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    precompile_common_headers(${name} <doctest/doctest.h>)
     target_compile_definitions(${name} PRIVATE
         DEIXIS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
         DEIXIS_BINARY_DIR="${PROJECT_BINARY_DIR}"

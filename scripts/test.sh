@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds, runs every check and test, and ends with the counts.
-#   scripts/test.sh          everything: style, lint, three builds (gcc, clang without graphics, sanitizers), and the
-#                            program once more on Debian 13, where the headset's tests run (needs root)
+#   scripts/test.sh          everything: style, all tests by GCC and by Clang with sanitizers, the program by Clang
+#                            without graphics compared with GCC's, lint, and the program once more on Debian 13,
+#                            where the headset's tests run (needs root)
 #   scripts/test.sh dev      one preset's tests only
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -11,17 +12,23 @@ scripts/install.sh tests
 
 mkdir -p build/test-logs
 counts=()
-run_preset() {
-    echo "== $1: configure and build"
-    cmake --preset "$1" -Wno-dev >/dev/null
-    local log=build/test-logs/$1.log status=0
-    if ! cmake --build --preset "$1" >"$log" 2>&1; then
+say() { echo "== $* ($((SECONDS / 60)) min)"; }
+build() {
+    say "$1: configure and build"
+    local preset=$1 log=build/test-logs/$1-build.log
+    shift
+    cmake --preset "$preset" -Wno-dev >/dev/null
+    if ! cmake --build --preset "$preset" "$@" >"$log" 2>&1; then
         tail -n 60 "$log"
-        counts+=("$1: the build failed")
+        counts+=("$preset: the build failed")
         return 1
     fi
     tail -n 1 "$log"
-    echo "== $1: tests"
+}
+run_preset() {
+    build "$1" || return 1
+    say "$1: tests"
+    local log=build/test-logs/$1.log status=0
     ctest --preset "$1" -j2 --timeout 1200 2>&1 | tee "$log" || status=$?
     counts+=("$1: $(grep -E 'tests passed' "$log" || echo 'no result')")
     return "$status"
@@ -30,13 +37,17 @@ run_preset() {
 presets=("$@")
 [ ${#presets[@]} -gt 0 ] || {
     scripts/check_style.sh
-    presets=(dev offline asan)
+    presets=(dev asan)
 }
 status=0
 for preset in "${presets[@]}"; do run_preset "$preset" || status=1; done
 if [ $# -eq 0 ]; then
+    build offline --target deixis || status=1
+    say "compare"
     scripts/compare_builds.sh build/dev/deixis build/offline/deixis || status=1
+    say "lint"
     scripts/lint.sh || status=1
+    say "headset"
     scripts/test_headset.sh --scenarios-only 2>&1 | tee build/test-logs/headset.log || status=1
     counts+=("$(grep -E '^headset: [0-9]+ passed' build/test-logs/headset.log || echo 'headset: no result')")
 fi
