@@ -28,18 +28,18 @@ TEST_SUITE("app/desktop") {
         const bool rated = eventually(240.0, [&] {
             press("Return");
             press("4");
-            return countIn(database, "select countIn(*) from responses") >= 3 || !session.running();
+            return countIn(database, "select count(*) from responses") >= 3 || !session.running();
         });
         INFO(slurp(scratch / "out"));
         REQUIRE(rated);
         CHECK(countIn(database,
-                      "select countIn(*) from answers a join responses r on r.id = a.response "
+                      "select count(*) from answers a join responses r on r.id = a.response "
                       "where a.question = 'rating' and a.value = 4 and r.input = 'key'") >= 3);
         CHECK(countIn(database,
-                      "select countIn(*) from sessions where station = 'desktop' and synthetic = 0") == 1);
+                      "select count(*) from sessions where station = 'desktop' and synthetic = 0") == 1);
         press("Escape");
         CHECK(eventually(20.0, [&] {
-            return countIn(database, "select countIn(*) from events where kind = 'pause'") >= 1;
+            return countIn(database, "select count(*) from events where kind = 'pause'") >= 1;
         }));
         session.kill(SIGTERM);
     }
