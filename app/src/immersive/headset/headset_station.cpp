@@ -11,7 +11,7 @@ namespace deixis::app {
 
 namespace {
 
-constexpr double idle_wait_s = 0.02;    ///< between polls while the session does not run
+constexpr double hidden_wait_s = 0.02;  ///< between polls while the session does not run
 constexpr double first_frame_s = 3.0;   ///< how long opening waits for the first frame's facts
 constexpr double leave_taking_s = 2.0;  ///< how long the runtime may take to end the session
 
@@ -189,7 +189,7 @@ std::vector<studies::StationNote> HeadsetStation::close() {
             if (s.frame)
                 s.endUnseen();
             else
-                std::this_thread::sleep_for(std::chrono::duration<double>(idle_wait_s));
+                std::this_thread::sleep_for(std::chrono::duration<double>(hidden_wait_s));
         }
     } catch (const XrFailure& failure) {
         s.note("xr_state", fmt::format("lost: {}", failure.what()));
