@@ -6,89 +6,81 @@
 
 namespace deixis {
 
-namespace {
+CsvReader::CsvReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
+    constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
+    if (text_.substr(0, utf8_mark.size()) == utf8_mark) text_.remove_prefix(utf8_mark.size());
+}
 
-class CsvParser {
-  public:
-    CsvParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
-
-    Result<std::vector<CsvRecord>> parse() {
-        std::vector<CsvRecord> records;
-        while (at_ < text_.size()) {
-            if (atLineEnd()) {
-                skipLineEnd();
-                continue;
-            }
-            CsvRecord record;
-            record.line = line_;
-            for (;;) {
-                auto field = readField();
-                if (!field) return tl::unexpected(field.error());
-                record.fields.push_back(std::move(*field));
-                if (at_ >= text_.size() || text_[at_] != ',') break;
-                ++at_;
-            }
-            skipLineEnd();
-            records.push_back(std::move(record));
-        }
-        return records;
-    }
-
-  private:
-    [[nodiscard]] bool atLineEnd() const {
-        return text_[at_] == '\n' || (text_[at_] == '\r' && text_.substr(at_, 2) == "\r\n");
-    }
-    void skipLineEnd() {
-        if (at_ >= text_.size()) return;
-        at_ += text_[at_] == '\r' ? 2 : 1;
-        ++line_;
-    }
-
-    Result<std::string> readField() {
-        if (at_ < text_.size() && text_[at_] == '"') return readQuoted();
-        const std::size_t begin = at_;
-        while (at_ < text_.size() && text_[at_] != ',' && !atLineEnd()) {
-            if (text_[at_] == '"')
-                return fail(fmt::format("{}:{}", name_, line_), "a quote stands inside an unquoted field",
-                            "Quote the whole field and double the quote");
-            ++at_;
-        }
-        return std::string(text_.substr(begin, at_ - begin));
-    }
-
-    Result<std::string> readQuoted() {
-        const int opened = line_;
-        std::string out;
-        for (++at_; at_ < text_.size(); ++at_) {
-            if (text_[at_] == '"') {
-                if (text_.substr(at_, 2) != "\"\"") break;
-                ++at_;
-            } else if (text_[at_] == '\n') {
-                ++line_;
-            }
-            out += text_[at_];
-        }
-        if (at_ >= text_.size())
-            return fail(fmt::format("{}:{}", name_, opened), "a quoted field has no closing quote");
+Result<bool> CsvReader::next(CsvRecord& record) {
+    while (at_ < text_.size() && atLineEnd()) skipLineEnd();
+    if (at_ >= text_.size()) return false;
+    record.line = line_;
+    std::size_t count = 0;
+    for (;;) {
+        if (count == record.fields.size()) record.fields.emplace_back();
+        if (auto read = readField(record.fields[count++]); !read) return tl::unexpected(read.error());
+        if (at_ >= text_.size() || text_[at_] != ',') break;
         ++at_;
-        if (at_ < text_.size() && text_[at_] != ',' && !atLineEnd())
-            return fail(fmt::format("{}:{}", name_, line_),
-                        "text follows a closing quote; expected a comma or the end of the line");
-        return out;
     }
+    record.fields.resize(count);
+    skipLineEnd();
+    return true;
+}
 
-    std::string_view text_;
-    const std::string& name_;
-    std::size_t at_ = 0;
-    int line_ = 1;
-};
+bool CsvReader::atLineEnd() const {
+    return text_[at_] == '\n' || (text_[at_] == '\r' && text_.substr(at_, 2) == "\r\n");
+}
 
-}  // namespace
+void CsvReader::skipLineEnd() {
+    if (at_ >= text_.size()) return;
+    at_ += text_[at_] == '\r' ? 2 : 1;
+    ++line_;
+}
+
+Result<void> CsvReader::readField(std::string& field) {
+    if (at_ < text_.size() && text_[at_] == '"') return readQuoted(field);
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != ',' && !atLineEnd()) {
+        if (text_[at_] == '"')
+            return fail(fmt::format("{}:{}", name_, line_), "a quote stands inside an unquoted field",
+                        "Quote the whole field and double the quote");
+        ++at_;
+    }
+    field.assign(text_.substr(begin, at_ - begin));
+    return {};
+}
+
+Result<void> CsvReader::readQuoted(std::string& field) {
+    const int opened = line_;
+    field.clear();
+    for (++at_; at_ < text_.size(); ++at_) {
+        if (text_[at_] == '"') {
+            if (text_.substr(at_, 2) != "\"\"") break;
+            ++at_;
+        } else if (text_[at_] == '\n') {
+            ++line_;
+        }
+        field += text_[at_];
+    }
+    if (at_ >= text_.size())
+        return fail(fmt::format("{}:{}", name_, opened), "a quoted field has no closing quote");
+    ++at_;
+    if (at_ < text_.size() && text_[at_] != ',' && !atLineEnd())
+        return fail(fmt::format("{}:{}", name_, line_),
+                    "text follows a closing quote; expected a comma or the end of the line");
+    return {};
+}
 
 Result<std::vector<CsvRecord>> parseCsv(std::string_view text, const std::string& name) {
-    constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-    if (text.substr(0, utf8_mark.size()) == utf8_mark) text.remove_prefix(utf8_mark.size());
-    return CsvParser(text, name).parse();
+    CsvReader reader(text, name);
+    std::vector<CsvRecord> records;
+    for (;;) {
+        CsvRecord record;
+        const auto more = reader.next(record);
+        if (!more) return tl::unexpected(more.error());
+        if (!*more) return records;
+        records.push_back(std::move(record));
+    }
 }
 
 std::string csvField(std::string_view text) {

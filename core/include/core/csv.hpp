@@ -14,8 +14,28 @@ struct CsvRecord {
     std::vector<std::string> fields;
 };
 
-/// Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and a UTF-8 mark at the
-/// start are passed over. `name` stands for the file in errors.
+/// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and a
+/// UTF-8 mark at the start are passed over. `name` stands for the file in errors.
+class CsvReader {
+  public:
+    /// `text` must outlive this.
+    CsvReader(std::string_view text, std::string name);
+    /// The next record into `record`, whose memory is used anew; false where there is none left.
+    [[nodiscard]] Result<bool> next(CsvRecord& record);
+
+  private:
+    [[nodiscard]] bool atLineEnd() const;
+    void skipLineEnd();
+    [[nodiscard]] Result<void> readField(std::string& field);
+    [[nodiscard]] Result<void> readQuoted(std::string& field);
+
+    std::string_view text_;
+    std::string name_;
+    std::size_t at_ = 0;
+    int line_ = 1;
+};
+
+/// All records at once.
 [[nodiscard]] Result<std::vector<CsvRecord>> parseCsv(std::string_view text, const std::string& name);
 
 /// The field, quoted where it must be.
