@@ -133,7 +133,9 @@ void readLeftOut(SQLite::Database& database, ResponseTable& table) {
 
 // What all rows of a measure have in common.
 constexpr const char* row_columns =
-    "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses";
+    "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses, "
+    "r.trial_index";
+constexpr int next_column = 9;
 constexpr const char* row_tables =
     "FROM responses AS r JOIN participants AS p ON p.id = r.participant "
     "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
@@ -151,6 +153,7 @@ ResponseRow baseRow(Statement& rows, const std::string& measure) {
     row.response_time_s = rows.getColumn(5).getDouble();
     row.synthetic = rows.getColumn(6).getInt() != 0;
     row.pauses = rows.getColumn(7).getInt();
+    row.trial = rows.getColumn(8).getInt();
     return row;
 }
 
@@ -164,9 +167,10 @@ void readRatings(SQLite::Database& database, ResponseTable& table) {
                                "ORDER BY r.participant, r.trial_index, s.position, a.position",
                                row_columns, row_tables, row_counts));
     while (rows.executeStep()) {
-        const bool confidence = rows.getColumn(10).getString() == "confidence";
-        table.rows.push_back(baseRow(rows, confidence ? "confidence" : rows.getColumn(9).getString()));
-        table.rows.back().value = rows.getColumn(8).getDouble();
+        const bool confidence = rows.getColumn(next_column + 2).getString() == "confidence";
+        table.rows.push_back(
+            baseRow(rows, confidence ? "confidence" : rows.getColumn(next_column + 1).getString()));
+        table.rows.back().value = rows.getColumn(next_column).getDouble();
     }
 }
 
@@ -179,7 +183,7 @@ void readChoices(SQLite::Database& database, ResponseTable& table) {
                     row_columns, row_tables, row_counts));
     while (rows.executeStep()) {
         table.rows.push_back(baseRow(rows, "accuracy"));
-        table.rows.back().value = rows.getColumn(8).getInt();
+        table.rows.back().value = rows.getColumn(next_column).getInt();
     }
 }
 
@@ -195,8 +199,8 @@ void readPreferences(SQLite::Database& database, ResponseTable& table) {
             row_columns, row_tables, row_counts));
     while (rows.executeStep()) {
         table.rows.push_back(baseRow(rows, "preference"));
-        table.rows.back().value = rows.getColumn(8).getDouble();
-        table.rows.back().other_system = rows.getColumn(9).getString();
+        table.rows.back().value = rows.getColumn(next_column).getDouble();
+        table.rows.back().other_system = rows.getColumn(next_column + 1).getString();
     }
 }
 

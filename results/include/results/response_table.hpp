@@ -33,11 +33,12 @@ struct ResponseRow {
     std::string layout{};
     std::string distance{};
     std::string target_id{};
+    int trial = -1;  ///< place among the participant's trials, from 0; -1: not known
     double value = 0.0;
-    std::string other_system{};  ///< preference: `system` stood left, this one right
-    double response_time_s = 0.0;
-    bool synthetic = false;  ///< answered by a simulated participant
-    int pauses = 0;          ///< the trial was interrupted this often
+    std::string other_system{};    ///< preference: `system` stood left, this one right
+    double response_time_s = 0.0;  ///< 0 where it is not known
+    bool synthetic = false;        ///< answered by a simulated participant
+    int pauses = 0;                ///< the trial was interrupted this often
 };
 
 /// The sessions of one kind of station.
@@ -74,7 +75,7 @@ struct ScoreRow {
 struct ResponseTable {
     std::string study_name;
     std::string study_title;
-    std::string study_hash;
+    std::string study_hash;  ///< empty where the answers come without a study file
     double alpha = 0.01;
     std::vector<std::string> systems{};    ///< in the study file's order
     std::vector<std::string> layouts{};    ///< of scored trials, likewise
@@ -86,12 +87,20 @@ struct ResponseTable {
     std::vector<CheckCount> checks{};
     std::vector<ScoreRow> scores{};
     std::vector<std::string> between{};  ///< factors between participants
-    std::string database{};              ///< file name without its folder
+    std::string database{};              ///< file names without their folders, joined by ", "
     std::vector<StationUse> stations{};
     std::vector<std::string> program_versions{};  ///< that recorded the sessions, in order of their text
     std::vector<std::string> avatar_hashes{};     ///< likewise
+    std::vector<std::string> notes{};             ///< on how the file was read, for the reader of the report
     std::vector<ResponseRow> rows{};              ///< ordered by participant, then trial
 };
+
+/// One table of several of the same study, in their order. Fails, naming the files, where the studies differ
+/// or a participant stands in two of them.
+[[nodiscard]] Result<ResponseTable> joinTables(std::vector<ResponseTable> tables);
+
+/// SHA-256 of the answers that are analysed, whatever files they stand in.
+[[nodiscard]] std::string answersHash(const ResponseTable& table);
 
 /// Reads a database made by Store; changes nothing in it or beside it. Errors: no such file, not one of ours,
 /// a newer version, no study in it yet, no answers in it yet.

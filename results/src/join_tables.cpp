@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "core/hash.hpp"
+#include "results/response_table.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+void addOnce(std::vector<std::string>& known, const std::vector<std::string>& more) {
+    for (const std::string& name : more)
+        if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+}
+
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+void joinMeasures(std::vector<Measure>& to, const std::vector<Measure>& from) {
+    for (const Measure& one : from) {
+        const auto known =
+            std::find_if(to.begin(), to.end(), [&](const Measure& m) { return m.name == one.name; });
+        if (known == to.end()) {
+            to.push_back(one);
+            continue;
+        }
+        known->planned += one.planned;
+        known->balls = std::max(known->balls, one.balls);
+        known->low = std::min(known->low, one.low);
+        known->high = std::max(known->high, one.high);
+    }
+    std::stable_partition(to.begin(), to.end(),
+                          [](const Measure& one) { return one.kind == MeasureKind::accuracy; });
+}
+
+void joinChecks(std::vector<CheckCount>& to, const std::vector<CheckCount>& from) {
+    for (const CheckCount& one : from) {
+        const auto known = std::find_if(to.begin(), to.end(), [&](const CheckCount& c) {
+            return c.stage == one.stage && c.kind == one.kind;
+        });
+        if (known == to.end()) {
+            to.push_back(one);
+            continue;
+        }
+        known->passed += one.passed;
+        known->failed += one.failed;
+    }
+}
+
+}  // namespace
+
+Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
+    ResponseTable out = tables.front();
+    std::map<std::string, const ResponseTable*> file_of;  // by participant
+    const auto claim = [&](const ResponseTable& table) -> Result<void> {
+        for (const ResponseRow& row : table.rows)
+            if (const auto [known, is_new] = file_of.try_emplace(row.participant, &table);
+                !is_new && known->second != &table)
+                return fail(
+                    table.database,
+                    fmt::format("participant {} stands in {} too", row.participant, known->second->database),
+                    "Analyse one of the two, or give the participants different names");
+        return {};
+    };
+    if (auto claimed = claim(tables.front()); !claimed) return tl::unexpected(claimed.error());
+    for (std::size_t i = 1; i < tables.size(); ++i) {
+        const ResponseTable& next = tables[i];
+        if (next.study_hash != out.study_hash || next.alpha != out.alpha)
+            return fail(next.database,
+                        fmt::format("its study (SHA-256 {:.12}) is not that of {} ({:.12})", next.study_hash,
+                                    out.database, out.study_hash),
+                        "Only databases of the same study file are analysed together");
+        if (auto claimed = claim(next); !claimed) return tl::unexpected(claimed.error());
+        addOnce(out.systems, next.systems);
+        addOnce(out.layouts, next.layouts);
+        addOnce(out.distances, next.distances);
+        addOnce(out.between, next.between);
+        addOnce(out.program_versions, next.program_versions);
+        addOnce(out.avatar_hashes, next.avatar_hashes);
+        joinMeasures(out.measures, next.measures);
+        joinChecks(out.checks, next.checks);
+        append(out.left_out, next.left_out);
+        append(out.scores, next.scores);
+        append(out.stations, next.stations);
+        append(out.notes, next.notes);
+        append(out.rows, next.rows);
+        out.planned_participants += next.planned_participants;
+        out.withdrawn += next.withdrawn;
+        out.database += ", " + next.database;
+    }
+    std::stable_sort(out.rows.begin(), out.rows.end(), [](const ResponseRow& a, const ResponseRow& b) {
+        return a.participant < b.participant;
+    });
+    return out;
+}
+
+std::string answersHash(const ResponseTable& table) {
+    std::string text;
+    for (const ResponseRow& row : table.rows)
+        text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", row.participant, row.measure, row.system,
+                            row.other_system, row.layout, row.distance, row.target_id, row.value);
+    return sha256Hex(text);
+}
+
+}  // namespace deixis::results
