@@ -1,10 +1,10 @@
 // deixis stats: statistical tests of the columns of a CSV file.
 #include <fmt/format.h>
 
-#include <limits>
 #include <memory>
 
 #include "commands.hpp"
+#include "stats_points.hpp"
 #include "stats_table.hpp"
 #include "stats_tests.hpp"
 
@@ -16,6 +16,8 @@ struct StatsArguments {
     ColumnChoice choice;
     StatsOptions test;
     std::string chance;
+    DensityOptions density;
+    ClusterOptions clusters;
     bool json = false;
 };
 
@@ -26,6 +28,8 @@ struct Takes {
     bool level = false;
     bool chance = false;
     bool resamples = false;
+    bool density = false;
+    bool clusters = false;
 };
 
 std::string asText(const nlohmann::ordered_json& value) {
@@ -57,7 +61,8 @@ void printText(const nlohmann::ordered_json& object, int indent) {
     }
 }
 
-Result<void> runTest(StatsTest test, const StatsArguments& options) {
+/// `test` is null where `takes` says density or clusters.
+Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& options) {
     StatsOptions with = options.test;
     if (!(with.level > 0.0 && with.level < 1.0))
         return fail("--level", fmt::format("{} is not between 0 and 1", with.level));
@@ -70,7 +75,9 @@ Result<void> runTest(StatsTest test, const StatsArguments& options) {
     }
     const auto table = readStatsTable(options.choice);
     if (!table) return tl::unexpected(table.error());
-    const auto found = test(*table, with);
+    const auto found = takes.density    ? statsDensity(*table, options.density)
+                       : takes.clusters ? statsMeanShift(*table, options.clusters)
+                                        : test(*table, with);
     if (!found) return tl::unexpected(found.error());
     if (options.json)
         fmt::print("{}\n", found->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -114,9 +121,27 @@ void addTest(CLI::App& stats, Command& chosen, const std::string& name, const st
             ->check(CLI::Range(1, 10'000'000));
         command->add_option("--seed", options->test.seed, "Seed of the resampling")->capture_default_str();
     }
+    if (takes.density) {
+        command
+            ->add_option(
+                "--bandwidth", options->density.bandwidth,
+                "normal-reference, scott, scott-covariance, or one number for each column, as in 0.1,0.2")
+            ->capture_default_str();
+        command->add_option("--at", options->density.at,
+                            "CSV file of the points at which the density is wanted [the rows themselves]");
+    }
+    if (takes.clusters) {
+        command->add_option("--bandwidth", options->clusters.bandwidth, "auto, or a number above 0")
+            ->capture_default_str();
+        command
+            ->add_option("--quantile", options->clusters.quantile,
+                         "Of the automatic bandwidth: the share of all points that are neighbours")
+            ->capture_default_str();
+    }
     command->add_flag("--json", options->json, "Print one JSON object, with all digits");
-    command->callback(
-        [options, test, &chosen] { chosen = [options, test] { return runTest(test, *options); }; });
+    command->callback([options, test, takes, &chosen] {
+        chosen = [options, test, takes] { return runTest(test, takes, *options); };
+    });
 }
 
 }  // namespace
@@ -142,6 +167,10 @@ void addStatsCommand(CLI::App& cli, Command& chosen) {
             {.level = true, .chance = true});
     addTest(*stats, chosen, "describe", "Mean, spread and quantiles of columns", statsDescribe,
             {.long_form = true, .paired_by = true});
+    addTest(*stats, chosen, "kde", "Gaussian kernel density of points, a column for each dimension", nullptr,
+            {.density = true});
+    addTest(*stats, chosen, "meanshift", "MeanShift clusters of points, a column for each dimension", nullptr,
+            {.clusters = true});
 }
 
 }  // namespace deixis::app

@@ -1,4 +1,5 @@
 // deixis stats: what it prints, and what it says of files that it cannot read.
+#include <cmath>
 #include <sstream>
 
 #include "program.hpp"
@@ -177,5 +178,36 @@ TEST_SUITE("app/stats") {
         const auto finished = program("stats describe - --columns x", "printf 'x\\n1\\n2\\n' |");
         REQUIRE(finished.status == 0);
         CHECK(finished.out.find("median               1.5\n") != std::string::npos);
+    }
+
+    TEST_CASE("kde gives the normal kernels' sum, at the rows or elsewhere") {
+        const json out = numbers("kde", "x\n0\n\n1\n", "--columns x --bandwidth 1");
+        CHECK(out["n"] == 2);
+        CHECK(out["n_missing"] == 1);
+        CHECK(out["densities"][0].get<double>() == doctest::Approx(0.5 * (0.3989422804 + 0.2419707245)));
+        CHECK(out["densities"][1].is_null());
+        const Scratch scratch;
+        spill(scratch / "at.csv", "y,x\n7,0.5\n");
+        const json at = numbers("kde", "x\n0\n1\n", "--columns x --bandwidth 1 --at " + (scratch / "at.csv"));
+        REQUIRE(at["densities"].size() == 1);
+        CHECK(at["densities"][0].get<double>() == doctest::Approx(0.3520653268));
+        const json scott = numbers("kde", "x,y\n0,0\n1,3\n2,1\n", "--columns x,y --bandwidth scott");
+        CHECK(scott["rule"] == "scott");
+        CHECK(scott["bandwidths"][0].get<double>() == doctest::Approx(std::pow(3.0, -1.0 / 6.0)));
+        const auto bad = stats("kde", "x,y\n0,0\n1,3\n", "--columns x,y --bandwidth 1");
+        CHECK(bad.status != 0);
+        CHECK(bad.err.find("found 1 numbers, but 2 columns") != std::string::npos);
+        CHECK(stats("kde", "x\n1\n1\n", "--columns x").status != 0);
+    }
+
+    TEST_CASE("meanshift finds the groups that lie apart") {
+        const json out =
+            numbers("meanshift", "x,y\n5,1\n0,0\n0.1,0\n0.2,0\n5.1,1\n", "--columns x,y --bandwidth 1");
+        CHECK(out["clusters"] == 2);
+        CHECK(out["counts"] == json::array({3, 2}));
+        CHECK(out["labels"] == json::array({1, 0, 0, 0, 1}));
+        CHECK(out["centres"][0][0].get<double>() == doctest::Approx(0.1));
+        CHECK(stats("meanshift", "x\n1\n1\n", "--columns x").err.find("cannot be estimated") !=
+              std::string::npos);
     }
 }
