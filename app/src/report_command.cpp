@@ -1,4 +1,4 @@
-// deixis report: the analysis of a database as a page and as JSON.
+// deixis report: the analysis of databases or long tables as a page, as JSON and as tables.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -9,16 +9,17 @@
 #include "core/files.hpp"
 #include "report.hpp"
 #include "results/analysis.hpp"
-#include "results/response_table.hpp"
+#include "results/analysis_tables.hpp"
+#include "results/long_table.hpp"
 
 namespace deixis::app {
 
 namespace {
 
 struct ReportArguments {
-    std::string database;
-    std::string page;
-    std::string json;
+    std::vector<std::string> data;
+    ReportFiles files;
+    results::AnalysisOptions analysis;
 };
 
 }  // namespace
@@ -34,32 +35,71 @@ Result<void> checkOutput(const std::string& file) {
     return {};
 }
 
-Result<void> writeReport(const std::string& database, const std::string& page, const std::string& json) {
-    for (const std::string& file : {page, json})
+Result<results::ResponseTable> loadAll(const std::vector<std::string>& data) {
+    std::vector<results::ResponseTable> tables;
+    for (const std::string& file : data) {
+        auto table = results::loadAnswers(file);
+        if (!table) return tl::unexpected(table.error());
+        tables.push_back(std::move(*table));
+    }
+    return results::joinTables(std::move(tables));
+}
+
+Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
+                         const results::AnalysisOptions& options) {
+    for (const std::string& file : {files.page, files.json})
         if (auto checked = checkOutput(file); !checked) return checked;
-    if (!page.empty() && page == json) return fail(page, "was named for both the page and the JSON");
-    const auto table = results::loadResponses(database);
+    if (!files.page.empty() && files.page == files.json)
+        return fail(files.page, "was named for both the page and the JSON");
+    const auto table = loadAll(data);
     if (!table) return tl::unexpected(table.error());
-    const auto analysis = results::analyse(*table);
-    if (!page.empty())
-        if (auto written = writeFile(page, results::renderReport(analysis)); !written) return written;
-    if (!json.empty())
-        if (auto written = writeFile(json, results::analysisJson(analysis)); !written) return written;
+    const auto analysis = results::analyse(*table, options);
+    if (!files.page.empty())
+        if (auto written = writeFile(files.page, results::renderReport(analysis)); !written) return written;
+    if (!files.json.empty())
+        if (auto written = writeFile(files.json, results::analysisJson(analysis)); !written) return written;
+    for (const auto& [folder, kind] : {std::pair{files.csv, results::TableFormat::csv},
+                                       std::pair{files.latex, results::TableFormat::latex}}) {
+        if (folder.empty()) continue;
+        std::error_code code;
+        std::filesystem::create_directories(folder, code);
+        if (code) return fail(folder, "cannot be made: " + code.message());
+        for (const auto& [name, bytes] : results::analysisTables(analysis, kind))
+            if (auto written = writeFile(std::filesystem::path(folder) / name, bytes); !written)
+                return written;
+    }
     return {};
 }
 
 void addReportCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<ReportArguments>();
-    CLI::App* command =
-        cli.add_subcommand("report", "Analyse a database: an HTML page, and the numbers as JSON");
-    command->add_option("DB", options->database, "Database of a study")->required();
-    command->add_option("-o,--output", options->page, "HTML page to write")->default_val("report.html");
-    command->add_option("--json", options->json, "JSON file to write");
+    CLI::App* command = cli.add_subcommand(
+        "report", "Analyse databases or long tables: an HTML page, and the numbers as JSON, CSV and LaTeX");
+    command->add_option("DATA", options->data, "Databases of one study, or CSV files with one line an answer")
+        ->required();
+    command->add_option("-o,--output", options->files.page, "HTML page to write")->default_val("report.html");
+    command->add_option("--json", options->files.json, "JSON file to write");
+    command->add_option("--csv", options->files.csv, "Folder to write every table to, as CSV");
+    command->add_option("--latex", options->files.latex,
+                        "Folder to write every table to, as LaTeX (booktabs)");
+    command
+        ->add_option("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
+        ->check(CLI::Range(1e-6, 0.5));
+    command->add_option("--level", options->analysis.level, "Level of the intervals")
+        ->check(CLI::Range(0.5, 0.9999))
+        ->capture_default_str();
+    command->add_option("--resamples", options->analysis.resamples, "Resamples of the bootstrap")
+        ->check(CLI::Range(100, 1000000))
+        ->capture_default_str();
+    command->add_option("--seed", options->analysis.seed, "Seed of the bootstrap")->capture_default_str();
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
-            if (auto done = writeReport(options->database, options->page, options->json); !done) return done;
-            fmt::print("report: {}\n", options->page);
-            if (!options->json.empty()) fmt::print("analysis: {}\n", options->json);
+            const ReportFiles& files = options->files;
+            if (auto done = writeReport(options->data, files, options->analysis); !done) return done;
+            fmt::print("report: {}\n", files.page);
+            if (!files.json.empty()) fmt::print("analysis: {}\n", files.json);
+            if (!files.csv.empty()) fmt::print("tables: {}\n", files.csv);
+            if (!files.latex.empty()) fmt::print("LaTeX tables: {}\n", files.latex);
             return {};
         };
     });

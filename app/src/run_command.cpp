@@ -102,7 +102,7 @@ Result<void> report(const RunArguments& options) {
     const std::string page = options.report.empty()
                                  ? fs::path(options.database).replace_extension(".html").string()
                                  : options.report;
-    const auto written = writeReport(options.database, page, "");
+    const auto written = writeReport({options.database}, {.page = page});
     fmt::print("database: {}\n", fs::absolute(options.database).lexically_normal().string());
     if (!written) {
         if (!options.report.empty()) return written;

@@ -3,22 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
+#include "analysis_details.hpp"
+#include "analysis_remarks.hpp"
+#include "analysis_tests.hpp"
 #include "results/descriptive.hpp"
-#include "results/holm.hpp"
 
 namespace deixis::results {
 
 namespace {
-
-/// The scores of one participant under one condition.
-using Scores = std::vector<double>;
-
-/// Condition -> participant -> scores. std::map keeps the participants in order.
-using Cells = std::map<std::string, std::map<std::string, Scores>>;
 
 std::vector<double> participantMeans(const Cells& cells, const std::string& condition) {
     std::vector<double> means;
@@ -35,68 +30,51 @@ std::vector<double> allTrials(const Cells& cells, const std::string& condition) 
     return trials;
 }
 
-Summary summarise(const Cells& cells, const std::string& system) {
+/// Of participants' means, resampling participants.
+std::optional<BootstrapInterval> meanInterval(const std::vector<double>& means,
+                                              const AnalysisOptions& options) {
+    if (means.size() < 2) return std::nullopt;
+    std::vector<std::vector<double>> rows;
+    rows.reserve(means.size());
+    for (const double value : means) rows.push_back({value});
+    const auto made = bootstrapMeans(rows, {options.resamples, options.seed, options.level});
+    return made.front().bca ? made.front().bca : made.front().percentile;
+}
+
+Summary summarise(const Cells& cells, const std::string& system, const AnalysisOptions& options) {
     const auto means = participantMeans(cells, system);
     const auto trials = allTrials(cells, system);
-    return {mean(means), sampleSd(means), sampleSd(trials), static_cast<int>(trials.size()), means};
+    return {mean(means),
+            sampleSd(means),
+            sampleSd(trials),
+            static_cast<int>(trials.size()),
+            means,
+            meanInterval(means, options)};
 }
 
-/// Scores as the decimals they were given as: means that are equal on paper are equal.
-Rational exactMeanOf(const Scores& scores) {
-    Rational sum;
-    for (const double score : scores) sum += Rational::fromShortestDecimal(score);
-    return sum / Rational(static_cast<std::int64_t>(scores.size()));
-}
-
-double meanOf(const std::vector<Rational>& values) {
-    return values.empty() ? 0.0 : exactMean(values).toDouble();
-}
-
-/// Participants' means under `a` minus those under `b`, for the participants who have both.
-std::vector<Rational> pairedDifferences(const Cells& cells, const std::string& a, const std::string& b) {
-    std::vector<Rational> differences;
-    const auto cell_a = cells.find(a);
-    const auto cell_b = cells.find(b);
-    if (cell_a == cells.end() || cell_b == cells.end()) return differences;
-    for (const auto& [participant, scores] : cell_a->second)
-        if (const auto other = cell_b->second.find(participant); other != cell_b->second.end())
-            differences.push_back(exactMeanOf(scores) - exactMeanOf(other->second));
-    return differences;
-}
-
-void test(Comparison& comparison, const Cells& cells) {
-    const auto differences = pairedDifferences(cells, comparison.a, comparison.b);
-    comparison.mean_difference = meanOf(differences);
-    comparison.test = signedRankTest(differences);
-}
-
-/// Holm over a family of tests, and what is significant after it.
-template <typename Iterator>
-void adjust(Iterator first, Iterator last, double alpha) {
-    std::vector<double> p;
-    for (auto it = first; it != last; ++it) p.push_back(it->test.p_two_sided);
-    const auto adjusted = holm(p);
-    for (auto it = first; it != last; ++it) {
-        it->p_holm = adjusted[static_cast<std::size_t>(it - first)];
-        it->significant = it->p_holm <= alpha;
-    }
+/// The tests of a family lie behind one another.
+template <typename Test>
+void adjust(std::vector<Test>& tests, std::size_t first, const std::string& name, double alpha) {
+    std::vector<AdjustedTest*> family;
+    for (std::size_t i = first; i < tests.size(); ++i) family.push_back(&tests[i]);
+    adjustFamily(family, name, alpha);
 }
 
 /// All pairs of systems in one measure: one family.
 void comparePairs(const Cells& cells, const std::string& measure, AnalysisResult& result) {
     const auto& systems = result.table.systems;
-    const auto family = static_cast<std::ptrdiff_t>(result.pairwise.size());
+    if (systems.size() > 1) result.omnibus.push_back(omnibusTest(cells, measure, systems));
+    const std::size_t family = result.pairwise.size();
     for (std::size_t i = 0; i < systems.size(); ++i) {
         for (std::size_t j = i + 1; j < systems.size(); ++j) {
-            Comparison pair;
+            Comparison& pair = result.pairwise.emplace_back();
             pair.measure = measure;
             pair.a = systems[i];
             pair.b = systems[j];
-            test(pair, cells);
-            result.pairwise.push_back(pair);
+            testDifferences(pair, cells, result.options.level);
         }
     }
-    adjust(result.pairwise.begin() + family, result.pairwise.end(), result.table.alpha);
+    adjust(result.pairwise, family, fmt::format("{}: pairs of systems", measure), result.alpha);
 }
 
 /// The rows of one measure by the levels of a factor: of each system, and of all.
@@ -130,15 +108,20 @@ void compareLevels(const Measure& measure, const std::string& factor, const std:
     };
     addLevels("all", cells.of_all);
     for (const auto& system : result.table.systems) addLevels(system, cells.by_system[system]);
-    const auto family = static_cast<std::ptrdiff_t>(result.level_tests.size());
+    const std::size_t family = result.level_tests.size();
     for (const auto& system : result.table.systems)
         for (std::size_t i = 0; i < levels.size(); ++i)
             for (std::size_t j = i + 1; j < levels.size(); ++j) {
-                Comparison pair{measure.name, factor, system, levels[i], levels[j], 0.0, {}, 1.0, false};
-                test(pair, cells.by_system[system]);
-                result.level_tests.push_back(pair);
+                Comparison& pair = result.level_tests.emplace_back();
+                pair.measure = measure.name;
+                pair.factor = factor;
+                pair.system = system;
+                pair.a = levels[i];
+                pair.b = levels[j];
+                testDifferences(pair, cells.by_system[system], result.options.level);
             }
-    adjust(result.level_tests.begin() + family, result.level_tests.end(), result.table.alpha);
+    adjust(result.level_tests, family, fmt::format("{}: {}s within systems", measure.name, factor),
+           result.alpha);
 }
 
 /// Each pair of systems that stood side by side, whichever stood left.
@@ -167,9 +150,10 @@ void comparePreferences(AnalysisResult& result) {
                 (score > 0.0 ? out.prefers_a : score < 0.0 ? out.prefers_b : out.ties) += 1;
         }
         out.mean = meanOf(means);
-        out.test = signedRankTest(means);
+        out.test = signedRankTest(means, result.options.level);
+        out.normality = shapiroWilk(means);
     }
-    adjust(result.preferences.begin(), result.preferences.end(), result.table.alpha);
+    adjust(result.preferences, 0, "preference: pairs of systems", result.alpha);
 }
 
 void summariseScores(AnalysisResult& result) {
@@ -187,86 +171,13 @@ void summariseScores(AnalysisResult& result) {
     }
 }
 
-/// A participant who lacks answers under one of two conditions is missing from their comparison.
-void remarkLeftOut(const std::vector<Comparison>& comparisons, const std::string& measure,
-                   const std::string& factor, AnalysisResult& result) {
-    int fewest = result.participants;
-    int most = 0;
-    for (const auto& comparison : comparisons) {
-        if (comparison.measure != measure || comparison.factor != factor) continue;
-        fewest = std::min(fewest, comparison.test.n_pairs);
-        most = std::max(most, comparison.test.n_pairs);
-    }
-    if (fewest == result.participants || most == 0) return;
-    result.remarks.push_back(fmt::format(
-        "Tests of {}: participants without answers under one of the two conditions are left out; {} of {} "
-        "participants enter.",
-        factor.empty() ? measure : factor,
-        fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most),
-        result.participants));
-}
-
-/// The signed-rank test of n pairs cannot give a p below 2^(1-n).
-void remarkPower(AnalysisResult& result) {
-    if (result.measures.empty()) return;
-    const std::string& measure = result.measures.front().name;
-    const auto pairs = std::count_if(result.pairwise.begin(), result.pairwise.end(),
-                                     [&](const Comparison& c) { return c.measure == measure; });
-    const double smallest = std::exp2(1 - result.participants);
-    if (pairs == 0 || smallest * static_cast<double>(pairs) <= result.table.alpha) return;
-    result.remarks.push_back(fmt::format(
-        "With {} participant{} no difference between systems can be significant at {} after Holm's "
-        "correction: "
-        "the smallest p that the test can give is {:.2g}, to be multiplied by {}.",
-        result.participants, result.participants == 1 ? "" : "s", result.table.alpha, smallest, pairs));
-}
-
-void remarkAnswers(const ResponseTable& table, AnalysisResult& result) {
-    std::map<std::string, int> answered;
-    int interrupted = 0;
-    int synthetic = 0;
-    for (const auto& row : table.rows) {
-        ++answered[row.measure];
-        interrupted += row.pauses > 0 ? 1 : 0;
-        synthetic += row.synthetic ? 1 : 0;
-    }
-    auto& remarks = result.remarks;
-    const int all = static_cast<int>(table.rows.size());
-    std::string missing;
-    for (const Measure& measure : table.measures) {
-        if (answered[measure.name] == 0)
-            remarks.push_back(fmt::format("There are no answers on {}: it is not reported.", measure.name));
-        if (answered[measure.name] != measure.planned)
-            missing += fmt::format("{}{} of {} planned on {}", missing.empty() ? "" : ", ",
-                                   answered[measure.name], measure.planned, measure.name);
-    }
-    if (synthetic > 0 && synthetic < all)
-        remarks.push_back(
-            fmt::format("{} of {} answers come from simulated participants, the others from people: "
-                        "analyse them apart.",
-                        synthetic, all));
-    if (!missing.empty())
-        remarks.push_back(fmt::format("The data are incomplete: {} are answered.", missing));
-    if (result.participants != table.planned_participants)
-        remarks.push_back(fmt::format("{} of {} participants with a plan have answered.", result.participants,
-                                      table.planned_participants));
-    if (interrupted > 0)
-        remarks.push_back(fmt::format(
-            "{} answers were given to trials that had been interrupted and shown again from the start.",
-            interrupted));
-    if (table.withdrawn > 0)
-        remarks.push_back(fmt::format("{} {} withdrew; nothing of theirs is kept.", table.withdrawn,
-                                      table.withdrawn == 1 ? "participant" : "participants"));
-    for (const std::string& factor : table.between)
-        remarks.push_back(fmt::format(
-            "Participants differ in {}, which is not compared here: all are taken together.", factor));
-}
-
 }  // namespace
 
-AnalysisResult analyse(const ResponseTable& table) {
+AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options) {
     AnalysisResult result;
     result.table = table;
+    result.options = options;
+    result.alpha = options.alpha.value_or(table.alpha);
     std::map<std::string, Cells> cells;  // by measure
     std::set<std::string> participants;
     for (const auto& row : table.rows) {
@@ -278,7 +189,7 @@ AnalysisResult analyse(const ResponseTable& table) {
     for (const auto& row : table.scores) participants.insert(row.participant);
     for (const auto& station : table.stations) result.synthetic = result.synthetic || station.synthetic;
     result.participants = static_cast<int>(participants.size());
-    remarkAnswers(table, result);
+    remarkAnswers(result);
     for (const Measure& measure : table.measures)
         if (measure.kind != MeasureKind::preference) result.measures.push_back(measure);
 
@@ -286,7 +197,7 @@ AnalysisResult analyse(const ResponseTable& table) {
         SystemResult& row = result.systems.emplace_back();
         row.system = system;
         for (const Measure& measure : result.measures)
-            row.measures.push_back(summarise(cells[measure.name], system));
+            row.measures.push_back(summarise(cells[measure.name], system, options));
     }
     for (const Measure& measure : result.measures) comparePairs(cells[measure.name], measure.name, result);
     for (const Measure& measure : result.measures) {
@@ -296,11 +207,9 @@ AnalysisResult analyse(const ResponseTable& table) {
     }
     comparePreferences(result);
     summariseScores(result);
+    describeAnswers(result);
 
-    for (const Measure& measure : result.measures) remarkLeftOut(result.pairwise, measure.name, "", result);
-    for (const char* factor : {"layout", "distance"})
-        remarkLeftOut(result.level_tests, "accuracy", factor, result);
-    remarkPower(result);
+    remarkTests(result);
     return result;
 }
 

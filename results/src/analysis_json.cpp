@@ -12,26 +12,60 @@ Json orNull(bool known, double value) {
     return known ? Json(value) : Json();
 }
 
+Json orNull(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json intervalJson(const std::optional<BootstrapInterval>& interval) {
+    return interval ? Json{{"lower", interval->lower}, {"upper", interval->upper}} : Json();
+}
+
 Json summaryJson(const Summary& summary) {
     const std::size_t participants = summary.by_participant.size();
     return {{"mean", orNull(summary.n > 0, summary.mean)},
+            {"interval", intervalJson(summary.interval)},
+            {"participants", participants},
             {"sd_participants", orNull(participants > 1, summary.sd_participants)},
             {"sd_trials", orNull(summary.n > 1, summary.sd_trials)},
             {"n", summary.n}};
 }
 
-void addTest(Json& out, const SignedRankTest& test, double p_holm, bool significant) {
+void addTest(Json& out, const AdjustedTest& adjusted, const AnalysisResult& result) {
+    const SignedRankTest& test = adjusted.test;
+    const bool tested = test.n_pairs > 0;
     out["n"] = test.n_pairs;
+    out["n_missing"] = result.participants - test.n_pairs;
     out["n_zero"] = test.n_zero;
+    out["n_positive"] = test.n_positive;
+    out["n_negative"] = test.n_negative;
+    out["ties"] = test.ties;
     out["w_plus"] = test.w_plus;
     out["w_minus"] = test.w_minus;
-    out["p"] = test.p_two_sided;
-    out["p_holm"] = p_holm;
-    out["significant"] = significant;
+    out["z"] = orNull(test.z);
+    out["p"] = orNull(tested, test.p_two_sided);
+    out["p_holm"] = orNull(adjusted.p_holm);
+    out["significant"] = adjusted.significant;
     out["method"] = test.method;
+    out["family"] = adjusted.family;
+    out["family_size"] = adjusted.family_size;
+    out["alpha"] = result.alpha;
+    out["p_normal"] = orNull(tested, test.normal_p_two_sided);
+    out["p_pratt"] = orNull(tested, test.pratt_p_two_sided);
+    out["p_holm_pratt"] = orNull(adjusted.p_holm_pratt);
+    out["depends_on_zeros"] = adjusted.depends_on_zeros;
+    out["smallest_p"] = orNull(tested, test.smallest_p);
+    out["out_of_reach"] = adjusted.out_of_reach;
+    out["rank_biserial"] = orNull(test.rank_biserial);
+    out["paired_superiority"] = orNull(test.paired_superiority);
+    const HodgesLehmann& shift = test.hodges_lehmann;
+    out["hodges_lehmann"] = {{"estimate", orNull(shift.estimate)},
+                             {"lower", orNull(shift.lower)},
+                             {"upper", orNull(shift.upper)},
+                             {"level", orNull(shift.level)}};
+    out["shapiro_wilk"] = {{"w", orNull(adjusted.normality.w)}, {"p", orNull(adjusted.normality.p)}};
 }
 
-Json comparisonJson(const Comparison& comparison) {
+Json comparisonJson(const Comparison& comparison, const AnalysisResult& result) {
     Json out;
     out["measure"] = comparison.measure;
     if (!comparison.factor.empty()) out["factor"] = comparison.factor;
@@ -39,7 +73,7 @@ Json comparisonJson(const Comparison& comparison) {
     out["a"] = comparison.a;
     out["b"] = comparison.b;
     out["mean_difference"] = orNull(comparison.test.n_pairs > 0, comparison.mean_difference);
-    addTest(out, comparison.test, comparison.p_holm, comparison.significant);
+    addTest(out, comparison, result);
     return out;
 }
 
@@ -59,7 +93,7 @@ Json levelsJson(const AnalysisResult& result, const std::string& factor) {
 Json levelTestsJson(const AnalysisResult& result, const std::string& factor) {
     Json out = Json::array();
     for (const auto& comparison : result.level_tests)
-        if (comparison.factor == factor) out.push_back(comparisonJson(comparison));
+        if (comparison.factor == factor) out.push_back(comparisonJson(comparison, result));
     return out;
 }
 
@@ -72,10 +106,72 @@ Json preferencesJson(const AnalysisResult& result) {
                  {"ties", pair.ties},
                  {"prefers_b", pair.prefers_b},
                  {"mean", pair.mean}};
-        addTest(row, pair.test, pair.p_holm, pair.significant);
+        addTest(row, pair, result);
         out.push_back(std::move(row));
     }
     return out;
+}
+
+Json omnibusJson(const AnalysisResult& result) {
+    Json out = Json::array();
+    for (const OmnibusResult& one : result.omnibus) {
+        Json ranks = Json::object();
+        for (std::size_t i = 0; i < one.test.mean_ranks.size(); ++i)
+            ranks[result.table.systems[i]] = one.test.mean_ranks[i];
+        const ImanDavenport& f = one.test.iman_davenport;
+        out.push_back(
+            {{"measure", one.measure},
+             {"test", "Friedman"},
+             {"n", one.test.n},
+             {"n_missing", result.participants - one.test.n},
+             {"ties", one.test.ties},
+             {"mean_ranks", ranks},
+             {"chi2", orNull(one.test.chi2)},
+             {"df", one.test.df},
+             {"p", orNull(one.test.p)},
+             {"kendalls_w", orNull(one.test.kendalls_w)},
+             {"iman_davenport", {{"f", orNull(f.f)}, {"df1", f.df1}, {"df2", f.df2}, {"p", orNull(f.p)}}}});
+    }
+    return out;
+}
+
+void addDetails(Json& out, const AnalysisResult& result) {
+    out["chance"] = Json::array();
+    for (const ChanceResult& one : result.chance)
+        out["chance"].push_back({{"system", one.system},
+                                 {"successes", one.proportion.successes},
+                                 {"n", one.proportion.n},
+                                 {"estimate", orNull(one.proportion.estimate)},
+                                 {"lower", orNull(one.proportion.lower)},
+                                 {"upper", orNull(one.proportion.upper)},
+                                 {"p_chance", orNull(one.proportion.p_chance)},
+                                 {"ignores", "clustering by participant and item"}});
+    out["order"] = Json::array();
+    for (const OrderResult& one : result.order) {
+        Json row{{"measure", one.measure}, {"first_half", one.first}, {"second_half", one.second}};
+        addTest(row, one, result);
+        out["order"].push_back(std::move(row));
+    }
+    out["response_times"] = Json::array();
+    for (const TimeResult& one : result.times)
+        out["response_times"].push_back({{"measure", one.measure},
+                                         {"system", one.system},
+                                         {"n", one.n},
+                                         {"q25_s", one.q25_s},
+                                         {"median_s", one.median_s},
+                                         {"q75_s", one.q75_s}});
+    out["items"] = Json::array();
+    for (const ItemResult& one : result.items)
+        out["items"].push_back(
+            {{"measure", one.measure}, {"item", one.item}, {"mean", one.mean}, {"n", one.n}});
+    out["answers_by_participant"] = Json::array();
+    for (const PresenceRow& row : result.presence) {
+        Json answers = Json::object();
+        for (std::size_t m = 0; m < result.measures.size(); ++m)
+            for (std::size_t i = 0; i < result.systems.size(); ++i)
+                answers[result.measures[m].name][result.systems[i].system] = row.answers[m][i];
+        out["answers_by_participant"].push_back({{"participant", row.participant}, {"answers", answers}});
+    }
 }
 
 const char* kindName(MeasureKind kind) {
@@ -95,11 +191,14 @@ const char* kindName(MeasureKind kind) {
 std::string analysisJson(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     Json out;
+    out["schema"] = {{"name", "deixis-analysis"}, {"version", 2}};
     out["program"] = {{"name", "deixis"}, {"recorded_by", table.program_versions}};
     out["study"] = {{"name", table.study_name},
                     {"title", table.study_title},
                     {"hash", table.study_hash},
                     {"planned_participants", table.planned_participants}};
+    out["data"] = {
+        {"files", table.database}, {"answers_hash", answersHash(table)}, {"answers", table.rows.size()}};
     out["measures"] = Json::array();
     for (const auto& measure : table.measures)
         out["measures"].push_back({{"measure", measure.name},
@@ -109,7 +208,10 @@ std::string analysisJson(const AnalysisResult& result) {
                                    {"planned", measure.planned}});
     out["participants"] = result.participants;
     out["synthetic"] = result.synthetic;
-    out["alpha"] = table.alpha;
+    out["alpha"] = result.alpha;
+    out["settings"] = {{"level", result.options.level},
+                       {"resamples", result.options.resamples},
+                       {"seed", result.options.seed}};
     out["systems"] = Json::array();
     for (const auto& system : result.systems) {
         Json row{{"system", system.system}};
@@ -119,11 +221,14 @@ std::string analysisJson(const AnalysisResult& result) {
     }
     out["layouts"] = levelsJson(result, "layout");
     out["distances"] = levelsJson(result, "distance");
+    out["omnibus"] = omnibusJson(result);
     out["pairwise"] = Json::array();
-    for (const auto& comparison : result.pairwise) out["pairwise"].push_back(comparisonJson(comparison));
+    for (const auto& comparison : result.pairwise)
+        out["pairwise"].push_back(comparisonJson(comparison, result));
     out["layout_tests"] = levelTestsJson(result, "layout");
     out["distance_tests"] = levelTestsJson(result, "distance");
     out["preferences"] = preferencesJson(result);
+    addDetails(out, result);
     out["scores"] = Json::array();
     for (const auto& score : result.scores)
         out["scores"].push_back({{"stage", score.stage},

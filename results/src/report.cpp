@@ -3,53 +3,41 @@
 
 #include <algorithm>
 
+#include "report_details.hpp"
+#include "report_tests.hpp"
 #include "report_text.hpp"
 
 namespace deixis::results {
 
 namespace {
 
-/// Tables are numbered in the order in which they stand.
-class Numbering {
-  public:
-    std::string next() { return fmt::format("<b>Table {}.</b>", ++last_); }
-
-  private:
-    int last_ = 0;
-};
-
-const char* const dash = "&#8211;";
-
 std::string cells(const Summary& summary, const Measure& measure) {
     const auto number = [&](bool known, double value) {
         return known ? scoreText(measure, value) : std::string(dash);
     };
-    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", number(summary.n > 0, summary.mean),
+    const std::string interval = summary.interval
+                                     ? intervalText(measure, summary.interval->lower, summary.interval->upper)
+                                     : std::string(dash);
+    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
+                       number(summary.n > 0, summary.mean), interval,
                        number(summary.by_participant.size() > 1, summary.sd_participants),
                        number(summary.n > 1, summary.sd_trials), summary.n);
 }
 
 std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.measures.empty()) return "";
-    std::string measures;
-    std::string over;
-    for (const Measure& measure : result.measures) {
-        over += fmt::format("<th colspan=\"4\">{}</th>", escapeHtml(capitalised(measure.name)));
-        measures += (measures.empty() ? "" : ", ") + escapeHtml(measure.name);
-    }
     std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{} Means of each system: {}. n counts "
-        "answers.</caption><thead><tr class=\"over\"><th></th>{}</tr><tr><th>System</th>",
-        numbering.next(), measures, over);
+        "<div class=\"scroll\"><table><caption>{} Means of each system. Interval: {:g}&#160;%, bootstrap "
+        "over "
+        "participants. n counts answers.</caption><thead><tr><th>Measure</th><th class=\"text\">System</th>"
+        "<th>Mean</th><th>Interval</th><th>SD participants</th><th>SD "
+        "trials</th><th>n</th></tr></thead><tbody>",
+        numbering.next(), 100.0 * result.options.level);
     for (std::size_t i = 0; i < result.measures.size(); ++i)
-        out += "<th>Mean</th><th>SD participants</th><th>SD trials</th><th>n</th>";
-    out += "</tr></thead><tbody>";
-    for (const auto& system : result.systems) {
-        out += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(system.system));
-        for (std::size_t i = 0; i < result.measures.size(); ++i)
-            out += cells(system.measures[i], result.measures[i]);
-        out += "</tr>";
-    }
+        for (const auto& system : result.systems)
+            out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
+                               escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
+                               cells(system.measures[i], result.measures[i]));
     return out + "</tbody></table></div>";
 }
 
@@ -78,90 +66,6 @@ std::string levelTable(const AnalysisResult& result, const std::string& factor,
         if (++i % levels.size() == 0) out += "</tr>";
     }
     return out + "</tbody></table></div>";
-}
-
-std::string verdict(const SignedRankTest& test, bool significant) {
-    if (test.n_pairs == 0) return "<td class=\"text not\">no participant has both</td>";
-    if (!significant) return "<td class=\"text not\">not significant</td>";
-    return fmt::format("<td class=\"text sig\">{} higher</td>", test.w_plus > test.w_minus ? "A" : "B");
-}
-
-/// Empty where no participant has answers to compare.
-std::string testTable(const std::vector<Comparison>& comparisons, const Measure& measure,
-                      const std::string& factor, const std::string& caption, Numbering& numbering) {
-    const auto belongs = [&](const Comparison& c) { return c.measure == measure.name && c.factor == factor; };
-    if (std::none_of(comparisons.begin(), comparisons.end(),
-                     [&](const Comparison& c) { return belongs(c) && c.test.n_pairs > 0; }))
-        return "";
-    std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{} {}{} n counts participants.</caption><thead><tr>{}<th "
-        "class=\"text\">A</th><th class=\"text\">B</th><th>A &#8722; "
-        "B</th><th>n</th><th>zeros</th><th>W+</th>"
-        "<th>W&#8722;</th><th>p</th><th>p (Holm)</th><th class=\"text\">Result</th></tr></thead><tbody>",
-        numbering.next(), caption,
-        measure.kind == MeasureKind::accuracy ? " (A &#8722; B in percentage points)." : ".",
-        factor.empty() ? "" : "<th>System</th>");
-    for (const auto& comparison : comparisons) {
-        if (!belongs(comparison)) continue;
-        const SignedRankTest& test = comparison.test;
-        out += "<tr>";
-        if (!factor.empty()) out += fmt::format("<th scope=\"row\">{}</th>", escapeHtml(comparison.system));
-        out += fmt::format(
-            "<td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-            "<td>{}</td><td>{}</td><td>{}</td>{}</tr>",
-            escapeHtml(comparison.a), escapeHtml(comparison.b),
-            test.n_pairs > 0 ? scoreText(measure, comparison.mean_difference) : dash, test.n_pairs,
-            test.n_zero, test.w_plus, test.w_minus, pText(test.p_two_sided), pText(comparison.p_holm),
-            verdict(test, comparison.significant));
-    }
-    return out + "</tbody></table></div>";
-}
-
-std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) {
-    if (result.preferences.empty()) return "";
-    std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{} Preferences: answers for A, for neither and for B; mean of "
-        "the "
-        "participants' means (positive: A). n counts participants.</caption><thead><tr><th "
-        "class=\"text\">A</th>"
-        "<th class=\"text\">B</th><th>for A</th><th>equal</th><th>for "
-        "B</th><th>Mean</th><th>n</th><th>zeros</th>"
-        "<th>W+</th><th>W&#8722;</th><th>p</th><th>p (Holm)</th><th "
-        "class=\"text\">Result</th></tr></thead><tbody>",
-        numbering.next());
-    const Measure scale{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0};
-    for (const auto& pair : result.preferences)
-        out += fmt::format(
-            "<tr><td class=\"text\">{}</td><td "
-            "class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-            "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}</tr>",
-            escapeHtml(pair.a), escapeHtml(pair.b), pair.prefers_a, pair.ties, pair.prefers_b,
-            scoreText(scale, pair.mean), pair.test.n_pairs, pair.test.n_zero, pair.test.w_plus,
-            pair.test.w_minus, pText(pair.test.p_two_sided), pText(pair.p_holm),
-            verdict(pair.test, pair.significant));
-    return out + "</tbody></table></div>";
-}
-
-std::string tests(const AnalysisResult& result, Numbering& numbering) {
-    std::string out = "<h2>Tests</h2>";
-    if (result.participants < 2)
-        return out +
-               "<p>The tests compare participants' means over participants. With one participant there is "
-               "nothing to "
-               "test yet; the tests appear here from the second participant on.</p>";
-    std::string tables;
-    if (result.systems.size() > 1)
-        for (const Measure& measure : result.measures)
-            tables += testTable(result.pairwise, measure, "",
-                                escapeHtml(capitalised(measure.name)) + ", all pairs of systems", numbering);
-    for (const Measure& measure : result.measures)
-        for (const char* factor : {"layout", "distance"})
-            tables += testTable(
-                result.level_tests, measure, factor,
-                fmt::format("{}, {}s within each system", escapeHtml(capitalised(measure.name)), factor),
-                numbering);
-    tables += preferenceTable(result, numbering);
-    return tables.empty() ? "" : out + tables;
 }
 
 std::string scoresTable(const AnalysisResult& result, Numbering& numbering) {
@@ -219,11 +123,17 @@ std::string provenance(const AnalysisResult& result) {
     const auto entry = [&](const char* name, const std::string& html) {
         out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
     };
-    entry("Database", escapeHtml(table.database));
-    entry("Study", escapeHtml(table.study_name));
-    entry("Study file (SHA-256)", escapeHtml(table.study_hash));
-    entry("Recorded by", joined(table.program_versions));
-    entry("Avatar (SHA-256)", joined(table.avatar_hashes));
+    entry("Data", escapeHtml(table.database));
+    entry("Answers (SHA-256)", answersHash(table));
+    if (!table.study_hash.empty()) {
+        entry("Study", escapeHtml(table.study_name));
+        entry("Study file (SHA-256)", escapeHtml(table.study_hash));
+        entry("Recorded by", joined(table.program_versions));
+        entry("Avatar (SHA-256)", joined(table.avatar_hashes));
+    }
+    entry("Settings",
+          fmt::format("&#945; = {}, intervals at {:g}&#160;%, {} bootstrap resamples, seed {}", result.alpha,
+                      100.0 * result.options.level, result.options.resamples, result.options.seed));
     for (const auto& station : table.stations)
         entry("Station", fmt::format("{}{}: {} session{}{}", escapeHtml(station.kind),
                                      station.synthetic ? " (no person answers)" : "", station.sessions,
@@ -253,9 +163,10 @@ std::string renderReport(const AnalysisResult& result) {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{} &#8211; "
         "report</title>\n"
         "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n"
-        "<p class=\"lead\">{} participant{} &#183; {} answers &#183; {} systems &#183; station: {}</p>\n",
+        "<p class=\"lead\">{} participant{} &#183; {} answers &#183; {} systems{}</p>\n",
         escapeHtml(table.study_title), report_css, escapeHtml(table.study_title), result.participants,
-        result.participants == 1 ? "" : "s", table.rows.size(), table.systems.size(), stationKinds(table));
+        result.participants == 1 ? "" : "s", table.rows.size(), table.systems.size(),
+        table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
     if (result.synthetic)
         out +=
             "<p class=\"synthetic\"><b>Simulated participants:</b> these numbers test the pipeline and are "
@@ -283,9 +194,12 @@ std::string renderReport(const AnalysisResult& result) {
         out += "\n" + levelTable(result, "layout", table.layouts, numbering);
         out += "\n" + levelTable(result, "distance", table.distances, numbering);
     }
-    out += "\n" + tests(result, numbering);
+    out += "\n" + testsHtml(result, numbering);
+    out += "\n" + sensitivityHtml(result, numbering);
+    out += "\n" + detailsHtml(result, numbering);
     out += "\n" + scoresTable(result, numbering);
     out += "\n" + checksAndLeftOut(result, numbering);
+    out += "\n" + presenceHtml(result, numbering);
     if (!result.remarks.empty()) {
         out += "\n<h2>Remarks</h2><ul class=\"findings\">";
         for (const auto& remark : result.remarks) out += "<li>" + escapeHtml(remark) + "</li>";

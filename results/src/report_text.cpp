@@ -35,12 +35,24 @@ std::string pText(double p) {
     return p < 0.001 ? "&lt;0.001" : fmt::format("{:.3f}", p);
 }
 
+std::string pText(const std::optional<double>& p) {
+    return p ? pText(*p) : std::string(dash);
+}
+
 std::string scoreText(const Measure& measure, double value) {
     const bool percent = measure.kind == MeasureKind::accuracy;
     const std::string digits =
         percent ? fmt::format("{:.1f}", 100.0 * std::abs(value)) : fmt::format("{:.2f}", std::abs(value));
     const bool zero = digits.find_first_not_of("0.") == std::string::npos;
     return (value < 0.0 && !zero ? "&#8722;" : "") + digits + (percent ? "&#160;%" : "");
+}
+
+std::string intervalText(const Measure& measure, double lower, double upper) {
+    return fmt::format("[{}, {}]", scoreText(measure, lower), scoreText(measure, upper));
+}
+
+std::string signedText(std::string_view number) {
+    return number.starts_with('-') ? "&#8722;" + std::string(number.substr(1)) : std::string(number);
 }
 
 std::string capitalised(std::string_view text) {
@@ -136,7 +148,7 @@ std::string findingsHtml(const AnalysisResult& result) {
         out += fmt::format(
             "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "
             "tests over participants, after Holm's correction.</p>",
-            result.table.alpha);
+            result.alpha);
     return out;
 }
 
@@ -185,20 +197,30 @@ std::string methodsHtml(const AnalysisResult& result) {
         "paper, "
         "give mean and standard deviation over trials. Both divide by n&#160;&#8722;&#160;1.</p>";
     out += fmt::format(
-        "<p><b>Tests.</b> Two systems are compared by the two-sided Wilcoxon signed-rank test of the "
-        "participants' means. Differences of zero are dropped before ranking (Wilcoxon's rule), equal "
-        "differences "
-        "share their mean rank. W+ and W&#8722; are the rank sums of positive and negative differences. p is "
-        "exact, "
-        "with ties too, for up to 100 differences; beyond, it is a normal approximation with tie and "
-        "continuity "
-        "corrections. Holm's correction covers the {} pairs of systems within one measure, and for layouts "
+        "<p><b>Intervals</b> of means are {:g}&#160;% bootstrap intervals over participants (bias-corrected "
         "and "
-        "distances each the tests of all systems; corrected p values up to &#945;&#160;=&#160;{} count as "
-        "significant. A participant without answers under one of two conditions is left out of their "
-        "comparison; "
-        "nothing is filled in.{}</p>",
-        pairs, table.alpha,
+        "accelerated, {} resamples, seed {}; percentiles where the correction is not defined).</p>",
+        100.0 * result.options.level, result.options.resamples, result.options.seed);
+    out += fmt::format(
+        "<p><b>Tests.</b> Two systems are compared by the two-sided Wilcoxon signed-rank test of the "
+        "participants' means, whose differences are computed in exact fractions. Differences of zero are "
+        "dropped "
+        "before ranking (Wilcoxon's rule), equal differences share their mean rank; where there are zeros, "
+        "Pratt's p, which ranks them, stands beside. W+ and W&#8722; are the rank sums of positive and "
+        "negative "
+        "differences. p is exact, with ties too, for up to 2,000 differences; beyond, it is a normal "
+        "approximation with tie and continuity corrections. The shift is the median of all Walsh averages, "
+        "zeros "
+        "among them, with the closed interval of the exact test. Holm's correction covers the {} pairs of "
+        "systems "
+        "within one measure, and for layouts and distances each the tests of all systems; corrected p values "
+        "up "
+        "to &#945;&#160;=&#160;{} count as significant. A participant without answers under one of two "
+        "conditions "
+        "is left out of their comparison; nothing is filled in. That a difference is not significant does "
+        "not "
+        "show that there is none: look at its interval.{}</p>",
+        pairs, result.alpha,
         result.preferences.empty() ? ""
                                    : " Preferences: the same test of the participants' mean preferences "
                                      "against none, Holm over all pairs.");
@@ -244,6 +266,9 @@ tbody th { font-weight: 600; }
 tr.all td, tr.all th { background: #f5f5f2; }
 td.sig { font-weight: 600; }
 td.not { color: #6b6b66; }
+details { margin: -.4rem 0 1rem; font-size: .875rem; }
+summary { cursor: pointer; color: #4c4c48; }
+td.missing { background: #fff6e8; color: #8a4500; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1.2rem; font-size: .9375rem; }
 dt { color: #4c4c48; }
 dd { margin: 0; overflow-wrap: anywhere; }

@@ -1,7 +1,10 @@
 // Text for the report: escaped for HTML, numbers rounded for reading.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,14 +12,33 @@
 
 namespace deixis::results {
 
+/// Stands where a number is not defined.
+constexpr const char* dash = "&#8211;";
+
+/// Tables are numbered in the order in which they stand.
+class Numbering {
+  public:
+    std::string next() { return fmt::format("<b>Table {}.</b>", ++last_); }
+
+  private:
+    int last_ = 0;
+};
+
 /// Safe as text and as an attribute's value, in HTML and XML.
 [[nodiscard]] std::string escapeHtml(std::string_view text);
 
 /// "<0.001" or three decimals; escaped.
 [[nodiscard]] std::string pText(double p);
+[[nodiscard]] std::string pText(const std::optional<double>& p);  ///< a dash where there is none
 
 /// A participant's mean, a mean or an SD of a measure: percent with one decimal, or scale points with two.
 [[nodiscard]] std::string scoreText(const Measure& measure, double value);
+
+/// "[1.20, 2.31]", both as scoreText has them.
+[[nodiscard]] std::string intervalText(const Measure& measure, double lower, double upper);
+
+/// A formatted number with a proper minus sign.
+[[nodiscard]] std::string signedText(std::string_view number);
 
 /// "Accuracy", "Human-likeness".
 [[nodiscard]] std::string capitalised(std::string_view text);

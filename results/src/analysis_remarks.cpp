@@ -1,0 +1,112 @@
+#include "analysis_remarks.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+namespace deixis::results {
+
+namespace {
+
+/// A participant who lacks answers under one of two conditions is missing from their comparison.
+void remarkLeftOut(const std::vector<Comparison>& comparisons, const std::string& measure,
+                   const std::string& factor, AnalysisResult& result) {
+    int fewest = result.participants;
+    int most = 0;
+    for (const auto& comparison : comparisons) {
+        if (comparison.measure != measure || comparison.factor != factor) continue;
+        fewest = std::min(fewest, comparison.test.n_pairs);
+        most = std::max(most, comparison.test.n_pairs);
+    }
+    if (fewest == result.participants || most == 0) return;
+    result.remarks.push_back(fmt::format(
+        "Tests of {}: participants without answers under one of the two conditions are left out; {} of {} "
+        "participants enter.",
+        factor.empty() ? measure : factor,
+        fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most),
+        result.participants));
+}
+
+/// What a reader must know of every test.
+template <typename Test>
+void remarkDecisions(const std::vector<Test>& tests, AnalysisResult& result) {
+    int out_of_reach = 0;
+    int tested = 0;
+    for (const Test& one : tests) {
+        if (one.test.n_pairs == 0) continue;
+        ++tested;
+        out_of_reach += one.out_of_reach ? 1 : 0;
+        if (one.depends_on_zeros)
+            result.remarks.push_back(fmt::format(
+                "{}: {} against {} is {}significant at {} where differences of zero are dropped (p = {:.3g} "
+                "after Holm's correction) and is {}where they are ranked (Pratt's rule: p = {:.3g}): the "
+                "decision depends on that choice.",
+                one.family, one.a, one.b, one.significant ? "" : "not ", result.alpha, *one.p_holm,
+                one.significant ? "not " : "", *one.p_holm_pratt));
+    }
+    if (out_of_reach > 0)
+        result.remarks.push_back(fmt::format(
+            "{} of {} tests ({}) cannot be significant at {} after Holm's correction, whatever was answered: "
+            "they have too few differences other than zero.",
+            out_of_reach, tested, tests.front().family, result.alpha));
+}
+
+}  // namespace
+
+void remarkAnswers(AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    std::map<std::string, int> answered;
+    int interrupted = 0;
+    int synthetic = 0;
+    for (const auto& row : table.rows) {
+        ++answered[row.measure];
+        interrupted += row.pauses > 0 ? 1 : 0;
+        synthetic += row.synthetic ? 1 : 0;
+    }
+    auto& remarks = result.remarks;
+    remarks.insert(remarks.end(), table.notes.begin(), table.notes.end());
+    const int all = static_cast<int>(table.rows.size());
+    std::string missing;
+    for (const Measure& measure : table.measures) {
+        if (answered[measure.name] == 0)
+            remarks.push_back(fmt::format("There are no answers on {}: it is not reported.", measure.name));
+        if (answered[measure.name] != measure.planned)
+            missing += fmt::format("{}{} of {} planned on {}", missing.empty() ? "" : ", ",
+                                   answered[measure.name], measure.planned, measure.name);
+    }
+    if (synthetic > 0 && synthetic < all)
+        remarks.push_back(
+            fmt::format("{} of {} answers come from simulated participants, the others from people: "
+                        "analyse them apart.",
+                        synthetic, all));
+    if (!missing.empty())
+        remarks.push_back(fmt::format("The data are incomplete: {} are answered.", missing));
+    if (result.participants != table.planned_participants)
+        remarks.push_back(fmt::format("{} of {} participants with a plan have answered.", result.participants,
+                                      table.planned_participants));
+    if (interrupted > 0)
+        remarks.push_back(fmt::format(
+            "{} answers were given to trials that had been interrupted and shown again from the start.",
+            interrupted));
+    if (table.withdrawn > 0)
+        remarks.push_back(fmt::format("{} {} withdrew; nothing of theirs is kept.", table.withdrawn,
+                                      table.withdrawn == 1 ? "participant" : "participants"));
+    for (const std::string& factor : table.between)
+        remarks.push_back(fmt::format(
+            "Participants differ in {}, which is not compared here: all are taken together.", factor));
+}
+
+void remarkTests(AnalysisResult& result) {
+    for (const Measure& measure : result.measures) remarkLeftOut(result.pairwise, measure.name, "", result);
+    for (const char* factor : {"layout", "distance"})
+        remarkLeftOut(result.level_tests, "accuracy", factor, result);
+    for (const auto* tests : {&result.pairwise, &result.level_tests}) {
+        std::map<std::string, std::vector<Comparison>> families;
+        for (const Comparison& one : *tests) families[one.family].push_back(one);
+        for (const auto& [name, family] : families) remarkDecisions(family, result);
+    }
+    remarkDecisions(result.preferences, result);
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,45 @@
+// A table of cells, written as CSV or as LaTeX; private to the analysis' outputs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "csv_table.hpp"
+
+namespace deixis::results {
+
+/// monostate: nothing is known.
+using PlainCell = std::variant<std::monostate, std::string, double, long long, bool>;
+
+/// How a column stands in print.
+enum class Print : unsigned char {
+    no,       ///< in CSV only
+    plain,    ///< texts and whole numbers as they are, others with three digits behind the point
+    p_value,  ///< "< 0.001" or three digits
+};
+
+struct PlainColumn {
+    std::string name;
+    ColumnType type = ColumnType::text;
+    Print print = Print::no;
+    std::string heading{};  ///< in print, LaTeX; empty: the name
+};
+
+struct PlainTable {
+    std::string name;  ///< of the file, without its ending
+    std::string caption;
+    std::vector<PlainColumn> columns;
+    std::vector<std::vector<PlainCell>> rows{};
+};
+
+[[nodiscard]] PlainCell plainCell(const std::optional<double>& value);
+
+/// Safe for spreadsheets (safeText()).
+[[nodiscard]] std::string csvText(const PlainTable& table);
+
+/// A table environment with \toprule, \midrule and \bottomrule; texts are escaped.
+[[nodiscard]] std::string latexText(const PlainTable& table);
+
+}  // namespace deixis::results

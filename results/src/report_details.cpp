@@ -1,0 +1,182 @@
+#include "report_details.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace deixis::results {
+
+namespace {
+
+std::string openTable(const std::string& caption, const std::string& columns, Numbering& numbering) {
+    return fmt::format(
+        "<div class=\"scroll\"><table><caption>{} {}</caption><thead><tr>{}</tr></thead><tbody>",
+        numbering.next(), caption, columns);
+}
+
+constexpr const char* close_table = "</tbody></table></div>";
+
+const Measure& measureOf(const AnalysisResult& result, const std::string& name) {
+    return *std::find_if(result.measures.begin(), result.measures.end(),
+                         [&](const Measure& one) { return one.name == name; });
+}
+
+std::string chanceTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.chance.empty()) return "";
+    const Measure& accuracy = measureOf(result, "accuracy");
+    const bool known = accuracy.balls > 1;
+    std::string out = openTable(
+        fmt::format(
+            "Right choices of each system{}. Interval: Clopper&#8211;Pearson, {:g}&#160;%. Choices are taken "
+            "as independent, which ignores that they cluster by participant and item: read the intervals "
+            "as too narrow.",
+            known ? fmt::format(" against chance (1 of {} balls), exact binomial test", accuracy.balls) : "",
+            100.0 * result.options.level),
+        "<th>System</th><th>right</th><th>of</th><th>Share</th><th>Interval</th><th>p (chance)</th>",
+        numbering);
+    for (const ChanceResult& one : result.chance) {
+        const Proportion& share = one.proportion;
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escapeHtml(one.system), share.successes, share.n,
+            share.estimate ? scoreText(accuracy, *share.estimate) : std::string(dash),
+            share.lower ? intervalText(accuracy, *share.lower, *share.upper) : std::string(dash),
+            pText(share.p_chance));
+    }
+    return out + close_table;
+}
+
+std::string orderTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.order.empty() || result.participants < 2) return "";
+    std::string out = openTable(
+        "Do answers change while a participant goes on? First and second half of each participant's answers, "
+        "signed-rank test over participants, Holm over the measures.",
+        "<th>Measure</th><th>First half</th><th>Second half</th><th>n</th><th>p</th><th>p (Holm)</th>",
+        numbering);
+    for (const OrderResult& one : result.order) {
+        const Measure& measure = measureOf(result, one.measure);
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escapeHtml(capitalised(one.measure)), scoreText(measure, one.first),
+            scoreText(measure, one.second), one.test.n_pairs, pText(one.test.p_two_sided), pText(one.p_holm));
+    }
+    return out + close_table;
+}
+
+std::string timesTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.times.empty()) return "";
+    std::string out =
+        openTable("Response times over answers, seconds.",
+                  "<th>Measure</th><th class=\"text\">System</th><th>25&#160;%</th><th>Median</th>"
+                  "<th>75&#160;%</th><th>n</th>",
+                  numbering);
+    for (const TimeResult& one : result.times)
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td "
+            "class=\"text\">{}</td><td>{:.2f}</td><td>{:.2f}</td><td>{:.2f}</td>"
+            "<td>{}</td></tr>",
+            escapeHtml(capitalised(one.measure)), escapeHtml(one.system), one.q25_s, one.median_s, one.q75_s,
+            one.n);
+    return out + close_table;
+}
+
+std::string itemsTable(const AnalysisResult& result, Numbering& numbering) {
+    constexpr std::size_t most_shown = 5;
+    std::string rows;
+    for (const Measure& measure : result.measures) {
+        std::vector<const ItemResult*> items;
+        for (const ItemResult& one : result.items)
+            if (one.measure == measure.name) items.push_back(&one);
+        if (items.size() < 2) continue;
+        const auto row = [&](const ItemResult& one, const char* end) {
+            rows += fmt::format(
+                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
+                "<td>{}</td></tr>",
+                escapeHtml(capitalised(measure.name)), end, escapeHtml(one.item),
+                scoreText(measure, one.mean), one.n);
+        };
+        const std::size_t shown = std::min(most_shown, items.size() / 2);
+        for (std::size_t i = 0; i < shown; ++i) row(*items[i], "lowest");
+        for (std::size_t i = items.size() - shown; i < items.size(); ++i) row(*items[i], "highest");
+    }
+    if (rows.empty()) return "";
+    return openTable(
+               "Items with the lowest and the highest means, over systems and participants. All of them: "
+               "<code>--csv</code>.",
+               "<th>Measure</th><th class=\"text\"></th><th class=\"text\">Item</th><th>Mean</th><th>n</th>",
+               numbering) +
+           rows + close_table;
+}
+
+}  // namespace
+
+std::string detailsHtml(const AnalysisResult& result, Numbering& numbering) {
+    // One after another: the tables count.
+    std::string tables = chanceTable(result, numbering);
+    tables += orderTable(result, numbering);
+    tables += timesTable(result, numbering);
+    tables += itemsTable(result, numbering);
+    return tables.empty() ? "" : "<h2>Chance, order, time and items</h2>" + tables;
+}
+
+std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) {
+    std::string rows;
+    bool differ = false;
+    for (const Comparison& one : result.pairwise) {
+        if (one.test.n_pairs == 0) continue;
+        differ = differ || one.depends_on_zeros;
+        rows += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td "
+            "class=\"text\">{}</td><td>{}</td><td>{}</td>"
+            "<td>{}</td><td>{}</td><td>{}</td></tr>",
+            escapeHtml(capitalised(one.measure)), escapeHtml(one.a), escapeHtml(one.b), one.test.n_zero,
+            pText(one.test.p_two_sided), pText(one.test.pratt_p_two_sided),
+            pText(one.test.normal_p_two_sided),
+            one.depends_on_zeros ? "<b>depends on the zeros</b>" : "the same");
+    }
+    if (rows.empty() || result.participants < 2) return "";
+    return "<h2>Sensitivity</h2>" +
+           openTable(
+               "The same pairs of systems with zeros dropped (the headline) and ranked (Pratt), and with the "
+               "normal approximation; p values are not corrected, the decisions are.",
+               "<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th><th>zeros</th><th>p</th>"
+               "<th>p (Pratt)</th><th>p (normal)</th><th>Decision</th>",
+               numbering) +
+           rows + close_table +
+           (differ ? "" : "<p class=\"small\">No decision depends on how zeros are treated.</p>");
+}
+
+std::string presenceHtml(const AnalysisResult& result, Numbering& numbering) {
+    bool even = true;
+    for (std::size_t m = 0; m < result.measures.size(); ++m)
+        for (const PresenceRow& row : result.presence)
+            for (const int answers : row.answers[m])
+                even = even && answers == result.presence.front().answers[m].front();
+    if (even) return "";
+    std::string over;
+    std::string names;
+    for (const Measure& measure : result.measures) {
+        over += fmt::format("<th colspan=\"{}\">{}</th>", result.systems.size(),
+                            escapeHtml(capitalised(measure.name)));
+        for (const SystemResult& system : result.systems)
+            names += fmt::format("<th>{}</th>", escapeHtml(system.system));
+    }
+    std::string out = fmt::format(
+        "<h2>Who answered what</h2><div class=\"scroll\"><table><caption>{} Answers of each participant on "
+        "each "
+        "system.</caption><thead><tr "
+        "class=\"over\"><th></th>{}</tr><tr><th>Participant</th>{}</tr></thead><tbody>",
+        numbering.next(), over, names);
+    for (const PresenceRow& row : result.presence) {
+        out += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(row.participant));
+        for (const auto& of_measure : row.answers)
+            for (const int answers : of_measure)
+                out += answers > 0 ? fmt::format("<td>{}</td>", answers)
+                                   : fmt::format("<td class=\"missing\">{}</td>", "none");
+        out += "</tr>";
+    }
+    return out + close_table;
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,19 @@
+// The report's tables of what stands beside the tests; private to the report.
+#pragma once
+
+#include <string>
+
+#include "report_text.hpp"
+
+namespace deixis::results {
+
+/// Accuracy against chance, order, response times, items; empty where nothing of it is known.
+[[nodiscard]] std::string detailsHtml(const AnalysisResult& result, Numbering& numbering);
+
+/// The same comparisons of systems under other choices: zeros dropped or ranked, p exact or normal.
+[[nodiscard]] std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering);
+
+/// Who answered how often on what; empty where every participant has as many answers under each system.
+[[nodiscard]] std::string presenceHtml(const AnalysisResult& result, Numbering& numbering);
+
+}  // namespace deixis::results

@@ -1,0 +1,14 @@
+// The report's tables of tests; private to the report.
+#pragma once
+
+#include <string>
+
+#include "report_text.hpp"
+
+namespace deixis::results {
+
+/// The section with its heading: Friedman's test over all systems, all pairs of systems, the levels within
+/// systems, preferences. Empty where nothing can be compared.
+[[nodiscard]] std::string testsHtml(const AnalysisResult& result, Numbering& numbering);
+
+}  // namespace deixis::results
