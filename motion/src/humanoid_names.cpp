@@ -5,6 +5,7 @@
 #include <iterator>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
 namespace deixis::motion {
 
@@ -123,6 +124,34 @@ bool has(const std::vector<PlainName>& names, Side side, std::string_view cores)
     });
 }
 
+/// The number at the end of a name such as "index2" or "index02", if that is what is left of it behind
+/// `finger`.
+std::optional<int> numberOf(std::string_view core, std::string_view finger) {
+    if (!core.starts_with(finger)) return std::nullopt;
+    core.remove_prefix(finger.size());
+    if (core.size() == 2 && core.front() == '0') core.remove_prefix(1);
+    if (core.size() != 1 || core.front() < '1' || core.front() > '9') return std::nullopt;
+    return core.front() - '0';
+}
+
+/// Rigs that count a hand's bones in may begin their fingers with 2. The thumb keeps its numbers: what such
+/// rigs lack is its metacarpal, which is its first bone.
+void countFingersFromOne(std::vector<PlainName>& names, Side side) {
+    for (const std::string_view finger :
+         {"index", "findex", "middle", "fmiddle", "mid", "ring", "fring", "pinky", "fpinky", "little"}) {
+        std::vector<std::pair<PlainName*, int>> bones;
+        int first = 9;
+        for (PlainName& name : names)
+            if (const auto number = name.side == side ? numberOf(name.core, finger) : std::nullopt) {
+                bones.emplace_back(&name, *number);
+                first = std::min(first, *number);
+            }
+        if (first != 2) continue;
+        for (const auto& [name, number] : bones)
+            name->core = std::string(finger) + std::to_string(number - 1);
+    }
+}
+
 }  // namespace
 
 std::vector<PlainName> plainNames(const Skeleton& skeleton) {
@@ -139,6 +168,7 @@ std::vector<PlainName> plainNames(const Skeleton& skeleton) {
             has(names, side, "shoulder") && !has(names, side, "upperarm upperarm01 uparm collar clavicle"))
             for (PlainName& name : names)
                 if (name.side == side && name.core == "arm") name.core = "lowerarm";
+        countFingersFromOne(names, side);
     }
     return names;
 }

@@ -307,4 +307,30 @@ TEST_SUITE("motion/humanoid_mapping") {
             star.joints.push_back({"s" + std::to_string(i), 0, {{0, 1, 0}, no_rotation}, std::nullopt});
         CHECK(motion::mapHumanoid(star).missing().size() == motion::bone_count);
     }
+
+    TEST_CASE("Fingers may be counted from 2; a thumb from 2 lacks its first bone") {
+        // Quaternius' people. With two fingers only, their place in the hand does not tell them.
+        const auto figure = figureOf(
+            namesOf("hips=Hips spine=Abdomen chest=Torso neck=Neck head=Head UpperLeg=UpperLeg.% "
+                    "LowerLeg=LowerLeg.% Foot=Foot.% UpperArm=UpperArm.% LowerArm=LowerArm.% Hand=Hand.% "
+                    "ThumbProximal=Thumb2.% ThumbDistal=Thumb3.% IndexProximal=Index2.% "
+                    "IndexIntermediate=Index3.% IndexDistal=Index4.%",
+                    "L", "R"));
+        const auto mapping = motion::mapHumanoid(figure.skeleton);
+        for (const Bone bone :
+             {Bone::leftThumbMetacarpal, Bone::leftThumbProximal, Bone::leftThumbDistal,
+              Bone::leftIndexProximal, Bone::leftIndexIntermediate, Bone::rightIndexDistal}) {
+            CAPTURE(motion::boneName(bone));
+            CHECK(mapping.map[bone] == figure.truth[bone]);
+        }
+        CHECK(mapping.foundBy(Bone::leftIndexProximal) == FoundBy::name);
+        // A finger that has a first bone is counted from there.
+        const auto usual = figureOf(
+            namesOf("hips=Hips spine=Abdomen chest=Torso neck=Neck head=Head UpperLeg=UpperLeg.% "
+                    "LowerLeg=LowerLeg.% Foot=Foot.% UpperArm=UpperArm.% LowerArm=LowerArm.% Hand=Hand.% "
+                    "IndexProximal=Index1.% IndexIntermediate=Index2.% IndexDistal=Index3.%",
+                    "L", "R"));
+        CHECK(motion::mapHumanoid(usual.skeleton).map[Bone::leftIndexDistal] ==
+              usual.truth[Bone::leftIndexDistal]);
+    }
 }
