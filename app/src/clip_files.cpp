@@ -26,17 +26,22 @@ std::vector<int> sameSkeletonOrder(const motion::Skeleton& clip, const motion::S
     return order;
 }
 
-Result<motion::HumanoidMapping> mapOf(const assets::ImportedClip& imported,
-                                      const std::filesystem::path& file) {
-    return assets::mapClip(file, imported.clip.skeleton, imported.humanoid ? &*imported.humanoid : nullptr);
+Error inFile(Error error, const std::string& file) {
+    if (error.where.empty()) error.where = file;
+    return error;
 }
 
 }  // namespace
 
+Result<motion::HumanoidMapping> mapImported(const assets::ImportedClip& imported,
+                                            const std::filesystem::path& file) {
+    return assets::mapClip(file, imported.clip.skeleton, imported.humanoid ? &*imported.humanoid : nullptr);
+}
+
 Result<MappedClip> readMappedClip(const std::filesystem::path& file, const assets::ImportOptions& options) {
     auto imported = assets::importClip(file, options);
     if (!imported) return tl::unexpected(imported.error());
-    const auto mapping = mapOf(*imported, file);
+    const auto mapping = mapImported(*imported, file);
     if (!mapping) return tl::unexpected(mapping.error());
     return MappedClip{std::move(imported->clip), mapping->map};
 }
@@ -51,17 +56,16 @@ Result<motion::Clip> clipOnAvatar(const assets::ImportedClip& imported, const st
     const motion::Clip& clip = imported.clip;
     const std::vector<int> order = sameSkeletonOrder(clip.skeleton, avatar.skeleton);
     if (order.empty()) {
-        const auto mapping = mapOf(imported, file);
+        const auto mapping = mapImported(imported, file);
         if (!mapping) return tl::unexpected(mapping.error());
         auto retargeted =
             motion::retarget(clip, mapping->map, avatar.skeleton, avatar.humanoid, options, report);
-        if (!retargeted && retargeted.error().where.empty()) {
-            Error error = retargeted.error();
-            error.where = file;
-            return tl::unexpected(error);
-        }
+        if (!retargeted) return tl::unexpected(inFile(retargeted.error(), file));
         return retargeted;
     }
+    if (options.gesture)
+        if (const auto checked = motion::checkGesture(*options.gesture, clip.frameCount()); !checked)
+            return tl::unexpected(inFile(checked.error(), file));
     motion::Clip out;
     out.skeleton = avatar.skeleton;
     out.frame_time_s = clip.frame_time_s;

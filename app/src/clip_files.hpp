@@ -8,6 +8,7 @@
 #include "assets/clip_import.hpp"
 #include "core/error.hpp"
 #include "motion/clip.hpp"
+#include "motion/humanoid_mapping.hpp"
 #include "motion/retarget.hpp"
 
 namespace deixis::app {
@@ -16,6 +17,11 @@ struct MappedClip {
     motion::Clip clip;  ///< metres, y up, on the file's own skeleton
     motion::HumanoidMap map;
 };
+
+/// Which joint of an imported clip plays which bone: as the file beside it says (assets/humanoid_file.hpp),
+/// else the file itself, else as found. Fails on mistakes in the file beside it.
+[[nodiscard]] Result<motion::HumanoidMapping> mapImported(const assets::ImportedClip& imported,
+                                                          const std::filesystem::path& file);
 
 /// Any file that assets::importClip() reads. Its bones are those that the file beside it says
 /// (assets/humanoid_file.hpp), else the file itself, else those that are found.

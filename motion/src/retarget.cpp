@@ -23,7 +23,7 @@ BoneSet givenBones(const HumanoidMap& map) {
     BoneSet given{};
     for (std::size_t b = 0; b < bone_count; ++b) given[b] = map.joint[b] >= 0;
     for (auto b = indexOf(leftThumbMetacarpal); b < bone_count; b += 3) {  // fingers have three bones each
-        const bool whole = given[b] && given[b + 1];
+        const bool whole = given[b + 1] && (given[b] || given[b + 2]);
         for (std::size_t i = b; i < b + 3; ++i) given[i] = given[i] && whole;
     }
     given[indexOf(jaw)] = given[indexOf(leftEye)] = given[indexOf(rightEye)] = false;
@@ -61,12 +61,16 @@ class Retargeter {
         source_from_avatar_.fill(no_rotation);
         if (alike) return;
         BoneTwists twist{};
+        BoneTurns turns;
         align(neutral, twist);
         // The lower bones' twist hangs on the upper ones', so these are fitted first.
         for (const bool lower : {false, true}) {
             constexpr double prior_of_frame = 0.05;
             HingeFit fit(avatar.shape, prior_of_frame * static_cast<double>(source.looks().size()));
-            for (const Source::Look& look : source.looks()) fit.add(rotations(look.world), look.shape);
+            for (const Source::Look& look : source.looks()) {
+                rotations(look.world, turns);
+                fit.add(turns, look.shape);
+            }
             for (const Hinge& hinge : hinges()) {
                 const Bone bone = lower ? hinge.lower : hinge.upper;
                 twist[indexOf(bone)] = fit.twist(bone);
@@ -76,14 +80,12 @@ class Retargeter {
     }
 
     /// World rotations of the avatar's bones, in the source's axes. `world`: the source's joints.
-    [[nodiscard]] BoneTurns rotations(const std::vector<Pose>& world) const {
-        BoneTurns out;
+    void rotations(const std::vector<Pose>& world, BoneTurns& out) const {
         for (std::size_t b = 0; b < bone_count; ++b)
             out[b] = given_[b] ? world[static_cast<std::size_t>(source_.map().joint[b])].orientation *
                                      source_from_avatar_[b]
                                : no_rotation;
         fillGaps(out);
-        return out;
     }
 
   private:
@@ -141,7 +143,8 @@ class Mover {
         constexpr double facing_rad = 0.52;
         constexpr double floor_m = 0.15;
         const bool has_target = gesture != nullptr && gesture->target.has_value();
-        const BodyFrame start = frame(first);
+        BodyFrame start;
+        read(first, start);
         const Quat to_front = turnToFront(start);
         const Vec3 begin = hipsPosition(avatar_, start);
         const bool stays =
@@ -152,16 +155,17 @@ class Mover {
         for (std::size_t f = 0; f < first; ++f) out.frames[f] = out.frames[first];
         const auto [floor, lowest] = floorHeight(avatar_, out.frames);
         out.lowest_m = lowest - floor;
-        const bool floor_stays = has_target && std::abs(floor) / scale_ < floor_m;
+        // The target is given over the floor that the source stands on, whatever soles the avatar has.
+        const double source_floor = sourceFloor();
+        const bool floor_stays = has_target && std::abs(source_floor) < floor_m;
         const Vec3 from = stays ? begin : to_front * begin;
         // A clip that stays begins where the source does, and its way is scaled from there.
         const Vec3 there = stays ? Vec3(begin.x, 0.0, begin.z) / scale_ : Vec3(0.0);
         const Vec3 shift = there - Vec3(from.x, floor, from.z);
         for (BodyFrame& frame : out.frames) frame.hip_centre += shift;
-        const Vec3 line_shift =
-            (stays ? Vec3(0.0) : Vec3(from.x, 0.0, from.z)) + Vec3(0.0, floor_stays ? 0.0 : floor, 0.0);
-        for (SightLine& line : out.lines)
-            line = {line.eye - line_shift / scale_, line.fingertip - line_shift / scale_};
+        const Vec3 line_shift = (stays ? Vec3(0.0) : Vec3(from.x, 0.0, from.z) / scale_) +
+                                Vec3(0.0, floor_stays ? 0.0 : source_floor, 0.0);
+        for (SightLine& line : out.lines) line = {line.eye - line_shift, line.fingertip - line_shift};
         if (has_target && !(stays && floor_stays))
             remarks.emplace_back(
                 "the figure does not stand near the origin, facing +z: it was placed there, and its target "
@@ -170,14 +174,21 @@ class Mover {
     }
 
   private:
-    BodyFrame frame(std::size_t f) {
+    void read(std::size_t f, BodyFrame& out) {
         source_.place(f, turn_, world_);
-        BodyFrame out{retargeter_.rotations(world_), {}};
+        retargeter_.rotations(world_, out.rotation);
         out.hip_centre = 0.5 * scale_ * (position(leftUpperLeg) + position(rightUpperLeg));
-        return out;
     }
     [[nodiscard]] const Vec3& position(Bone bone) const {
         return world_[static_cast<std::size_t>(source_.map()[bone])].position;
+    }
+
+    /// Height of the floor that the source stands on, metres at its own scale.
+    double sourceFloor() {
+        constexpr double ankle_of_leg = 0.104;  // as in the reference humanoid
+        const auto at = ankles_.begin() + static_cast<std::ptrdiff_t>(ankles_.size() / 10);
+        std::nth_element(ankles_.begin(), at, ankles_.end());
+        return *at - ankle_of_leg * avatar_.leg_length_m / scale_;
     }
 
     Moved frames(const PointingGesture* gesture) {
@@ -186,8 +197,10 @@ class Mover {
             finder.emplace(source_.clip().skeleton, source_.map(), gesture->hand, avatar_, scale_);
         Moved out;
         out.frames.reserve(source_.clip().frames.size());
+        ankles_.reserve(source_.clip().frames.size());
         for (std::size_t f = 0; f < source_.clip().frames.size(); ++f) {
-            out.frames.push_back(frame(f));
+            read(f, out.frames.emplace_back());
+            ankles_.push_back(std::min(position(leftFoot).y, position(rightFoot).y));
             const int number = static_cast<int>(f);
             if (finder && number >= gesture->onset_frame && number <= gesture->end_frame)
                 out.lines.push_back(finder->find(world_, out.frames.back().rotation[indexOf(head)]));
@@ -201,6 +214,7 @@ class Mover {
     double scale_;
     Quat turn_;  // avatar's frame from the source's
     std::vector<Pose> world_;
+    std::vector<double> ankles_;  // of each frame the lower one's height, at the source's scale
 };
 
 std::vector<SightLine> linesOfClip(const Clip& clip, const HumanoidMap& map, const PointingGesture& gesture) {
@@ -214,6 +228,18 @@ std::vector<SightLine> linesOfClip(const Clip& clip, const HumanoidMap& map, con
     return lines;
 }
 
+}  // namespace
+
+std::string_view keepName(Keep keep) {
+    return keep == Keep::joint_angles ? "joint-angles" : "pointing-ray";
+}
+
+std::optional<Keep> keepFromName(std::string_view name) {
+    for (const Keep keep : {Keep::joint_angles, Keep::pointing_ray})
+        if (keepName(keep) == name) return keep;
+    return std::nullopt;
+}
+
 Result<void> checkGesture(const PointingGesture& gesture, int frame_count) {
     const bool ordered = 0 <= gesture.onset_frame && gesture.onset_frame < gesture.peak_frame &&
                          gesture.peak_frame <= gesture.hold_frame && gesture.hold_frame < gesture.end_frame;
@@ -225,18 +251,6 @@ Result<void> checkGesture(const PointingGesture& gesture, int frame_count) {
                             std::to_string(frame_count) +
                             " frames, expected onset < peak <= hold < end within the clip");
     return {};
-}
-
-}  // namespace
-
-std::string_view keepName(Keep keep) {
-    return keep == Keep::joint_angles ? "joint-angles" : "pointing-ray";
-}
-
-std::optional<Keep> keepFromName(std::string_view name) {
-    for (const Keep keep : {Keep::joint_angles, Keep::pointing_ray})
-        if (keepName(keep) == name) return keep;
-    return std::nullopt;
 }
 
 std::optional<PointingError> pointingError(const Clip& clip, const HumanoidMap& map,
@@ -303,8 +317,9 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     clip.skeleton = avatar.skeleton;
     clip.frame_time_s = source_clip.frame_time_s;
     clip.frames.reserve(moved.frames.size());
+    BodyPoser::Workspace workspace;
     for (std::size_t f = 0; f < moved.frames.size(); ++f)
-        clip.frames.push_back(poser.pose(moved.frames[f], static_cast<int>(f)));
+        clip.frames.push_back(poser.pose(moved.frames[f], static_cast<int>(f), workspace));
     if (has_target) {
         const auto from = moved.lines.begin() + (gesture->peak_frame - gesture->onset_frame);
         const auto to = moved.lines.begin() + (gesture->hold_frame - gesture->onset_frame + 1);

@@ -23,6 +23,10 @@ Side sideOf(std::size_t finger_bone) {
     return finger_bone >= indexOf(rightThumbMetacarpal) ? Side::right : Side::left;
 }
 
+std::size_t firstFinger(Side side) {
+    return indexOf(side == Side::left ? leftThumbMetacarpal : rightThumbMetacarpal);
+}
+
 Vec3 onFloor(const Vec3& point) {
     return {point.x, 0.0, point.z};
 }
@@ -77,39 +81,43 @@ BodyPoser::BodyPoser(const AvatarRest& avatar, const BoneSet& driven, const Poin
     : avatar_(avatar),
       driven_(driven),
       closing_(closing),
-      bone_of_joint_(avatar.skeleton.joints.size(), bone_count),
       relaxed_(relaxedPose(referenceHumanoid())),
       rest_(restPose(avatar.skeleton)) {
+    for (const Joint& joint : avatar.skeleton.joints) joints_.push_back({joint.parent, bone_count});
     for (std::size_t b = 0; b < bone_count; ++b)
-        if (avatar.map.joint[b] >= 0) bone_of_joint_[static_cast<std::size_t>(avatar.map.joint[b])] = b;
+        if (avatar.map.joint[b] >= 0) joints_[static_cast<std::size_t>(avatar.map.joint[b])].bone = b;
+    if (closing == nullptr) return;
+    LocalPose hand = relaxed_;
+    for (int f = closing->onset_frame; f <= closing->end_frame; ++f) {
+        const double share = pointingShare(*closing, f);
+        if (share > 0.0) applyPointingHand(hand, closing->hand, share);
+        const std::size_t first = firstFinger(closing->hand);
+        const LocalPose& from = share > 0.0 ? hand : relaxed_;
+        for (std::size_t i = 0; auto& turn : closed_.emplace_back())
+            turn = from.joints[first + i++].orientation;
+    }
 }
 
-Quat BodyPoser::handShape(std::size_t finger_bone, int frame) const {
-    const double share =
-        closing_ != nullptr && sideOf(finger_bone) == closing_->hand ? pointingShare(*closing_, frame) : 0.0;
-    if (share <= 0.0) return relaxed_.joints[finger_bone].orientation;
-    LocalPose closed = relaxed_;
-    applyPointingHand(closed, closing_->hand, share);
-    return closed.joints[finger_bone].orientation;
+const Quat& BodyPoser::handShape(std::size_t finger_bone, int frame) const {
+    if (closing_ == nullptr || sideOf(finger_bone) != closing_->hand || frame < closing_->onset_frame ||
+        frame > closing_->end_frame)
+        return relaxed_.joints[finger_bone].orientation;
+    return closed_[static_cast<std::size_t>(frame - closing_->onset_frame)]
+                  [finger_bone - firstFinger(closing_->hand)];
 }
 
-LocalPose BodyPoser::pose(const BodyFrame& body, int frame) const {
+LocalPose BodyPoser::pose(const BodyFrame& body, int frame, Workspace& world) const {
     LocalPose out = rest_;
-    const double share = closing_ != nullptr ? pointingShare(*closing_, frame) : 0.0;
-    std::optional<LocalPose> closed;
-    if (share > 0.0) applyPointingHand(closed.emplace(relaxed_), closing_->hand, share);
-    const LocalPose& hand = closed ? *closed : relaxed_;
-    std::vector<Quat> world(out.joints.size());
-    for (std::size_t j = 0; j < out.joints.size(); ++j) {
-        const int parent = avatar_.skeleton.joints[j].parent;
+    world.resize(joints_.size());
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+        const auto [parent, bone] = joints_[j];
         const Quat& above = parent < 0 ? no_rotation : world[static_cast<std::size_t>(parent)];
-        const std::size_t bone = bone_of_joint_[j];
         if (bone < bone_count && driven_[bone]) {
             world[j] = body.rotation[bone];
             out.joints[j].orientation = glm::conjugate(above) * world[j];
             continue;
         }
-        if (bone < bone_count && isFinger(bone)) out.joints[j].orientation = hand.joints[bone].orientation;
+        if (bone < bone_count && isFinger(bone)) out.joints[j].orientation = handShape(bone, frame);
         world[j] = above * out.joints[j].orientation;
     }
     const auto hips_joint = static_cast<std::size_t>(avatar_.map[hips]);
@@ -219,6 +227,7 @@ Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const Bon
     const double floor = floorHeight(avatar, frames).floor;
     const std::array<Sole, 2> soles{soleOf(avatar, Side::left), soleOf(avatar, Side::right)};
     const BodyPoser poser(avatar, driven, nullptr);
+    BodyPoser::Workspace workspace;
     Clip clip;
     clip.skeleton = avatar.skeleton;
     clip.frame_time_s = frame_time_s;
@@ -226,7 +235,7 @@ Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const Bon
     for (BodyFrame& frame : frames) {
         const double height = ground == Ground::clip ? floor : soleHeight(avatar, soles, frame);
         frame.hip_centre -= Vec3(begin.x, height, begin.z);
-        clip.frames.push_back(poser.pose(frame, clip.frameCount()));
+        clip.frames.push_back(poser.pose(frame, clip.frameCount(), workspace));
     }
     return clip;
 }

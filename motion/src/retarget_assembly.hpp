@@ -2,6 +2,7 @@
 // retargeting.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "motion/retarget.hpp"
@@ -45,7 +46,9 @@ class BodyPoser {
     /// `closing`: the gesture while which the hand closes, or null. Both must outlive this.
     BodyPoser(const AvatarRest& avatar, const BoneSet& driven, const PointingGesture* closing);
 
-    [[nodiscard]] LocalPose pose(const BodyFrame& body, int frame) const;
+    using Workspace = std::vector<Quat>;  ///< kept from frame to frame to save allocating it
+
+    [[nodiscard]] LocalPose pose(const BodyFrame& body, int frame, Workspace& workspace) const;
     /// World rotation and position of a bone that the avatar has.
     [[nodiscard]] Quat rotation(const BodyFrame& body, int frame, Bone bone) const;
     [[nodiscard]] Vec3 position(const BodyFrame& body, int frame, Bone bone) const;
@@ -54,13 +57,19 @@ class BodyPoser {
     [[nodiscard]] Vec3 fingertip(const BodyFrame& body, int frame, Side side) const;
 
   private:
-    [[nodiscard]] Quat handShape(std::size_t finger_bone, int frame) const;
+    [[nodiscard]] const Quat& handShape(std::size_t finger_bone, int frame) const;
 
     const AvatarRest& avatar_;
     const BoneSet& driven_;
     const PointingGesture* closing_;
-    std::vector<std::size_t> bone_of_joint_;
+    struct PosedJoint {
+        int parent;
+        std::size_t bone;  // bone_count: none
+    };
+    std::vector<PosedJoint> joints_;
     LocalPose relaxed_;
+    /// Of each frame from the closing gesture's onset to its end, the pointing hand's fingers, thumb first.
+    std::vector<std::array<Quat, 15>> closed_;
     LocalPose rest_;
 };
 

@@ -38,31 +38,73 @@ Vec3 tipAtRest(const Skeleton& skeleton, int joint) {
     return farthest;
 }
 
-/// The direction, seen from the avatar's eye, in which its ray makes the source's error at the target.
-Vec3 wantedDirection(const SightLine& source, const Vec3& eye, double reach_m,
-                     const std::optional<Vec3>& target) {
-    const Vec3 ray = glm::normalize(source.fingertip - source.eye);
-    if (!target) return ray;
-    const Vec3 to_target = *target - source.eye;
-    const Vec3 turned = rotationBetween(to_target, *target - eye) * ray;
-    // The error is an angle at the fingertip, with the eye and the target as the triangle's other corners.
-    const double error = angularError({source.fingertip, ray}, *target);
-    const double distance = glm::length(*target - eye);
-    const double at_target = reach_m * std::sin(error) / distance;
-    const Vec3 aim = glm::normalize(*target - eye);
-    const Vec3 axis = glm::cross(aim, turned);
-    if (at_target >= 1.0 || glm::length(axis) < 1e-9) return turned;
-    return glm::angleAxis(error - std::asin(at_target), glm::normalize(axis)) * aim;
-}
+/// What is to be kept of the source's sight line at the target: a triangle of eye, fingertip and target.
+class SourceSight {
+  public:
+    SourceSight(const SightLine& source, const std::optional<Vec3>& target, const Vec3& eye)
+        : target_(target), eye_(eye), turned_(glm::normalize(source.fingertip - source.eye)) {
+        if (!target) return;
+        const Vec3 to_target = *target - source.eye;
+        error_ = angularError({source.fingertip, turned_}, *target);
+        share_of_way_ = glm::length(source.fingertip - source.eye) / glm::length(to_target);
+        distance_m_ = glm::length(*target - eye);
+        turned_ = rotationBetween(to_target, *target - eye) * turned_;
+    }
 
-/// Where a fingertip that stays `reach_m` from the shoulder lies on the ray; where the ray is farther away,
-/// the ray's point nearest to the shoulder.
-Vec3 pointOnRay(const Vec3& eye, const Vec3& direction, const Vec3& shoulder, double reach_m) {
+    /// How far from the eye the fingertip may be: short of the target with room for the error, unless the
+    /// source's comes nearer to it.
+    [[nodiscard]] double farthest_m() const {
+        constexpr double enough_of_way = 0.8;
+        return target_ ? distance_m_ * std::max(enough_of_way, share_of_way_) : 1e9;
+    }
+    /// Where the source's fingertip passes the target the avatar's is to pass by as much, which is a triangle
+    /// of the same shape. It is led there from 0.9 of the way on.
+    [[nodiscard]] double nearest_m() const {
+        constexpr double led_from = 0.9;
+        const double led = std::clamp((share_of_way_ - led_from) / (1.0 - led_from), 0.0, 1.0);
+        return led * share_of_way_ * distance_m_;
+    }
+
+    /// The direction from the avatar's eye in which a fingertip so far away makes the source's error.
+    [[nodiscard]] Vec3 direction(double fingertip_m) const {
+        if (!target_ || share_of_way_ >= 1.0) return turned_;
+        // The error is an angle at the fingertip, with the eye and the target as the triangle's other
+        // corners.
+        const double sine = fingertip_m * std::sin(error_) / distance_m_;
+        const Vec3 aim = glm::normalize(*target_ - eye_);
+        const Vec3 axis = glm::cross(aim, turned_);
+        if (sine >= 1.0 || glm::length(axis) < 1e-9) return turned_;
+        return glm::angleAxis(error_ - std::asin(sine), glm::normalize(axis)) * aim;
+    }
+
+  private:
+    std::optional<Vec3> target_;
+    Vec3 eye_;
+    Vec3 turned_;  // the source's direction, turned as the target lies from the avatar's eye
+    double error_ = 0.0;
+    double share_of_way_ = 0.0;
+    double distance_m_ = 0.0;  // from the avatar's eye to the target
+};
+
+/// How far along a ray from the eye a fingertip may be.
+struct ArmRange {
+    double reach_m;     ///< from the shoulder as the elbow is bent now
+    double straight_m;  ///< from the shoulder, with a straight elbow
+    double nearest_m;   ///< from the eye, but for a target that is near
+    double farthest_m;  ///< from the eye
+};
+
+/// Where the fingertip lies on the ray, metres from the eye: where the elbow stays as it is; where the ray is
+/// farther from the shoulder, at its point nearest to the shoulder; and where that is out of range, as near
+/// to it as can be.
+double placeOnRay(const Vec3& eye, const Vec3& direction, const Vec3& shoulder, const ArmRange& range) {
     const double along = glm::dot(shoulder - eye, direction);
-    const Vec3 nearest = eye + along * direction;
-    const double across = glm::length(nearest - shoulder);
-    if (across >= reach_m) return eye + std::max(along, 0.05) * direction;
-    return nearest + std::sqrt(reach_m * reach_m - across * across) * direction;
+    const double across = glm::length(eye + along * direction - shoulder);
+    const auto half = [&](double reach_m) { return std::sqrt(reach_m * reach_m - across * across); };
+    double place = along + (across < range.reach_m ? half(range.reach_m) : 0.0);
+    place = std::max(place, range.nearest_m);
+    if (across < range.straight_m) place = std::min(place, along + half(range.straight_m));
+    return std::min(place, range.farthest_m);
 }
 
 class ArmTurner {
@@ -82,22 +124,37 @@ class ArmTurner {
     void turn(BodyFrame& body, int frame, const SightLine& source, const std::optional<Vec3>& target,
               double share) const {
         const Vec3 eye = poser_.eye(body, frame);
-        const Vec3 now = glm::normalize(poser_.fingertip(body, frame, side_) - eye);
         const Vec3 shoulder = poser_.position(body, frame, arm_.upper_arm);
-        // How far the fingertip is decides on the direction a little, and the other way round.
-        for (int round = 0; round < 4; ++round) {
-            const Vec3 tip = poser_.fingertip(body, frame, side_);
-            const Vec3 wanted = wantedDirection(source, eye, glm::length(tip - eye), target);
-            const Vec3 direction = glm::slerp(no_rotation, rotationBetween(now, wanted), share) * now;
-            bring(body, frame, pointOnRay(eye, direction, shoulder, glm::length(tip - shoulder)) - shoulder);
+        const Vec3 elbow = poser_.position(body, frame, arm_.lower_arm);
+        const Vec3 tip = poser_.fingertip(body, frame, side_);
+        const double now_m = glm::length(tip - eye);
+        const Vec3 now = (tip - eye) / now_m;
+        const SourceSight sight(source, target, eye);
+        // From where the fingertip is it comes within range as the gesture goes on.
+        const double least_m = 0.5 * now_m;
+        const ArmRange range{glm::length(tip - shoulder),
+                             glm::length(elbow - shoulder) + glm::length(tip - elbow),
+                             std::max(least_m, std::lerp(least_m, sight.nearest_m(), share)),
+                             std::max(sight.farthest_m(), (1.0 - share) * now_m)};
+        // How far the fingertip is decides on the direction, and the other way round. Half steps settle where
+        // whole ones swing.
+        constexpr int most_rounds = 60;
+        constexpr double close_enough_m = 1e-7;
+        double place = now_m;
+        Vec3 direction = now;
+        for (int round = 0; round < most_rounds; ++round) {
+            direction = glm::slerp(no_rotation, rotationBetween(now, sight.direction(place)), share) * now;
+            const double next = placeOnRay(eye, direction, shoulder, range);
+            const bool settled = std::abs(next - place) < close_enough_m;
+            place = settled ? next : 0.5 * (place + next);
+            if (settled) break;
         }
+        bring(body, eye + place * direction - shoulder, elbow, tip);
     }
 
   private:
     /// Brings the fingertip to a point, given from the shoulder.
-    void bring(BodyFrame& body, int frame, const Vec3& goal) const {
-        const Vec3 elbow = poser_.position(body, frame, arm_.lower_arm);
-        const Vec3 tip = poser_.fingertip(body, frame, side_);
+    void bring(BodyFrame& body, const Vec3& goal, const Vec3& elbow, const Vec3& tip) const {
         Quat& upper = body.rotation[indexOf(arm_.upper_arm)];
         const Quat lower = body.rotation[indexOf(arm_.lower_arm)];
         TwoBones bones = bones_;

@@ -37,7 +37,8 @@ class SightLineFinder {
 /// Turns the pointing arm about the shoulder, in each frame by the gesture's share, until the avatar's ray
 /// misses the target by the angle and to the side by which the source's does; without a target, until it has
 /// the source's direction. The elbow bends anew only where the ray is farther from the shoulder than the
-/// fingertip. `lines`: of the frames from the onset on to the end.
+/// fingertip, and where the fingertip would come too near to the target or past it, unlike the source's.
+/// `lines`: of the frames from the onset on to the end.
 void keepPointingRay(const AvatarRest& avatar, const BodyPoser& poser, const BoneSet& driven,
                      const PointingGesture& gesture, const std::vector<SightLine>& lines,
                      std::vector<BodyFrame>& frames);

@@ -12,6 +12,14 @@ using enum Bone;
 
 constexpr std::size_t most_looks = 200;
 
+/// A bone of a finger that points at nothing: no one asks for its place.
+bool isOtherFinger(std::size_t b) {
+    const auto bone = static_cast<Bone>(b);
+    const bool index = (bone >= leftIndexProximal && bone <= leftIndexDistal) ||
+                       (bone >= rightIndexProximal && bone <= rightIndexDistal);
+    return bone >= leftThumbMetacarpal && !index;
+}
+
 double alongUp(const BodyShape& shape, Bone bone, const Vec3& rise) {
     const auto direction = shape.direction(bone);
     return direction ? glm::dot(*direction, rise) : 1.0;
@@ -49,11 +57,14 @@ double standing(const BodyShape& shape) {
 
 Source::Source(const Clip& clip, const HumanoidMap& map) : clip_(clip), map_(map) {
     std::vector<bool> needed(clip.skeleton.joints.size(), false);
-    for (const int joint : map.joint)
-        for (int j = joint; j >= 0; j = clip.skeleton.joints[static_cast<std::size_t>(j)].parent)
+    std::vector<bool> placed(clip.skeleton.joints.size(), false);
+    for (std::size_t b = 0; b < bone_count; ++b)
+        for (int j = map.joint[b]; j >= 0; j = clip.skeleton.joints[static_cast<std::size_t>(j)].parent) {
             needed[static_cast<std::size_t>(j)] = true;
+            if (!isOtherFinger(b)) placed[static_cast<std::size_t>(j)] = true;
+        }
     for (std::size_t j = 0; j < needed.size(); ++j)
-        if (needed[j]) needed_.push_back(j);
+        if (needed[j]) needed_.push_back({j, clip.skeleton.joints[j].parent, placed[j]});
 
     const std::size_t count = std::min(clip.frames.size(), most_looks);
     looks_.reserve(count);
@@ -104,15 +115,16 @@ bool Source::startsWithAddedPose() const {
 void Source::place(std::size_t frame, const Quat& turn, std::vector<Pose>& world) const {
     const auto& local = clip_.frames[frame].joints;
     world.resize(local.size());
-    for (const std::size_t j : needed_) {
-        const int parent = clip_.skeleton.joints[j].parent;
-        if (parent < 0) {
-            world[j] = {turn * local[j].position, turn * local[j].orientation};
+    for (const Needed& joint : needed_) {
+        const Pose& here = local[joint.index];
+        Pose& out = world[joint.index];
+        if (joint.parent < 0) {
+            out = {turn * here.position, turn * here.orientation};
             continue;
         }
-        const Pose& above = world[static_cast<std::size_t>(parent)];
-        world[j].position = above.position + above.orientation * local[j].position;
-        world[j].orientation = above.orientation * local[j].orientation;
+        const Pose& above = world[static_cast<std::size_t>(joint.parent)];
+        if (joint.placed) out.position = above.position + above.orientation * here.position;
+        out.orientation = above.orientation * here.orientation;
     }
 }
 

@@ -44,13 +44,19 @@ class Source {
     [[nodiscard]] bool startsWithAddedPose() const;
 
     /// World poses of the joints that play a bone, and of those above them, with the whole figure turned
-    /// about the origin; other joints are left as they are.
+    /// about the origin; other joints, and where thumbs, middle, ring and little fingers are, are left as
+    /// they are.
     void place(std::size_t frame, const Quat& turn, std::vector<Pose>& world) const;
 
   private:
     const Clip& clip_;
     const HumanoidMap& map_;
-    std::vector<std::size_t> needed_;  // joints
+    struct Needed {
+        std::size_t index;
+        int parent;
+        bool placed;  // its position is asked for
+    };
+    std::vector<Needed> needed_;  // joints, parents first
     std::vector<Look> looks_;
 };
 

@@ -255,6 +255,59 @@ TEST_SUITE("motion/retarget_pointing") {
         CHECK(std::abs(report.avatar_error->median_deg - report.source_error->median_deg) < 0.5);
     }
 
+    TEST_CASE("A target within the arm's reach is pointed at as the source does, short of it or beyond") {
+        static const auto generator =
+            motion::makeGenerator("direct", avatar(), motion::DemonstrationParameters{});
+        REQUIRE(generator.has_value());
+        int beyond = 0;
+        for (const Vec3& target : {Vec3(-0.3, 1.3, 0.6), Vec3(-0.6, 0.9, 0.35), Vec3(0.5, 1.7, 0.5),
+                                   Vec3(-0.5, 1.4, 0.8), Vec3(0.1, 1.2, 0.9), Vec3(-0.2, 1.9, 0.4)})
+            for (const double factor : {0.6, 0.8, 1.25, 1.6}) {
+                CAPTURE(target);
+                CAPTURE(factor);
+                auto made = (*generator)->generate({"T", target, 3});
+                const motion::PointingGesture gesture{made.hand,       made.onset_frame, made.peak_frame,
+                                                      made.hold_frame, made.end_frame,   target};
+                const Clip source = withArms(std::move(made.clip), factor);
+                motion::RetargetReport report;
+                const Clip clip = onAvatar(source, keeping(Keep::pointing_ray, gesture), &report);
+                const bool passes = report.source_error->median_deg > 90.0;
+                beyond += passes ? 1 : 0;
+                // Shorter arms may not come past a target.
+                if (!passes || factor < 1.0)
+                    CHECK(std::abs(report.avatar_error->median_deg - report.source_error->median_deg) < 0.5);
+            }
+        CHECK(beyond > 0);
+    }
+
+    TEST_CASE("How a source misses its target does not hang on the avatar's legs and soles") {
+        // Half as long legs on soles of 0.15 m: at the source's size that is 0.25 m of floor.
+        motion::Skeleton other = avatar();
+        const auto at = [&](Bone bone) -> Vec3& {
+            return other.joints[static_cast<std::size_t>(bone)].rest.position;
+        };
+        for (const Bone bone : {Bone::leftLowerLeg, Bone::leftFoot, Bone::rightLowerLeg, Bone::rightFoot})
+            at(bone) *= 0.45;
+        at(Bone::leftToes) = Vec3(0.0, 0.0, 0.13);
+        at(Bone::rightToes) = Vec3(0.0, 0.0, 0.13);
+        const auto world = motion::worldPose(other, motion::restPose(other));
+        at(Bone::hips).y += 0.15 - world[static_cast<std::size_t>(Bone::leftFoot)].position.y;
+        for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+            const Recorded made = recorded(seed);
+            motion::RetargetReport report;
+            const auto clip = motion::retarget(made.clip, avatarMap(), other, avatarMap(),
+                                               keeping(Keep::pointing_ray, made.gesture), &report);
+            REQUIRE(clip.has_value());
+            CHECK(report.source_error->median_deg ==
+                  doctest::Approx(motion::pointingError(made.clip, avatarMap(), made.gesture)->median_deg)
+                      .epsilon(1e-6));
+            CHECK(std::abs(report.avatar_error->median_deg - report.source_error->median_deg) < 0.1);
+            // The avatar stands on the floor and the target where it was given.
+            CHECK(report.avatar_error->median_deg ==
+                  doctest::Approx(motion::pointingError(*clip, avatarMap(), made.gesture)->median_deg));
+        }
+    }
+
     TEST_CASE("A gesture that does not fit the clip is refused") {
         const Recorded made = recorded(2);
         auto gesture = made.gesture;

@@ -34,6 +34,10 @@ struct PointingGesture {
     std::optional<Vec3> target{};
 };
 
+/// Fails, with the frames found and expected, where a gesture's frames are out of order or not in a clip of
+/// so many.
+[[nodiscard]] Result<void> checkGesture(const PointingGesture& gesture, int frame_count);
+
 struct RetargetOptions {
     Keep keep = Keep::joint_angles;  ///< a pointing ray is kept only where there is a gesture
     std::optional<PointingGesture> gesture{};
