@@ -30,8 +30,8 @@ constexpr std::array<std::pair<motion::Bone, motion::Bone>, 9> limbs{{{leftUpper
 
 class Inspection {
   public:
-    explicit Inspection(const assets::ImportedClip& imported)
-        : clip_(imported.clip), map_(humanoidOf(imported)) {
+    Inspection(const assets::ImportedClip& imported, const motion::HumanoidMap& map)
+        : clip_(imported.clip), map_(map) {
         for (const motion::LocalPose& frame : clip_.frames)
             world_.push_back(motion::worldPose(clip_.skeleton, frame));
         findMissingBones();
@@ -117,10 +117,6 @@ class Inspection {
 
 }  // namespace
 
-motion::HumanoidMap humanoidOf(const assets::ImportedClip& imported) {
-    return imported.humanoid ? *imported.humanoid : motion::detectHumanoid(imported.clip.skeleton);
-}
-
 std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map) {
     std::vector<std::string> names;
     for (const motion::Bone bone : required)
@@ -128,8 +124,8 @@ std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map) {
     return names;
 }
 
-std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported) {
-    return Inspection(imported).problems;
+std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported, const motion::HumanoidMap& map) {
+    return Inspection(imported, map).problems;
 }
 
 }  // namespace deixis::app

@@ -13,14 +13,12 @@ struct ClipProblem {
     std::string text;
 };
 
-/// Bones that the clip's joints play: as the file says, else by their names.
-[[nodiscard]] motion::HumanoidMap humanoidOf(const assets::ImportedClip& imported);
-
 /// Names of the bones without which no clip plays on an avatar and that the map lacks.
 [[nodiscard]] std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map);
 
 /// All at once: missing bones, limbs without length, jumps, feet below the floor, a single frame, and the
-/// importer's remarks.
-[[nodiscard]] std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported);
+/// importer's remarks. `map`: which joint plays which bone (clip_files.hpp).
+[[nodiscard]] std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported,
+                                                    const motion::HumanoidMap& map);
 
 }  // namespace deixis::app

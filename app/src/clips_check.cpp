@@ -25,7 +25,9 @@ std::vector<ClipProblem> problemsOf(const std::string& file, const ClipsCheckArg
                                     const assets::Avatar& avatar) {
     const auto imported = assets::importClip(file, options.import);
     if (!imported) return {{true, imported.error().text()}};
-    auto problems = clipProblems(*imported);
+    const auto mapping = mapImported(*imported, file);
+    if (!mapping) return {{true, mapping.error().text()}};
+    auto problems = clipProblems(*imported, mapping->map);
     const bool broken = std::any_of(problems.begin(), problems.end(),
                                     [](const ClipProblem& problem) { return problem.fatal; });
     if (broken) return problems;  // why it does not play is said already

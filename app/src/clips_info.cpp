@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "clip_files.hpp"
 #include "clip_problems.hpp"
 #include "clips_commands.hpp"
 #include "import_options.hpp"
@@ -48,9 +50,19 @@ std::vector<BoneRow> bonesOf(const motion::Clip& clip, const motion::HumanoidMap
     return rows;
 }
 
-void printJson(const std::string& file, const assets::ImportedClip& imported) {
+/// Who says which joint plays which bone.
+enum class BonesBy : unsigned char { person, file, names };
+BonesBy bonesBy(const assets::ImportedClip& imported, const motion::HumanoidMapping& mapping) {
+    const bool person = std::find(mapping.found.begin(), mapping.found.end(), motion::FoundBy::override_) !=
+                        mapping.found.end();
+    return person ? BonesBy::person : imported.humanoid ? BonesBy::file : BonesBy::names;
+}
+
+void printJson(const std::string& file, const assets::ImportedClip& imported,
+               const motion::HumanoidMapping& mapping) {
     const motion::Clip& clip = imported.clip;
-    const motion::HumanoidMap map = humanoidOf(imported);
+    const motion::HumanoidMap& map = mapping.map;
+    constexpr std::array origins{"given", "declared", "detected"};
     nlohmann::ordered_json bones = nlohmann::ordered_json::object();
     for (const BoneRow& row : bonesOf(clip, map)) bones[std::string(row.bone)] = row.joint;
     const nlohmann::ordered_json out{
@@ -69,7 +81,7 @@ void printJson(const std::string& file, const assets::ImportedClip& imported) {
           {"origin", assets::originName(imported.up.origin)}}},
         {"height_m", heightOf(clip)},
         {"humanoid",
-         {{"origin", imported.humanoid ? "declared" : "detected"},
+         {{"origin", origins[static_cast<std::size_t>(bonesBy(imported, mapping))]},
           {"bones", bones},
           {"missing", missingRequiredBones(map)}}},
         {"remarks", imported.remarks}};
@@ -77,9 +89,11 @@ void printJson(const std::string& file, const assets::ImportedClip& imported) {
     fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-void printText(const std::string& file, const assets::ImportedClip& imported) {
+void printText(const std::string& file, const assets::ImportedClip& imported,
+               const motion::HumanoidMapping& mapping) {
     const motion::Clip& clip = imported.clip;
-    const motion::HumanoidMap map = humanoidOf(imported);
+    const motion::HumanoidMap& map = mapping.map;
+    constexpr std::array origins{"as the file beside it says", "declared", "by the joints' names"};
     const auto bones = bonesOf(clip, map);
     fmt::print("{}\n", file);
     fmt::print("  format   {}\n", imported.format);
@@ -93,7 +107,7 @@ void printText(const std::string& file, const assets::ImportedClip& imported) {
     fmt::print("  height   {:.2f} m in the first frame\n", heightOf(clip));
     const auto missing = missingRequiredBones(map);
     fmt::print("  bones    {} of {} ({}){}\n", bones.size(), motion::bone_count,
-               imported.humanoid ? "declared" : "by the joints' names",
+               origins[static_cast<std::size_t>(bonesBy(imported, mapping))],
                missing.empty() ? "" : fmt::format("; required but missing: {}", fmt::join(missing, ", ")));
     for (const BoneRow& row : bones) fmt::print("           {:<24} {}\n", row.bone, row.joint);
     for (const std::string& remark : imported.remarks) fmt::print("  remark   {}\n", remark);
@@ -102,10 +116,12 @@ void printText(const std::string& file, const assets::ImportedClip& imported) {
 Result<void> info(const ClipsInfoArguments& options) {
     const auto imported = assets::importClip(options.file, options.import);
     if (!imported) return tl::unexpected(imported.error());
+    const auto mapping = mapImported(*imported, options.file);
+    if (!mapping) return tl::unexpected(mapping.error());
     if (options.json)
-        printJson(options.file, *imported);
+        printJson(options.file, *imported, *mapping);
     else
-        printText(options.file, *imported);
+        printText(options.file, *imported, *mapping);
     return {};
 }
 

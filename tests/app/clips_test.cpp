@@ -53,6 +53,30 @@ TEST_SUITE("app/clips") {
         CHECK(program("clips info --up w " + clip).status == 2);
     }
 
+    TEST_CASE("clips info and clips check go by the file beside the clip, as clips map does") {
+        const Scratch scratch;
+        const std::string clip = pointingClip(scratch);
+        const std::string beside = fs::path(clip).replace_extension(".humanoid.toml").string();
+        spill(beside, "jaw = \"\"\nleftEye = \"jaw\"\n");
+        const auto info = nlohmann::json::parse(program("clips info --json " + clip).out);
+        CHECK(info["humanoid"]["origin"] == "given");
+        CHECK(info["humanoid"]["bones"]["leftEye"] == "jaw");
+        CHECK_FALSE(info["humanoid"]["bones"].contains("jaw"));
+        CHECK(says(program("clips info " + clip).out, "54 of 55 (as the file beside it says)"));
+        CHECK(program("clips check " + clip).status == 0);
+
+        spill(beside, "leftHand = \"\"\n");
+        const auto handless = program("clips check " + clip);
+        CHECK(handless.status == 1);
+        CHECK(says(handless.out, "has no joint for leftHand"));
+        CHECK(nlohmann::json::parse(program("clips info --json " + clip).out)["humanoid"]["missing"] ==
+              nlohmann::json({"leftHand"}));
+
+        spill(beside, "leftHnad = \"leftHand\"\n");
+        CHECK(says(program("clips check " + clip).out, "leftHnad: unknown bone"));
+        CHECK_FAILS_SAYING(program("clips info " + clip), "humanoid.toml:1", "leftHnad");
+    }
+
     TEST_CASE("clips convert writes BVH and CSV that read back, whole, and overwrites only when told") {
         const Scratch scratch;
         const std::string clip = pointingClip(scratch);
