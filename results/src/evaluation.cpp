@@ -8,6 +8,7 @@
 #include <map>
 #include <tuple>
 
+#include "evaluation_comparisons.hpp"
 #include "results/descriptive.hpp"
 
 namespace deixis::results {
@@ -194,6 +195,7 @@ Result<Evaluation> evaluate(EvaluationInput given) {
         system.right = profileOf(system.clips, motion::Side::right);
         meansByCluster(system, points, evaluation.clusters.size());
     }
+    evaluation.comparisons = compareSystems(evaluation.systems);
     addRemarks(evaluation);
     return evaluation;
 }

@@ -69,6 +69,30 @@ Json systemJson(const SystemEvaluation& system) {
             {"profiles", {{"left", profileJson(system.left)}, {"right", profileJson(system.right)}}}};
 }
 
+Json optionalJson(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json comparisonJson(const Evaluation& evaluation, const SystemComparison& pair) {
+    const SignedRankTest& test = pair.test;
+    const bool any = test.n_pairs > 0;
+    return {{"a", evaluation.systems[pair.a].system},
+            {"b", evaluation.systems[pair.b].system},
+            {"targets", test.n_pairs},
+            {"mean_difference", orNull(any, pair.mean_difference)},
+            {"sd", orNull(test.n_pairs > 1, pair.sd)},
+            {"mean_difference_deg", orNull(any, pair.mean_difference_deg)},
+            {"typical_difference", optionalJson(test.hodges_lehmann.estimate)},
+            {"interval", {optionalJson(test.hodges_lehmann.lower), optionalJson(test.hodges_lehmann.upper)}},
+            {"interval_level", optionalJson(test.hodges_lehmann.level)},
+            {"n_zero", test.n_zero},
+            {"w_plus", orNull(any, test.w_plus)},
+            {"rank_biserial", optionalJson(test.rank_biserial)},
+            {"p", orNull(any, test.p_two_sided)},
+            {"p_holm", optionalJson(pair.p_holm)},
+            {"method", any ? test.method : "no targets"}};
+}
+
 Json settingsJson(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     return {{"window_s", input.rule.window_s},
@@ -107,6 +131,10 @@ std::string evaluationJson(const Evaluation& evaluation) {
     Json systems = Json::array();
     for (const SystemEvaluation& system : evaluation.systems) systems.push_back(systemJson(system));
     out["systems"] = std::move(systems);
+    Json comparisons = Json::array();
+    for (const SystemComparison& pair : evaluation.comparisons)
+        comparisons.push_back(comparisonJson(evaluation, pair));
+    out["comparisons"] = std::move(comparisons);
     Json points = Json::array();
     for (const TestPoint& point : evaluation.points)
         points.push_back({{"target_id", point.target_id},
@@ -193,6 +221,39 @@ std::string systemsCsv(const Evaluation& evaluation) {
     return table.take();
 }
 
+std::string comparisonsTable(const Evaluation& evaluation) {
+    using enum ColumnType;
+    CsvTable table({column("a", text), column("b", text), column("targets", whole), column("mean_difference"),
+                    column("sd"), column("mean_difference_deg"), column("typical_difference"),
+                    column("interval_low"), column("interval_high"), column("n_zero", whole),
+                    column("w_plus"), column("rank_biserial"), column("p"), column("p_holm"),
+                    column("test", text)});
+    const auto optional = [&](const std::optional<double>& value) {
+        orEmpty(table, value.has_value(), value.value_or(0.0));
+    };
+    for (const SystemComparison& pair : evaluation.comparisons) {
+        const SignedRankTest& test = pair.test;
+        const bool any = test.n_pairs > 0;
+        table.text(evaluation.systems[pair.a].system);
+        table.text(evaluation.systems[pair.b].system);
+        table.whole(test.n_pairs);
+        orEmpty(table, any, pair.mean_difference);
+        orEmpty(table, test.n_pairs > 1, pair.sd);
+        orEmpty(table, any, pair.mean_difference_deg);
+        optional(test.hodges_lehmann.estimate);
+        optional(test.hodges_lehmann.lower);
+        optional(test.hodges_lehmann.upper);
+        table.whole(test.n_zero);
+        orEmpty(table, any, test.w_plus);
+        optional(test.rank_biserial);
+        orEmpty(table, any, test.p_two_sided);
+        optional(pair.p_holm);
+        table.text(any ? test.method : "no targets");
+        table.endRow();
+    }
+    return table.take();
+}
+
 std::string profilesTable(const Evaluation& evaluation) {
     using enum ColumnType;
     CsvTable table({column("system", text), column("hand", text), column("time_s"), column("n", whole),
@@ -255,6 +316,7 @@ std::string clustersCsv(const Evaluation& evaluation) {
 std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluation& evaluation) {
     return {{"clips.csv", clipsTable(evaluation)},
             {"systems.csv", systemsCsv(evaluation)},
+            {"comparisons.csv", comparisonsTable(evaluation)},
             {"profiles.csv", profilesTable(evaluation)},
             {"targets.csv", targetsTable(evaluation)},
             {"clusters.csv", clustersCsv(evaluation)}};

@@ -15,6 +15,7 @@
 #include "motion/pointing_accuracy.hpp"
 #include "results/density.hpp"
 #include "results/mean_shift.hpp"
+#include "results/signed_rank.hpp"
 #include "results/spearman.hpp"
 
 namespace deixis::results {
@@ -106,6 +107,20 @@ struct TargetCluster {
     int test_points = 0;
 };
 
+/// Accuracy of two systems over the targets at which both have one; where a system has several clips for a
+/// target, their mean counts.
+struct SystemComparison {
+    std::size_t a = 0;                 ///< of Evaluation::systems
+    std::size_t b = 0;                 ///< comes after a
+    double mean_difference = 0.0;      ///< of accuracy, a - b; this and the next two: 0 without targets
+    double sd = 0.0;                   ///< of the differences, n - 1; 0 of one target
+    double mean_difference_deg = 0.0;  ///< of the error, a - b
+    /// Of the differences of accuracy, to 1e-9: what is nearer together counts as equal, so that the last
+    /// bits of another machine's arithmetic change no rank. n_pairs is how many targets there are.
+    SignedRankTest test{};
+    std::optional<double> p_holm{};  ///< over all pairs that share targets; none where there are none
+};
+
 struct Evaluation {
     EvaluationInput input;
     std::vector<SystemEvaluation> systems;
@@ -115,7 +130,8 @@ struct Evaluation {
     double mean_shift_bandwidth = 0.0;
     bool mean_shift_estimated = false;
     std::vector<TargetCluster> clusters;
-    std::vector<std::string> remarks;  ///< what a reader must know
+    std::vector<std::string> remarks;           ///< what a reader must know
+    std::vector<SystemComparison> comparisons;  ///< every pair: first with second, first with third, ...
 
     Evaluation() = default;
     // Systems point into the input's clips.
@@ -134,7 +150,7 @@ struct Evaluation {
 [[nodiscard]] std::string renderEvaluation(const Evaluation& evaluation);
 /// One JSON object, "format": "deixis-evaluation", "version": 1; documented in docs/evaluation.md.
 [[nodiscard]] std::string evaluationJson(const Evaluation& evaluation);
-/// File names and contents: clips.csv, systems.csv, profiles.csv, targets.csv, clusters.csv.
+/// File names and contents: clips.csv, systems.csv, comparisons.csv, profiles.csv, targets.csv, clusters.csv.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluation& evaluation);
 
 }  // namespace deixis::results
