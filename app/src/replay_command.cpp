@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "recorded_avatar.hpp"
 #include "recorded_clips.hpp"
 #include "results/recording.hpp"
 #include "studies/replay.hpp"
@@ -111,7 +112,8 @@ Result<void> replay(ReplayArguments options) {
                     fmt::format("{} has answered no trial that shows clips", options.participant));
     results::ClipRecords records;
     for (const auto& answer : recording->answers) records.insert(answer.clips.begin(), answer.clips.end());
-    const auto avatar = loadAvatarOrShipped(options.avatar);
+    const auto avatar = options.avatar.empty() ? recordedAvatar(*recording, options.database)
+                                               : assets::loadAvatar(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     const auto clips = RecordedClips::load(records, *avatar, options.stimuli);
     if (!clips) return tl::unexpected(clips.error());
@@ -137,7 +139,9 @@ void addReplayCommand(CLI::App& cli, Command& chosen) {
                       "Print each choice of the game and what the recorded rays give");
     command->add_option("--stimuli", options->stimuli,
                         "Folder of the clips that were shown [where they lay]");
-    command->add_option("--avatar", options->avatar, "The avatar that was shown, glTF or VRM [Deixis's own]");
+    command->add_option("--avatar", options->avatar,
+                        "The avatar that was shown, glTF or VRM [the study's, from the database's folder on; "
+                        "else Deixis's own]");
 #ifdef DEIXIS_IMMERSIVE
     command->add_option("--view", options->view.view, "first: by the participant's eyes; third: from outside")
         ->check(CLI::IsMember({"first", "third"}))

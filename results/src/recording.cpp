@@ -153,13 +153,14 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
     Recording recording;
     recording.participant = participant;
     recording.study_title = database.execAndGet("SELECT title FROM study").getString();
+    recording.study_source = database.execAndGet("SELECT coalesce(source, '') FROM study").getString();
     Statement responses(
         database,
         "SELECT r.id, r.trial_index, r.session, r.status, r.chosen_place, r.correct, r.motion_end_s, "
         "r.answered_s, "
         "r.response_time_s, r.superseded IS NOT NULL, e.station, e.synthetic, "
         "r.head_x_m, r.head_y_m, r.head_z_m, r.head_qw, r.head_qx, r.head_qy, r.head_qz, "
-        "r.ray_x_m, r.ray_y_m, r.ray_z_m, r.ray_dx, r.ray_dy, r.ray_dz "
+        "r.ray_x_m, r.ray_y_m, r.ray_z_m, r.ray_dx, r.ray_dy, r.ray_dz, e.avatar_hash "
         "FROM responses AS r JOIN sessions AS e ON e.id = r.session WHERE r.participant = ? ORDER BY r.id");
     responses.bind(1, participant);
     // By session and trial: when the answer before was given.
@@ -174,6 +175,7 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
         const long long response = responses.getColumn(0).getInt64();
         out.session = responses.getColumn(2).getInt64();
         out.superseded = responses.getColumn(9).getInt() != 0;
+        out.avatar_hash = responses.getColumn(25).getString();
         studies::RecordedTrial& trial = out.trial;
         trial.trial = *planned;
         trial.layout = setting->layouts[planned->layout];

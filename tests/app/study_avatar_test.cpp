@@ -67,6 +67,40 @@ TEST_SUITE("app/study_avatar") {
         CHECK(clips(scratch / "s.sqlite") == clips(scratch / "p.sqlite"));
     }
 
+    TEST_CASE("A replay finds the study's avatar beside the database, and tells a wrong one by its bytes") {
+        const Scratch scratch;
+        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "data" / "avatar.glb").string();
+        std::string bytes = slurp(own);
+        bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
+        spill(scratch / "lab/figures/mine.glb", bytes);
+        spill(scratch / "lab/study.toml", withAvatar("figures/mine.glb"));
+        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const auto ran = program("simulate " + (scratch / "lab/study.toml") + " --participants 1 --db " +
+                                 (scratch / "lab/s.sqlite") + " --stimuli " + stimuli);
+        REQUIRE_MESSAGE(ran.status == 0, ran.err);
+        const auto replayed = [&](const std::string& folder, const std::string& more = "") {
+            return program("replay " + (scratch / (folder + "/s.sqlite")) + " --participant S001 --choices" +
+                           more);
+        };
+        const auto here = replayed("lab");
+        CHECK_MESSAGE(here.status == 0, here.err);
+        CHECK(here.out.find(" the same from the ray") != std::string::npos);
+        CHECK(here.err.empty());
+        // The database and the figure alone, in another folder.
+        spill(scratch / "moved/mine.glb", bytes);
+        fs::copy_file(scratch / "lab/s.sqlite", scratch / "moved/s.sqlite");
+        CHECK(replayed("moved").status == 0);
+        bytes[bytes.find("Deixis_make_avatar")] = 'E';
+        spill(scratch / "moved/mine.glb", bytes);
+        CHECK_FAILS_SAYING(
+            replayed("moved"), (scratch / "moved/figures/mine.glb") + " is not there",
+            (scratch / "moved/mine.glb") + " is another one (SHA-256 " + deixis::sha256Hex(bytes) + ")",
+            avatarHashes(scratch / "moved/s.sqlite"), "name it with --avatar");
+        CHECK(replayed("moved", " --avatar " + (scratch / "moved/mine.glb")).status == 0);
+        spill(scratch / "moved/mine.glb", "no figure");
+        CHECK_FAILS_SAYING(replayed("moved"), "not a glTF binary");
+    }
+
     TEST_CASE("A figure without fingers and eyes carries a whole session") {
         const fs::path figure = fs::path(DEIXIS_SHARED_DATA) / "avatars/kaykit_mannequin/manny_med_mod.gltf";
         if (!fs::exists(figure)) {

@@ -16,12 +16,14 @@ struct RecordedAnswer {
     studies::RecordedTrial trial{};
     ClipRecords clips{};  ///< of its stimuli
     long long session = 0;
-    bool superseded = false;  ///< it was done again: the answer does not count
-    std::string outcome{};    ///< for people: "chose ball 2 of 3, correct, after 1.42 s"
+    bool superseded = false;    ///< it was done again: the answer does not count
+    std::string avatar_hash{};  ///< SHA-256 of the avatar that its session showed
+    std::string outcome{};      ///< for people: "chose ball 2 of 3, correct, after 1.42 s"
 };
 
 struct Recording {
     std::string study_title;
+    std::string study_source{};  ///< the study file's text; empty where it was not kept
     std::string participant;
     std::vector<RecordedAnswer> answers;  ///< of trials that show clips, in order of arrival
 };

@@ -1,0 +1,67 @@
+#include "recorded_avatar.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "studies/study_source.hpp"
+#include "study_setup.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<assets::Avatar> shippedAvatarFor(const std::set<std::string>& hashes) {
+    auto avatar = loadShippedAvatar();
+    const bool known = !hashes.empty() && !hashes.contains("");
+    if (avatar && known && !hashes.contains(avatar->content_hash))
+        fmt::print(stderr,
+                   "note: the sessions showed another version of Deixis's avatar; this version's is taken\n");
+    return avatar;
+}
+
+/// Where the named file may lie now. A path below the study file's folder is looked for below the database's:
+/// the folder of a study moves as a whole.
+std::vector<fs::path> placesOf(const fs::path& named, const fs::path& database) {
+    const fs::path folder = database.parent_path();
+    std::vector<fs::path> places{(folder / named).lexically_normal()};
+    if (const fs::path beside = folder / named.filename(); beside != places.front()) places.push_back(beside);
+    return places;
+}
+
+}  // namespace
+
+Result<assets::Avatar> recordedAvatar(const results::Recording& recording, const fs::path& database) {
+    std::set<std::string> hashes;
+    for (const results::RecordedAnswer& answer : recording.answers) hashes.insert(answer.avatar_hash);
+    const std::string named = studies::avatarNamedIn(recording.study_source);
+    if (named.empty() || hashes.empty()) return shippedAvatarFor(hashes);
+    if (hashes.size() > 1)
+        return fail(database.string(),
+                    fmt::format("the sessions of {} showed {} different avatars", recording.participant,
+                                hashes.size()),
+                    "Choose one trial with --trial, or name the avatar to show with --avatar");
+    std::string found;
+    for (const fs::path& place : placesOf(named, database)) {
+        std::error_code code;
+        if (!found.empty()) found += "; ";
+        if (!fs::is_regular_file(place, code)) {
+            found += fmt::format("{} is not there", place.string());
+            continue;
+        }
+        auto avatar = assets::loadAvatar(place);
+        if (avatar && avatar->content_hash == *hashes.begin()) return avatar;
+        found += avatar ? fmt::format("{} is another one (SHA-256 {})", place.string(), avatar->content_hash)
+                        : avatar.error().text();
+    }
+    return fail(database.string(),
+                fmt::format("the sessions showed the avatar \"{}\" (SHA-256 {}), which was not found: {}",
+                            named, *hashes.begin(), found),
+                "Put that file there, or name it with --avatar");
+}
+
+}  // namespace deixis::app

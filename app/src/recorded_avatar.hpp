@@ -1,0 +1,18 @@
+// The avatar that recorded sessions showed, found again.
+#pragma once
+
+#include <filesystem>
+
+#include "assets/avatar.hpp"
+#include "core/error.hpp"
+#include "results/recording.hpp"
+
+namespace deixis::app {
+
+/// Where the study named an avatar: the file of that path, from the database's folder on, or of that name
+/// beside the database, whose bytes are those that the answers' sessions showed. An error names all that was
+/// looked at. Else the product's own, with a word on stderr where the sessions showed another one.
+[[nodiscard]] Result<assets::Avatar> recordedAvatar(const results::Recording& recording,
+                                                    const std::filesystem::path& database);
+
+}  // namespace deixis::app

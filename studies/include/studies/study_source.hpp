@@ -1,0 +1,13 @@
+// What the text of a study file says, where the file itself and what it names may be gone.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace deixis::studies {
+
+/// The avatar that the text names (`study.avatar`), as it stands there: relative to the folder of the study
+/// file, or absolute. Empty where it names none or is no study.
+[[nodiscard]] std::string avatarNamedIn(std::string_view source);
+
+}  // namespace deixis::studies
