@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "core/hash.hpp"
 #include "measured_clips.hpp"
 #include "motion/generator.hpp"
+#include "progress_line.hpp"
 #include "report.hpp"
 #include "results/evaluation.hpp"
 #include "training_targets.hpp"
@@ -131,12 +133,16 @@ Result<void> checkThere(const std::vector<ClipToMeasure>& clips) {
     return problems.empty() ? Result<void>() : failWith(problems, "missing");
 }
 
-void showProgress(std::size_t done, std::size_t all) {
-    constexpr std::size_t width = 30;
-    const std::size_t filled = width * done / std::max<std::size_t>(1, all);
-    fmt::print(stderr, "\rclips [{:#<{}}{:.<{}}] {}/{}{}", "", filled, "", width - filled, done, all,
-               done == all ? "\n" : "");
-    std::fflush(stderr);
+/// Nothing where stderr is no terminal: a line that is written over itself would fill a log.
+Progress progressOnTerminal() {
+    if (::isatty(STDERR_FILENO) == 0) return [](auto, auto) {};
+    return [begin = std::chrono::steady_clock::now()](std::size_t done, std::size_t all) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        // The line before may have been longer.
+        fmt::print(stderr, "\r{}\x1b[K{}", progressLine("clips", done, all, elapsed.count()),
+                   done == all ? "\n" : "");
+        std::fflush(stderr);
+    };
 }
 
 Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed) {
@@ -181,9 +187,8 @@ Result<void> evaluateClips(const EvaluateArguments& options) {
     if (auto checked = checkOutputs(options, listed); !checked) return checked;
     if (auto checked = checkThere(listed.clips); !checked) return checked;
 
-    const Progress progress = ::isatty(STDERR_FILENO) != 0 ? Progress(showProgress) : [](auto, auto) {};
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    auto measured = measureClips(listed.clips, input.rule, threads, progress);
+    auto measured = measureClips(listed.clips, input.rule, threads, progressOnTerminal());
     if (!measured) return failWith(measured.error(), "cannot be measured");
     input.clips = std::move(measured->clips);
     input.motion_digest = std::move(measured->motion_digest);

@@ -65,9 +65,12 @@ void addTargetsCommand(CLI::App& cli, Command& chosen) {
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
     command->add_option("--picture", options->picture, "SVG picture to write [STUDY-targets.svg]");
     command->add_flag("--no-picture", options->no_picture, "Only print");
-    command->add_option("--grid", options->grid,
-                        "Instead: so many test points (a third power, such as 1000) within the limits of the "
-                        "training targets");
+    command
+        ->add_option("--grid", options->grid,
+                     "Instead: so many test points (a third power; without a number 1000, as in the paper) "
+                     "within the limits of the training targets")
+        ->expected(0, 1)
+        ->default_str("1000");
     command->add_option("--training", options->training,
                         "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
     command->callback([options, command, &chosen] {

@@ -1,5 +1,11 @@
 // evaluate and targets --grid: the real program, from made clips to a page.
+#include <fcntl.h>
+
+#include <algorithm>
+#include <array>
+
 #include "program.hpp"
+#include "progress_line.hpp"
 #include "text.hpp"
 
 using namespace deixis::tests;
@@ -54,8 +60,8 @@ TEST_SUITE("app/evaluate") {
         };
         evaluated("one", " --threads 1");
         evaluated("five", " --threads 5");
-        for (const std::string ending : {".html", ".json", "/clips.csv", "/systems.csv", "/profiles.csv",
-                                         "/targets.csv", "/clusters.csv"}) {
+        for (const std::string ending : {".html", ".json", "/clips.csv", "/systems.csv", "/comparisons.csv",
+                                         "/profiles.csv", "/targets.csv", "/clusters.csv"}) {
             CAPTURE(ending);
             CHECK(slurp(scratch / ("one" + ending)) == slurp(scratch / ("five" + ending)));
             CHECK(slurp(scratch / ("one" + ending)).size() > 100);
@@ -72,6 +78,10 @@ TEST_SUITE("app/evaluate") {
             CHECK(mean > 0.4);
             CHECK(mean < 0.6322);
         }
+        REQUIRE(json["comparisons"].size() == 1);
+        CHECK(json["comparisons"][0]["a"] == "direct");
+        CHECK(json["comparisons"][0]["b"] == "stiff");
+        CHECK(json["comparisons"][0]["targets"] == 8);
         CHECK(json["training"]["synthetic"] == true);
         CHECK(json["training"]["targets"].size() == 104);
         CHECK(json["targets"].size() == 8);
@@ -147,6 +157,43 @@ TEST_SUITE("app/evaluate") {
         CHECK_FALSE(fs::exists(scratch / "e.html"));
     }
 
+    TEST_CASE("Progress tells share, time elapsed and time left, on a terminal alone") {
+        using deixis::app::progressLine;
+        CHECK(progressLine("clips", 0, 8, 0.0) ==
+              "clips   0 % [........................] 0 of 8, 0:00 elapsed, -- left");
+        CHECK(progressLine("clips", 250, 1000, 61.0) ==
+              "clips  25 % [######..................] 250 of 1000, 1:01 elapsed, 3:03 left");
+        CHECK(progressLine("clips", 1, 1000, 30.0) ==
+              "clips   0 % [........................] 1 of 1000, 0:30 elapsed, 8:19:30 left");
+        CHECK(progressLine("clips", 8, 8, 0.2) ==
+              "clips 100 % [########################] 8 of 8, 0:00 elapsed, 0:00 left");
+
+        const Scratch scratch;
+        const std::string command = "evaluate " + manifests() + " -o " + (scratch / "e.html");
+        CHECK(program(command).err.empty());
+        const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+        REQUIRE(terminal >= 0);
+        REQUIRE(grantpt(terminal) == 0);
+        REQUIRE(unlockpt(terminal) == 0);
+        const std::string name = ptsname(terminal);
+        const int other_end =
+            open(name.c_str(), O_RDWR | O_NOCTTY);  // until it is closed there is more to read
+        REQUIRE(other_end >= 0);
+        std::string shown;
+        std::thread reader([&] {
+            std::array<char, 4096> bytes{};
+            for (ssize_t got = 0; (got = read(terminal, bytes.data(), bytes.size())) > 0;)
+                shown.append(bytes.data(), static_cast<std::size_t>(got));
+        });
+        const int status = program(command + " 2>" + name).status;
+        close(other_end);
+        reader.join();
+        close(terminal);
+        CHECK(status == 0);
+        CHECK_MESSAGE(contains(shown, "clips 100 % [########################] 16 of 16, "), shown);
+        CHECK(contains(shown, " elapsed, 0:00 left"));
+    }
+
     TEST_CASE("Bad input is refused with the place and the mend") {
         const Scratch scratch;
         const std::string out = " -o " + (scratch / "e.html");
@@ -192,6 +239,13 @@ TEST_SUITE("app/evaluate") {
         CHECK(grid.status == 0);
         CHECK(grid.out.rfind("target_id,x,y,z\nG0001,-1.0000,0.5000,0.5000\n", 0) == 0);
         CHECK(contains(grid.out, "\nG0008,2.0000,1.5000,2.0000\n"));
+        // The paper's evaluation (section 3.2) has 1,000 points: ten along each axis.
+        const auto paper = program("targets --grid --training " + (scratch / "training.csv"));
+        CHECK(paper.status == 0);
+        CHECK(std::count(paper.out.begin(), paper.out.end(), '\n') == 1001);
+        CHECK(contains(paper.out, "\nG0002,-0.6667,0.5000,0.5000\n"));
+        CHECK(contains(paper.out, "\nG1000,2.0000,1.5000,2.0000\n"));
+        CHECK(program("targets --training " + (scratch / "training.csv") + " --grid").out == paper.out);
         CHECK_FAILS_SAYING(program("targets --grid 10"), "--grid", "8 or 27");
         CHECK(program("targets").status == 2);
         CHECK(program("targets pointing2023 --grid 8").status == 2);

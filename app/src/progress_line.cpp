@@ -1,0 +1,32 @@
+#include "progress_line.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace deixis::app {
+
+namespace {
+
+/// "0:07", "12:30", "3:05:00".
+std::string clockText(double time_s) {
+    const auto seconds = static_cast<long long>(std::llround(std::fmin(time_s, 1e9)));
+    if (seconds < 3600) return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
+    return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
+}
+
+}  // namespace
+
+std::string progressLine(std::string_view what, std::size_t done, std::size_t all, double elapsed_s) {
+    constexpr std::size_t width = 24;
+    const std::size_t filled = width * done / all;
+    constexpr double least_s = 0.5;  // before that, the time left would jump about
+    const bool known = done > 0 && (elapsed_s >= least_s || done == all);
+    const double left_s =
+        known ? elapsed_s * static_cast<double>(all - done) / static_cast<double>(done) : 0.0;
+    return fmt::format("{} {:>3} % [{:#<{}}{:.<{}}] {} of {}, {} elapsed, {} left", what, 100 * done / all,
+                       "", filled, "", width - filled, done, all, clockText(elapsed_s),
+                       known ? clockText(left_s) : "--");
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,16 @@
+// How far a long piece of work has come, as a line for a terminal.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace deixis::app {
+
+/// "clips  45 % [#####......]  450 of 1000, 0:12 elapsed, 0:15 left". The time left is that of the work so
+/// far, in proportion; "--" until there is something to tell it from. `all` is at least 1; `elapsed_s` is not
+/// negative.
+[[nodiscard]] std::string progressLine(std::string_view what, std::size_t done, std::size_t all,
+                                       double elapsed_s);
+
+}  // namespace deixis::app
