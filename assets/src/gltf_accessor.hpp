@@ -21,7 +21,8 @@ struct GltfRows {
 };
 
 /// Elements of any component type as floats; integers of normalised accessors become fractions (glTF 2.0,
-/// section 3.6.2.2). `name` stands for the accessor in errors, such as "POSITION". Values are finite.
+/// section 3.6.2.2), sparse ones put in place (section 3.6.2.3; without a buffer view the others are 0).
+/// `name` stands for the accessor in errors, such as "POSITION". Values are finite.
 [[nodiscard]] Result<GltfRows> readGltfRows(const tinygltf::Model& model, int accessor,
                                             const std::string& file, const std::string& name);
 

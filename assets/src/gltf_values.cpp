@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "gltf_container.hpp"
+#include "gltf_sparse.hpp"
 
 namespace deixis::assets::gltf {
 
@@ -115,31 +116,21 @@ std::vector<double> Values::decode(const Accessor& accessor, const std::string& 
 
 void Values::replaceSparse(const Accessor& accessor, const std::string& where, std::vector<double>& values) {
     const Sparse& sparse = *accessor.sparse;
+    if (const auto problem = sparseProblem(sparse.count, sparse.index_type, accessor.count))
+        refuse(where, *problem);
     const std::size_t index_size = componentSize(sparse.index_type);
-    if (index_size == 0 || sparse.index_type == 5120 || sparse.index_type == 5122 ||
-        sparse.index_type == 5126)
-        refuse(where, fmt::format("found sparse indices of component type {}, expected 5121, 5123 or 5125",
-                                  sparse.index_type));
-    if (sparse.count == 0 || sparse.count > accessor.count)
-        refuse(where, fmt::format("replaces {} of {} elements", sparse.count, accessor.count));
     const std::size_t width = elementWidth(accessor.type);
     const std::size_t size = componentSize(accessor.component_type);
-    const auto indices =
+    const auto index_bytes =
         bytes(sparse.index_view, sparse.index_offset, sparse.count, index_size, index_size, where);
     const auto replaced =
         bytes(sparse.value_view, sparse.value_offset, sparse.count, size * width, size * width, where);
-    std::size_t least = 0;
-    for (std::size_t i = 0; i < sparse.count; ++i) {
-        const auto index =
-            static_cast<std::size_t>(number(indices.data() + i * index_size, sparse.index_type, false));
-        if (index < least || index >= accessor.count)
-            refuse(where, fmt::format("sparse index {} is {}, expected {} to {}", i, index, least,
-                                      accessor.count - 1));
-        least = index + 1;
+    const auto indices = sparseIndices(index_bytes.data(), sparse.count, sparse.index_type, accessor.count);
+    if (!indices) refuse(where, indices.error());
+    for (std::size_t i = 0; i < sparse.count; ++i)
         for (std::size_t c = 0; c < width; ++c)
-            values[index * width + c] = number(replaced.data() + (i * width + c) * size,
-                                               accessor.component_type, accessor.normalised);
-    }
+            values[(*indices)[i] * width + c] = number(replaced.data() + (i * width + c) * size,
+                                                       accessor.component_type, accessor.normalised);
 }
 
 }  // namespace deixis::assets::gltf

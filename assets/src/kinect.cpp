@@ -13,11 +13,11 @@ namespace {
 
 using motion::Bone;
 
-constexpr std::size_t joint_count = 25;
-constexpr std::size_t field_count = 1 + 4 * joint_count;
+constexpr std::size_t kinect_joint_count = 25;
+constexpr std::size_t field_count = 1 + 4 * kinect_joint_count;
 constexpr double ticks_per_second = 1e7;
-constexpr double usual_fps = 30.0;
-constexpr double smoothing_step_s = 0.75 / usual_fps;
+constexpr double kinect_fps = 30.0;
+constexpr double smoothing_step_s = 0.75 / kinect_fps;
 
 /// Joints that are used, by their number in Kinect's JointType. Kinect's Neck lies in the throat; the point
 /// between the shoulders (20) is what the solver calls neck.
@@ -32,7 +32,7 @@ constexpr Used used[] = {{0, Bone::hips},           {20, Bone::neck},          {
                          {16, Bone::rightUpperLeg}, {17, Bone::rightLowerLeg}, {18, Bone::rightFoot}};
 
 struct KinectRecording {
-    std::array<JointTrack, joint_count> tracks;
+    std::array<JointTrack, kinect_joint_count> tracks;
     double first_s = 0.0;
     double last_s = 0.0;
 };
@@ -73,7 +73,7 @@ Result<KinectRecording> parseLines(std::string_view text, const std::string& nam
             return fail(where, "found a time that is not after the one before, expected rising times");
         if (rows++ == 0) recording.first_s = time_s;
         recording.last_s = previous_s = time_s;
-        for (std::size_t j = 0; j < joint_count; ++j) {
+        for (std::size_t j = 0; j < kinect_joint_count; ++j) {
             if (fields[4 + 4 * j] < 0.5) continue;
             recording.tracks[j].time_s.push_back(time_s);
             recording.tracks[j].position.emplace_back(fields[1 + 4 * j], fields[2 + 4 * j],
@@ -99,7 +99,7 @@ Result<ImportedClip> parseKinectClip(std::string_view text, const std::string& n
     out.format = "Kinect v2 joint positions";
     out.unit = FoundUnit{};
     out.up = UpAxis::y;
-    out.rate = options.fps ? FoundRate{*options.fps, Origin::given} : FoundRate{usual_fps, Origin::declared};
+    out.rate = options.fps ? FoundRate{*options.fps, Origin::given} : FoundRate{kinect_fps, Origin::declared};
     const double frame_time_s = 1.0 / out.rate.fps;
     const int count =
         static_cast<int>(std::floor((recording->last_s - recording->first_s) / frame_time_s + 1e-6)) + 1;

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
@@ -35,6 +36,7 @@ struct RigOptions {
     double mesh_unit = 1.0;        ///< metres in the unit of the mesh
     bool bound_in_t_pose = false;  ///< though the rest pose is another
     bool feet_on_root = false;     ///< feet hang on the armature
+    bool sparse = false;           ///< every accessor is sparse
     std::function<std::string(const std::string&)> rename = [](const std::string& name) { return name; };
 };
 
@@ -162,17 +164,27 @@ class GlbText {
     template <typename T>
     int accessor(const std::vector<T>& values, int component_type, const std::string& type, std::size_t count,
                  const std::string& members = {}) {
+        const std::string shape = fmt::format(R"("componentType":{},"count":{},"type":"{}"{})",
+                                              component_type, count, type, members);
+        return sparse ? sparseAccessor(values, shape, count, type != "MAT4")
+                      : accessor(fmt::format(R"("bufferView":{},{})", view(values), shape));
+    }
+    int accessor(const std::string& members) {
+        accessors_.push_back("{" + members + "}");
+        return static_cast<int>(accessors_.size()) - 1;
+    }
+    template <typename T>
+    int view(const std::vector<T>& values, const std::string& members = {}) {
         while (bytes_.size() % 4 != 0) bytes_.push_back('\0');
         const std::size_t offset = bytes_.size();
         bytes_.resize(offset + values.size() * sizeof(T));
         std::memcpy(bytes_.data() + offset, values.data(), values.size() * sizeof(T));
-        views_.push_back(fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}}})", offset,
-                                     values.size() * sizeof(T)));
-        accessors_.push_back(fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"{}"{}}})",
-                                         views_.size() - 1, component_type, count, type, members));
-        return static_cast<int>(accessors_.size()) - 1;
+        views_.push_back(fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}{}}})", offset,
+                                     values.size() * sizeof(T), members));
+        return static_cast<int>(views_.size()) - 1;
     }
 
+    bool sparse = false;  ///< of accessors that are added from then on
     std::vector<std::string> nodes, meshes, skins;
     std::string more;  ///< further members of the root, each with a comma before it
 
@@ -207,6 +219,31 @@ class GlbText {
     }
 
   private:
+    /// As glTF 2.0, section 3.6.2.3 has them: every third element is wrong below and replaced; without
+    /// values below, all of them are. Indices of all three types in turn.
+    template <typename T>
+    int sparseAccessor(std::vector<T> values, const std::string& shape, std::size_t count, bool with_base) {
+        const std::size_t width = values.size() / count;
+        std::vector<T> replacing;
+        std::vector<std::uint32_t> indices;
+        for (std::size_t i = with_base ? 1 : 0; i < count; i += with_base ? 3 : 1) {
+            const auto first = values.begin() + static_cast<std::ptrdiff_t>(i * width);
+            const auto last = first + static_cast<std::ptrdiff_t>(width);
+            replacing.insert(replacing.end(), first, last);
+            std::fill(first, last, T{7});
+            indices.push_back(static_cast<std::uint32_t>(i));
+        }
+        const std::string base = with_base ? fmt::format(R"("bufferView":{},)", view(values)) : "";
+        const int turn = static_cast<int>(accessors_.size() % 3);
+        const int index_view = turn == 0   ? view(std::vector<std::uint8_t>(indices.begin(), indices.end()))
+                               : turn == 1 ? view(std::vector<std::uint16_t>(indices.begin(), indices.end()))
+                                           : view(indices);
+        return accessor(fmt::format(
+            R"({}{},"sparse":{{"count":{},"indices":{{"bufferView":{},"componentType":{}}},"values":{{"bufferView":{}}}}})",
+            base, shape, indices.size(), index_view,
+            std::array{5121, 5123, 5125}[static_cast<std::size_t>(turn)], view(replacing)));
+    }
+
     std::string bytes_;
     std::vector<std::string> views_, accessors_;
 };
@@ -288,6 +325,7 @@ inline void addMesh(GlbText& file, const Rig& rig, const RigOptions& options,
 
 inline GlbText rigFile(const Rig& rig, const RigOptions& options) {
     GlbText file;
+    file.sparse = options.sparse;
     addNodes(file, rig, options);
     addMesh(file, rig, options);
     return file;
