@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <memory>
 #include <utility>
 #include <variant>
 
+#include "assets/ball_list.hpp"
 #include "clip_files.hpp"
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
+#include "motion/pointing.hpp"
 #include "motion/pointing_measures.hpp"
 
 namespace deixis::app {
@@ -19,6 +22,7 @@ namespace {
 struct ClipsMeasureArguments {
     std::vector<std::string> files;
     std::vector<double> target;
+    std::string balls;
     bool detect = false;
     bool csv = false;
     bool json = false;
@@ -57,6 +61,22 @@ void addRay(Entries& out, motion::PointingRay kind, const std::optional<motion::
                                 [](const auto& s) { return degreesFromRadians(s.drift_per_s); }));
     out.push_back(optionalEntry(name + "_jitter_deg", steadiness,
                                 [](const auto& s) { return degreesFromRadians(s.jitter_rms); }));
+}
+
+/// Which ball a reader of each ray would take, and by which angle before the next one.
+void addChoices(Entries& out, const motion::PointingMeasures& m, const std::vector<assets::BallSet>& sets) {
+    for (const motion::PointingRay kind : motion::all_pointing_rays) {
+        const auto& ray = m.rays[static_cast<std::size_t>(kind)];
+        for (const assets::BallSet& set : sets) {
+            std::string name(motion::pointingRayName(kind));
+            if (!set.band.empty()) name += "_" + set.band;
+            const auto choice = ray ? motion::chosenBall(ray->middle, set.balls) : std::nullopt;
+            out.push_back(
+                optionalEntry(name + "_ball", choice, [&](const auto& c) { return set.names[c.ball]; }));
+            out.push_back(optionalEntry(name + "_margin_deg", choice ? choice->margin_rad : std::nullopt,
+                                        [](double margin_rad) { return degreesFromRadians(margin_rad); }));
+        }
+    }
 }
 
 void addBody(Entries& out, const motion::PointingMeasures& m) {
@@ -164,11 +184,43 @@ void print(const std::vector<Entries>& clips, const ClipsMeasureArguments& optio
     if (options.json) fmt::print("\n]\n");
 }
 
-Result<motion::PointingMeasures> measured(const NamedClip& clip, const ClipsMeasureArguments& options) {
+/// The balls about a clip's target: those of its target id, or the only ones that there are. None of them
+/// where no list was given.
+Result<std::vector<assets::BallSet>> ballsFor(const NamedClip& clip, const std::optional<Vec3>& target,
+                                              const assets::BallList& list, const std::string& file) {
+    if (list.empty()) return std::vector<assets::BallSet>();
+    const bool only = clip.target_id.empty() && list.size() == 1;
+    const auto found = only ? list.begin() : list.find(clip.target_id);
+    if (found == list.end())
+        return fail(clip.file.string(),
+                    clip.target_id.empty()
+                        ? fmt::format("names no target, and {} has {}", file, list.size())
+                        : fmt::format("points at {}, which {} has not", clip.target_id, file),
+                    "Balls go with a clip by the target_id of its manifest");
+    const Vec3& listed = found->second.front().balls.front();
+    constexpr double same_place_m = 1e-3;
+    if (target && glm::length(*target - listed) > same_place_m)
+        return fail(clip.file.string(),
+                    fmt::format("its target is at {:.4f}, {:.4f}, {:.4f}, in {} at {:.4f}, {:.4f}, {:.4f}",
+                                target->x, target->y, target->z, file, listed.x, listed.y, listed.z),
+                    "Name the list that the clips were made for");
+    return found->second;
+}
+
+struct Measured {
+    motion::PointingMeasures measures;
+    std::vector<assets::BallSet> balls;
+};
+
+Result<Measured> measured(const NamedClip& clip, const ClipsMeasureArguments& options,
+                          const assets::BallList& list) {
     const auto read = readMappedClip(clip.file);
     if (!read) return tl::unexpected(read.error());
     std::optional<Vec3> target = clip.target;
     if (!options.target.empty()) target = Vec3(options.target[0], options.target[1], options.target[2]);
+    auto balls = ballsFor(clip, target, list, options.balls);
+    if (!balls) return tl::unexpected(balls.error());
+    if (!target && !balls->empty()) target = balls->front().balls.front();
     auto found =
         motion::measurePointing(read->clip, read->map, target, options.detect ? std::nullopt : clip.phases);
     if (!found && found.error().where.empty()) {
@@ -176,18 +228,26 @@ Result<motion::PointingMeasures> measured(const NamedClip& clip, const ClipsMeas
         error.where = clip.file.string();
         return tl::unexpected(error);
     }
-    return found;
+    if (!found) return tl::unexpected(found.error());
+    return Measured{std::move(*found), std::move(*balls)};
 }
 
 Result<void> measure(const ClipsMeasureArguments& options) {
     const auto clips = namedClips(options.files);
     if (!clips) return tl::unexpected(clips.error());
+    assets::BallList balls;
+    if (!options.balls.empty()) {
+        auto read = assets::readBallList(options.balls);
+        if (!read) return tl::unexpected(read.error());
+        balls = std::move(*read);
+    }
     std::vector<Entries> rows;
     std::size_t left_out = 0;
     for (const NamedClip& clip : *clips) {
-        const auto found = measured(clip, options);
+        const auto found = measured(clip, options, balls);
         if (found) {
-            rows.push_back(entries(clip, *found));
+            rows.push_back(entries(clip, found->measures));
+            addChoices(rows.back(), found->measures, found->balls);
             continue;
         }
         if (clips->size() == 1) return tl::unexpected(found.error());
@@ -213,6 +273,10 @@ void addClipsMeasureCommand(CLI::App& clips, Command& chosen) {
                      "x,y,z of the target in the clips' coordinates, metres [the manifest's]")
         ->delimiter(',')
         ->expected(3);
+    command->add_option(
+        "--balls", options->balls,
+        "CSV of targets with distractors, as 'deixis targets STUDY' prints it: which ball each "
+        "ray chooses");
     command->add_flag("--detect", options->detect, "Find the phases even where the manifest tells them");
     CLI::Option* csv = command->add_flag("--csv", options->csv, "A line for each clip");
     command->add_flag("--json", options->json, "An object for each clip")->excludes(csv);

@@ -37,6 +37,11 @@ const std::vector<Bone>& styleBones() {
     return bones;
 }
 
+const std::vector<Bone>& poseBones() {
+    static const std::vector<Bone> bones(styleBones().begin() + 1, styleBones().end());
+    return bones;
+}
+
 Result<std::vector<Style>> gestureStyle(const JointCourses& motion, int window) {
     const auto left = indexOf(motion, Bone::leftHand);
     const auto right = indexOf(motion, Bone::rightHand);
@@ -107,6 +112,11 @@ Result<double> poseCompliance(const JointCourses& asked, const JointCourses& mad
     if (asked.joints != made.joints || asked.joints.empty())
         return fail("", "the poses asked for and the motion have different joints",
                     "Give poses of the same kind of skeleton");
+    if (std::abs(asked.frame_time_s - made.frame_time_s) > 0.01 * made.frame_time_s)
+        return fail("",
+                    fmt::format("poses are asked for at {:.4g} frames a second, the motion has {:.4g}",
+                                1.0 / asked.frame_time_s, 1.0 / made.frame_time_s),
+                    "Frames are counted: bring both to one rate ('deixis clips resample')");
     const auto frames =
         static_cast<int>(std::min(asked.positions.front().size(), made.positions.front().size()));
     if (first < 0 || last <= first || last > frames)

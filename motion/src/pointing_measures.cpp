@@ -51,6 +51,7 @@ std::optional<RayMeasures> measureRay(const Clip& clip, const HumanoidMap& map,
         out.least_error_rad = std::min(out.least_error_rad, error);
         directions.push_back(ray.direction);
         if (f != middle) continue;
+        out.middle = ray;
         out.error_rad = error;
         const RayDistance distance = distanceToRay(ray, target);
         out.distance_m = distance.distance_m;

@@ -147,6 +147,12 @@ TEST_SUITE("motion/gesture_style") {
         made.positions[0][15].x += 50.0;  // not asked for
         CHECK(poseCompliance(asked, made).value() == Approx(0.6 / 30.0));
         CHECK_FALSE(poseCompliance(asked, courses({0, 1, 2, 3})).has_value());
+        made.frame_time_s = 0.25;
+        CHECK(poseCompliance(asked, made)
+                  .error()
+                  .text()
+                  .find("asked for at 2 frames a second, the motion has 4") != std::string::npos);
+        CHECK(poseBones().size() == 9);
         CHECK(styleCompliance({{1, 2, 3}, {0, 0, 0}}, {{1, 1, 3}, {0, 0.5, 0.3}}).value() ==
               Approx((1.0 + 0.5 + 0.3) / 6.0));
         CHECK_FALSE(styleCompliance({{1, 2, 3}}, {}).has_value());

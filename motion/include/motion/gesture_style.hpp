@@ -36,9 +36,14 @@ struct StyleNorm {
 /// (style - mean) / sd, clamped to [-3, 3]; 0 where the corpus does not vary.
 [[nodiscard]] Style normalisedStyle(const Style& style, const StyleNorm& norm);
 
+/// The joints that pose compliance looks at: those of styleBones() without the hips, to which all coordinates
+/// are relative. The paper's ten (appendix A.2) have nose and head top for the head, and no hips.
+[[nodiscard]] const std::vector<Bone>& poseBones();
+
 /// Pose compliance score, eq. 8: the mean absolute difference of the joints' coordinates (metres) over the
-/// frames [first, last) for which poses were asked; the paper takes [10, 15) of 30. Fails where joints differ
-/// or a motion is too short.
+/// frames [first, last) for which poses were asked; the paper takes [10, 15) of 30. Fails where joints or
+/// rates differ (by more than 1 %) or a motion is too short. The paper's figures (0.014 for its model) are of
+/// unit vectors from joint to joint, as its program has them: not metres.
 [[nodiscard]] Result<double> poseCompliance(const JointCourses& asked, const JointCourses& made,
                                             int first = 10, int last = 15);
 

@@ -15,6 +15,7 @@ namespace deixis::motion {
 
 /// One ray against the target, over the hold (every frame from peak to hold).
 struct RayMeasures {
+    Ray middle{};             ///< the ray in the middle of the hold, in the clip's coordinates
     double error_rad = 0.0;   ///< in the middle of the hold
     double distance_m = 0.0;  ///< from the ray to the target there
     bool points_away = false;
