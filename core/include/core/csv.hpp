@@ -14,8 +14,8 @@ struct CsvRecord {
     std::vector<std::string> fields;
 };
 
-/// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and a
-/// UTF-8 mark at the start are passed over. `name` stands for the file in errors.
+/// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and
+/// a UTF-8 mark at the start are passed over. `name` stands for the file in errors.
 class CsvReader {
   public:
     /// `text` must outlive this.
