@@ -226,13 +226,9 @@ class JointCsvReader {
                                   : found.middle_s;
             out.rate = {tidyRate(1.0 / step_s), Origin::declared};
             if (!found.steady) {
-                const double frames = (times.back() - times.front()) / step_s;
-                const double most = 10.0 * static_cast<double>(times.size()) + 1000.0;
-                if (!(frames < most))
-                    return fail(name_,
-                                "found gaps of time many times as long as all lines together, expected "
-                                "times of one recording");
-                count = static_cast<std::size_t>(std::floor(frames + 1e-6)) + 1;
+                const auto frames = framesOver(times, step_s, name_, out.remarks);
+                if (!frames) return tl::unexpected(frames.error());
+                count = *frames;
                 out.remarks.emplace_back("times are not evenly spaced: sampled at their middle step");
             }
         }

@@ -1,5 +1,7 @@
 #include "position_import.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -55,6 +57,29 @@ Vec3 JointTrack::smoothAt(double t, double step_s) const {
     for (std::size_t i = 0; i < 5; ++i)
         sum += weight[i] / 9.0 * at(t + (static_cast<double>(i) - 2.0) * step_s);
     return sum;
+}
+
+Result<std::size_t> framesOver(const std::vector<double>& times_s, double step_s, const std::string& name,
+                               std::vector<std::string>& remarks) {
+    const double steps = (times_s.back() - times_s.front()) / step_s;
+    if (!(steps < 10.0 * static_cast<double>(times_s.size()) + 1000.0))
+        return fail(name,
+                    fmt::format("found {} lines spread over {:.0f} s, gaps of time many times as long as "
+                                "what was recorded; expected times of one recording",
+                                times_s.size(), times_s.back() - times_s.front()));
+    constexpr double noticed_s = 0.5;
+    double longest_s = 0.0;
+    double begin_s = 0.0;
+    for (std::size_t i = 1; i < times_s.size(); ++i)
+        if (const double gap_s = times_s[i] - times_s[i - 1]; gap_s > longest_s) {
+            longest_s = gap_s;
+            begin_s = times_s[i - 1] - times_s.front();
+        }
+    if (longest_s > noticed_s)
+        remarks.push_back(fmt::format(
+            "no line tells of the {:.2f} s from {:.2f} s on (the longest gap): straight lines bridge it",
+            longest_s, begin_s));
+    return static_cast<std::size_t>(std::floor(steps + 1e-6)) + 1;
 }
 
 Result<ImportedClip> clipOfPositions(PositionRecording recording, const std::string& name,
