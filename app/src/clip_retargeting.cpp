@@ -6,7 +6,7 @@
 
 #include "assets/bvh.hpp"
 #include "clip_files.hpp"
-#include "core/files.hpp"
+#include "clip_output.hpp"
 
 namespace deixis::app {
 
@@ -58,11 +58,12 @@ Result<motion::Clip> retargetRow(const assets::ImportedClip& clip, const std::st
 
 Result<std::vector<assets::ManifestRow>> retargetClips(
     const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetManner& manner,
-    const fs::path& folder,
+    const fs::path& folder, bool force,
     const std::function<void(const assets::ManifestRow&, const motion::RetargetReport&)>& each) {
     std::error_code code;
     if (fs::equivalent(folder, manifest.file.parent_path().empty() ? "." : manifest.file.parent_path(), code))
         return fail(folder.string(), "is the folder of the clips themselves, expected another one");
+    OutputFolder output(folder, force);
     std::vector<assets::ManifestRow> rows;
     std::set<std::string> taken;
     for (assets::ManifestRow row : manifest.rows) {
@@ -73,13 +74,14 @@ Result<std::vector<assets::ManifestRow>> retargetClips(
         const auto clip = retargetRow(*read, file.string(), avatar, manner, row, &report);
         if (!clip) return tl::unexpected(clip.error());
         row.clip = newName(row.clip, taken);
-        if (auto written = writeFile(folder / row.clip, assets::writeBvh(*clip)); !written)
-            return tl::unexpected(written.error());
+        if (auto added = output.add(row.clip, assets::writeBvh(*clip)); !added)
+            return tl::unexpected(added.error());
         each(row, report);
         rows.push_back(std::move(row));
     }
-    if (auto written = writeFile(folder / "manifest.csv", assets::manifestCsv(rows)); !written)
-        return tl::unexpected(written.error());
+    if (auto added = output.add("manifest.csv", assets::manifestCsv(rows)); !added)
+        return tl::unexpected(added.error());
+    if (auto finished = output.finish(); !finished) return tl::unexpected(finished.error());
     return rows;
 }
 

@@ -31,11 +31,12 @@ struct RetargetManner {
                                                assets::ManifestRow& row,
                                                motion::RetargetReport* report = nullptr);
 
-/// Writes every clip of a manifest as BVH under `folder`, by the name that it has beside its manifest, and a
-/// manifest of them. `each` is told of every clip.
+/// Every clip of a manifest as BVH under `folder`, by the name that it has beside its manifest, and a
+/// manifest of them, all or none. `each` is told of every clip. Files that are there already are replaced
+/// only where `force` says so.
 [[nodiscard]] Result<std::vector<assets::ManifestRow>> retargetClips(
     const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetManner& manner,
-    const std::filesystem::path& folder,
+    const std::filesystem::path& folder, bool force,
     const std::function<void(const assets::ManifestRow&, const motion::RetargetReport&)>& each);
 
 }  // namespace deixis::app

@@ -19,6 +19,7 @@ struct ClipsRetargetArguments {
     std::string avatar;
     std::string fingers = "relaxed";
     std::string feet = "planted";
+    bool force = false;
 };
 
 void printRow(const assets::ManifestRow& row, const motion::RetargetReport& report) {
@@ -43,7 +44,7 @@ Result<void> retargetAll(const ClipsRetargetArguments& options) {
                                 options.feet == "planted"};
     std::vector<double> differences;
     const auto rows =
-        retargetClips(*manifest, *avatar, manner, options.folder,
+        retargetClips(*manifest, *avatar, manner, options.folder, options.force,
                       [&](const assets::ManifestRow& row, const motion::RetargetReport& report) {
                           printRow(row, report);
                           if (row.source_error_deg && row.avatar_error_deg)
@@ -75,6 +76,7 @@ void addClipsRetargetCommand(CLI::App& clips, Command& chosen) {
     command->add_option("--feet", options->feet, "Whether feet that stand are held")
         ->check(CLI::IsMember({"planted", "free"}))
         ->capture_default_str();
+    command->add_flag("--force", options->force, "Replace what is there already");
     command->callback([options, &chosen] { chosen = [options] { return retargetAll(*options); }; });
 }
 

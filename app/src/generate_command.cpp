@@ -20,6 +20,7 @@ struct GenerateArguments {
     std::string folder;
     std::uint64_t seed = 1;
     motion::HoldManner manner;
+    bool force = false;
 };
 
 Result<void> generate(const GenerateArguments& options) {
@@ -31,7 +32,8 @@ Result<void> generate(const GenerateArguments& options) {
     if (!generator) return tl::unexpected(generator.error());
     const auto targets = assets::readTargetList(options.targets);
     if (!targets) return tl::unexpected(targets.error());
-    const auto rows = generateClips(**generator, *targets, options.seed, options.manner, options.folder);
+    const auto rows =
+        generateClips(**generator, *targets, options.seed, options.manner, options.folder, options.force);
     if (!rows) return tl::unexpected(rows.error());
     fmt::print("{} clips of {}: {}\n", rows->size(), options.system,
                (std::filesystem::path(options.folder) / "manifest.csv").string());
@@ -62,6 +64,7 @@ void addGenerateCommand(CLI::App& cli, Command& chosen) {
         ->add_option("--unsteadiness", options->manner.unsteadiness_m,
                      "Metres that the fingertip wanders during the hold [as the system does]")
         ->check(CLI::Range(0.0, 0.5));
+    command->add_flag("--force", options->force, "Replace what is there already");
     command->callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
 }
 

@@ -12,9 +12,10 @@
 
 namespace deixis::app {
 
-/// Writes one BVH file per target and, last, `manifest.csv`: where the manifest stands, all its clips do.
+/// One BVH file per target and, last, `manifest.csv`, all of them or none. Files that are there already are
+/// replaced only where `force` says so.
 [[nodiscard]] Result<std::vector<assets::ManifestRow>> generateClips(
     const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
-    const motion::HoldManner& manner, const std::filesystem::path& folder);
+    const motion::HoldManner& manner, const std::filesystem::path& folder, bool force);
 
 }  // namespace deixis::app

@@ -61,7 +61,7 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, const Stud
     if (!parameters) return tl::unexpected(parameters.error());
     const auto generator = motion::makeGenerator(system.generator, maker.skeleton, *parameters);
     if (!generator) return tl::unexpected(generator.error());
-    const auto rows = generateClips(**generator, targets, setup.study.seed, manner, clips);
+    const auto rows = generateClips(**generator, targets, setup.study.seed, manner, clips, true);
     if (!rows) return tl::unexpected(rows.error());
     return manifest;
 }

@@ -54,6 +54,8 @@ std::string percentDecoded(std::string_view uri, const std::string& where) {
     return path;
 }
 
+constexpr auto mend = "Keep the file's parts in its folder, or export it as .glb";
+
 /// What is wrong with a decoded path; empty where it stays in the folder.
 std::string_view whyRefused(const std::string& path) {
     if (path.empty()) return "is empty";
@@ -132,13 +134,17 @@ std::optional<std::string> decodeDataUri(std::string_view uri, const std::string
     return bytes;
 }
 
-std::string readNeighbour(std::string_view uri, const std::filesystem::path& folder, std::size_t at_least,
-                          const std::string& where) {
-    constexpr auto mend = "Keep the file's parts in its folder, or export it as .glb";
-    const std::string relative = percentDecoded(uri, where);
+std::string neighbourPath(std::string_view uri, const std::string& where) {
+    std::string relative = percentDecoded(uri, where);
     if (const auto why = whyRefused(relative); !why.empty())
         refuse(where, fmt::format("\"{}\" {}; only files in the folder of the glTF file are read", uri, why),
                mend);
+    return relative;
+}
+
+std::string readNeighbour(std::string_view uri, const std::filesystem::path& folder, std::size_t at_least,
+                          const std::string& where) {
+    const std::string relative = neighbourPath(uri, where);
     std::error_code code;
     const auto home = std::filesystem::canonical(folder.empty() ? "." : folder, code);
     const auto path = std::filesystem::canonical(home / relative, code);

@@ -21,9 +21,13 @@ struct Chunks {
 /// The bytes of a data URI (RFC 2397, base64 alone); none where the URI is no data URI. Throws Refusal.
 [[nodiscard]] std::optional<std::string> decodeDataUri(std::string_view uri, const std::string& where);
 
-/// The bytes of a file that a glTF file in `folder` names. Refused are addresses with a scheme, absolute
-/// paths, paths and links that leave the folder, and what is no plain file of `at_least` bytes or more.
-/// Throws Refusal; `where` names the place in the file for it.
+/// The path, below the glTF file's folder, that an address other than a data URI stands for. Refused are a
+/// scheme, absolute paths and paths that leave the folder. Throws Refusal; `where` names the place in the
+/// file for it.
+[[nodiscard]] std::string neighbourPath(std::string_view uri, const std::string& where);
+
+/// The bytes of a file that a glTF file in `folder` names. Refused are addresses as above, links that leave
+/// the folder, and what is no plain file of `at_least` bytes or more. Throws Refusal.
 [[nodiscard]] std::string readNeighbour(std::string_view uri, const std::filesystem::path& folder,
                                         std::size_t at_least, const std::string& where);
 

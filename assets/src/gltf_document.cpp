@@ -101,7 +101,12 @@ class DocumentReader {
     void readBuffer(const Cursor& in) {
         Buffer buffer;
         buffer.length = in.at("byteLength").whole();
-        if (in.has("uri")) buffer.uri = in.at("uri").text();
+        if (in.has("uri")) {
+            buffer.uri = in.at("uri").text();
+            if (buffer.uri->substr(0, 5) != "data:")
+                (void)neighbourPath(*buffer.uri,
+                                    fmt::format("{}: /buffers/{}/uri", doc_.file, doc_.buffers.size()));
+        }
         doc_.buffers.push_back(std::move(buffer));
     }
 

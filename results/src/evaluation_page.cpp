@@ -218,20 +218,23 @@ std::string comparisonsHtml(const Evaluation& evaluation) {
             "rank-biserial correlation, 1 where the first is better at every target. p: Wilcoxon&#8217;s "
             "signed-rank test, two-sided; Holm: adjusted over all pairs of the table.",
             "<th>Systems</th><th>targets</th><th>Mean</th><th>SD</th><th>Mean "
-            "(&#176;)</th><th>Typical</th><th>from</th><th>to</th><th>r</th><th>p</th><th>p (Holm)</th>");
+            "(&#176;)</th><th>Typical [interval]</th><th>r</th><th>p</th><th>p (Holm)</th>");
     for (const SystemComparison& pair : evaluation.comparisons) {
         const SignedRankTest& test = pair.test;
         const bool any = test.n_pairs > 0;
         const auto optional = [](const std::optional<double>& value, int decimals) {
             return cell(value.has_value(), value.value_or(0.0), decimals);
         };
+        const auto& shift = test.hodges_lehmann;
+        const std::string typical = shift.estimate && shift.lower && shift.upper
+                                        ? fmt::format("<td>{} [{}, {}]</td>", fixed(*shift.estimate, 3),
+                                                      fixed(*shift.lower, 3), fixed(*shift.upper, 3))
+                                        : fmt::format("<td>{}</td>", dash);
         const auto name = [&](std::size_t system) { return escapeHtml(evaluation.systems[system].system); };
         out += fmt::format("<tr><th scope=\"row\">{} &#8211; {}</th><td>{}</td>", name(pair.a), name(pair.b),
                            test.n_pairs) +
                cell(any, pair.mean_difference, 3) + cell(test.n_pairs > 1, pair.sd, 3) +
-               cell(any, pair.mean_difference_deg, 1) + optional(test.hodges_lehmann.estimate, 3) +
-               optional(test.hodges_lehmann.lower, 3) + optional(test.hodges_lehmann.upper, 3) +
-               optional(test.rank_biserial, 2) +
+               cell(any, pair.mean_difference_deg, 1) + typical + optional(test.rank_biserial, 2) +
                fmt::format("<td>{}</td><td>{}</td></tr>", any ? pText(test.p_two_sided) : dash,
                            pair.p_holm ? pText(*pair.p_holm) : dash);
     }

@@ -94,5 +94,6 @@ TEST_SUITE("app/clips-retarget") {
         const auto refused = program("clips retarget " + manifest + " --out " + (scratch / "out"));
         CHECK_FAILS_SAYING(refused, "direct_T001.bvh", "end 9999",
                            "expected onset < peak <= hold < end within the clip");
+        CHECK(!std::filesystem::exists(scratch / "out"));  // not half a folder
     }
 }

@@ -23,7 +23,7 @@ const fs::path& corpus() {
         spill(made / "grid.csv", grid.out);
         for (const std::string system : {"direct", "stiff"}) {
             const auto clips = program("generate " + system + " --targets " + (made / "grid.csv").string() +
-                                       " --out " + (made / system).string());
+                                       " --force --out " + (made / system).string());
             REQUIRE_MESSAGE(clips.status == 0, clips.err);
         }
         return made;

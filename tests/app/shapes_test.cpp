@@ -132,6 +132,9 @@ TEST_SUITE("app/shapes") {
             REQUIRE(program(command + (scratch / (system + "-again"))).status == 0);
             CHECK(slurp(scratch / (system + "/" + rows[1][0])) ==
                   slurp(scratch / (system + "-again/" + rows[1][0])));
+            CHECK_FAILS_SAYING(program(command + (scratch / system)), rows[1][0], "is there already",
+                               "--force");
+            CHECK(program(command + (scratch / system) + " --force").status == 0);
         }
     }
 }

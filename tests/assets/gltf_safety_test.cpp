@@ -300,6 +300,10 @@ TEST_SUITE("assets/gltf_safety") {
         refused("nothing.bin", "not there");
         refused(".", "not there");
         refused("my data.bin", "has 32 bytes, expected 33 or more", 33);
+        const auto unused = read(
+            R"({"asset":{"version":"2.0"},"nodes":[{"name":"a"}],"buffers":[{"uri":"../x.bin","byteLength":1}]})");
+        REQUIRE_FALSE(unused.has_value());
+        CHECK(unused.error().text().find("leaves the folder") != std::string::npos);
         refused("data:text/plain,hello", "base64");
         refused("data:;base64,AA!A", "no base64 digit");
         CHECK_FALSE(assets::parseGltfClip(with("my data.bin"), "f.gltf").has_value());
