@@ -6,6 +6,7 @@
 
 #include "bone_index.hpp"
 #include "motion/pointing.hpp"
+#include "parallel.hpp"
 #include "retarget_assembly.hpp"
 #include "retarget_feet.hpp"
 #include "retarget_pointing.hpp"
@@ -144,7 +145,8 @@ class Mover {
         constexpr double floor_m = 0.15;
         const bool has_target = gesture != nullptr && gesture->target.has_value();
         BodyFrame start;
-        read(first, start);
+        std::vector<Pose> world;
+        read(first, start, world);
         const Quat to_front = turnToFront(start);
         const Vec3 begin = hipsPosition(avatar_, start);
         const bool stays =
@@ -174,13 +176,14 @@ class Mover {
     }
 
   private:
-    void read(std::size_t f, BodyFrame& out) {
-        source_.place(f, turn_, world_);
-        retargeter_.rotations(world_, out.rotation);
-        out.hip_centre = 0.5 * scale_ * (position(leftUpperLeg) + position(rightUpperLeg));
+    /// `world`: filled with the source's joints.
+    void read(std::size_t f, BodyFrame& out, std::vector<Pose>& world) const {
+        source_.place(f, turn_, world);
+        retargeter_.rotations(world, out.rotation);
+        out.hip_centre = 0.5 * scale_ * (position(world, leftUpperLeg) + position(world, rightUpperLeg));
     }
-    [[nodiscard]] const Vec3& position(Bone bone) const {
-        return world_[static_cast<std::size_t>(source_.map()[bone])].position;
+    [[nodiscard]] const Vec3& position(const std::vector<Pose>& world, Bone bone) const {
+        return world[static_cast<std::size_t>(source_.map()[bone])].position;
     }
 
     /// Height of the floor that the source stands on, metres at its own scale.
@@ -196,15 +199,20 @@ class Mover {
         if (gesture != nullptr)
             finder.emplace(source_.clip().skeleton, source_.map(), gesture->hand, avatar_, scale_);
         Moved out;
-        out.frames.reserve(source_.clip().frames.size());
-        ankles_.reserve(source_.clip().frames.size());
-        for (std::size_t f = 0; f < source_.clip().frames.size(); ++f) {
-            read(f, out.frames.emplace_back());
-            ankles_.push_back(std::min(position(leftFoot).y, position(rightFoot).y));
-            const int number = static_cast<int>(f);
-            if (finder && number >= gesture->onset_frame && number <= gesture->end_frame)
-                out.lines.push_back(finder->find(world_, out.frames.back().rotation[indexOf(head)]));
-        }
+        out.frames.resize(source_.clip().frames.size());
+        ankles_.resize(out.frames.size());
+        if (finder) out.lines.resize(static_cast<std::size_t>(gesture->end_frame - gesture->onset_frame + 1));
+        forFrames(out.frames.size(), [&](std::size_t from, std::size_t to) {
+            std::vector<Pose> world;
+            for (std::size_t f = from; f < to; ++f) {
+                read(f, out.frames[f], world);
+                ankles_[f] = std::min(position(world, leftFoot).y, position(world, rightFoot).y);
+                const int number = static_cast<int>(f);
+                if (finder && number >= gesture->onset_frame && number <= gesture->end_frame)
+                    out.lines[static_cast<std::size_t>(number - gesture->onset_frame)] =
+                        finder->find(world, out.frames[f].rotation[indexOf(head)]);
+            }
+        });
         return out;
     }
 
@@ -212,8 +220,7 @@ class Mover {
     const Retargeter& retargeter_;
     const AvatarRest& avatar_;
     double scale_;
-    Quat turn_;  // avatar's frame from the source's
-    std::vector<Pose> world_;
+    Quat turn_;                   // avatar's frame from the source's
     std::vector<double> ankles_;  // of each frame the lower one's height, at the source's scale
 };
 
@@ -316,10 +323,12 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     Clip clip;
     clip.skeleton = avatar.skeleton;
     clip.frame_time_s = source_clip.frame_time_s;
-    clip.frames.reserve(moved.frames.size());
-    BodyPoser::Workspace workspace;
-    for (std::size_t f = 0; f < moved.frames.size(); ++f)
-        clip.frames.push_back(poser.pose(moved.frames[f], static_cast<int>(f), workspace));
+    clip.frames.resize(moved.frames.size());
+    forFrames(clip.frames.size(), [&](std::size_t from, std::size_t to) {
+        BodyPoser::Workspace workspace;
+        for (std::size_t f = from; f < to; ++f)
+            clip.frames[f] = poser.pose(moved.frames[f], static_cast<int>(f), workspace);
+    });
     if (has_target) {
         const auto from = moved.lines.begin() + (gesture->peak_frame - gesture->onset_frame);
         const auto to = moved.lines.begin() + (gesture->hold_frame - gesture->onset_frame + 1);

@@ -154,6 +154,24 @@ TEST_SUITE("motion/retarget") {
             CHECK(turnError(clip, back, bone) < 1.0);
     }
 
+    TEST_CASE("A long clip, worked on in parts at the same time, has the frames of a short one") {
+        const Clip once = exercise();
+        Clip often = once;
+        constexpr std::size_t times = 120;
+        for (std::size_t i = 1; i < times; ++i)
+            often.frames.insert(often.frames.end(), once.frames.begin(), once.frames.end());
+        const Clip expected = retargeted(once);
+        const Clip found = retargeted(often);
+        std::size_t different = 0;
+        for (std::size_t f = 0; f < found.frames.size(); ++f)
+            for (std::size_t j = 0; j < found.skeleton.joints.size(); ++j) {
+                const Pose& a = found.frames[f].joints[j];
+                const Pose& b = expected.frames[f % once.frames.size()].joints[j];
+                different += a.position != b.position || a.orientation != b.orientation ? 1 : 0;
+            }
+        CHECK(different == 0);
+    }
+
     TEST_CASE("A rig that is z up, in centimetres and faces elsewhere plays the same motion upright") {
         const Clip clip = exercise();
         const Quat z_up = about(Vec3(1, 0, 0), 90);
