@@ -35,6 +35,10 @@ void printRow(const assets::ManifestRow& row, const motion::RetargetReport& repo
     for (const std::string& remark : report.remarks) fmt::print("    {}\n", remark);
 }
 
+/// Errors of source and avatar that differ by more are counted apart: the target is nearer than the
+/// avatar's arm can point at as the source does, or angles were to be kept.
+constexpr double much_deg = 2.0;
+
 Result<void> retargetAll(const ClipsRetargetArguments& options) {
     const auto manifest = assets::readManifest(options.manifest);
     if (!manifest) return tl::unexpected(manifest.error());
@@ -42,19 +46,35 @@ Result<void> retargetAll(const ClipsRetargetArguments& options) {
     if (!avatar) return tl::unexpected(avatar.error());
     const RetargetManner manner{*motion::keepFromName(options.keep), options.fingers == "pointing",
                                 options.feet == "planted"};
-    std::vector<double> differences;
+    double apart_deg = 0.0;
+    std::size_t compared = 0;
+    std::size_t far_apart = 0;
+    double farthest_deg = 0.0;
+    std::string farthest;
     const auto rows =
         retargetClips(*manifest, *avatar, manner, options.folder, options.force,
                       [&](const assets::ManifestRow& row, const motion::RetargetReport& report) {
                           printRow(row, report);
-                          if (row.source_error_deg && row.avatar_error_deg)
-                              differences.push_back(std::abs(*row.avatar_error_deg - *row.source_error_deg));
+                          if (!row.source_error_deg || !row.avatar_error_deg) return;
+                          const double difference = std::abs(*row.avatar_error_deg - *row.source_error_deg);
+                          ++compared;
+                          if (difference <= much_deg) {
+                              apart_deg = std::max(apart_deg, difference);
+                              return;
+                          }
+                          ++far_apart;
+                          if (difference <= farthest_deg) return;
+                          farthest_deg = difference;
+                          farthest = row.clip;
                       });
     if (!rows) return tl::unexpected(rows.error());
     fmt::print("{} clips and manifest.csv in {}\n", rows->size(), options.folder);
-    if (!differences.empty())
-        fmt::print("pointing error of source and avatar: at most {:.2f} deg apart\n",
-                   *std::max_element(differences.begin(), differences.end()));
+    if (compared > far_apart)
+        fmt::print("pointing error of source and avatar: at most {:.2f} deg apart on {} of {} clips\n",
+                   apart_deg, compared - far_apart, compared);
+    if (far_apart > 0)
+        fmt::print("more than {:.0f} deg apart: {} of {} clips, most of all {}, by {:.1f} deg\n", much_deg,
+                   far_apart, compared, farthest, farthest_deg);
     return {};
 }
 
