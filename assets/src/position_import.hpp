@@ -33,9 +33,9 @@ struct PositionRecording {
     std::vector<std::string> remarks{};
 };
 
-/// Frames from the first to the last of so many lines, at steps of `step_s`. Fails where that is more than ten
-/// times the lines and a thousand: gaps would be filled with motion that nobody recorded. Adds a remark where
-/// a gap of more than half a second is bridged.
+/// Frames from the first to the last of so many lines, at steps of `step_s`. Fails where that is more than
+/// ten times the lines and a thousand: gaps would be filled with motion that nobody recorded. Adds a remark
+/// where a gap of more than half a second is bridged.
 [[nodiscard]] Result<std::size_t> framesOver(const std::vector<double>& times_s, double step_s,
                                              const std::string& name, std::vector<std::string>& remarks);
 
