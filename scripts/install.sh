@@ -14,7 +14,8 @@ packages=(
     libopenxr-dev fonts-open-sans fonts-nanum doctest-dev
 )
 if [ "${1:-}" = tests ]; then
-    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 sqlite3 libxml2-utils libbenchmark-dev debootstrap)
+    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 sqlite3 libxml2-utils libbenchmark-dev debootstrap
+        r-base-core r-cran-lme4 r-cran-ordinal)
     command -v npm >/dev/null || packages+=(nodejs npm)
 fi
 if [ "${1:-}" = list ]; then

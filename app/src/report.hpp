@@ -14,6 +14,7 @@ struct ReportFiles {
     std::string json{};
     std::string csv{};    ///< a folder
     std::string latex{};  ///< a folder
+    std::string r{};      ///< a folder: the tables as CSV and analysis.R, which computes them anew
 };
 
 /// Analyses databases of one study, or long tables (CSV), and writes the files.

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <memory>
 
+#include "assets/data_paths.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "report.hpp"
@@ -59,7 +60,8 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
     if (!files.json.empty())
         if (auto written = writeFile(files.json, results::analysisJson(analysis)); !written) return written;
     for (const auto& [folder, kind] : {std::pair{files.csv, results::TableFormat::csv},
-                                       std::pair{files.latex, results::TableFormat::latex}}) {
+                                       std::pair{files.latex, results::TableFormat::latex},
+                                       std::pair{files.r, results::TableFormat::csv}}) {
         if (folder.empty()) continue;
         std::error_code code;
         std::filesystem::create_directories(folder, code);
@@ -67,6 +69,12 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
         for (const auto& [name, bytes] : results::analysisTables(analysis, kind))
             if (auto written = writeFile(std::filesystem::path(folder) / name, bytes); !written)
                 return written;
+    }
+    if (!files.r.empty()) {
+        const auto script = readFile(assets::dataFile("analysis.R"));
+        if (!script) return tl::unexpected(script.error());
+        if (auto written = writeFile(std::filesystem::path(files.r) / "analysis.R", *script); !written)
+            return written;
     }
     return {};
 }
@@ -82,6 +90,9 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--csv", options->files.csv, "Folder to write every table to, as CSV");
     command->add_option("--latex", options->files.latex,
                         "Folder to write every table to, as LaTeX (booktabs)");
+    command->add_option(
+        "--r", options->files.r,
+        "Folder for the tables and analysis.R, which computes them anew and adds mixed models");
     command
         ->add_option("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
         ->check(CLI::Range(1e-6, 0.5));
@@ -100,6 +111,7 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
             if (!files.json.empty()) fmt::print("analysis: {}\n", files.json);
             if (!files.csv.empty()) fmt::print("tables: {}\n", files.csv);
             if (!files.latex.empty()) fmt::print("LaTeX tables: {}\n", files.latex);
+            if (!files.r.empty()) fmt::print("R: Rscript {}/analysis.R\n", files.r);
             return {};
         };
     });

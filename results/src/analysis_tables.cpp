@@ -350,6 +350,20 @@ PlainTable answersTable(const AnalysisResult& result) {
     return out;
 }
 
+/// What the tables hang on and do not tell.
+PlainTable settingsTable(const AnalysisResult& result) {
+    PlainTable out{"settings", "Settings", {{"name", text}, {"value", number}}};
+    const AnalysisOptions& options = result.options;
+    out.rows.push_back({"alpha", PlainCell(result.alpha)});
+    out.rows.push_back({"level", PlainCell(options.level)});
+    out.rows.push_back({"resamples", PlainCell(static_cast<double>(options.resamples))});
+    out.rows.push_back({"seed", PlainCell(static_cast<double>(options.seed))});
+    for (const Measure& measure : result.measures)
+        if (measure.kind == MeasureKind::accuracy && measure.balls > 1)
+            out.rows.push_back({"chance", PlainCell(1.0 / measure.balls)});
+    return out;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisResult& result,
@@ -370,8 +384,8 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
         checksTable(result)};
     const bool csv = format == TableFormat::csv;
     if (csv)
-        for (PlainTable table :
-             {itemsTable(result), leftOutTable(result), participantsTable(result), answersTable(result)})
+        for (PlainTable table : {itemsTable(result), leftOutTable(result), participantsTable(result),
+                                 answersTable(result), settingsTable(result)})
             tables.push_back(std::move(table));
     std::vector<std::pair<std::string, std::string>> out;
     for (const PlainTable& table : tables)

@@ -1,0 +1,336 @@
+# Computes Deixis's analysis once more, in R, from the tables beside this file, and compares every number.
+#
+#   Rscript analysis.R           writes comparison.csv and mixed_models.csv; status 1 where a number is off
+#
+# Base R is enough for the tests; mixed models need the packages ordinal and lme4 and are left out without
+# them. Conventions: Deixis's docs/statistics.md. Exact distributions are computed here by plain convolution,
+# independently of the program.
+
+options(stringsAsFactors = FALSE)
+arguments <- commandArgs(FALSE)
+script <- sub("^--file=", "", grep("^--file=", arguments, value = TRUE))
+if (length(script) == 1) setwd(dirname(normalizePath(script)))
+
+labels <- c("participant", "measure", "system", "other_system", "layout", "distance", "item", "factor", "level",
+            "a", "b", "family", "method", "stage", "score", "name")
+table_of <- function(name) {
+    file <- paste0(name, ".csv")
+    if (!file.exists(file)) return(NULL)
+    columns <- names(read.csv(file, nrows = 1, check.names = FALSE))
+    classes <- ifelse(columns %in% labels, "character", NA)
+    names(classes) <- columns
+    read.csv(file, check.names = FALSE, colClasses = classes, na.strings = "", encoding = "UTF-8")
+}
+
+settings <- table_of("settings")
+setting <- function(name) as.numeric(settings$value[settings$name == name])
+level <- setting("level")
+answers <- table_of("answers")
+answers$value <- ifelse(is.na(answers$correct), answers$rating, answers$correct)
+single <- is.na(answers$other_system)  # answers on one system; the others prefer one of two
+
+# ---- comparison ------------------------------------------------------------------------------------------
+
+compared <- data.frame()
+same <- function(table, row, column, ours) {
+    theirs <- as.numeric(table[[column]][row])
+    ours <- as.numeric(ours)
+    if (length(ours) == 0) ours <- NA
+    off <- if (is.na(ours) && is.na(theirs)) 0 else abs(ours - theirs) / max(1, abs(theirs))
+    name <- deparse(substitute(table))
+    compared <<- rbind(compared, data.frame(table = name, row = row, column = column, deixis = theirs, r = ours,
+                                            off = ifelse(is.na(off), Inf, off)))
+}
+
+# ---- tests -----------------------------------------------------------------------------------------------
+
+# Participants' means are fractions of small whole numbers; nine decimals tell them apart, and equal ones are
+# ties whatever their last bits.
+tidy <- function(x) round(x, 9)
+
+# P(W+ <= w) and P(W+ >= w) over all signs of the ranks.
+exact_tails <- function(ranks, w) {
+    doubled <- round(2 * ranks)
+    ways <- 1
+    for (r in doubled) ways <- (c(ways, numeric(r)) + c(numeric(r), ways)) / 2
+    sums <- seq_along(ways) - 1
+    c(sum(ways[sums <= 2 * w]), sum(ways[sums >= 2 * w]))
+}
+
+two_sided <- function(ranks, positive) {
+    if (length(ranks) == 0) return(1)
+    w <- sum(ranks[positive])
+    if (length(ranks) <= 2000) return(min(1, 2 * min(exact_tails(ranks, w))))
+    from_mean <- w - sum(ranks) / 2
+    z <- (from_mean - sign(from_mean) / 2) / sqrt(sum(ranks^2) / 4)
+    min(1, 2 * pnorm(-abs(z)))
+}
+
+signed_rank <- function(exactly) {
+    d <- tidy(exactly)
+    n <- length(d)
+    nonzero <- d[d != 0]
+    ranks <- rank(abs(nonzero))
+    out <- list(n = n, n_zero = sum(d == 0), n_positive = sum(d > 0), n_negative = sum(d < 0),
+                ties = sum(table(abs(nonzero)) > 1), w_plus = sum(ranks[nonzero > 0]),
+                w_minus = sum(ranks[nonzero < 0]), p = two_sided(ranks, nonzero > 0),
+                paired_superiority = mean((d > 0) + (d == 0) / 2), smallest_p = NA, z = NA, p_normal = NA,
+                p_pratt = 1, rank_biserial = NA)
+    if (length(nonzero) > 0) {
+        from_mean <- out$w_plus - sum(ranks) / 2
+        out$z <- (from_mean - sign(from_mean) / 2) / sqrt(sum(ranks^2) / 4)
+        out$p_normal <- min(1, 2 * pnorm(-abs(out$z)))
+        out$p_pratt <- two_sided(rank(abs(d))[d != 0], nonzero > 0)
+        out$rank_biserial <- (out$w_plus - out$w_minus) / sum(ranks)
+        out$smallest_p <- 2^(1 - length(nonzero))
+    }
+    walsh <- sort(outer(exactly, exactly, "+")[lower.tri(diag(n), diag = TRUE)] / 2)
+    out$hodges_lehmann <- median(walsh)
+    k <- 1
+    while (k < length(walsh) / 2 && psignrank(k, n) <= (1 - level) / 2) k <- k + 1
+    out$hodges_lehmann_lower <- walsh[k]
+    out$hodges_lehmann_upper <- walsh[length(walsh) + 1 - k]
+    out$hodges_lehmann_level <- 1 - 2 * psignrank(k - 1, n)
+    spread <- n >= 3 && length(unique(d)) > 1
+    normality <- if (spread) shapiro.test(exactly) else NULL
+    out$shapiro_w <- if (spread) normality$statistic else NA
+    out$shapiro_p <- if (spread) normality$p.value else NA
+    out
+}
+
+# Compares a table of signed-rank tests; differences(i): those of its row i.
+compare_tests <- function(tests, differences) {
+    found <- lapply(seq_len(nrow(tests)), function(i) signed_rank(differences(i)))
+    for (i in seq_along(found))
+        for (column in names(found[[i]])) {
+            if (column %in% c("smallest_p") && is.na(found[[i]][[column]])) next
+            same(tests, i, column, found[[i]][[column]])
+        }
+    for (family in unique(tests$family)) {
+        rows <- which(tests$family == family)
+        for (adjusted in c("p", "p_pratt")) {
+            p <- p.adjust(sapply(rows, function(i) found[[i]][[adjusted]]), "holm")
+            for (j in seq_along(rows))
+                same(tests, rows[j], if (adjusted == "p") "p_holm" else "p_holm_pratt", p[j])
+        }
+    }
+}
+
+# Means of participants over the answers that `which` picks, named by participant.
+means_of <- function(which) {
+    values <- answers$value[which]
+    people <- answers$participant[which]
+    vapply(split(values, people), mean, numeric(1))
+}
+paired <- function(first, second) {
+    people <- intersect(names(first), names(second))
+    first[people] - second[people]
+}
+is <- function(column, value) !is.na(answers[[column]]) & answers[[column]] == value
+
+# ---- tables ----------------------------------------------------------------------------------------------
+
+means <- table_of("means")
+for (i in seq_len(NROW(means))) {
+    here <- single & is("measure", means$measure[i]) & is("system", means$system[i])
+    by_participant <- means_of(here)
+    same(means, i, "mean", mean(by_participant))
+    same(means, i, "sd_participants", if (length(by_participant) > 1) sd(by_participant) else NA)
+    same(means, i, "sd_trials", if (sum(here) > 1) sd(answers$value[here]) else NA)
+    same(means, i, "participants", length(by_participant))
+    same(means, i, "answers", sum(here))
+}
+
+levels_table <- table_of("levels")
+for (i in seq_len(NROW(levels_table))) {
+    row <- levels_table[i, ]
+    here <- single & is("measure", row$measure) & is(row$factor, row$level) &
+        (row$system == "all" | is("system", row$system))
+    same(levels_table, i, "mean", mean(answers$value[here]))
+    same(levels_table, i, "sd_trials", if (sum(here) > 1) sd(answers$value[here]) else NA)
+    same(levels_table, i, "answers", sum(here))
+}
+
+omnibus <- table_of("omnibus")
+for (i in seq_len(NROW(omnibus))) {
+    systems <- unique(means$system[means$measure == omnibus$measure[i]])
+    columns <- lapply(systems, function(s) means_of(single & is("measure", omnibus$measure[i]) & is("system", s)))
+    people <- Reduce(intersect, lapply(columns, names))
+    scores <- tidy(sapply(columns, function(column) column[people]))
+    n <- length(people)
+    k <- length(systems)
+    same(omnibus, i, "n", n)
+    if (n < 2 || k < 2) next
+    test <- friedman.test(scores)
+    chi2 <- if (is.nan(test$statistic)) NA else test$statistic
+    same(omnibus, i, "chi2", chi2)
+    same(omnibus, i, "df", k - 1)
+    same(omnibus, i, "p", if (is.na(chi2)) NA else test$p.value)
+    same(omnibus, i, "kendalls_w", chi2 / (n * (k - 1)))
+    rest <- n * (k - 1) - chi2
+    if (!is.na(rest) && rest > 1e-9) {
+        f <- (n - 1) * chi2 / rest
+        same(omnibus, i, "f", f)
+        same(omnibus, i, "p_f", pf(f, k - 1, (k - 1) * (n - 1), lower.tail = FALSE))
+    }
+}
+
+pairwise <- table_of("pairwise")
+if (!is.null(pairwise)) {
+    of_system <- function(measure, system) means_of(single & is("measure", measure) & is("system", system))
+    differences <- function(i)
+        paired(of_system(pairwise$measure[i], pairwise$a[i]), of_system(pairwise$measure[i], pairwise$b[i]))
+    compare_tests(pairwise, differences)
+    for (i in seq_len(nrow(pairwise))) same(pairwise, i, "mean_difference", mean(differences(i)))
+}
+
+level_tests <- table_of("level_tests")
+if (!is.null(level_tests)) {
+    of_level <- function(row, level)
+        means_of(single & is("measure", row$measure) & is("system", row$system) & is(row$factor, level))
+    compare_tests(level_tests, function(i) {
+        row <- level_tests[i, ]
+        paired(of_level(row, row$a), of_level(row, row$b))
+    })
+}
+
+preferences <- table_of("preferences")
+if (!is.null(preferences)) {
+    towards <- function(i) {
+        a <- preferences$a[i]
+        b <- preferences$b[i]
+        forth <- is("system", a) & is("other_system", b)
+        back <- is("system", b) & is("other_system", a)
+        # A preference below 0 is for the first of the two.
+        data.frame(participant = answers$participant[forth | back],
+                   value = ifelse(back, answers$value, -answers$value)[forth | back])
+    }
+    compare_tests(preferences, function(i) {
+        chosen <- towards(i)
+        vapply(split(chosen$value, chosen$participant), mean, numeric(1))
+    })
+    for (i in seq_len(nrow(preferences))) {
+        chosen <- towards(i)
+        same(preferences, i, "mean", mean(vapply(split(chosen$value, chosen$participant), mean, numeric(1))))
+        same(preferences, i, "prefers_a", sum(chosen$value > 0))
+        same(preferences, i, "equal", sum(chosen$value == 0))
+        same(preferences, i, "prefers_b", sum(chosen$value < 0))
+    }
+}
+
+chance <- table_of("chance")
+for (i in seq_len(NROW(chance))) {
+    here <- is("system", chance$system[i]) & !is.na(answers$correct)
+    successes <- sum(answers$correct[here])
+    same(chance, i, "successes", successes)
+    same(chance, i, "n", sum(here))
+    test <- binom.test(successes, sum(here), conf.level = level)
+    same(chance, i, "estimate", test$estimate)
+    same(chance, i, "lower", test$conf.int[1])
+    same(chance, i, "upper", test$conf.int[2])
+    if (!is.na(chance$p_chance[i]))
+        same(chance, i, "p_chance", binom.test(successes, sum(here), setting("chance"))$p.value)
+}
+
+order_table <- table_of("order")
+if (!is.null(order_table)) {
+    halves <- function(i) {
+        rows <- which(single & is("measure", order_table$measure[i]) & !is.na(answers$order))
+        do.call(rbind, lapply(split(rows, answers$participant[rows]), function(own) {
+            own <- own[order(answers$order[own])]
+            first <- seq_along(own) <= (length(own) + 1) %/% 2
+            if (length(own) < 2) return(NULL)
+            data.frame(first = mean(answers$value[own][first]), second = mean(answers$value[own][!first]))
+        }))
+    }
+    compare_tests(order_table, function(i) with(halves(i), second - first))
+    for (i in seq_len(nrow(order_table))) {
+        same(order_table, i, "first_half", mean(halves(i)$first))
+        same(order_table, i, "second_half", mean(halves(i)$second))
+    }
+}
+
+response_times <- table_of("response_times")
+for (i in seq_len(NROW(response_times))) {
+    here <- single & is("measure", response_times$measure[i]) & is("system", response_times$system[i])
+    times <- answers$rt[here & !is.na(answers$rt)]
+    same(response_times, i, "n", length(times))
+    for (q in c(25, 75)) same(response_times, i, sprintf("q%d_s", q), quantile(times, q / 100, type = 7))
+    same(response_times, i, "median_s", median(times))
+}
+
+items <- table_of("items")
+for (i in seq_len(NROW(items))) {
+    here <- single & is("measure", items$measure[i]) & is("item", items$item[i])
+    same(items, i, "mean", mean(answers$value[here]))
+    same(items, i, "answers", sum(here))
+}
+
+# ---- mixed models ----------------------------------------------------------------------------------------
+
+has <- function(package) {
+    found <- requireNamespace(package, quietly = TRUE)
+    if (!found) cat("no mixed model by", package, ": the package is not installed\n")
+    found
+}
+
+# Contrasts of all pairs of systems from a model's coefficients, Wald tests, Holm within the measure.
+contrasts_of <- function(measure, model, coefficients, covariance, systems, note = "") {
+    at <- function(system) paste0("system", system)
+    rows <- data.frame()
+    for (pair in combn(systems, 2, simplify = FALSE)) {
+        weights <- setNames(numeric(length(coefficients)), names(coefficients))
+        for (k in 1:2) if (at(pair[k]) %in% names(weights)) weights[at(pair[k])] <- c(1, -1)[k]
+        estimate <- sum(weights * coefficients)
+        se <- sqrt(as.numeric(weights %*% covariance[names(weights), names(weights)] %*% weights))
+        z <- estimate / se
+        rows <- rbind(rows, data.frame(measure, model, a = pair[1], b = pair[2], estimate, se, z,
+                                       p = 2 * pnorm(-abs(z))))
+    }
+    rows$p_holm <- p.adjust(rows$p, "holm")
+    rows$note <- note
+    rows
+}
+
+mixed_models <- data.frame()
+for (measure in unique(answers$measure[single])) {
+    data <- answers[single & is("measure", measure) & !is.na(answers$value), ]
+    systems <- unique(means$system[means$measure == measure])
+    if (length(systems) < 2 || length(unique(data$value)) < 2 || length(unique(data$participant)) < 2) next
+    data$system <- factor(data$system, levels = systems)
+    by_item <- sum(!is.na(data$item)) == nrow(data) && length(unique(data$item)) > 1
+    terms <- paste(c("system", "(1 | participant)", if (by_item) "(1 | item)"), collapse = " + ")
+    binary <- all(!is.na(data$correct))
+    steps <- length(unique(data$value))
+    if (binary && has("lme4")) {
+        fit <- tryCatch(lme4::glmer(as.formula(paste("value ~", terms)), data, family = binomial),
+                        error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
+        if (is.null(fit)) next
+        mixed_models <- rbind(mixed_models, contrasts_of(measure, "logistic GLMM", lme4::fixef(fit),
+                                                         as.matrix(vcov(fit)), systems,
+                                                         if (lme4::isSingular(fit)) "a random intercept has no variance"
+                                                         else ""))
+    } else if (!binary && steps >= 3 && steps <= 12 && has("ordinal")) {
+        data$value <- factor(data$value, ordered = TRUE)
+        fit <- tryCatch(ordinal::clmm(as.formula(paste("value ~", terms)), data = data),
+                        error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
+        if (is.null(fit)) next
+        slopes <- fit$beta
+        mixed_models <- rbind(mixed_models, contrasts_of(measure, "cumulative link mixed model", slopes,
+                                                         vcov(fit)[names(slopes), names(slopes)], systems))
+    }
+}
+if (nrow(mixed_models) > 0) write.csv(mixed_models, "mixed_models.csv", row.names = FALSE)
+
+# ---- verdict ---------------------------------------------------------------------------------------------
+
+write.csv(compared, "comparison.csv", row.names = FALSE)
+if (any(answers$synthetic == 1, na.rm = TRUE)) cat("Some answers are simulated: no evidence about people.\n")
+wrong <- compared[compared$off > 1e-6, ]
+cat(sprintf("%d numbers compared, the largest difference is %.2g; %d contrasts by mixed models\n", nrow(compared),
+            max(compared$off, 0), nrow(mixed_models)))
+cat("Not computed anew: bootstrap intervals (their draws are the program's own), questionnaires' scores\n")
+if (nrow(wrong) > 0) {
+    print(head(wrong, 20), row.names = FALSE)
+    quit(status = 1)
+}

@@ -1,0 +1,103 @@
+// The R script that deixis report writes: R itself computes the tables anew.
+#include "core/random.hpp"
+#include "program.hpp"
+#include "text.hpp"
+
+using namespace deixis::tests;
+
+namespace {
+
+/// Whether R is here; says so where it is not.
+bool hasR() {
+    if (shell("Rscript --version").status == 0) return true;
+    MESSAGE("skipped: Rscript is not here");
+    return false;
+}
+
+/// Three systems, rated and played with by 24 people; every tenth answer is missing.
+std::string unevenAnswers() {
+    deixis::Random random(11);
+    std::string out = "participant,measure,system,layout,item,order,correct,rating,rt\n";
+    for (int p = 7; p < 31; ++p) {
+        const std::string person = p < 10 ? "00" + std::to_string(p) : "0" + std::to_string(p);
+        int order = 0;
+        for (const std::string system : {"stiff", "fluent", "sudden"})
+            for (int item = 1; item <= 4; ++item) {
+                const int better = system == "stiff" ? 0 : 1;
+                const std::string layout = item % 2 == 0 ? "across" : "side-by-side";
+                const auto start = [&](const std::string& measure) {
+                    return person + "," + measure + "," + system + "," + layout + ",T" +
+                           std::to_string(item) + "," + std::to_string(++order) + ",";
+                };
+                const std::string rt = "," + std::to_string(random.uniform(0.5, 2.5)) + "\n";
+                if (random.uniform(0.0, 1.0) > 0.1)
+                    out += start("accuracy") + (random.uniform(0.0, 1.0) < 0.6 + 0.3 * better ? "1" : "0") +
+                           "," + rt;
+                if (random.uniform(0.0, 1.0) > 0.1)
+                    out += start("naturalness") + "," +
+                           std::to_string(1 + better + static_cast<int>(random.uniform(0.0, 3.999))) + rt;
+            }
+    }
+    return out;
+}
+
+/// What stands in front of " numbers compared".
+int compared(const std::string& said) {
+    const auto end = said.find(" numbers compared");
+    if (end == std::string::npos) return 0;
+    const auto begin = said.rfind('\n', end);
+    return std::stoi(said.substr(begin == std::string::npos ? 0 : begin + 1));
+}
+
+}  // namespace
+
+TEST_SUITE("app/report_r") {
+    TEST_CASE(
+        "R finds the same numbers in uneven answers, adds mixed models, and names a number that is off") {
+        if (!hasR()) return;
+        const Scratch scratch;
+        spill(scratch / "lab.csv", unevenAnswers());
+        const auto made = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") +
+                                  " --r " + (scratch / "r"));
+        INFO(made.err);
+        REQUIRE(made.status == 0);
+        CHECK(contains(made.out, "analysis.R"));
+
+        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        INFO(done.out, done.err);
+        CHECK(done.status == 0);
+        CHECK(compared(done.out) > 300);
+        if (contains(done.out, "not installed"))
+            MESSAGE("skipped: the mixed models; ", done.out);
+        else {
+            const std::string models = slurp(scratch / "r/mixed_models.csv");
+            CHECK(contains(models, "\"accuracy\",\"logistic GLMM\",\"stiff\",\"fluent\""));
+            CHECK(contains(models, "\"naturalness\",\"cumulative link mixed model\""));
+        }
+
+        // The comparison can fail.
+        std::string pairs = slurp(scratch / "r/pairwise.csv");
+        const auto row = pairs.find("\naccuracy,") + 1;
+        const auto shift = pairs.find(',', pairs.find(',', pairs.find(',', row) + 1) + 1) + 1;
+        pairs.replace(shift, pairs.find(',', shift) - shift, "0.77");
+        spill(scratch / "r/pairwise.csv", pairs);
+        const auto wrong = shell("Rscript " + (scratch / "r/analysis.R"));
+        INFO(wrong.out, wrong.err);
+        CHECK(wrong.status == 1);
+        CHECK(contains(wrong.out, "mean_difference"));
+    }
+
+    TEST_CASE("R finds the same numbers in preferences of simulated participants") {
+        if (!hasR()) return;
+        const Scratch scratch;
+        REQUIRE(program("simulate genea-pairwise --participants 6 --db " + (scratch / "s.db")).status == 0);
+        REQUIRE(program("report " + (scratch / "s.db") + " -o " + (scratch / "page.html") + " --r " +
+                        (scratch / "r"))
+                    .status == 0);
+        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        INFO(done.out, done.err);
+        CHECK(done.status == 0);
+        CHECK(compared(done.out) > 100);
+        CHECK(contains(done.out, "Some answers are simulated"));
+    }
+}
