@@ -215,7 +215,7 @@ Result<ImportedClip> importClipBytes(std::string_view bytes, const std::string& 
 Result<ImportedClip> importClip(const std::filesystem::path& path, const ImportOptions& options) {
     const auto bytes = readUnpacked(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    return importFrom(*bytes, path.string(), options, path.parent_path());
+    return importFrom(bytes->view(), path.string(), options, path.parent_path());
 }
 
 std::string describe(const ImportedClip& imported) {

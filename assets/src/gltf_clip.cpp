@@ -184,9 +184,9 @@ Result<GltfClipFile> parseGltfClip(std::string_view bytes, const std::string& na
 }
 
 Result<GltfClipFile> readGltfClip(const std::filesystem::path& path, const GltfClipOptions& options) {
-    const auto bytes = readFile(path);
+    const auto bytes = openFile(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    return parseGltfClip(*bytes, path.string(), options, path.parent_path());
+    return parseGltfClip(bytes->view(), path.string(), options, path.parent_path());
 }
 
 }  // namespace deixis::assets

@@ -5,8 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/files.hpp"
-
 namespace deixis::assets {
 
 namespace {
@@ -33,10 +31,12 @@ Result<std::string> unpack(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<std::string> readUnpacked(const std::filesystem::path& path) {
-    auto bytes = readFile(path);
-    if (bytes && bytes->starts_with("\x1f\x8b")) return unpack(path);
-    return bytes;
+Result<FileBytes> readUnpacked(const std::filesystem::path& path) {
+    auto bytes = openFile(path);
+    if (!bytes || !bytes->view().starts_with("\x1f\x8b")) return bytes;
+    auto text = unpack(path);
+    if (!text) return tl::unexpected(text.error());
+    return FileBytes(std::move(*text));
 }
 
 }  // namespace deixis::assets
