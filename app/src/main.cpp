@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
     Command chosen;
     addRunCommand(cli, chosen);
     addSimulateCommand(cli, chosen);
+    addPowerCommand(cli, chosen);
     addReportCommand(cli, chosen);
     addEvaluateCommand(cli, chosen);
     addStatsCommand(cli, chosen);
