@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     addRunCommand(cli, chosen);
     addSimulateCommand(cli, chosen);
     addPowerCommand(cli, chosen);
+    addFitCommand(cli, chosen);
     addReportCommand(cli, chosen);
     addEvaluateCommand(cli, chosen);
     addStatsCommand(cli, chosen);
