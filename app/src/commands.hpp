@@ -16,6 +16,8 @@ using Command = std::function<Result<void>()>;
 
 void addRunCommand(CLI::App& cli, Command& chosen);
 void addSimulateCommand(CLI::App& cli, Command& chosen);
+void addPowerCommand(CLI::App& cli, Command& chosen);
+void addFitCommand(CLI::App& cli, Command& chosen);
 void addReportCommand(CLI::App& cli, Command& chosen);
 void addEvaluateCommand(CLI::App& cli, Command& chosen);
 void addReplayCommand(CLI::App& cli, Command& chosen);

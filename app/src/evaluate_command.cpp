@@ -1,10 +1,8 @@
 // deixis evaluate: the objective evaluation of systems' clips as a page, as JSON and as CSV tables.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -133,18 +131,6 @@ Result<void> checkThere(const std::vector<ClipToMeasure>& clips) {
     return problems.empty() ? Result<void>() : failWith(problems, "missing");
 }
 
-/// Nothing where stderr is no terminal: a line that is written over itself would fill a log.
-Progress progressOnTerminal() {
-    if (::isatty(STDERR_FILENO) == 0) return [](auto, auto) {};
-    return [begin = std::chrono::steady_clock::now()](std::size_t done, std::size_t all) {
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-        // The line before may have been longer.
-        fmt::print(stderr, "\r{}\x1b[K{}", progressLine("clips", done, all, elapsed.count()),
-                   done == all ? "\n" : "");
-        std::fflush(stderr);
-    };
-}
-
 Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed) {
     if (!options.json.empty() && options.json == options.page)
         return fail(options.page, "was named for both the page and the JSON");
@@ -188,7 +174,7 @@ Result<void> evaluateClips(const EvaluateArguments& options) {
     if (auto checked = checkThere(listed.clips); !checked) return checked;
 
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
-    auto measured = measureClips(listed.clips, input.rule, threads, progressOnTerminal());
+    auto measured = measureClips(listed.clips, input.rule, threads, progressOnTerminal("clips"));
     if (!measured) return failWith(measured.error(), "cannot be measured");
     input.clips = std::move(measured->clips);
     input.motion_digest = std::move(measured->motion_digest);

@@ -17,6 +17,8 @@ int main(int argc, char** argv) {
     Command chosen;
     addRunCommand(cli, chosen);
     addSimulateCommand(cli, chosen);
+    addPowerCommand(cli, chosen);
+    addFitCommand(cli, chosen);
     addReportCommand(cli, chosen);
     addEvaluateCommand(cli, chosen);
     addStatsCommand(cli, chosen);

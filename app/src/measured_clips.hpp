@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "assets/manifest.hpp"
 #include "core/error.hpp"
 #include "motion/pointing_accuracy.hpp"
+#include "progress_line.hpp"
 #include "results/evaluation.hpp"
 
 namespace deixis::app {
@@ -23,9 +23,6 @@ struct MeasuredClips {
     std::vector<results::MeasuredClip> clips;  ///< in the order given
     std::string motion_digest;                 ///< SHA-256 over elbow and hand positions, to the micrometre
 };
-
-/// Called now and then, from the caller's thread.
-using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Measures all clips on `threads` threads (at least 1); the result does not depend on their number. Every
 /// clip that cannot be measured is told, in order; each error names its file.

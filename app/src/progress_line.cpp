@@ -1,8 +1,13 @@
 #include "progress_line.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <memory>
+#include <utility>
 
 namespace deixis::app {
 
@@ -27,6 +32,21 @@ std::string progressLine(std::string_view what, std::size_t done, std::size_t al
     return fmt::format("{} {:>3} % [{:#<{}}{:.<{}}] {} of {}, {} elapsed, {} left", what, 100 * done / all,
                        "", filled, "", width - filled, done, all, clockText(elapsed_s),
                        known ? clockText(left_s) : "--");
+}
+
+Progress progressOnTerminal(std::string what) {
+    if (::isatty(STDERR_FILENO) == 0) return [](auto, auto) {};
+    // Another piece of work of the same kind begins when the one before was done.
+    auto begin = std::make_shared<std::chrono::steady_clock::time_point>(std::chrono::steady_clock::now());
+    return [what = std::move(what), begin](std::size_t done, std::size_t all) {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> elapsed = now - *begin;
+        // The line before may have been longer.
+        fmt::print(stderr, "\r{}\x1b[K{}", progressLine(what, done, all, elapsed.count()),
+                   done == all ? "\n" : "");
+        std::fflush(stderr);
+        if (done == all) *begin = now;
+    };
 }
 
 }  // namespace deixis::app

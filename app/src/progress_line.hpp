@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,11 @@ namespace deixis::app {
 /// negative.
 [[nodiscard]] std::string progressLine(std::string_view what, std::size_t done, std::size_t all,
                                        double elapsed_s);
+
+/// Called now and then, from the caller's thread.
+using Progress = std::function<void(std::size_t done, std::size_t all)>;
+
+/// Writes that line to stderr, over the one before. Nothing where stderr is no terminal: it would fill a log.
+[[nodiscard]] Progress progressOnTerminal(std::string what);
 
 }  // namespace deixis::app

@@ -21,6 +21,9 @@ struct ReportFiles {
 [[nodiscard]] Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
                                        const results::AnalysisOptions& options = {});
 
+/// The answers of all of them as one table.
+[[nodiscard]] Result<results::ResponseTable> loadAll(const std::vector<std::string>& data);
+
 /// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
 [[nodiscard]] Result<void> checkOutput(const std::string& file);
 

@@ -171,34 +171,27 @@ void summariseScores(AnalysisResult& result) {
     }
 }
 
+/// By measure.
+std::map<std::string, Cells> cellsOf(const ResponseTable& table) {
+    std::map<std::string, Cells> cells;
+    for (const auto& row : table.rows) cells[row.measure][row.system][row.participant].push_back(row.value);
+    return cells;
+}
+
 }  // namespace
 
-AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options) {
-    AnalysisResult result;
-    result.table = table;
-    result.options = options;
-    result.alpha = options.alpha.value_or(table.alpha);
-    std::map<std::string, Cells> cells;  // by measure
-    std::set<std::string> participants;
-    for (const auto& row : table.rows) {
-        participants.insert(row.participant);
-        result.synthetic = result.synthetic || row.synthetic;
-        cells[row.measure][row.system][row.participant].push_back(row.value);
-    }
-    // Who has filled in questionnaires only has taken part, too.
-    for (const auto& row : table.scores) participants.insert(row.participant);
-    for (const auto& station : table.stations) result.synthetic = result.synthetic || station.synthetic;
-    result.participants = static_cast<int>(participants.size());
-    remarkAnswers(result);
+void runTests(AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    result.alpha = result.options.alpha.value_or(table.alpha);
+    result.measures.clear();
+    result.omnibus.clear();
+    result.pairwise.clear();
+    result.levels.clear();
+    result.level_tests.clear();
+    result.preferences.clear();
     for (const Measure& measure : table.measures)
         if (measure.kind != MeasureKind::preference) result.measures.push_back(measure);
-
-    for (const auto& system : table.systems) {
-        SystemResult& row = result.systems.emplace_back();
-        row.system = system;
-        for (const Measure& measure : result.measures)
-            row.measures.push_back(summarise(cells[measure.name], system, options));
-    }
+    auto cells = cellsOf(table);
     for (const Measure& measure : result.measures) comparePairs(cells[measure.name], measure.name, result);
     for (const Measure& measure : result.measures) {
         if (measure.kind != MeasureKind::accuracy) continue;
@@ -206,6 +199,32 @@ AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& option
         compareLevels(measure, "distance", table.distances, &ResponseRow::distance, result);
     }
     comparePreferences(result);
+}
+
+AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options) {
+    AnalysisResult result;
+    result.table = table;
+    result.options = options;
+    runTests(result);
+    auto cells = cellsOf(table);
+    std::set<std::string> participants;
+    for (const auto& row : table.rows) {
+        participants.insert(row.participant);
+        result.synthetic = result.synthetic || row.synthetic;
+    }
+    // Who has filled in questionnaires only has taken part, too.
+    for (const auto& row : table.scores) participants.insert(row.participant);
+    for (const auto& station : table.stations) result.synthetic = result.synthetic || station.synthetic;
+    result.participants = static_cast<int>(participants.size());
+    remarkAnswers(result);
+
+    for (const auto& system : table.systems) {
+        SystemResult& row = result.systems.emplace_back();
+        row.system = system;
+        for (const Measure& measure : result.measures)
+            row.measures.push_back(summarise(cells[measure.name], system, options));
+    }
+    result.bradley_terry = bradleyTerry(table, {options.resamples, options.seed, options.level});
     summariseScores(result);
     describeAnswers(result);
 

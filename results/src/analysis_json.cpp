@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "bradley_terry_outputs.hpp"
 #include "results/analysis.hpp"
 
 namespace deixis::results {
@@ -228,6 +229,7 @@ std::string analysisJson(const AnalysisResult& result) {
     out["layout_tests"] = levelTestsJson(result, "layout");
     out["distance_tests"] = levelTestsJson(result, "distance");
     out["preferences"] = preferencesJson(result);
+    out["bradley_terry"] = bradleyTerryJson(result);
     addDetails(out, result);
     out["scores"] = Json::array();
     for (const auto& score : result.scores)

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "bradley_terry_outputs.hpp"
 #include "plain_table.hpp"
 
 namespace deixis::results {
@@ -377,6 +378,7 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
         comparisonsTable("level_tests", "Levels within systems: signed-rank tests of participants' means",
                          result.level_tests, true),
         preferencesTable(result),
+        bradleyTerryTable(result),
         chanceTable(result),
         orderTable(result),
         timesTable(result),

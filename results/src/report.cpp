@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bradley_terry_outputs.hpp"
 #include "report_details.hpp"
 #include "report_tests.hpp"
 #include "report_text.hpp"
@@ -195,6 +196,7 @@ std::string renderReport(const AnalysisResult& result) {
         out += "\n" + levelTable(result, "distance", table.distances, numbering);
     }
     out += "\n" + testsHtml(result, numbering);
+    out += "\n" + bradleyTerryHtml(result, numbering);
     out += "\n" + sensitivityHtml(result, numbering);
     out += "\n" + detailsHtml(result, numbering);
     out += "\n" + scoresTable(result, numbering);

@@ -12,13 +12,17 @@ namespace {
 
 /// The ray's direction turned by two angles about axes across it.
 Vec3 disturbed(const Vec3& direction, double a_rad, double b_rad) {
-    const Vec3 helper = std::abs(direction.y) < 0.9 ? up : Vec3(1.0, 0.0, 0.0);
-    const Vec3 right = glm::normalize(glm::cross(direction, helper));
-    const Vec3 above = glm::cross(right, direction);
-    return glm::normalize(direction + std::tan(a_rad) * right + std::tan(b_rad) * above);
+    const AcrossRay across = acrossRay(direction);
+    return glm::normalize(direction + std::tan(a_rad) * across.right + std::tan(b_rad) * across.above);
 }
 
 }  // namespace
+
+AcrossRay acrossRay(const Vec3& direction) {
+    const Vec3 helper = std::abs(direction.y) < 0.9 ? up : Vec3(1.0, 0.0, 0.0);
+    const Vec3 right = glm::normalize(glm::cross(direction, helper));
+    return {right, glm::cross(right, direction)};
+}
 
 BallChooser::BallChooser(double noise_rad, double lapse_rate, std::uint64_t seed)
     : noise_rad_(noise_rad), lapse_rate_(lapse_rate), choices_(seed, "choices") {}

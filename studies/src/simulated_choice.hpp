@@ -18,6 +18,13 @@ struct BallChoice {
     double margin_rad = 0.0;
 };
 
+/// Unit length, across a direction of unit length and across each other: a ray is disturbed about them.
+struct AcrossRay {
+    Vec3 right{};
+    Vec3 above{};
+};
+[[nodiscard]] AcrossRay acrossRay(const Vec3& direction);
+
 class BallChooser {
   public:
     /// `noise_rad`: SD of the angle by which the ray is disturbed about each of two axes.

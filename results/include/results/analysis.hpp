@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/bootstrap.hpp"
+#include "results/bradley_terry.hpp"
 #include "results/friedman.hpp"
 #include "results/proportion.hpp"
 #include "results/response_table.hpp"
@@ -146,6 +147,7 @@ struct AnalysisResult {
     std::vector<Comparison> pairwise;
     std::vector<Comparison> level_tests;
     std::vector<PreferenceResult> preferences;
+    BradleyTerry bradley_terry;
     std::vector<ScoreResult> scores;
     std::vector<ChanceResult> chance;  ///< where there is a game
     std::vector<TimeResult> times;
@@ -160,6 +162,10 @@ struct AnalysisResult {
 /// conditions is left out of that comparison. Holm's families: all pairs of systems in one measure, all pairs
 /// of levels of one factor over the systems (accuracy only), and all pairs in preference.
 [[nodiscard]] AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options = {});
+/// The tests of analyse() alone, without bootstraps and descriptions, for who asks very often: fills in
+/// alpha, measures, omnibus, pairwise, levels, level_tests and preferences from the result's table and
+/// options.
+void runTests(AnalysisResult& result);
 /// One JSON object; its keys stand in docs/analysis.md. Numbers in full precision, fixed order: the same
 /// table gives the same bytes. What is not defined is null.
 [[nodiscard]] std::string analysisJson(const AnalysisResult& result);

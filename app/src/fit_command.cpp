@@ -1,0 +1,280 @@
+// deixis fit: the simulated participant's noise and lapses, fitted to the choices of a database.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "assets/data_paths.hpp"
+#include "commands.hpp"
+#include "core/files.hpp"
+#include "motion/reference_humanoid.hpp"
+#include "recorded_avatar.hpp"
+#include "recorded_clips.hpp"
+#include "report.hpp"
+#include "results/participants.hpp"
+#include "studies/observer_fit.hpp"
+#include "studies/simulated_participant.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+using FitJson = nlohmann::ordered_json;
+
+struct FitArguments {
+    std::string database;
+    std::string output;
+    std::string parameters;
+    std::string ray;
+    std::string stimuli;
+    std::string avatar;
+    std::string json;
+    double level = 0.95;
+};
+
+/// What each participant chose, in the order of their ids.
+struct ChoicesMade {
+    std::vector<std::string> participants{};
+    std::vector<std::vector<studies::SeenChoice>> choices{};
+    int not_seen = 0;  ///< choices without an arm that was seen to point
+    bool synthetic = false;
+};
+
+bool choiceCounts(const results::RecordedAnswer& answer) {
+    const studies::Trial& trial = answer.trial.trial;
+    return !answer.superseded && trial.kind == studies::StageKind::game && trial.scored() &&
+           answer.trial.chosen_place >= 0;
+}
+
+/// All scored choices of participants who count, one recording each.
+Result<std::vector<results::Recording>> gamesOf(const std::string& database) {
+    const auto list = results::listParticipants(database);
+    if (!list) return tl::unexpected(list.error());
+    std::vector<results::Recording> out;
+    for (const results::ParticipantRow& row : list->rows) {
+        if (row.status != "active") continue;
+        auto recording = results::loadRecording(database, row.id);
+        if (!recording) return tl::unexpected(recording.error());
+        std::erase_if(recording->answers, [](const auto& answer) { return !choiceCounts(answer); });
+        if (!recording->answers.empty()) out.push_back(std::move(*recording));
+    }
+    if (out.empty())
+        return fail(database, "holds no choices of a referential game that count",
+                    "Only those can tell how rays are read");
+    return out;
+}
+
+/// The clips of all, each once.
+Result<results::ClipRecords> clipsShown(const std::vector<results::Recording>& games,
+                                        const std::string& database) {
+    results::ClipRecords out;
+    for (const results::Recording& recording : games)
+        for (const results::RecordedAnswer& answer : recording.answers)
+            for (const auto& [stimulus, record] : answer.clips)
+                if (const auto [known, added] = out.emplace(stimulus, record);
+                    !added && known->second.content_hash != record.content_hash)
+                    return fail(database,
+                                fmt::format("participants were shown different clips of {} for {}",
+                                            stimulus.system, stimulus.item),
+                                "Fit the databases of each set of clips by themselves");
+    return out;
+}
+
+Result<ChoicesMade> choicesMade(const FitArguments& options, motion::PointingRay ray, double frame_rate_hz) {
+    const auto games = gamesOf(options.database);
+    if (!games) return tl::unexpected(games.error());
+    const auto records = clipsShown(*games, options.database);
+    if (!records) return tl::unexpected(records.error());
+    results::Recording all{games->front().study_title, games->front().study_source, "the participants", {}};
+    for (const results::Recording& recording : *games)
+        all.answers.insert(all.answers.end(), recording.answers.begin(), recording.answers.end());
+    const auto avatar =
+        options.avatar.empty() ? recordedAvatar(all, options.database) : assets::loadAvatar(options.avatar);
+    if (!avatar) return tl::unexpected(avatar.error());
+    const auto clips = RecordedClips::load(*records, *avatar, options.stimuli);
+    if (!clips) return tl::unexpected(clips.error());
+    const motion::LocalPose idle = motion::relaxedPose(avatar->skeleton);
+    ChoicesMade out;
+    for (const results::Recording& recording : *games) {
+        std::vector<studies::SeenChoice> choices;
+        for (const results::RecordedAnswer& answer : recording.answers) {
+            out.synthetic = out.synthetic || answer.trial.synthetic;
+            auto seen = studies::seenChoice(answer.trial, *clips, avatar->skeleton, idle, ray, frame_rate_hz);
+            if (seen)
+                choices.push_back(std::move(*seen));
+            else
+                ++out.not_seen;
+        }
+        if (choices.empty()) continue;
+        out.participants.push_back(recording.participant);
+        out.choices.push_back(std::move(choices));
+    }
+    if (out.choices.empty())
+        return fail(options.database, "holds no choice among several balls after a movement that points");
+    return out;
+}
+
+std::string endText(const std::optional<double>& end, const char* none) {
+    return end ? fmt::format("{:.3f}", *end) : std::string(none);
+}
+
+std::string fitLine(const std::string& name, const studies::ObserverFit& fit) {
+    const auto interval = [](const studies::FittedParameter& of, const char* low, const char* high) {
+        return fmt::format("{:>8.3f} {:<17}", of.value,
+                           fmt::format("[{}, {}]", endText(of.lower, low), endText(of.upper, high)));
+    };
+    return fmt::format("{:<14} {:>7}  {} {} {:>12.3f} {:>12.3f}\n", name, fit.choices,
+                       interval(fit.noise_deg, "0", "-"), interval(fit.lapse_rate, "0", "1"),
+                       fit.log_likelihood, fit.aic);
+}
+
+FitJson parameterJson(const studies::FittedParameter& of) {
+    FitJson out{{"value", of.value}};
+    out["lower"] = of.lower ? FitJson(*of.lower) : FitJson();
+    out["upper"] = of.upper ? FitJson(*of.upper) : FitJson();
+    return out;
+}
+
+FitJson fitJson(const studies::ObserverFit& fit) {
+    return {{"choices", fit.choices},
+            {"noise_deg", parameterJson(fit.noise_deg)},
+            {"lapse_rate", parameterJson(fit.lapse_rate)},
+            {"log_likelihood", fit.log_likelihood},
+            {"aic", fit.aic}};
+}
+
+/// The text of a parameters file with the value of a key of [pointing] replaced; unchanged where the key does
+/// not stand on a line of its own.
+std::string withValue(const std::string& text, const std::string& key, const std::string& value) {
+    std::string out;
+    bool pointing = false;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string line = text.substr(at, end - at);
+        if (line.starts_with('[')) pointing = line.starts_with("[pointing]");
+        const std::size_t equals = line.find('=');
+        if (pointing && equals != std::string::npos && line.starts_with(key) &&
+            line.find_first_not_of(' ', key.size()) == equals) {
+            const std::size_t comment = line.find('#');
+            line = fmt::format("{} = {}{}", key, value,
+                               comment == std::string::npos ? "" : "    " + line.substr(comment));
+        }
+        out += line + (end < text.size() ? "\n" : "");
+        at = end + 1;
+    }
+    return out;
+}
+
+/// The parameters file given, with what was fitted; checked by reading it again.
+Result<void> writeParameters(const FitArguments& options, const std::string& ray, double noise_deg,
+                             double noise_between, double lapse_rate) {
+    auto text = readFile(options.parameters);
+    if (!text) return tl::unexpected(text.error());
+    std::string out = *text;
+    for (const auto& [key, value] :
+         {std::pair{"ray", fmt::format("\"{}\"", ray)}, std::pair{"noise_deg", fmt::format("{}", noise_deg)},
+          std::pair{"noise_between", fmt::format("{}", noise_between)},
+          std::pair{"lapse_rate", fmt::format("{}", lapse_rate)}})
+        out = withValue(out, key, value);
+    out = fmt::format("# [pointing] was fitted by deixis fit to {}; all else is as it stands in\n# {}.\n\n",
+                      options.database, options.parameters) +
+          out;
+    if (auto written = writeFile(options.output, out); !written) return written;
+    const auto read = studies::loadSimulatedParameters(options.output);
+    if (!read) return tl::unexpected(read.error());
+    if (read->pointing_ray != ray || read->pointing_noise_deg != noise_deg ||
+        read->pointing_noise_between != noise_between || read->lapse_rate != lapse_rate)
+        return fail(options.parameters,
+                    "its [pointing] could not be changed: its keys do not stand on lines of their own",
+                    "Write them as in the file that ships");
+    fmt::print("parameters: {}\n", options.output);
+    return {};
+}
+
+Result<void> fitDatabase(const FitArguments& options) {
+    const auto base = studies::loadSimulatedParameters(options.parameters);
+    if (!base) return tl::unexpected(base.error());
+    const std::string ray = options.ray.empty() ? base->pointing_ray : options.ray;
+    const auto kind = motion::pointingRayFromName(ray);
+    if (!kind) return fail("--ray", kind.error().message, kind.error().mend);
+    for (const std::string& file : {options.output, options.json})
+        if (auto checked = checkOutput(file); !checked) return checked;
+    const auto made = choicesMade(options, *kind, base->frame_rate_hz);
+    if (!made) return tl::unexpected(made.error());
+
+    std::vector<studies::SeenChoice> all;
+    for (const auto& choices : made->choices) all.insert(all.end(), choices.begin(), choices.end());
+    const studies::ObserverFit pooled = studies::fitObserver(all, options.level);
+    FitJson json{{"schema", {{"name", "deixis-fit"}, {"version", 1}}},
+                 {"ray", ray},
+                 {"level", options.level},
+                 {"synthetic", made->synthetic},
+                 {"choices_not_seen", made->not_seen}};
+    fmt::print("{} ray; choice ~ (1 - lapse) P(ball | noise) + lapse / balls; {:.4g} % profile intervals\n",
+               ray, 100.0 * options.level);
+    if (made->synthetic) fmt::print("Simulated participants are among them: no evidence about people.\n");
+    if (made->not_seen > 0) fmt::print("{} choices left out: nothing was seen to point\n", made->not_seen);
+    fmt::print("{:<14} {:>7}  {:<26} {:<26} {:>12} {:>12}\n", "participant", "choices", "noise, degrees",
+               "lapse rate", "log-lik.", "AIC");
+    json["participants"] = FitJson::array();
+    for (std::size_t i = 0; i < made->choices.size(); ++i) {
+        const studies::ObserverFit one = studies::fitObserver(made->choices[i], options.level);
+        fmt::print("{}", fitLine(made->participants[i], one));
+        FitJson row{{"participant", made->participants[i]}};
+        row.update(fitJson(one));
+        json["participants"].push_back(std::move(row));
+    }
+    fmt::print("{}", fitLine("all, as one", pooled));
+    json["pooled"] = fitJson(pooled);
+    double noise_deg = pooled.noise_deg.value;
+    double between = 0.0;
+    double lapse_rate = pooled.lapse_rate.value;
+    json["population"] = FitJson();
+    if (made->choices.size() > 1) {
+        const studies::PopulationFit population = studies::fitPopulation(made->choices);
+        noise_deg = population.noise_deg;
+        between = population.noise_between;
+        lapse_rate = population.lapse_rate;
+        json["population"] = {{"noise_deg", noise_deg},
+                              {"noise_between", between},
+                              {"lapse_rate", lapse_rate},
+                              {"log_likelihood", population.log_likelihood},
+                              {"aic", population.aic}};
+        fmt::print(
+            "participants' noise differing: noise {:.3f} degrees, noise_between {:.3f}, lapse rate "
+            "{:.3f}; log-likelihood {:.3f}, AIC {:.3f}\n",
+            noise_deg, between, lapse_rate, population.log_likelihood, population.aic);
+    }
+    if (!options.json.empty()) {
+        if (auto written = writeFile(options.json, json.dump(2) + "\n"); !written) return written;
+        fmt::print("numbers: {}\n", options.json);
+    }
+    if (options.output.empty()) return {};
+    return writeParameters(options, ray, noise_deg, between, lapse_rate);
+}
+
+}  // namespace
+
+void addFitCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<FitArguments>();
+    CLI::App* command = cli.add_subcommand(
+        "fit", "Fit the simulated participant's noise and lapses to the choices of a database");
+    command->add_option("DB", options->database, "Database of a study with a referential game")->required();
+    command->add_option("-o,--output", options->output,
+                        "Parameters file to write, for deixis simulate --parameters");
+    command->add_option("--parameters", options->parameters, "Parameters that are not fitted (TOML)")
+        ->default_val(assets::dataFile("simulated_participant.toml").string());
+    command->add_option("--ray", options->ray, "Ray that is read from the arm [as in the parameters]");
+    command->add_option("--level", options->level, "Level of the intervals")
+        ->check(CLI::Range(0.5, 0.9999))
+        ->capture_default_str();
+    command->add_option("--json", options->json, "JSON file to write");
+    command->add_option("--stimuli", options->stimuli,
+                        "Folder of the clips that were shown [where they lay]");
+    command->add_option("--avatar", options->avatar,
+                        "The avatar that was shown, glTF or VRM [the study's; else Deixis's own]");
+    command->callback([options, &chosen] { chosen = [options] { return fitDatabase(*options); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,26 @@
+// Assumed effects for a power analysis, estimated from answers that were given. How: docs/power.md.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "results/response_table.hpp"
+#include "studies/assumed_effects.hpp"
+#include "studies/study.hpp"
+
+namespace deixis::results {
+
+struct EffectEstimates {
+    studies::AssumedEffects effects;
+    std::vector<std::string> notes{};  ///< what a reader must know of them
+};
+
+/// Means of the study's systems, and SDs by the method of moments: the SDs with which the model's covariances
+/// of two answers (of one participant, of one participant on one system, on one item) and variance are those
+/// of the answers. A negative covariance counts as none. Preferences are not estimated. Fails where the
+/// answers have no measure of the study, or lack a system of it, or where all answers to a system are alike.
+[[nodiscard]] Result<EffectEstimates> estimateEffects(const ResponseTable& table,
+                                                      const studies::Study& study);
+
+}  // namespace deixis::results

@@ -1,0 +1,18 @@
+// Abilities from preferences in the analysis' outputs; private to them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "plain_table.hpp"
+#include "report_text.hpp"
+
+namespace deixis::results {
+
+/// Null where there are no preferences.
+[[nodiscard]] nlohmann::ordered_json bradleyTerryJson(const AnalysisResult& result);
+[[nodiscard]] PlainTable bradleyTerryTable(const AnalysisResult& result);
+/// Empty where there are no preferences.
+[[nodiscard]] std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering);
+
+}  // namespace deixis::results

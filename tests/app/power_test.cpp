@@ -1,0 +1,86 @@
+// Power from the command line.
+#include "program.hpp"
+
+using namespace deixis::tests;
+using nlohmann::json;
+
+namespace {
+
+const std::string shipped_effect_file =
+    (fs::path(DEIXIS_SOURCE_DIR) / "assets/data/effects/pointing2023.toml").string();
+
+}  // namespace
+
+TEST_SUITE("app/power") {
+    TEST_CASE(
+        "The power of the study that ships is told as text, JSON and CSV, alike for any number of threads.") {
+        const Scratch scratch;
+        const auto run = [&](const std::string& name, const std::string& more) {
+            return program(
+                "power pointing2023 --effect pointing2023 --participants 10,24 --studies 60 --goal 0.8 "
+                "--json " +
+                (scratch / (name + ".json")) + " --csv " + (scratch / (name + ".csv")) + more);
+        };
+        const auto one = run("one", " --threads 1");
+        INFO(one.err);
+        REQUIRE(one.status == 0);
+        CHECK(one.err.empty());  // no progress where stderr is no terminal
+        CHECK(one.out.find("no evidence about people") != std::string::npos);
+        CHECK(one.out.find("accuracy: pairs of systems (6 tests)") != std::string::npos);
+        REQUIRE(run("two", " --threads 3").status == 0);
+        CHECK(slurp(scratch / "one.json") == slurp(scratch / "two.json"));
+        CHECK(slurp(scratch / "one.csv") == slurp(scratch / "two.csv"));
+        REQUIRE(run("other", " --seed 2").status == 0);
+        CHECK(slurp(scratch / "one.json") != slurp(scratch / "other.json"));
+
+        const json power = json::parse(slurp(scratch / "one.json"));
+        CHECK(power["contrasts"].size() == 16);  // 6 pairs in each of 2 measures, 4 systems by layout
+        for (const auto& contrast : power["contrasts"]) {
+            REQUIRE(contrast["power"].size() == 2);
+            for (const auto& at : contrast["power"]) {
+                CHECK(at["studies"] == at["a_higher"].get<int>() + at["b_higher"].get<int>());
+                CHECK(at["estimate"].get<double>() == doctest::Approx(at["studies"].get<double>() / 60.0));
+                CHECK(at["lower"] <= at["estimate"]);
+                CHECK(at["upper"] >= at["estimate"]);
+            }
+            const bool plain =
+                contrast["measure"] == "accuracy" && contrast["a"] == "direct" && contrast["b"] == "drifting";
+            if (plain) CHECK(contrast["participants_for_goal"] == 24);
+            // Layouts are assumed not to differ.
+            if (!contrast["system"].is_null()) CHECK(contrast["participants_for_goal"].is_null());
+        }
+    }
+
+    TEST_CASE("Effects estimated from a database are written to a file that gives the same power.") {
+        const Scratch scratch;
+        REQUIRE(
+            program("simulate pointing2023 --participants 12 --db " + (scratch / "pilot.sqlite")).status ==
+            0);
+        const std::string rest = " --participants 12 --studies 40 --json ";
+        const auto from = program("power pointing2023 --from " + (scratch / "pilot.sqlite") + rest +
+                                  (scratch / "from.json") + " --save-effects " + (scratch / "effects.toml"));
+        INFO(from.err);
+        REQUIRE(from.status == 0);
+        CHECK(from.out.find("estimated from 12 participants") != std::string::npos);
+        CHECK(from.out.find("simulated participants are among them") != std::string::npos);
+        const auto again = program("power pointing2023 --effect " + (scratch / "effects.toml") + rest +
+                                   (scratch / "again.json"));
+        INFO(again.err);
+        REQUIRE(again.status == 0);
+        CHECK(slurp(scratch / "from.json") == slurp(scratch / "again.json"));
+    }
+
+    TEST_CASE("What is wrong with the effects or the options is told in one line.") {
+        const Scratch scratch;
+        spill(scratch / "effects.toml",
+              replaced(slurp(shipped_effect_file), "stiff = 0.830", "stif = 0.830"));
+        CHECK_FAILS_SAYING(program("power pointing2023 --effect " + (scratch / "effects.toml")),
+                           "effects.toml:16: accuracy.systems.stif", "Did you mean stiff?");
+        CHECK_FAILS_SAYING(program("power pointing2023 --effect nosuch"), "effects/nosuch.toml");
+        CHECK_FAILS_SAYING(program("power pointing2023 --from " + (scratch / "nosuch.sqlite")),
+                           "nosuch.sqlite");
+        CHECK(program("power pointing2023").status == 2);
+        CHECK(program("power pointing2023 --effect pointing2023 --search").status == 2);
+        CHECK(program("power pointing2023 --effect pointing2023 --participants 1").status == 2);
+    }
+}

@@ -1,0 +1,140 @@
+// Abilities from preferences, against R's glm (oracles/make_bradley_terry.R) and by hand.
+#include "results/bradley_terry.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "oracles.hpp"
+#include "results/analysis.hpp"
+
+using namespace deixis;
+using namespace deixis::results;
+
+namespace {
+
+/// Answers given one by one.
+struct Preferences {
+    ResponseTable table;
+
+    explicit Preferences(const std::vector<std::string>& systems) {
+        table.study_name = "pairs";
+        table.systems = systems;
+        table.measures = {{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0}};
+    }
+    void add(const char* participant, const char* left, const char* right, double value, int times = 1) {
+        for (int i = 0; i < times; ++i) {
+            ResponseRow row;
+            row.participant = participant;
+            row.measure = "preference";
+            row.system = left;
+            row.other_system = right;
+            row.value = value;
+            table.rows.push_back(row);
+        }
+    }
+};
+
+const BootstrapOptions few{500, 3, 0.95};
+
+}  // namespace
+
+TEST_SUITE("results/bradley_terry") {
+    TEST_CASE("Abilities are those of R's logistic regression.") {
+        for (const auto& one : tests::oracles("bradley_terry")) {
+            INFO(one["name"].get<std::string>());
+            const auto found = bradleyTerryAbilities(one["wins"].get<WinMatrix>());
+            REQUIRE(found.has_value());
+            const auto expected = one["abilities"].get<std::vector<double>>();
+            REQUIRE(found->size() == expected.size());
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                CHECK(std::abs((*found)[i] - expected[i]) < 1e-8);
+        }
+    }
+
+    TEST_CASE("Of two systems the difference is the log of wins to losses, a tie being half of each.") {
+        Preferences answers({"x", "y"});
+        answers.add("P1", "x", "y", -2.0, 5);  // for x
+        answers.add("P2", "y", "x", 1.0, 2);   // for x, on the right
+        answers.add("P2", "x", "y", 0.0, 2);
+        answers.add("P1", "x", "y", 1.0, 1);  // for y
+        const BradleyTerry fit = bradleyTerry(answers.table, few);
+        REQUIRE(fit.abilities.size() == 2);
+        CHECK(*fit.abilities[0].estimate - *fit.abilities[1].estimate ==
+              doctest::Approx(std::log(8.0 / 2.0)));
+        CHECK(*fit.abilities[0].estimate == doctest::Approx(-*fit.abilities[1].estimate));
+        CHECK(fit.abilities[0].wins == 7);
+        CHECK(fit.abilities[0].ties == 2);
+        CHECK(fit.abilities[0].losses == 1);
+        REQUIRE(fit.pairs.size() == 1);
+        CHECK(fit.pairs[0].prefers_a == 7);
+        CHECK(fit.pairs[0].prefers_b == 1);
+    }
+
+    TEST_CASE("Intervals hold the estimate, repeat with the seed, and narrow with more participants.") {
+        const auto fitOf = [](int participants, std::uint64_t seed) {
+            Preferences answers({"x", "y", "z"});
+            for (int p = 0; p < participants; ++p) {
+                const std::string name = "P" + std::to_string(1000 + p);
+                answers.add(name.c_str(), "x", "y", p % 3 == 0 ? 1.0 : -1.0);
+                answers.add(name.c_str(), "y", "z", p % 4 == 0 ? 1.0 : -1.0);
+                answers.add(name.c_str(), "x", "z", p % 5 == 0 ? 1.0 : p % 5 == 1 ? 0.0 : -1.0);
+            }
+            return bradleyTerry(answers.table, {500, seed, 0.95});
+        };
+        const auto width = [](const Ability& one) { return one.interval->upper - one.interval->lower; };
+        const BradleyTerry small = fitOf(60, 3);
+        const BradleyTerry large = fitOf(240, 3);
+        const BradleyTerry again = fitOf(60, 3);
+        const BradleyTerry other = fitOf(60, 4);
+        for (std::size_t i = 0; i < 3; ++i) {
+            CHECK(small.abilities[i].interval->lower < *small.abilities[i].estimate);
+            CHECK(small.abilities[i].interval->upper > *small.abilities[i].estimate);
+            CHECK(width(large.abilities[i]) / width(small.abilities[i]) == doctest::Approx(0.5).epsilon(0.2));
+            CHECK(small.abilities[i].interval->lower == again.abilities[i].interval->lower);
+            CHECK(small.abilities[i].interval->lower != other.abilities[i].interval->lower);
+        }
+    }
+
+    TEST_CASE(
+        "Where a system always wins, or nothing joins two groups, there are no abilities and a reason.") {
+        Preferences won({"x", "y", "z"});
+        won.add("P1", "x", "y", -1.0, 4);
+        won.add("P1", "x", "z", -2.0, 4);
+        won.add("P2", "y", "z", 1.0, 2);
+        won.add("P2", "y", "z", -1.0, 3);
+        const BradleyTerry separated = bradleyTerry(won.table, few);
+        CHECK_FALSE(separated.abilities[0].estimate.has_value());
+        CHECK(separated.abilities[0].wins == 8);
+        CHECK(separated.note ==
+              "no answer preferred y, z to x or took them as equal: the difference in ability grows without "
+              "bound");
+
+        Preferences apart({"x", "y", "z", "w"});
+        apart.add("P1", "x", "y", 0.0, 2);
+        apart.add("P1", "z", "w", 0.0, 2);
+        const BradleyTerry disconnected = bradleyTerry(apart.table, few);
+        CHECK_FALSE(disconnected.abilities[2].estimate.has_value());
+        CHECK(disconnected.note ==
+              "x, y were never compared with z, w, directly or through others: abilities have no common "
+              "scale");
+
+        const auto json = nlohmann::json::parse(analysisJson(analyse(won.table)));
+        CHECK(json["bradley_terry"]["abilities"][0]["ability"].is_null());
+        CHECK(json["bradley_terry"]["note"] == separated.note);
+        CHECK(renderReport(analyse(won.table)).find("No abilities: no answer preferred y, z to x") !=
+              std::string::npos);
+    }
+
+    TEST_CASE("Resamples without a maximum are counted and told; without preferences there is nothing.") {
+        Preferences answers({"x", "y"});
+        answers.add("P1", "x", "y", -1.0, 5);
+        answers.add("P2", "x", "y", -1.0, 5);
+        answers.add("P3", "x", "y", 1.0, 1);  // absent from (2/3)^3 of the resamples
+        const BradleyTerry fit = bradleyTerry(answers.table, {3000, 1, 0.95});
+        // All of P1 and P2, or all of P3.
+        CHECK(fit.resamples_left_out / 3000.0 == doctest::Approx(8.0 / 27.0 + 1.0 / 27.0).epsilon(0.1));
+        CHECK(fit.note.find("resamples have no finite abilities") != std::string::npos);
+        CHECK(bradleyTerry(ResponseTable{}, few).abilities.empty());
+    }
+}

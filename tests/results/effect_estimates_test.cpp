@@ -1,0 +1,94 @@
+// Effects estimated from answers that were drawn from known ones.
+#include "results/effect_estimates.hpp"
+
+#include <doctest/doctest.h>
+
+#include "studies/assumed_answers.hpp"
+#include "studies/plan_fixture.hpp"
+
+using namespace deixis;
+using namespace deixis::results;
+using namespace deixis::studies;
+
+namespace {
+
+/// A large study's answers under the effects.
+ResponseTable drawn(const Study& study, const AssumedEffects& effects, int participants) {
+    std::vector<StudyPlan> plans;
+    for (int number = 1; number <= participants; ++number)
+        plans.push_back(buildPlan(study, plan_fixture::targetsFor(study, 100), "S1", number, {}).value());
+    const AssumedAnswers answers(study, effects, plans);
+    std::vector<double> values(answers.planned().size());
+    answers.draw(7, values);
+    ResponseTable table;
+    table.database = "drawn.sqlite";
+    table.layouts = {"across", "side-by-side"};
+    table.distances = {"near"};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const PlannedAnswer& planned = answers.planned()[i];
+        ResponseRow row;
+        row.participant = std::to_string(planned.participant);
+        row.measure = answers.measures()[planned.measure].name;
+        row.system = planned.trial->stimuli[0].system;
+        row.layout = planned.trial->layout;
+        row.distance = planned.trial->distance;
+        row.target_id = planned.trial->stimuli[0].item;
+        row.value = values[i];
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+}  // namespace
+
+TEST_SUITE("results/effect_estimates") {
+    TEST_CASE("From many answers the effects come back that they were drawn from.") {
+        const Study study = plan_fixture::pointing();
+        AssumedEffects effects;
+        effects.accuracy.emplace();
+        effects.accuracy->systems = {
+            {"demonstration-nn", 0.85}, {"direct", 0.95}, {"stiff", 0.8}, {"drifting", 0.45}};
+        effects.accuracy->spread = {0.7, 0.6, 0.5};
+        effects.accuracy->layouts = {{"across", 0.25}, {"side-by-side", -0.25}};
+        effects.ratings["naturalness"].systems = {
+            {"demonstration-nn", 4.1}, {"direct", 3.6}, {"stiff", 2.9}, {"drifting", 2.4}};
+        effects.ratings["naturalness"].spread = {0.6, 0.5, 0.3};
+        effects.ratings["naturalness"].noise_sd = 0.8;
+        const auto found = estimateEffects(drawn(study, effects, 500), study);
+        REQUIRE(found.has_value());
+        const AssumedAccuracy& accuracy = *found->effects.accuracy;
+        for (const auto& [system, share] : effects.accuracy->systems)
+            CHECK(accuracy.systems.at(system) == doctest::Approx(share).epsilon(0.04));
+        CHECK(accuracy.spread.participant_sd == doctest::Approx(0.7).epsilon(0.15));
+        CHECK(accuracy.spread.participant_system_sd == doctest::Approx(0.6).epsilon(0.2));
+        CHECK(accuracy.spread.item_sd == doctest::Approx(0.5).epsilon(0.25));
+        CHECK(accuracy.layouts.at("across") == doctest::Approx(0.25).epsilon(0.3));
+        const AssumedRating& rating = found->effects.ratings.at("naturalness");
+        for (const auto& [system, mean] : effects.ratings["naturalness"].systems)
+            CHECK(rating.systems.at(system) == doctest::Approx(mean).epsilon(0.03));
+        CHECK(rating.spread.participant_sd == doctest::Approx(0.6).epsilon(0.1));
+        CHECK(rating.spread.participant_system_sd == doctest::Approx(0.5).epsilon(0.1));
+        CHECK(rating.spread.item_sd == doctest::Approx(0.3).epsilon(0.25));
+        CHECK(rating.noise_sd == doctest::Approx(0.8).epsilon(0.05));
+    }
+
+    TEST_CASE("Answers that lack a system, or are all alike, are refused by name.") {
+        const Study study = plan_fixture::pointing();
+        AssumedEffects effects;
+        for (const SystemSource& system : study.systems)
+            effects.ratings["naturalness"].systems[system.name] = 3.0;
+        ResponseTable table = drawn(study, effects, 10);
+        ResponseTable alike = table;
+        for (ResponseRow& row : alike.rows)
+            if (row.system == "stiff") row.value = 1.0;
+        const auto at_end = estimateEffects(alike, study);
+        REQUIRE_FALSE(at_end.has_value());
+        CHECK(at_end.error().text().find("\"stiff\" are 1") != std::string::npos);
+        std::erase_if(table.rows, [](const ResponseRow& row) { return row.system == "direct"; });
+        const auto lacking = estimateEffects(table, study);
+        REQUIRE_FALSE(lacking.has_value());
+        CHECK(lacking.error().text().find(
+                  "drawn.sqlite: holds no answer on naturalness to the system \"direct\"") !=
+              std::string::npos);
+    }
+}
