@@ -16,9 +16,10 @@ struct ReportFiles {
     std::string latex{};  ///< a folder
 };
 
-/// Analyses databases of one study, or long tables (CSV), and writes the files.
+/// Analyses databases of one study, long tables (CSV), or a study on a server, and writes the files.
 [[nodiscard]] Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
-                                       const results::AnalysisOptions& options = {});
+                                       const results::AnalysisOptions& options = {},
+                                       const std::string& study = {});
 
 /// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
 [[nodiscard]] Result<void> checkOutput(const std::string& file);
