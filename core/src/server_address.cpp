@@ -63,7 +63,7 @@ bool isPlainServerAddress(std::string_view address) {
     if (at != std::string_view::npos)
         return rest.find('@', at + 1) == std::string_view::npos && rest.find('/') > at;
     const std::string_view host = rest.substr(0, rest.find_first_of("/?"));
-    const auto port = host.rfind(':');
+    const auto port = host.find(':');
     return host.starts_with('[') || port == std::string_view::npos || allDigits(host.substr(port + 1));
 }
 
@@ -78,8 +78,9 @@ std::string withoutPasswords(std::string_view text) {
         // A password may hold a space or quote: an @ that comes later, before another address, may end it.
         const std::string_view nearby = text.substr(0, text.find("postgres", 1));
         const auto at = nearby.rfind('@');
-        const std::string_view address =
-            text.substr(0, text.find_first_of(address_ends, at == text.npos ? 0 : at));
+        std::string_view address = text.substr(0, text.find_first_of(address_ends, at == text.npos ? 0 : at));
+        while (address.ends_with(':') || address.ends_with(',') || address.ends_with('.'))
+            address.remove_suffix(1);  // the sentence's
         out += shownServerAddress(address);
         text.remove_prefix(address.size());
     }

@@ -18,6 +18,8 @@ TEST_SUITE("core/server_address") {
         CHECK(withoutPasswords("postgresql://[::1]:5433/x") == "postgresql://[::1]:5433/x");
         CHECK(withoutPasswords("postgresql:///x?host=/run/pg&password=Sesam&port=5&sslpassword=Sesam") ==
               "postgresql:///x?host=/run/pg&port=5");
+        CHECK(withoutPasswords("postgresql://db.lab:5433: no answer") ==
+              "postgresql://db.lab:5433: no answer");
         CHECK(withoutPasswords("pushed a.sqlite") == "pushed a.sqlite");
         CHECK(withoutPasswords("The following argument was not expected: postgresql://ann:Sesam@h/d") ==
               "The following argument was not expected: postgresql://ann@h/d");
@@ -26,8 +28,8 @@ TEST_SUITE("core/server_address") {
     TEST_CASE("Where a password cannot be told apart nothing of the address is shown, in no error either") {
         for (const char* address :
              {"postgresql://ann:Se@sam@h/d", "postgresql://ann:Se/sam@h/d", "postgresql://ann:Sesam",
-              "postgresql://ann:Se sam@h/d", "postgresql://ann:Se'sam@h/d", "postgresql://ann:Se\"s am@h/d",
-              "postgresql://ann:Se@s/am@h?x=y"}) {
+              "postgresql://ann:Sesam:1", "postgresql://ann:Se sam@h/d", "postgresql://ann:Se'sam@h/d",
+              "postgresql://ann:Se\"s am@h/d", "postgresql://ann:Se@s/am@h?x=y"}) {
             const std::string shown = deixis::Error{address, "found nothing", "Look again"}.text();
             INFO(shown);
             CHECK(shown.rfind("postgresql://...", 0) == 0);
