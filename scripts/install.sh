@@ -9,13 +9,13 @@ packages=(
     build-essential cmake ninja-build pkg-config
     libglm-dev libfmt-dev libexpected-dev libssl-dev zlib1g-dev libpng-dev
     libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
-    libsqlitecpp-dev libsqlite3-dev libboost-dev libboost-math-dev
+    libsqlitecpp-dev libsqlite3-dev libpqxx-dev libpq-dev libboost-dev libboost-math-dev
     libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev libx11-dev
     libopenxr-dev fonts-open-sans fonts-nanum doctest-dev
 )
 if [ "${1:-}" = tests ]; then
     packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 sqlite3 libxml2-utils libbenchmark-dev debootstrap
-        r-base-core r-cran-lme4 r-cran-ordinal)
+        r-base-core r-cran-lme4 r-cran-ordinal postgresql)
     command -v npm >/dev/null || packages+=(nodejs npm)
 fi
 if [ "${1:-}" = list ]; then

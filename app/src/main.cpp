@@ -4,8 +4,10 @@
 
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include "commands.hpp"
+#include "core/server_address.hpp"
 
 int main(int argc, char** argv) {
     using namespace deixis::app;
@@ -28,6 +30,7 @@ int main(int argc, char** argv) {
     addParticipantsCommand(cli, chosen);
     addExportCommand(cli, chosen);
     addMergeCommand(cli, chosen);
+    addPushCommand(cli, chosen);
     addTargetsCommand(cli, chosen);
     addGenerateCommand(cli, chosen);
     addClipsCommand(cli, chosen);
@@ -40,9 +43,13 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "deixis: error: {}\n", done.error().text());
         return 1;
     } catch (const CLI::ParseError& error) {
-        return cli.exit(error) == 0 ? 0 : 2;
+        std::ostringstream out, err;
+        const int status = cli.exit(error, out, err);
+        fmt::print("{}", out.str());
+        fmt::print(stderr, "{}", deixis::withoutPasswords(err.str()));
+        return status == 0 ? 0 : 2;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "deixis: error: {}\n", error.what());
+        fmt::print(stderr, "deixis: error: {}\n", deixis::withoutPasswords(error.what()));
         return 1;
     }
 }

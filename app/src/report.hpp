@@ -17,9 +17,10 @@ struct ReportFiles {
     std::string r{};      ///< a folder: the tables as CSV and analysis.R, which computes them anew
 };
 
-/// Analyses databases of one study, or long tables (CSV), and writes the files.
+/// Analyses databases of one study, long tables (CSV), or a study on a server, and writes the files.
 [[nodiscard]] Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
-                                       const results::AnalysisOptions& options = {});
+                                       const results::AnalysisOptions& options = {},
+                                       const std::string& study = {});
 
 /// The answers of all of them as one table.
 [[nodiscard]] Result<results::ResponseTable> loadAll(const std::vector<std::string>& data);

@@ -1,6 +1,7 @@
 // deixis report: the analysis of databases or long tables as a page, as JSON and as tables.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -8,10 +9,12 @@
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "core/server_address.hpp"
 #include "report.hpp"
 #include "results/analysis.hpp"
 #include "results/analysis_tables.hpp"
 #include "results/long_table.hpp"
+#include "results/server.hpp"
 
 namespace deixis::app {
 
@@ -19,6 +22,7 @@ namespace {
 
 struct ReportArguments {
     std::vector<std::string> data;
+    std::string study;
     ReportFiles files;
     results::AnalysisOptions analysis;
 };
@@ -36,10 +40,13 @@ Result<void> checkOutput(const std::string& file) {
     return {};
 }
 
-Result<results::ResponseTable> loadAll(const std::vector<std::string>& data) {
+Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, const std::string& study) {
+    if (!study.empty() && std::none_of(data.begin(), data.end(), isServerAddress))
+        return fail("--study", "names a study on a server, but none of the data is a server's address");
     std::vector<results::ResponseTable> tables;
     for (const std::string& file : data) {
-        auto table = results::loadAnswers(file);
+        auto table =
+            isServerAddress(file) ? results::loadServerResponses(file, study) : results::loadAnswers(file);
         if (!table) return tl::unexpected(table.error());
         tables.push_back(std::move(*table));
     }
@@ -47,12 +54,12 @@ Result<results::ResponseTable> loadAll(const std::vector<std::string>& data) {
 }
 
 Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
-                         const results::AnalysisOptions& options) {
+                         const results::AnalysisOptions& options, const std::string& study) {
     for (const std::string& file : {files.page, files.json})
         if (auto checked = checkOutput(file); !checked) return checked;
     if (!files.page.empty() && files.page == files.json)
         return fail(files.page, "was named for both the page and the JSON");
-    const auto table = loadAll(data);
+    const auto table = loadAll(data, study);
     if (!table) return tl::unexpected(table.error());
     const auto analysis = results::analyse(*table, options);
     if (!files.page.empty())
@@ -83,8 +90,13 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<ReportArguments>();
     CLI::App* command = cli.add_subcommand(
         "report", "Analyse databases or long tables: an HTML page, and the numbers as JSON, CSV and LaTeX");
-    command->add_option("DATA", options->data, "Databases of one study, or CSV files with one line an answer")
+    command
+        ->add_option("DATA", options->data,
+                     "Databases of one study, CSV files with one line an answer, or a server's address "
+                     "(postgresql://USER@HOST:PORT/DATABASE)")
         ->required();
+    command->add_option("--study", options->study,
+                        "Which study of a server that holds several: its name, or the beginning of its hash");
     command->add_option("-o,--output", options->files.page, "HTML page to write")->default_val("report.html");
     command->add_option("--json", options->files.json, "JSON file to write");
     command->add_option("--csv", options->files.csv, "Folder to write every table to, as CSV");
@@ -106,7 +118,8 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
             const ReportFiles& files = options->files;
-            if (auto done = writeReport(options->data, files, options->analysis); !done) return done;
+            if (auto done = writeReport(options->data, files, options->analysis, options->study); !done)
+                return done;
             fmt::print("report: {}\n", files.page);
             if (!files.json.empty()) fmt::print("analysis: {}\n", files.json);
             if (!files.csv.empty()) fmt::print("tables: {}\n", files.csv);

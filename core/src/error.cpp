@@ -1,5 +1,7 @@
 #include "core/error.hpp"
 
+#include "core/server_address.hpp"
+
 namespace deixis {
 
 std::string Error::text() const {
@@ -7,7 +9,7 @@ std::string Error::text() const {
     if (!where.empty()) out += where + ": ";
     out += message;
     if (!mend.empty()) out += ". " + mend;
-    return out;
+    return withoutPasswords(out);
 }
 
 }  // namespace deixis

@@ -2,7 +2,6 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
-#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,6 +12,7 @@
 #include "core/hash.hpp"
 #include "database_open.hpp"
 #include "results/data_export.hpp"
+#include "tables.hpp"
 
 namespace deixis::results {
 
@@ -20,45 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using SQLite::Statement;
-
-/// A table, and which of its columns are numbers that each database counts for itself.
-struct Table {
-    const char* name;
-    const char* own_id;            ///< counted anew in the joined database; null: none
-    const char* session;           ///< column that refers to sessions.id; null: none
-    const char* response;          ///< column that refers to responses.id; null: none
-    const char* participant_rows;  ///< the rows of a participant (?1)
-};
-
-/// What describes the study: the same in each of its databases, but for the language of its texts.
-constexpr std::array<const char*, 7> study_tables{"study",     "stages",    "systems", "layouts",
-                                                  "distances", "questions", "scores"};
-
-/// In an order in which each row finds what it refers to.
-constexpr std::array<Table, 15> people_tables{{
-    {"participants", nullptr, nullptr, nullptr, "id = ?1"},
-    {"participant_groups", nullptr, nullptr, nullptr, "participant = ?1"},
-    {"participant_fields", nullptr, nullptr, nullptr, "participant = ?1"},
-    {"plans", nullptr, nullptr, nullptr, "participant = ?1"},
-    {"trials", nullptr, nullptr, nullptr, "participant = ?1"},
-    {"trial_stimuli", nullptr, nullptr, nullptr, "participant = ?1"},
-    {"sessions", "id", nullptr, nullptr, "participant = ?1"},
-    {"session_properties", nullptr, "session", nullptr,
-     "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
-    {"consents", nullptr, "session", nullptr, "participant = ?1"},
-    {"responses", "id", "session", nullptr, "participant = ?1"},
-    {"response_stimuli", nullptr, nullptr, "response",
-     "response IN (SELECT id FROM responses WHERE participant = ?1)"},
-    {"answers", nullptr, nullptr, "response",
-     "response IN (SELECT id FROM responses WHERE participant = ?1)"},
-    {"events", "id", "session", nullptr, "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
-    {"tracking_blocks", "id", "session", nullptr,
-     "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
-    {"hand_joints", nullptr, "session", nullptr,
-     "session IN (SELECT id FROM sessions WHERE participant = ?1)"},
-}};
-constexpr Table trial_tracking{"trial_tracking", nullptr, "session", nullptr,
-                               "session IN (SELECT id FROM sessions WHERE participant = ?1)"};
 
 void bindSame(Statement& to, int place, const SQLite::Column& value) {
     if (value.isNull())
@@ -85,7 +46,7 @@ struct Source {
 // All that is kept of a participant, whatever numbers a database counts by itself.
 std::string contentHash(SQLite::Database& database, const std::string& participant) {
     std::string content;
-    const auto add = [&](const Table& table) {
+    const auto add = [&](const PeopleTable& table) {
         Statement rows(database, fmt::format("SELECT * FROM {} WHERE {} ORDER BY 1, 2", table.name,
                                              table.participant_rows));
         rows.bind(1, participant);
@@ -101,8 +62,7 @@ std::string contentHash(SQLite::Database& database, const std::string& participa
                                                    static_cast<std::size_t>(value.getBytes())));
             }
     };
-    for (const Table& table : people_tables) add(table);
-    add(trial_tracking);
+    for (const PeopleTable& table : people_tables) add(table);
     return sha256Hex(content);
 }
 
@@ -173,16 +133,15 @@ class Copier {
     Copier(SQLite::Database& from, SQLite::Database& to) : from_(from), to_(to) {}
 
     void study() {
-        for (const char* table : study_tables) copy({table, nullptr, nullptr, nullptr, "?1 = ?1"}, "");
+        for (const char* table : study_tables) copy({table, nullptr, nullptr, nullptr, "?1 = ?1", ""}, "");
     }
-    void withdrawals() { copy({"withdrawals", "id", nullptr, nullptr, "?1 = ?1"}, ""); }
+    void withdrawals() { copy({"withdrawals", "id", nullptr, nullptr, "?1 = ?1", ""}, ""); }
     void participant(const std::string& id) {
-        for (const Table& table : people_tables) copy(table, id);
-        copy(trial_tracking, id);
+        for (const PeopleTable& table : people_tables) copy(table, id);
     }
 
   private:
-    void copy(const Table& table, const std::string& participant) {
+    void copy(const PeopleTable& table, const std::string& participant) {
         Statement rows(
             from_, fmt::format("SELECT * FROM {} WHERE {} ORDER BY 1", table.name, table.participant_rows));
         rows.bind(1, participant);

@@ -10,7 +10,9 @@ namespace deixis::results {
 Result<void> migrate(SQLite::Database& database, int from_version, const std::filesystem::path& path) {
     if (from_version == schema_version) return {};
     if (from_version == 0) {
-        database.exec(schema_3_tables);
+        database.exec(newest_tables);
+    } else if (from_version == 3) {
+        database.exec(schema_4_from_3);
     } else {
         if (from_version == 1) database.exec(schema_2_from_1);
         if (auto done = migrateTo3(database, path); !done) return done;

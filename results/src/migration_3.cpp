@@ -232,7 +232,7 @@ Result<void> migrateTo3(SQLite::Database& database, const std::filesystem::path&
     for (const char* table : old_tables)
         database.exec(fmt::format("ALTER TABLE {} RENAME TO before_3_{}", table, table));
     database.exec("PRAGMA legacy_alter_table = OFF");
-    database.exec(schema_3_tables);
+    database.exec(newest_tables);
     database.exec(copy_rows);
     const auto number_of = numbers(database);
     insertParticipants(database, number_of);

@@ -1,4 +1,5 @@
-// The step from schema version 2 to 3.
+// The step from schema version 2 to 3, and so to the newest: since then tables have only got columns that may
+// be NULL.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -2,36 +2,16 @@
 #include <fmt/core.h>
 #include <sqlite3.h>
 
-#include <array>
-
+#include "core/hash.hpp"
 #include "database_open.hpp"
 #include "participant_lock.hpp"
 #include "results/participants.hpp"
 #include "results/store.hpp"
+#include "tables.hpp"
 
 namespace deixis::results {
 
 namespace {
-
-// What refers to something comes before it.
-constexpr std::array erasures{
-    "DELETE FROM answers WHERE response IN (SELECT id FROM responses WHERE participant = ?)",
-    "DELETE FROM response_stimuli WHERE response IN (SELECT id FROM responses WHERE participant = ?)",
-    "DELETE FROM responses WHERE participant = ?",
-    "DELETE FROM events WHERE session IN (SELECT id FROM sessions WHERE participant = ?)",
-    "DELETE FROM tracking_blocks WHERE session IN (SELECT id FROM sessions WHERE participant = ?)",
-    "DELETE FROM hand_joints WHERE session IN (SELECT id FROM sessions WHERE participant = ?)",
-    "DELETE FROM trial_tracking WHERE session IN (SELECT id FROM sessions WHERE participant = ?)",
-    "DELETE FROM consents WHERE participant = ?",
-    "DELETE FROM session_properties WHERE session IN (SELECT id FROM sessions WHERE participant = ?)",
-    "DELETE FROM sessions WHERE participant = ?",
-    "DELETE FROM trial_stimuli WHERE participant = ?",
-    "DELETE FROM trials WHERE participant = ?",
-    "DELETE FROM plans WHERE participant = ?",
-    "DELETE FROM participant_fields WHERE participant = ?",
-    "DELETE FROM participant_groups WHERE participant = ?",
-    "DELETE FROM participants WHERE id = ?",
-};
 
 bool known(SQLite::Database& database, const std::string& participant) {
     SQLite::Statement row(database, "SELECT 1 FROM participants WHERE id = ?");
@@ -41,18 +21,25 @@ bool known(SQLite::Database& database, const std::string& participant) {
 
 void erase(SQLite::Database& database, const std::string& participant, double utc_s) {
     database.exec("BEGIN IMMEDIATE");
-    for (const char* sql : erasures) {
-        SQLite::Statement statement(database, sql);
+    // What refers to something goes before it.
+    for (auto table = people_tables.rbegin(); table != people_tables.rend(); ++table) {
+        SQLite::Statement statement(
+            database, fmt::format("DELETE FROM {} WHERE {}", table->name, table->participant_rows));
         statement.bind(1, participant);
         statement.exec();
     }
-    SQLite::Statement count(database, "INSERT INTO withdrawals (utc_s) VALUES (?)");
+    SQLite::Statement count(database, "INSERT INTO withdrawals (utc_s, participant_hash) VALUES (?, ?)");
     count.bind(1, utc_s);
+    count.bind(2, withdrawalHash(database.execAndGet("SELECT hash FROM study").getString(), participant));
     count.exec();
     database.exec("COMMIT");
 }
 
 }  // namespace
+
+std::string withdrawalHash(const std::string& study_hash, const std::string& participant) {
+    return sha256Hex(study_hash + "\n" + participant);
+}
 
 Result<void> withdrawParticipant(const std::filesystem::path& database, const std::string& participant,
                                  double utc_s) {

@@ -7,6 +7,7 @@
 
 #include "database_open.hpp"
 #include "questionnaire_scores.hpp"
+#include "response_reading.hpp"
 
 namespace deixis::results {
 
@@ -204,7 +205,9 @@ void readPreferences(SQLite::Database& database, ResponseTable& table) {
     }
 }
 
-Result<ResponseTable> read(SQLite::Database& database, const fs::path& path) {
+}  // namespace
+
+Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& path) {
     if (database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
         return fail(path.string(), "the database holds no study yet", "Run a session with it first");
     ResponseTable table;
@@ -226,10 +229,8 @@ Result<ResponseTable> read(SQLite::Database& database, const fs::path& path) {
     return table;
 }
 
-}  // namespace
-
 Result<ResponseTable> loadResponses(const fs::path& database) {
-    return readDatabase(database, [&](SQLite::Database& opened) { return read(opened, database); });
+    return readDatabase(database, [&](SQLite::Database& opened) { return readResponses(opened, database); });
 }
 
 }  // namespace deixis::results

@@ -8,10 +8,11 @@ namespace deixis::results {
 inline constexpr int application_id = 0x44584953;
 
 /// SQLite's user_version. Raise it with every change of the tables, and add the step to migrate().
-inline constexpr int schema_version = 3;
+inline constexpr int schema_version = 4;
 
 extern const char* const schema_2_from_1;  ///< brings version 1 to version 2
-extern const char* const schema_3_tables;  ///< for an empty database, or beside old tables renamed
+extern const char* const schema_4_from_3;  ///< brings version 3 to version 4
+extern const char* const newest_tables;    ///< for an empty database, or beside old tables renamed
 extern const char* const newest_views;     ///< replaces them
 
 }  // namespace deixis::results

@@ -46,7 +46,7 @@ std::string schema(const std::filesystem::path& path) {
     return rows(path, "SELECT type, name, sql FROM sqlite_schema ORDER BY type, name");
 }
 
-/// What version 2 (or 1, but for paused_s) says in its words, and version 3 in its own.
+/// What version 2 (or 1, but for paused_s) says in its words, and version 4 in its own.
 struct Told {
     const char* what;
     const char* old_words;
@@ -104,7 +104,7 @@ void checkTold(const std::filesystem::path& old, const std::filesystem::path& fr
 }  // namespace
 
 TEST_SUITE("results/migration") {
-    TEST_CASE("Databases of versions 1 and 2 are brought to version 3 with all that they hold") {
+    TEST_CASE("Databases of versions 1 and 2 are brought to version 4 with all that they hold") {
         for (const int version : {1, 2}) {
             INFO("version " << version);
             const fixtures::Folder folder;
@@ -116,7 +116,7 @@ TEST_SUITE("results/migration") {
             checkTold(folder / "old.sqlite", folder / "a.sqlite", told);
             if (version == 2) checkTold(folder / "old.sqlite", folder / "a.sqlite", told_of_2);
             const auto path = folder / "a.sqlite";
-            CHECK(rows(path, "PRAGMA user_version") == "3\n");
+            CHECK(rows(path, "PRAGMA user_version") == "4\n");
             CHECK(rows(path, "PRAGMA application_id") == fmt::format("{}\n", 0x44584953));
             CHECK(rows(path, "PRAGMA integrity_check") == "ok\n");
             CHECK(rows(path, "SELECT count(*) FROM pragma_foreign_key_check") == "0\n");
@@ -131,6 +131,25 @@ TEST_SUITE("results/migration") {
                   (version == 1 ? "answered|7\n" : "answered|16\n"));
             CHECK(schema(path) == schema(folder / "b.sqlite"));
         }
+    }
+
+    TEST_CASE("A database of version 3 keeps its withdrawals, and says of none of them whose it was") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        { Store store = fixtures::open(path); }
+        const std::string columns = "SELECT * FROM pragma_table_info('withdrawals')";
+        const std::string newest = rows(path, columns);
+        SQLite::Database(path, SQLite::OPEN_READWRITE)
+            .exec(
+                "ALTER TABLE withdrawals DROP COLUMN participant_hash; INSERT INTO withdrawals VALUES (1, "
+                "1.7e9);"
+                "PRAGMA user_version = 3");
+        CHECK(results::listParticipants(path)->withdrawn == 1);
+        CHECK(rows(path, "PRAGMA user_version") == "3\n");
+        { Store store = fixtures::open(path); }
+        CHECK(rows(path, "PRAGMA user_version") == "4\n");
+        CHECK(rows(path, columns) == newest);
+        CHECK(rows(path, "SELECT utc_s, participant_hash IS NULL FROM withdrawals") == "1700000000.0|1\n");
     }
 
     TEST_CASE("Every tracked frame of version 2 is there afterwards, in blocks of one trial") {

@@ -7,6 +7,7 @@
 #include <csignal>
 
 #include "core/files.hpp"
+#include "core/hash.hpp"
 #include "fixtures.hpp"
 #include "results/participants.hpp"
 
@@ -102,6 +103,8 @@ TEST_SUITE("results/withdraw") {
         {
             SQLite::Database database(path.string());
             CHECK(database.execAndGet("SELECT utc_s FROM withdrawals").getDouble() == 1.75e9);
+            CHECK(database.execAndGet("SELECT participant_hash FROM withdrawals").getString() ==
+                  deixis::sha256Hex(database.execAndGet("SELECT hash FROM study").getString() + "\n" + id));
             CHECK(database.execAndGet("SELECT sum(frames) FROM tracking_blocks").getInt() == 1500);
             CHECK(database.execAndGet("SELECT count(*) FROM hand_joints").getInt() == 1500);
             CHECK(database.execAndGet("SELECT count(DISTINCT session) FROM events").getInt() == 3);

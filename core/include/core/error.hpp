@@ -14,7 +14,7 @@ struct Error {
     std::string message;  ///< what was found and what was expected; one sentence, no full stop needed
     std::string mend{};   ///< what the user can do about it; may be empty
 
-    /// "WHERE: MESSAGE. MEND" on one line.
+    /// "WHERE: MESSAGE. MEND" on one line; servers' addresses in it without their passwords.
     [[nodiscard]] std::string text() const;
 };
 

@@ -1,9 +1,10 @@
-// The tables of schema version 3; documented column by column in docs/database.md.
+// The tables of schema version 4; documented column by column in docs/database.md. What server_schema.cpp
+// makes of them for PostgreSQL is made from this text: a new type or function here must be known there.
 #include "schema.hpp"
 
 namespace deixis::results {
 
-const char* const schema_3_tables = R"sql(
+const char* const newest_tables = R"sql(
 -- What a study is. One study a database.
 CREATE TABLE study (
     id       INTEGER PRIMARY KEY CHECK (id = 1),
@@ -101,20 +102,10 @@ CREATE TABLE participant_fields (        -- age, gender, ...: the answers of sta
     PRIMARY KEY (participant, field)
 ) STRICT, WITHOUT ROWID;
 
-CREATE TABLE consents (
-    participant TEXT NOT NULL REFERENCES participants (id),
-    stage       TEXT NOT NULL REFERENCES stages (name),
-    session     INTEGER NOT NULL REFERENCES sessions (id),
-    agreed      INTEGER NOT NULL CHECK (agreed IN (0, 1)),
-    utc_s       REAL NOT NULL,
-    language    TEXT NOT NULL,
-    text        TEXT NOT NULL,           -- what was agreed to
-    PRIMARY KEY (participant, stage, session)
-) STRICT, WITHOUT ROWID;
-
 CREATE TABLE withdrawals (               -- nothing of the person is left but that there was one
-    id    INTEGER PRIMARY KEY,
-    utc_s REAL NOT NULL
+    id               INTEGER PRIMARY KEY,
+    utc_s            REAL NOT NULL,
+    participant_hash TEXT                -- withdrawalHash(): copies elsewhere are erased by it; NULL before version 4
 ) STRICT;
 
 -- What was planned.
@@ -177,6 +168,17 @@ CREATE TABLE sessions (
     UNIQUE (id, participant),
     CHECK ((ended_utc_s IS NULL) = (outcome IS NULL))
 ) STRICT;
+
+CREATE TABLE consents (
+    participant TEXT NOT NULL REFERENCES participants (id),
+    stage       TEXT NOT NULL REFERENCES stages (name),
+    session     INTEGER NOT NULL REFERENCES sessions (id),
+    agreed      INTEGER NOT NULL CHECK (agreed IN (0, 1)),
+    utc_s       REAL NOT NULL,
+    language    TEXT NOT NULL,
+    text        TEXT NOT NULL,           -- what was agreed to
+    PRIMARY KEY (participant, stage, session)
+) STRICT, WITHOUT ROWID;
 
 CREATE TABLE session_properties (
     session INTEGER NOT NULL REFERENCES sessions (id),

@@ -1,0 +1,21 @@
+// Addresses of PostgreSQL servers in what people type, and without their passwords in what is printed or
+// kept.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace deixis {
+
+/// Whether it begins postgresql:// or postgres://.
+[[nodiscard]] bool isServerAddress(std::string_view text);
+
+/// Whether user and password, where there are any, can be told from host, port and database without doubt:
+/// not where a password holds @ or / as they are, or where no @ follows it.
+[[nodiscard]] bool isPlainServerAddress(std::string_view address);
+
+/// The text with each server's address in it as it may be shown: without password, and without the parameters
+/// that do not tell which server it is. An address that is not plain becomes "postgresql://...".
+[[nodiscard]] std::string withoutPasswords(std::string_view text);
+
+}  // namespace deixis

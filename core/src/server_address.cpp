@@ -1,0 +1,90 @@
+#include "core/server_address.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace deixis {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> server_schemes{"postgresql://", "postgres://"};
+constexpr std::string_view unknown_address = "postgresql://...";
+constexpr std::string_view address_ends = " \t\n\"'";
+
+std::size_t schemeLength(std::string_view text) {
+    for (const std::string_view scheme : server_schemes)
+        if (text.starts_with(scheme)) return scheme.size();
+    return 0;
+}
+
+bool allDigits(std::string_view text) {
+    return std::all_of(text.begin(), text.end(),
+                       [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
+}
+
+std::string shownServerAddress(std::string_view address) {
+    const std::string_view rest = address.substr(schemeLength(address));
+    if (!isPlainServerAddress(address)) return std::string(unknown_address);
+    const auto at = rest.find('@');
+    std::string out = "postgresql://";
+    std::string_view place = rest;
+    if (at != std::string_view::npos) {
+        const std::string_view user = rest.substr(0, at);
+        out += std::string(user.substr(0, user.find(':'))) + "@";
+        place = rest.substr(at + 1);
+    }
+    const auto question = place.find('?');
+    out += place.substr(0, question);
+    if (question == std::string_view::npos) return out;
+    char before = '?';
+    for (std::string_view left = place.substr(question + 1); !left.empty();) {
+        const std::string_view parameter = left.substr(0, left.find('&'));
+        left.remove_prefix(std::min(left.size(), parameter.size() + 1));
+        const std::string_view name = parameter.substr(0, parameter.find('='));
+        if (name != "host" && name != "hostaddr" && name != "port" && name != "user" && name != "dbname")
+            continue;
+        out += before + std::string(parameter);
+        before = '&';
+    }
+    return out;
+}
+
+}  // namespace
+
+bool isServerAddress(std::string_view text) {
+    return schemeLength(text) > 0;
+}
+
+bool isPlainServerAddress(std::string_view address) {
+    const std::string_view rest = address.substr(schemeLength(address));
+    if (rest.find_first_of(address_ends) != std::string_view::npos) return false;
+    const auto at = rest.find('@');
+    if (at != std::string_view::npos)
+        return rest.find('@', at + 1) == std::string_view::npos && rest.find('/') > at;
+    const std::string_view host = rest.substr(0, rest.find_first_of("/?"));
+    const auto port = host.find(':');
+    return host.starts_with('[') || port == std::string_view::npos || allDigits(host.substr(port + 1));
+}
+
+std::string withoutPasswords(std::string_view text) {
+    std::string out;
+    while (!text.empty()) {
+        if (!isServerAddress(text)) {
+            out += text.front();
+            text.remove_prefix(1);
+            continue;
+        }
+        // A password may hold a space or quote: an @ that comes later, before another address, may end it.
+        const std::string_view nearby = text.substr(0, text.find("postgres", 1));
+        const auto at = nearby.rfind('@');
+        std::string_view address = text.substr(0, text.find_first_of(address_ends, at == text.npos ? 0 : at));
+        while (address.ends_with(':') || address.ends_with(',') || address.ends_with('.'))
+            address.remove_suffix(1);  // the sentence's
+        out += shownServerAddress(address);
+        text.remove_prefix(address.size());
+    }
+    return out;
+}
+
+}  // namespace deixis
