@@ -23,16 +23,17 @@ function(deixis_fetch_figure_libraries)
     find_program(DEIXIS_NPM npm)
     if(DEIXIS_NPM)
         message(STATUS "Fetching what draws the figures:${stale}")
-        execute_process(COMMAND ${DEIXIS_NPM} ci --silent --ignore-scripts --no-audit --no-fund --prefix ${folder}
+        execute_process(COMMAND ${DEIXIS_NPM} ci --loglevel=error --ignore-scripts --no-audit --no-fund --prefix ${folder}
             RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
         if(status EQUAL 0)
             return()
         endif()
-        set(reason "npm failed (${status}) ${said}")
+        string(STRIP "${said}" said)
+        set(reason "npm failed: ${said}")
     else()
         set(reason "there is no npm (scripts/install.sh installs it)")
     endif()
-    message(FATAL_ERROR "What draws the reports' figures is missing in ${folder}/node_modules:${stale}; ${reason}. "
+    message(FATAL_ERROR "What draws the reports' figures is missing in ${folder}/node_modules:${stale}; ${reason}\n"
         "With a network, run: npm ci --prefix ${folder}")
 endfunction()
 
