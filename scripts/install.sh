@@ -15,13 +15,15 @@ packages=(
 )
 if [ "${1:-}" = tests ]; then
     packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 sqlite3 libxml2-utils libbenchmark-dev debootstrap
-        r-base-core r-cran-lme4 r-cran-ordinal postgresql)
-    command -v npm >/dev/null || packages+=(nodejs npm)
+        r-base-core r-cran-lme4 r-cran-ordinal postgresql chromium poppler-utils)
 fi
 if [ "${1:-}" = list ]; then
     printf '%s\n' "${packages[@]}"
     exit 0
 fi
+# npm fetches what draws the report's figures (results/figures). Not listed: the headset's Debian 13 builds from the same
+# folder, and finds it there.
+command -v npm >/dev/null || packages+=(nodejs npm)
 
 missing=()
 for package in "${packages[@]}"; do

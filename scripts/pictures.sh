@@ -33,7 +33,7 @@ fi
 if has chromium report.png; then
     "$program" simulate pointing2023 --participants 39 --db "$scratch/study.sqlite"
     "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
-    chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1280,990 \
+    chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1280,990 --virtual-time-budget=20000 \
         --user-data-dir="$scratch/browser" --screenshot="$PWD/docs/images/report.png" "file://$scratch/report.html" \
         2>/dev/null
 fi

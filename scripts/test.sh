@@ -9,6 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 scripts/install.sh tests
 [ -d tests/assets/gltf_validator/node_modules ] || npm ci --silent --prefix tests/assets/gltf_validator
+[ -d tests/browser/node_modules ] || npm ci --silent --prefix tests/browser
 
 mkdir -p build/test-logs
 counts=()

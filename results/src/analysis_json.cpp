@@ -2,6 +2,7 @@
 
 #include "bradley_terry_outputs.hpp"
 #include "results/analysis.hpp"
+#include "results/descriptive.hpp"
 
 namespace deixis::results {
 
@@ -21,10 +22,22 @@ Json intervalJson(const std::optional<BootstrapInterval>& interval) {
     return interval ? Json{{"lower", interval->lower}, {"upper", interval->upper}} : Json();
 }
 
+Json boxJson(const std::optional<BoxSummary>& box) {
+    if (!box) return {};
+    return {{"q05", box->q05},
+            {"q25", box->q25},
+            {"median", box->median},
+            {"q75", box->q75},
+            {"q95", box->q95},
+            {"notch_low", box->notch_low},
+            {"notch_high", box->notch_high}};
+}
+
 Json summaryJson(const Summary& summary) {
     const std::size_t participants = summary.by_participant.size();
     return {{"mean", orNull(summary.n > 0, summary.mean)},
             {"interval", intervalJson(summary.interval)},
+            {"box", boxJson(boxSummary(summary.by_participant))},
             {"participants", participants},
             {"sd_participants", orNull(participants > 1, summary.sd_participants)},
             {"sd_trials", orNull(summary.n > 1, summary.sd_trials)},

@@ -36,6 +36,7 @@ double meanOf(const std::vector<Rational>& values) {
 void testDifferences(Comparison& comparison, const Cells& cells, double level) {
     const auto differences = pairedDifferences(cells, comparison.a, comparison.b);
     comparison.mean_difference = meanOf(differences);
+    for (const Rational& difference : differences) comparison.differences.push_back(difference.toDouble());
     comparison.test = signedRankTest(differences, level);
     comparison.normality = shapiroWilk(differences);
 }

@@ -78,6 +78,21 @@ double quantile(std::vector<double> x, double q) {
     return x[below] + (position - static_cast<double>(below)) * (x[above] - x[below]);
 }
 
+std::optional<BoxSummary> boxSummary(const std::vector<double>& x) {
+    if (x.empty()) return std::nullopt;
+    BoxSummary box{.n = static_cast<int>(x.size()),
+                   .mean = mean(x),
+                   .median = quantile(x, 0.5),
+                   .q25 = quantile(x, 0.25),
+                   .q75 = quantile(x, 0.75),
+                   .q05 = quantile(x, 0.05),
+                   .q95 = quantile(x, 0.95)};
+    const double notch = 1.57 * (box.q75 - box.q25) / std::sqrt(static_cast<double>(x.size()));
+    box.notch_low = box.median - notch;
+    box.notch_high = box.median + notch;
+    return box;
+}
+
 Rational exactMean(std::span<const Rational> x) {
     const ScaledIntegers scaled = overCommonDenominator(x);
     return ratioOf(moments(scaled).sum, scaled.denominator * x.size());

@@ -43,26 +43,18 @@ void degreesAbove(SvgDrawing& drawing, const Scale& x, double y_top, double y_bo
 }
 
 void boxAlong(SvgDrawing& drawing, const Scale& x, double y, const std::vector<double>& values) {
-    const double q1 = quantile(values, 0.25);
-    const double q3 = quantile(values, 0.75);
-    const double reach = 1.5 * (q3 - q1);
-    double low = q1;
-    double high = q3;
-    for (const double value : values) {
-        if (value >= q1 - reach) low = std::min(low, value);
-        if (value <= q3 + reach) high = std::max(high, value);
-    }
+    const BoxSummary box = *boxSummary(values);
     constexpr double half = 11.0;
-    for (const double end : {low, high}) drawing.line(x(end), y - 5.0, x(end), y + 5.0, "box");
-    drawing.line(x(low), y, x(q1), y, "box");
-    drawing.line(x(q3), y, x(high), y, "box");
-    drawing.rectangle(x(q1), y - half, std::max(0.5, x(q3) - x(q1)), 2.0 * half, R"(class="box area")");
+    for (const double end : {box.q05, box.q95}) drawing.line(x(end), y - 5.0, x(end), y + 5.0, "box");
+    drawing.line(x(box.q05), y, x(box.q25), y, "box");
+    drawing.line(x(box.q75), y, x(box.q95), y, "box");
+    drawing.rectangle(x(box.q25), y - half, std::max(0.5, x(box.q75) - x(box.q25)), 2.0 * half,
+                      R"(class="box area")");
     for (const double value : values)
-        if (value < low || value > high) drawing.circle(x(value), y, 1.9, R"(class="dot")");
-    const double median = x(quantile(values, 0.5));
+        if (value < box.q05 || value > box.q95) drawing.circle(x(value), y, 1.9, R"(class="dot")");
+    const double median = x(box.median);
     drawing.line(median, y - half, median, y + half, "median");
-    drawing.path(fmt::format("M{:.1f} {:.1f}l5 5l-5 5l-5 -5z", x(mean(values)), y - 5.0),
-                 R"(class="diamond")");
+    drawing.path(fmt::format("M{:.1f} {:.1f}l5 5l-5 5l-5 -5z", x(box.mean), y - 5.0), R"(class="diamond")");
 }
 
 }  // namespace

@@ -16,28 +16,19 @@ namespace {
 const char* const dash = "&#8211;";
 
 const char* const evaluation_css = R"css(
-:root { color-scheme: light dark; --paper: #ffffff; --ink: #1c1c1a; --soft: #4c4c48; --rule: #d6d6d1;
-  --thin: #e3e3e0; --shade: #f5f5f2; --warn: #b35900; --warn-paper: #fff6e8; --c0: #0072b2; --c1: #c25b00; }
-@media screen and (prefers-color-scheme: dark) {
-  :root { --paper: #16181b; --ink: #ecece8; --soft: #b4b4ae; --rule: #4a4d52; --thin: #33363a; --shade: #202327;
-    --warn: #f0a04b; --warn-paper: #2c2418; --c0: #62b5ec; --c1: #f39c4a; } }
-body { background: var(--paper); color: var(--ink); }
-h1, h2 { overflow-wrap: anywhere; }
+:root { --c0: #0072b2; --c1: #c25b00; }
+@media screen and (prefers-color-scheme: dark) { :root { --c0: #62b5ec; --c1: #f39c4a; } }
 caption span { display: inline-block; position: sticky; left: 0; max-width: min(48rem, calc(100vw - 3rem)); }
-h2 { border-color: var(--rule); }
-.lead, .small, caption, figcaption, dt { color: var(--soft); }
-.synthetic { border-color: var(--warn); background: var(--warn-paper); }
-figcaption b, caption b { color: var(--ink); }
-th, td { border-color: var(--thin); }
-thead th { border-color: var(--ink); }
-td.not { color: var(--soft); }
 .small { break-after: avoid; }
 .one { max-width: 36rem; margin: 1rem 0; }
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 21rem), 1fr));
   gap: 1.6rem 1.4rem; margin: 1rem 0; }
 .plots figure { max-width: 30rem; }
-figcaption { overflow-wrap: anywhere; }
-svg text { fill: currentColor; }
+figure { margin: 0; break-inside: avoid; }
+figcaption { margin: 0 0 .3rem; overflow-wrap: anywhere; }
+figcaption b { color: var(--ink); font-size: 1rem; }
+svg { width: 100%; height: auto; display: block; }
+svg text { font: 13px "Source Sans 3", "Noto Sans", "DejaVu Sans", Helvetica, Arial, sans-serif; fill: currentColor; }
 svg .strong { font-weight: 600; }
 svg .halo { paint-order: stroke; stroke: var(--paper); stroke-width: 4px; stroke-linejoin: round; }
 svg .grid { stroke: var(--thin); }
@@ -266,7 +257,7 @@ std::string figures(const Evaluation& evaluation) {
     out += figure(
         "<b>Figure 1.</b> Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles; line: "
         "median; "
-        "diamond: mean; whiskers: farthest within 1.5 boxes; points: beyond. Dashed: the ceiling.",
+        "diamond: mean; whiskers: 5th and 95th percentile; points: beyond. Dashed: the ceiling.",
         accuracyBoxesSvg(evaluation), "one");
     out += systemsHtml(evaluation);
     out +=

@@ -5,6 +5,7 @@
 
 #include "bradley_terry_outputs.hpp"
 #include "report_details.hpp"
+#include "report_figures.hpp"
 #include "report_tests.hpp"
 #include "report_text.hpp"
 
@@ -163,10 +164,10 @@ std::string renderReport(const AnalysisResult& result) {
         "charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{} &#8211; "
         "report</title>\n"
-        "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n"
+        "<style>{}{}</style>\n</head>\n<body>\n<h1>{}</h1>\n"
         "<p class=\"lead\">{} participant{} &#183; {} answers &#183; {} systems{}</p>\n",
-        escapeHtml(table.study_title), report_css, escapeHtml(table.study_title), result.participants,
-        result.participants == 1 ? "" : "s", table.rows.size(), table.systems.size(),
+        escapeHtml(table.study_title), report_css, figure_css, escapeHtml(table.study_title),
+        result.participants, result.participants == 1 ? "" : "s", table.rows.size(), table.systems.size(),
         table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
     if (result.synthetic)
         out +=
@@ -174,28 +175,18 @@ std::string renderReport(const AnalysisResult& result) {
             "no evidence "
             "about people.</p>\n";
     out += findingsHtml(result);
-    out += "\n<div class=\"plots\">";
-    for (std::size_t i = 0; i < result.measures.size(); ++i)
-        out +=
-            fmt::format("\n<figure><figcaption><b>{}</b> &#183; participants' means</figcaption>{}</figure>",
-                        result.measures[i].kind == MeasureKind::accuracy
-                            ? "Referential accuracy"
-                            : escapeHtml(capitalised(result.measures[i].name)),
-                        boxPlotSvg(result, i));
-    if (!result.preferences.empty())
-        out += fmt::format(
-            "\n<figure><figcaption><b>Preference</b> &#183; answers for the one, for neither, for the "
-            "other</figcaption>{}</figure>",
-            preferencesSvg(result));
-    out += "</div>";
+    Numbering figures("Figure");
+    out += figuresHtml(result, figures);
     Numbering numbering;
     // One after another: the tables count.
     if (!result.measures.empty()) {
         out += "\n<h2>Means</h2>\n" + meansTable(result, numbering);
+        out += "\n" + distributionsHtml(result, numbering);
         out += "\n" + levelTable(result, "layout", table.layouts, numbering);
         out += "\n" + levelTable(result, "distance", table.distances, numbering);
     }
     out += "\n" + testsHtml(result, numbering);
+    out += "\n" + differencesHtml(result, figures);
     out += "\n" + bradleyTerryHtml(result, numbering);
     out += "\n" + sensitivityHtml(result, numbering);
     out += "\n" + detailsHtml(result, numbering);
@@ -208,6 +199,7 @@ std::string renderReport(const AnalysisResult& result) {
         out += "</ul>";
     }
     out += "\n<h2>Methods</h2>" + methodsHtml(result) + "\n" + provenance(result);
+    out += figuresEnd();
     return out + "\n</body>\n</html>\n";
 }
 

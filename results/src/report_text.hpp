@@ -15,23 +15,29 @@ namespace deixis::results {
 /// Stands where a number is not defined.
 constexpr const char* dash = "&#8211;";
 
-/// Tables are numbered in the order in which they stand.
+/// Tables are numbered in the order in which they stand; so are figures.
 class Numbering {
   public:
-    std::string next() { return fmt::format("<b>Table {}.</b>", ++last_); }
+    explicit Numbering(const char* what = "Table") : what_(what) {}
+    std::string next() { return fmt::format("<b>{} {}.</b>", what_, ++last_); }
 
   private:
+    const char* what_;
     int last_ = 0;
 };
 
 /// Safe as text and as an attribute's value, in HTML and XML.
 [[nodiscard]] std::string escapeHtml(std::string_view text);
 
+/// "***" for p up to 0.001, "**" up to 0.01, "*" up to 0.05, else p itself.
+[[nodiscard]] std::string starsText(double p);
+
 /// "<0.001" or three decimals; escaped.
 [[nodiscard]] std::string pText(double p);
 [[nodiscard]] std::string pText(const std::optional<double>& p);  ///< a dash where there is none
 
 /// A participant's mean, a mean or an SD of a measure: percent with one decimal, or scale points with two.
+/// Text, which HTML takes as it is.
 [[nodiscard]] std::string scoreText(const Measure& measure, double value);
 
 /// "[1.20, 2.31]", both as scoreText has them.
@@ -45,12 +51,6 @@ class Numbering {
 
 /// The page's style sheet.
 extern const char* const report_css;
-
-/// Box plot of one of AnalysisResult::measures, as an SVG element.
-[[nodiscard]] std::string boxPlotSvg(const AnalysisResult& result, std::size_t measure);
-
-/// Preferences as stacked bars, one a pair of systems, as an SVG element.
-[[nodiscard]] std::string preferencesSvg(const AnalysisResult& result);
 
 /// What stands at the head of the page: the main findings in a few sentences, HTML.
 [[nodiscard]] std::string findingsHtml(const AnalysisResult& result);

@@ -157,6 +157,30 @@ TEST_SUITE("results/descriptive") {
         }
         CHECK(sampleSd(std::vector<double>{3.0}) == 0.0);
     }
+
+    TEST_CASE("What a box plot draws are R's type-7 quantiles, and McGill's notch of them") {
+        for (const auto& expected : oracles("describe")) {
+            std::vector<double> x;
+            for (const Rational& value : rationals(expected["x"])) x.push_back(value.toDouble());
+            const auto box = boxSummary(x);
+            REQUIRE(box);
+            std::vector<double> q;
+            for (const auto& value : expected["r"]["q"]) q.push_back(value.get<double>());
+            CHECK(box->n == static_cast<int>(x.size()));
+            CHECK(close(box->mean, expected["r"]["mean"].get<double>(), 1e-12));
+            CHECK(close(box->q05, q[0], 1e-12));
+            CHECK(close(box->q25, q[1], 1e-12));
+            CHECK(close(box->median, q[2], 1e-12));
+            CHECK(close(box->q75, q[3], 1e-12));
+            CHECK(close(box->q95, q[4], 1e-12));
+        }
+        // By hand: quartiles 2 and 4 of five values, so 3 -+ 1.57 * 2 / sqrt(5).
+        const auto five = boxSummary({5.0, 1.0, 4.0, 2.0, 3.0});
+        CHECK(five->notch_low == doctest::Approx(3.0 - 1.4042507));
+        CHECK(five->notch_high == doctest::Approx(3.0 + 1.4042507));
+        CHECK(five->q05 == doctest::Approx(1.2));
+        CHECK(!boxSummary({}));
+    }
 }
 
 TEST_SUITE("results/proportion") {

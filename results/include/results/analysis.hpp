@@ -69,7 +69,8 @@ struct Comparison : AdjustedTest {
     std::string factor{};  ///< empty: a and b are systems; else levels of it, within `system`
     std::string system{};
     std::string a, b;
-    double mean_difference = 0.0;  ///< a - b, mean over the participants paired
+    double mean_difference = 0.0;       ///< a - b, mean over the participants paired
+    std::vector<double> differences{};  ///< a - b of each of them, participants in order
 };
 
 /// Friedman's test over all systems, of the participants who have answers under each of them.
@@ -169,8 +170,8 @@ void runTests(AnalysisResult& result);
 /// One JSON object; its keys stand in docs/analysis.md. Numbers in full precision, fixed order: the same
 /// table gives the same bytes. What is not defined is null.
 [[nodiscard]] std::string analysisJson(const AnalysisResult& result);
-/// A whole, self-contained HTML page (also well-formed XML), without script, outside file or date: the same
-/// table gives the same bytes.
+/// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same table
+/// gives the same bytes. Its figures are Vega-Lite specifications, which the script in it draws.
 [[nodiscard]] std::string renderReport(const AnalysisResult& result);
 
 }  // namespace deixis::results

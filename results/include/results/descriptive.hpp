@@ -29,4 +29,18 @@ struct Description {
 
 [[nodiscard]] Description describe(std::span<const Rational> x);
 
+/// What a box plot draws; quantiles of type 7.
+struct BoxSummary {
+    int n = 0;
+    double mean = 0.0;
+    double median = 0.0;
+    double q25 = 0.0, q75 = 0.0;  ///< the box
+    double q05 = 0.0, q95 = 0.0;  ///< the whiskers' ends
+    /// The median's notch, -+ 1.57 (q75 - q25) / sqrt(n): where those of two samples do not overlap, their
+    /// medians differ at about 5 % (McGill, Tukey & Larsen 1978). May reach beyond the box.
+    double notch_low = 0.0, notch_high = 0.0;
+};
+
+[[nodiscard]] std::optional<BoxSummary> boxSummary(const std::vector<double>& x);  ///< none of no values
+
 }  // namespace deixis::results

@@ -1,0 +1,52 @@
+# Joins the libraries that draw the figures, their licences and page.js into one script that can stand in a page, in
+# HTML and in XML alike:
+#   cmake -DFOLDER=results/figures -DOUT=figures.js -P bundle.cmake
+set(modules ${FOLDER}/node_modules)
+
+# Each licence once, below the names of those that have it.
+file(GLOB licences ${modules}/vega*/LICENSE* ${modules}/d3-*/LICENSE* ${modules}/topojson-client/LICENSE*
+    ${modules}/delaunator/LICENSE* ${modules}/robust-predicates/LICENSE* ${modules}/internmap/LICENSE*
+    ${modules}/semver/LICENSE* ${modules}/fast-json-patch/LICENSE* ${modules}/json-stringify-pretty-compact/LICENSE*
+    ${modules}/tslib/LICENSE*)
+list(SORT licences)
+set(known "")
+foreach(licence IN LISTS licences)
+    file(READ ${licence} text)
+    string(REPLACE "\r" "" text "${text}")
+    string(STRIP "${text}" text)
+    string(SHA256 hash "${text}")
+    get_filename_component(name ${licence} DIRECTORY)
+    get_filename_component(name ${name} NAME)
+    file(READ ${modules}/${name}/package.json description)
+    string(JSON version GET "${description}" version)
+    list(APPEND known ${hash})
+    set(text_${hash} "${text}")
+    string(APPEND names_${hash} "${name} ${version}\n")
+endforeach()
+list(REMOVE_DUPLICATES known)
+set(notice "The figures are drawn by the following libraries, which stand below.\n")
+foreach(hash IN LISTS known)
+    string(APPEND notice "\n${names_${hash}}\n${text_${hash}}\n")
+endforeach()
+
+set(script "")
+foreach(part ${modules}/vega/build/vega.min.js ${modules}/vega-lite/build/vega-lite.min.js
+        ${modules}/vega-embed/build/vega-embed.min.js ${FOLDER}/page.js)
+    file(READ ${part} text)
+    string(REGEX REPLACE "\n//# sourceMappingURL=[^\n]*" "" text "${text}")
+    string(APPEND script "${text}\n")
+endforeach()
+# What would end the element, in XML or in HTML, must not stand in it. In a script "]]>" is two brackets and a greater.
+string(REPLACE "]]>" "]] >" script "${script}")
+string(TOLOWER "${notice}${script}" lower)
+foreach(forbidden "</script" "<!--" "]]>")
+    string(FIND "${lower}" "${forbidden}" at)
+    if(NOT at EQUAL -1)
+        message(FATAL_ERROR "The libraries that draw the figures contain ${forbidden}, which cannot stand in a page.")
+    endif()
+endforeach()
+string(FIND "${notice}" "*/" at)
+if(NOT at EQUAL -1)
+    message(FATAL_ERROR "A licence of the libraries that draw the figures would end its comment.")
+endif()
+file(WRITE ${OUT} "/*!\n${notice}*/\n${script}")

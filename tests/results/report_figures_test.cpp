@@ -1,0 +1,196 @@
+// What the report's figures are told to draw, against the analysis. That it is drawn: tests/browser.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "fixtures.hpp"
+#include "results/analysis.hpp"
+#include "text.hpp"
+
+using namespace deixis;
+using namespace deixis::results;
+using nlohmann::json;
+
+namespace {
+
+/// The Vega-Lite specifications of a page by their figures' ids.
+std::map<std::string, json> specificationsOf(const std::string& page) {
+    std::map<std::string, json> found;
+    const std::string begin = "<script type=\"application/json\">";
+    std::size_t at = 0;
+    while ((at = page.find("\n<figure id=\"", at)) != std::string::npos) {
+        const std::size_t name = at + std::string("\n<figure id=\"").size();
+        const std::size_t from = page.find(begin, at) + begin.size();
+        const std::size_t to = page.find("</script>", from);
+        REQUIRE(to != std::string::npos);
+        found[page.substr(name, page.find('"', name) - name)] = json::parse(page.substr(from, to - from));
+        at = to;
+    }
+    return found;
+}
+
+/// The values of the layers whose data have such a field, one after another.
+std::vector<json> valuesWith(const json& spec, const std::string& field) {
+    std::vector<json> found;
+    for (const json& layer : spec["layer"])
+        if (layer.contains("data"))
+            for (const json& value : layer["data"]["values"])
+                if (value.contains(field)) found.push_back(value);
+    return found;
+}
+
+ResponseTable wholeStudy(const fixtures::Folder& folder) {
+    const auto study = fixtures::study({"demonstration-nn", "direct", "stiff", "drifting"});
+    fixtures::fill(folder / "a.sqlite", study, 39, 5, true, {0.86, 0.95, 0.83, 0.46}, {4.0, 3.6, 2.6, 2.9},
+                   fixtures::everything);
+    return loadResponses(folder / "a.sqlite").value();
+}
+
+}  // namespace
+
+TEST_SUITE("results/report_figures") {
+    TEST_CASE("Box plots draw the quantiles, notches and means of the analysis, and every participant") {
+        const fixtures::Folder folder;
+        const auto result = analyse(wholeStudy(folder));
+        const auto analysis = json::parse(analysisJson(result));
+        const auto figures = specificationsOf(renderReport(result));
+        for (const auto& [id, measure] :
+             {std::pair{"means-1", "accuracy"}, std::pair{"means-2", "naturalness"}}) {
+            const json& spec = figures.at(id);
+            const auto corners = valuesWith(spec, "corner");
+            std::map<int, std::set<double>> heights;  // of the outlines' corners, by box
+            for (const json& corner : corners)
+                if (corner.contains("box")) heights[corner["box"]].insert(corner["y"].get<double>());
+            std::size_t points = 0;
+            std::set<std::pair<double, double>> places;
+            for (const json& layer : spec["layer"])
+                if (layer["mark"]["type"] == "circle")
+                    for (const json& point : layer["data"]["values"]) {
+                        places.emplace(point["x"], point["y"]);
+                        ++points;
+                    }
+            CHECK(points == 4 * 39);
+            CHECK(places.size() == points);  // none lies on another
+            for (int i = 0; i < 4; ++i) {
+                const json& system = analysis["systems"][static_cast<std::size_t>(i)][measure];
+                const json& box = system["box"];
+                for (const char* drawn : {"q25", "median", "q75"}) CHECK(heights[i].count(box[drawn]) == 1);
+                // A notch that reaches beyond the axis ends there.
+                const json& axis =
+                    spec["layer"][id == std::string("means-1") ? 2 : 0]["encoding"]["y"]["scale"]["domain"];
+                CHECK(heights[i].count(std::max(box["notch_low"].get<double>(), axis[0].get<double>())) == 1);
+                std::multiset<double> whiskers;
+                for (const json& line : valuesWith(spec, "y2"))
+                    if (std::abs(line["x"].get<double>() - i) < 0.4) {
+                        whiskers.insert(line["y"].get<double>());
+                        whiskers.insert(line["y2"].get<double>());
+                    }
+                CHECK(*whiskers.begin() == box["q05"]);
+                CHECK(*whiskers.rbegin() == box["q95"]);
+            }
+        }
+    }
+
+    TEST_CASE(
+        "Brackets stand over the pairs that differ, each with the stars of its p, and none over another") {
+        const fixtures::Folder folder;
+        const auto result = analyse(wholeStudy(folder));
+        const auto figures = specificationsOf(renderReport(result));
+        for (const auto& [id, measure] :
+             {std::pair{"means-1", "accuracy"}, std::pair{"means-2", "naturalness"}}) {
+            std::multiset<std::string> wanted;
+            for (const auto& pair : result.pairwise)
+                if (pair.measure == measure && pair.significant)
+                    wanted.insert(*pair.p_holm <= 0.001 ? "***" : *pair.p_holm <= 0.01 ? "**" : "*");
+            REQUIRE(wanted.size() > 1);
+            std::multiset<std::string> drawn;
+            for (const json& star : valuesWith(figures.at(id), "stars")) drawn.insert(star["stars"]);
+            CHECK(drawn == wanted);
+            std::map<double, std::vector<std::pair<double, double>>> levels;  // height: from, to
+            std::map<int, std::vector<json>> brackets;
+            for (const json& corner : valuesWith(figures.at(id), "bracket"))
+                brackets[corner["bracket"]].push_back(corner);
+            for (const auto& [bracket, corners] : brackets) {
+                REQUIRE(corners.size() == 4);
+                const double from = corners[1]["x"];
+                const double to = corners[2]["x"];
+                CHECK(from < to);
+                for (const auto& [low, high] : levels[corners[1]["y"].get<double>()])
+                    CHECK((to < low || high < from));
+                levels[corners[1]["y"].get<double>()].emplace_back(from, to);
+            }
+        }
+    }
+
+    TEST_CASE("Bars of answers hold every answer once, around the middle of the scale") {
+        const fixtures::Folder folder;
+        const auto result = analyse(wholeStudy(folder));
+        const json spec = specificationsOf(renderReport(result)).at("answers-2");
+        std::map<int, std::map<std::string, json>> bars;
+        for (const json& part : spec["data"]["values"])
+            bars[static_cast<int>(std::lround(0.5 * (part["y"].get<double>() + part["y2"].get<double>())))]
+                [part["step"]] = part;
+        REQUIRE(bars.size() == 4);
+        for (const auto& [system, parts] : bars) {
+            double whole = 0.0;
+            for (const auto& [step, part] : parts) {
+                double answers = 0.0;
+                double all = 0.0;
+                for (const auto& row : result.table.rows)
+                    if (row.measure == "naturalness" &&
+                        row.system == result.table.systems[static_cast<std::size_t>(system)]) {
+                        all += 1.0;
+                        answers += row.value == std::stod(step) ? 1.0 : 0.0;
+                    }
+                CHECK(part["share"].get<double>() == doctest::Approx(answers / all));
+                CHECK(part["x2"].get<double>() - part["x"].get<double>() == doctest::Approx(answers / all));
+                whole += answers / all;
+                if (step == "3") CHECK(part["x"].get<double>() == doctest::Approx(-part["x2"].get<double>()));
+            }
+            CHECK(whole == doctest::Approx(1.0));
+        }
+    }
+
+    TEST_CASE("Differences are drawn of every participant who has both, with the test's own interval") {
+        const fixtures::Folder folder;
+        fixtures::fill(folder / "b.sqlite", fixtures::study({"direct", "stiff"}), 12, 5, false, {0.9, 0.5},
+                       {4.0, 2.6}, [](int participant, const studies::Trial& trial) {
+                           return participant != 7 || trial.index < 12;
+                       });
+        const auto result = analyse(loadResponses(folder / "b.sqlite").value());
+        const json spec = specificationsOf(renderReport(result)).at("differences-1");
+        const Comparison& pair = result.pairwise.front();
+        CHECK(static_cast<int>(pair.differences.size()) == pair.test.n_pairs);
+        double sum = 0.0;
+        int points = 0;
+        for (const json& layer : spec["layer"])
+            if (layer["mark"]["type"] == "circle")
+                for (const json& point : layer["data"]["values"]) {
+                    sum += point["x"].get<double>();
+                    ++points;
+                }
+        CHECK(points == pair.test.n_pairs);
+        CHECK(sum / points == doctest::Approx(pair.mean_difference));
+        const json shift = valuesWith(spec, "low").front();
+        CHECK(shift["x"] == *pair.test.hodges_lehmann.estimate);
+        CHECK(shift["low"] == *pair.test.hodges_lehmann.lower);
+        CHECK(shift["high"] == *pair.test.hodges_lehmann.upper);
+    }
+
+    TEST_CASE("Names cannot end a figure's specification, nor the page") {
+        const fixtures::Folder folder;
+        ResponseTable table = wholeStudy(folder);
+        const std::string name = "</script>&amp;]]>\"'\xff";
+        for (auto& system : table.systems)
+            if (system == "direct") system = name;
+        for (auto& row : table.rows)
+            if (row.system == "direct") row.system = name;
+        const auto figures = specificationsOf(renderReport(analyse(table)));
+        CHECK(figures.size() == 5);
+        CHECK(tests::contains(figures.at("means-1")["description"].get<std::string>(),
+                              "</script>&amp;]]>\"'\ufffd"));
+    }
+}
