@@ -22,8 +22,10 @@ struct ReportFiles {
                                        const results::AnalysisOptions& options = {},
                                        const std::string& study = {});
 
-/// The answers of all of them as one table.
-[[nodiscard]] Result<results::ResponseTable> loadAll(const std::vector<std::string>& data);
+/// The answers of all of them as one table. `study`: which of a server's, its name or how its hash begins;
+/// empty where the server holds one.
+[[nodiscard]] Result<results::ResponseTable> loadAll(const std::vector<std::string>& data,
+                                                     const std::string& study = {});
 
 /// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
 [[nodiscard]] Result<void> checkOutput(const std::string& file);
