@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "results/analysis.hpp"
+#include "results/long_table.hpp"
 
 namespace deixis::app {
 
@@ -16,9 +17,10 @@ struct ReportFiles {
     std::string latex{};  ///< a folder
 };
 
-/// Analyses databases of one study, or long tables (CSV), and writes the files.
+/// Analyses databases of one study, or long tables (CSV) with these factors, and writes the files.
 [[nodiscard]] Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
-                                       const results::AnalysisOptions& options = {});
+                                       const results::AnalysisOptions& options = {},
+                                       const results::FactorColumns& factors = {});
 
 /// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
 [[nodiscard]] Result<void> checkOutput(const std::string& file);

@@ -10,7 +10,6 @@
 #include "report.hpp"
 #include "results/analysis.hpp"
 #include "results/analysis_tables.hpp"
-#include "results/long_table.hpp"
 
 namespace deixis::app {
 
@@ -20,6 +19,7 @@ struct ReportArguments {
     std::vector<std::string> data;
     ReportFiles files;
     results::AnalysisOptions analysis;
+    results::FactorColumns factors;
 };
 
 }  // namespace
@@ -35,10 +35,11 @@ Result<void> checkOutput(const std::string& file) {
     return {};
 }
 
-Result<results::ResponseTable> loadAll(const std::vector<std::string>& data) {
+Result<results::ResponseTable> loadAll(const std::vector<std::string>& data,
+                                       const results::FactorColumns& factors) {
     std::vector<results::ResponseTable> tables;
     for (const std::string& file : data) {
-        auto table = results::loadAnswers(file);
+        auto table = results::loadAnswers(file, factors);
         if (!table) return tl::unexpected(table.error());
         tables.push_back(std::move(*table));
     }
@@ -46,12 +47,12 @@ Result<results::ResponseTable> loadAll(const std::vector<std::string>& data) {
 }
 
 Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
-                         const results::AnalysisOptions& options) {
+                         const results::AnalysisOptions& options, const results::FactorColumns& factors) {
     for (const std::string& file : {files.page, files.json})
         if (auto checked = checkOutput(file); !checked) return checked;
     if (!files.page.empty() && files.page == files.json)
         return fail(files.page, "was named for both the page and the JSON");
-    const auto table = loadAll(data);
+    const auto table = loadAll(data, factors);
     if (!table) return tl::unexpected(table.error());
     const auto analysis = results::analyse(*table, options);
     if (!files.page.empty())
@@ -91,11 +92,20 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--resamples", options->analysis.resamples, "Resamples of the bootstrap")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();
+    command
+        ->add_option("--between", options->factors.between,
+                     "Column of CSV files with the groups of a factor between participants; may be repeated")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--within", options->factors.within,
+                     "Column of CSV files with the levels of a factor within participants; may be repeated")
+        ->allow_extra_args(false);
     command->add_option("--seed", options->analysis.seed, "Seed of the bootstrap")->capture_default_str();
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
             const ReportFiles& files = options->files;
-            if (auto done = writeReport(options->data, files, options->analysis); !done) return done;
+            if (auto done = writeReport(options->data, files, options->analysis, options->factors); !done)
+                return done;
             fmt::print("report: {}\n", files.page);
             if (!files.json.empty()) fmt::print("analysis: {}\n", files.json);
             if (!files.csv.empty()) fmt::print("tables: {}\n", files.csv);
