@@ -33,12 +33,14 @@ std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.measures.empty()) return "";
     const bool with_median = std::any_of(result.measures.begin(), result.measures.end(), hasManySteps);
     std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{} Means of each system. Interval: {:g}&#160;%, bootstrap "
+        "<div class=\"scroll\"><table><caption>{} Means of each system, over participants{}. Interval: "
+        "{:g}&#160;%, bootstrap "
         "over "
         "participants. n counts answers.</caption><thead><tr><th>Measure</th><th class=\"text\">System</th>"
         "<th>Mean</th>{}<th>Interval</th><th>SD participants</th><th>SD "
         "trials</th><th>n</th></tr></thead><tbody>",
-        numbering.next(), 100.0 * result.options.level, with_median ? "<th>Median (participants)</th>" : "");
+        numbering.next(), with_median ? ", and medians" : "", 100.0 * result.options.level,
+        with_median ? "<th>Median</th>" : "");
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         for (const auto& system : result.systems)
             out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
