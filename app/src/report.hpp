@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "results/analysis.hpp"
+#include "results/long_table.hpp"
 
 namespace deixis::app {
 
@@ -17,15 +18,20 @@ struct ReportFiles {
     std::string r{};      ///< a folder: the tables as CSV and analysis.R, which computes them anew
 };
 
+/// Which of the answers that the data hold.
+struct DataChoice {
+    std::string study{};  ///< of a server's, its name or how its hash begins; empty: its only one
+    results::FactorColumns factors{};  ///< of long tables
+};
+
 /// Analyses databases of one study, long tables (CSV), or a study on a server, and writes the files.
 [[nodiscard]] Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
                                        const results::AnalysisOptions& options = {},
-                                       const std::string& study = {});
+                                       const DataChoice& choice = {});
 
-/// The answers of all of them as one table. `study`: which of a server's, its name or how its hash begins;
-/// empty where the server holds one.
+/// The answers of all of them as one table.
 [[nodiscard]] Result<results::ResponseTable> loadAll(const std::vector<std::string>& data,
-                                                     const std::string& study = {});
+                                                     const DataChoice& choice = {});
 
 /// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
 [[nodiscard]] Result<void> checkOutput(const std::string& file);

@@ -22,10 +22,16 @@ namespace {
 
 struct ReportArguments {
     std::vector<std::string> data;
-    std::string study;
     ReportFiles files;
     results::AnalysisOptions analysis;
+    DataChoice choice;
 };
+
+/// One of the data: a database, a long table, or a study on a server.
+Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice& choice) {
+    if (isServerAddress(data)) return results::loadServerResponses(data, choice.study);
+    return results::loadAnswers(data, choice.factors);
+}
 
 }  // namespace
 
@@ -40,13 +46,12 @@ Result<void> checkOutput(const std::string& file) {
     return {};
 }
 
-Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, const std::string& study) {
-    if (!study.empty() && std::none_of(data.begin(), data.end(), isServerAddress))
+Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, const DataChoice& choice) {
+    if (!choice.study.empty() && std::none_of(data.begin(), data.end(), isServerAddress))
         return fail("--study", "names a study on a server, but none of the data is a server's address");
     std::vector<results::ResponseTable> tables;
     for (const std::string& file : data) {
-        auto table =
-            isServerAddress(file) ? results::loadServerResponses(file, study) : results::loadAnswers(file);
+        auto table = loadOne(file, choice);
         if (!table) return tl::unexpected(table.error());
         tables.push_back(std::move(*table));
     }
@@ -54,12 +59,12 @@ Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, con
 }
 
 Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
-                         const results::AnalysisOptions& options, const std::string& study) {
+                         const results::AnalysisOptions& options, const DataChoice& choice) {
     for (const std::string& file : {files.page, files.json})
         if (auto checked = checkOutput(file); !checked) return checked;
     if (!files.page.empty() && files.page == files.json)
         return fail(files.page, "was named for both the page and the JSON");
-    const auto table = loadAll(data, study);
+    const auto table = loadAll(data, choice);
     if (!table) return tl::unexpected(table.error());
     const auto analysis = results::analyse(*table, options);
     if (!files.page.empty())
@@ -95,7 +100,7 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
                      "Databases of one study, CSV files with one line an answer, or a server's address "
                      "(postgresql://USER@HOST:PORT/DATABASE)")
         ->required();
-    command->add_option("--study", options->study,
+    command->add_option("--study", options->choice.study,
                         "Which study of a server that holds several: its name, or the beginning of its hash");
     command->add_option("-o,--output", options->files.page, "HTML page to write")->default_val("report.html");
     command->add_option("--json", options->files.json, "JSON file to write");
@@ -114,11 +119,19 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--resamples", options->analysis.resamples, "Resamples of the bootstrap")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();
+    command
+        ->add_option("--between", options->choice.factors.between,
+                     "Column of CSV files with the groups of a factor between participants; may be repeated")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--within", options->choice.factors.within,
+                     "Column of CSV files with the levels of a factor within participants; may be repeated")
+        ->allow_extra_args(false);
     command->add_option("--seed", options->analysis.seed, "Seed of the bootstrap")->capture_default_str();
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
             const ReportFiles& files = options->files;
-            if (auto done = writeReport(options->data, files, options->analysis, options->study); !done)
+            if (auto done = writeReport(options->data, files, options->analysis, options->choice); !done)
                 return done;
             fmt::print("report: {}\n", files.page);
             if (!files.json.empty()) fmt::print("analysis: {}\n", files.json);

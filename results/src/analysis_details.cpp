@@ -10,9 +10,7 @@ namespace deixis::results {
 
 namespace {
 
-using RowsOfMeasure = std::vector<const ResponseRow*>;
-
-void compareWithChance(const RowsOfMeasure& rows, const Measure& measure, AnalysisResult& result) {
+void compareWithChance(const RowPointers& rows, const Measure& measure, AnalysisResult& result) {
     std::map<std::string, std::pair<std::int64_t, std::int64_t>> counts;  // right ones, all
     for (const ResponseRow* row : rows) {
         auto& [right, all] = counts[row->system];
@@ -26,7 +24,7 @@ void compareWithChance(const RowsOfMeasure& rows, const Measure& measure, Analys
     }
 }
 
-void describeTimes(const RowsOfMeasure& rows, const Measure& measure, AnalysisResult& result) {
+void describeTimes(const RowPointers& rows, const Measure& measure, AnalysisResult& result) {
     std::map<std::string, std::vector<double>> times;
     for (const ResponseRow* row : rows)
         if (row->response_time_s > 0.0) times[row->system].push_back(row->response_time_s);
@@ -37,8 +35,8 @@ void describeTimes(const RowsOfMeasure& rows, const Measure& measure, AnalysisRe
                                     quantile(of_system, 0.75)});
 }
 
-void compareHalves(const RowsOfMeasure& rows, const Measure& measure, AnalysisResult& result) {
-    std::map<std::string, RowsOfMeasure> by_participant;
+void compareHalves(const RowPointers& rows, const Measure& measure, AnalysisResult& result) {
+    std::map<std::string, RowPointers> by_participant;
     for (const ResponseRow* row : rows)
         if (row->trial >= 0) by_participant[row->participant].push_back(row);
     Cells halves;
@@ -67,7 +65,7 @@ void compareHalves(const RowsOfMeasure& rows, const Measure& measure, AnalysisRe
     out.second = meanOfMeans("second");
 }
 
-void describeItems(const RowsOfMeasure& rows, const Measure& measure, AnalysisResult& result) {
+void describeItems(const RowPointers& rows, const Measure& measure, AnalysisResult& result) {
     std::map<std::string, Scores> by_item;
     for (const ResponseRow* row : rows)
         if (!row->target_id.empty()) by_item[row->target_id].push_back(row->value);
@@ -78,7 +76,17 @@ void describeItems(const RowsOfMeasure& rows, const Measure& measure, AnalysisRe
                      [](const ItemResult& a, const ItemResult& b) { return a.mean < b.mean; });
 }
 
-void countPresence(const std::vector<RowsOfMeasure>& rows, AnalysisResult& result) {
+void poolRatings(const RowPointers& rows, const Measure& measure, AnalysisResult& result) {
+    std::map<std::string, std::vector<double>> by_system;
+    for (const ResponseRow* row : rows) by_system[row->system].push_back(row->value);
+    for (const std::string& system : result.table.systems)
+        if (const auto& one = by_system[system]; !one.empty())
+            result.pooled.push_back({measure.name, system, static_cast<int>(one.size()), mean(one),
+                                     sampleSd(one), quantile(one, 0.05), quantile(one, 0.25),
+                                     quantile(one, 0.5), quantile(one, 0.75), quantile(one, 0.95)});
+}
+
+void countPresence(const std::vector<RowPointers>& rows, AnalysisResult& result) {
     const auto& systems = result.table.systems;
     std::map<std::string, std::vector<std::vector<int>>> counts;
     for (std::size_t m = 0; m < rows.size(); ++m)
@@ -94,8 +102,12 @@ void countPresence(const std::vector<RowsOfMeasure>& rows, AnalysisResult& resul
 
 }  // namespace
 
+bool hasManySteps(const Measure& measure) {
+    return measure.kind == MeasureKind::rating && measure.high - measure.low + 1.0 > 10.0;
+}
+
 void describeAnswers(AnalysisResult& result) {
-    std::vector<RowsOfMeasure> rows(result.measures.size());
+    std::vector<RowPointers> rows(result.measures.size());
     for (const ResponseRow& row : result.table.rows)
         for (std::size_t m = 0; m < rows.size(); ++m)
             if (row.measure == result.measures[m].name) rows[m].push_back(&row);
@@ -106,6 +118,7 @@ void describeAnswers(AnalysisResult& result) {
         describeTimes(rows[m], measure, result);
         compareHalves(rows[m], measure, result);
         describeItems(rows[m], measure, result);
+        if (measure.kind == MeasureKind::rating) poolRatings(rows[m], measure, result);
     }
     std::vector<AdjustedTest*> family;
     for (OrderResult& one : result.order) family.push_back(&one);

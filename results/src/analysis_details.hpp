@@ -1,11 +1,26 @@
-// What an analysis tells besides its tests; private to the analysis.
+// The parts of an analysis; private to it. Each fills in its own of the result, and needs the measures.
 #pragma once
 
 #include "results/analysis.hpp"
 
 namespace deixis::results {
 
-/// Fills in chance, times, order, items and presence. Needs the measures.
+/// Means of the levels of each factor within participants, and tests of all pairs of levels.
+void compareLevels(AnalysisResult& result);
+
+/// Sensitivity: the pairs of systems with other participants and trials. Needs pairwise and preferences.
+void compareOtherAnswers(AnalysisResult& result);
+
+/// Factors between participants.
+void compareGroups(AnalysisResult& result);
+
+/// Questionnaires' scores.
+void summariseScores(AnalysisResult& result);
+
+/// Chance, times, order, items, presence and pooled ratings.
 void describeAnswers(AnalysisResult& result);
+
+/// Confusion and target space.
+void describeChoices(AnalysisResult& result);
 
 }  // namespace deixis::results

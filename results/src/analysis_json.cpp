@@ -36,6 +36,7 @@ Json boxJson(const std::optional<BoxSummary>& box) {
 Json summaryJson(const Summary& summary) {
     const std::size_t participants = summary.by_participant.size();
     return {{"mean", orNull(summary.n > 0, summary.mean)},
+            {"median", orNull(summary.n > 0, summary.median)},
             {"interval", intervalJson(summary.interval)},
             {"box", boxJson(boxSummary(summary.by_participant))},
             {"participants", participants},
@@ -67,6 +68,8 @@ void addTest(Json& out, const AdjustedTest& adjusted, const AnalysisResult& resu
     out["p_pratt"] = orNull(tested, test.pratt_p_two_sided);
     out["p_holm_pratt"] = orNull(adjusted.p_holm_pratt);
     out["depends_on_zeros"] = adjusted.depends_on_zeros;
+    out["p_holm_normal"] = orNull(adjusted.p_holm_normal);
+    out["depends_on_approximation"] = adjusted.depends_on_approximation;
     out["smallest_p"] = orNull(tested, test.smallest_p);
     out["out_of_reach"] = adjusted.out_of_reach;
     out["rank_biserial"] = orNull(test.rank_biserial);
@@ -91,16 +94,20 @@ Json comparisonJson(const Comparison& comparison, const AnalysisResult& result) 
     return out;
 }
 
-Json levelsJson(const AnalysisResult& result, const std::string& factor) {
+/// Rows of a factor; the level stands under `key`, and beside it the factor's name where `with_factor`.
+Json levelsJson(const AnalysisResult& result, const std::string& factor, const std::string& key,
+                bool with_factor) {
     Json out = Json::array();
-    for (const auto& row : result.levels)
-        if (row.factor == factor)
-            out.push_back({{"measure", row.measure},
-                           {"system", row.system},
-                           {factor, row.level},
-                           {"mean", orNull(row.n > 0, row.mean)},
-                           {"sd_trials", orNull(row.n > 1, row.sd_trials)},
-                           {"n", row.n}});
+    for (const auto& row : result.levels) {
+        if (row.factor != factor) continue;
+        Json one{{"measure", row.measure}, {"system", row.system}};
+        if (with_factor) one["factor"] = row.factor;
+        one[key] = row.level;
+        one["mean"] = orNull(row.n > 0, row.mean);
+        one["sd_trials"] = orNull(row.n > 1, row.sd_trials);
+        one["n"] = row.n;
+        out.push_back(std::move(one));
+    }
     return out;
 }
 
@@ -147,6 +154,134 @@ Json omnibusJson(const AnalysisResult& result) {
              {"iman_davenport", {{"f", orNull(f.f)}, {"df1", f.df1}, {"df2", f.df2}, {"p", orNull(f.p)}}}});
     }
     return out;
+}
+
+Json decisionJson(const AdjustedTest& one, double p, const std::optional<double>& p_holm, double alpha) {
+    return {{"n", one.test.n_pairs},
+            {"p", orNull(one.test.n_pairs > 0, p)},
+            {"p_holm", orNull(p_holm)},
+            {"significant", p_holm && *p_holm <= alpha}};
+}
+
+Json countsJson(const AnswerCounts& counts) {
+    return {{"participants", counts.participants}, {"answers", counts.answers}};
+}
+
+Json sensitivityJson(const AnalysisResult& result) {
+    Json pairs = Json::array();
+    for (const SensitivityResult& one : result.sensitivity) {
+        const AdjustedTest& head = one.headline;
+        const auto decision = [&](const AdjustedTest& test) {
+            return decisionJson(test, test.test.p_two_sided, test.p_holm, result.alpha);
+        };
+        Json changes = Json::array();
+        if (head.depends_on_zeros) changes.push_back("pratt");
+        if (head.depends_on_approximation) changes.push_back("normal");
+        if (one.depends_on_left_out) changes.push_back("with_left_out");
+        if (one.depends_on_doubtful) changes.push_back("without_doubtful");
+        pairs.push_back(
+            {{"measure", one.measure},
+             {"a", one.a},
+             {"b", one.b},
+             {"headline", decision(head)},
+             {"pratt", decisionJson(head, head.test.pratt_p_two_sided, head.p_holm_pratt, result.alpha)},
+             {"normal", decisionJson(head, head.test.normal_p_two_sided, head.p_holm_normal, result.alpha)},
+             {"with_left_out", decision(one.with_left_out)},
+             {"without_doubtful", decision(one.without_doubtful)},
+             {"changes", changes}});
+    }
+    return {{"headline", countsJson(result.headline_answers)},
+            {"with_left_out", countsJson(result.answers_with_left_out)},
+            {"without_doubtful", countsJson(result.answers_without_doubtful)},
+            {"pairs", pairs}};
+}
+
+Json betweenJson(const AnalysisResult& result) {
+    Json out = Json::array();
+    for (const BetweenResult& one : result.between) {
+        const RankSumTest& test = one.test;
+        const HodgesLehmann& shift = test.hodges_lehmann;
+        out.push_back({{"measure", one.measure},
+                       {"factor", one.factor},
+                       {"system", one.system},
+                       {"a", one.a},
+                       {"b", one.b},
+                       {"n_a", test.n_a},
+                       {"n_b", test.n_b},
+                       {"mean_a", orNull(test.n_a > 0, one.mean_a)},
+                       {"mean_b", orNull(test.n_b > 0, one.mean_b)},
+                       {"u", orNull(test.p_two_sided.has_value(), test.u)},
+                       {"ties", test.ties},
+                       {"z", orNull(test.z)},
+                       {"p", orNull(test.p_two_sided)},
+                       {"p_holm", orNull(one.p_holm)},
+                       {"significant", one.significant},
+                       {"method", test.method},
+                       {"family", one.family},
+                       {"family_size", one.family_size},
+                       {"alpha", result.alpha},
+                       {"p_normal", orNull(test.normal_p_two_sided)},
+                       {"a12", orNull(test.a12)},
+                       {"cliffs_delta", orNull(test.cliffs_delta)},
+                       {"hodges_lehmann",
+                        {{"estimate", orNull(shift.estimate)},
+                         {"lower", orNull(shift.lower)},
+                         {"upper", orNull(shift.upper)},
+                         {"level", orNull(shift.level)}}}});
+    }
+    return out;
+}
+
+Json scoresJson(const AnalysisResult& result, bool by_group) {
+    Json out = Json::array();
+    for (const ScoreResult& score : result.scores) {
+        if (score.factor.empty() == by_group) continue;
+        Json one{{"stage", score.stage}, {"score", score.score}};
+        if (by_group) {
+            one["factor"] = score.factor;
+            one["level"] = score.level;
+        }
+        one["mean"] = score.mean;
+        one["sd"] = orNull(score.n > 1, score.sd);
+        one["n"] = score.n;
+        one["q25"] = score.q25;
+        one["median"] = score.median;
+        one["q75"] = score.q75;
+        out.push_back(std::move(one));
+    }
+    return out;
+}
+
+void addChoices(Json& out, const AnalysisResult& result) {
+    out["confusion"] = Json::array();
+    for (const ConfusionResult& one : result.confusion)
+        out["confusion"].push_back(
+            {{"system", one.system}, {"role", one.role}, {"chosen", one.chosen}, {"shown", one.shown}});
+    out["target_space"] = Json::array();
+    for (const TargetPlace& one : result.target_space)
+        out["target_space"].push_back({{"system", one.system},
+                                       {"item", one.target_id},
+                                       {"x_m", one.position_m.x},
+                                       {"y_m", one.position_m.y},
+                                       {"z_m", one.position_m.z},
+                                       {"mean", one.mean},
+                                       {"n", one.n}});
+}
+
+void addPooled(Json& out, const AnalysisResult& result) {
+    out["pooled_ratings"] = Json::array();
+    for (const PooledResult& one : result.pooled)
+        out["pooled_ratings"].push_back({{"measure", one.measure},
+                                         {"system", one.system},
+                                         {"n", one.n},
+                                         {"mean", one.mean},
+                                         {"sd", orNull(one.n > 1, one.sd)},
+                                         {"q05", one.q05},
+                                         {"q25", one.q25},
+                                         {"median", one.median},
+                                         {"q75", one.q75},
+                                         {"q95", one.q95},
+                                         {"note", "pseudo-replicated: answers taken as independent"}});
 }
 
 void addDetails(Json& out, const AnalysisResult& result) {
@@ -233,24 +368,30 @@ std::string analysisJson(const AnalysisResult& result) {
             row[result.measures[i].name] = summaryJson(system.measures[i]);
         out["systems"].push_back(std::move(row));
     }
-    out["layouts"] = levelsJson(result, "layout");
-    out["distances"] = levelsJson(result, "distance");
+    out["layouts"] = levelsJson(result, "layout", "layout", false);
+    out["distances"] = levelsJson(result, "distance", "distance", false);
+    out["factor_levels"] = Json::array();
+    for (const Factor& factor : table.within)
+        for (Json& row : levelsJson(result, factor.name, "level", true))
+            out["factor_levels"].push_back(std::move(row));
     out["omnibus"] = omnibusJson(result);
     out["pairwise"] = Json::array();
     for (const auto& comparison : result.pairwise)
         out["pairwise"].push_back(comparisonJson(comparison, result));
     out["layout_tests"] = levelTestsJson(result, "layout");
     out["distance_tests"] = levelTestsJson(result, "distance");
+    out["factor_tests"] = Json::array();
+    for (const Factor& factor : table.within)
+        for (Json& row : levelTestsJson(result, factor.name)) out["factor_tests"].push_back(std::move(row));
     out["preferences"] = preferencesJson(result);
     out["bradley_terry"] = bradleyTerryJson(result);
+    out["sensitivity"] = sensitivityJson(result);
+    out["between"] = betweenJson(result);
     addDetails(out, result);
-    out["scores"] = Json::array();
-    for (const auto& score : result.scores)
-        out["scores"].push_back({{"stage", score.stage},
-                                 {"score", score.score},
-                                 {"mean", score.mean},
-                                 {"sd", orNull(score.n > 1, score.sd)},
-                                 {"n", score.n}});
+    addChoices(out, result);
+    addPooled(out, result);
+    out["scores"] = scoresJson(result, false);
+    out["scores_by_group"] = scoresJson(result, true);
     out["checks"] = Json::array();
     for (const auto& check : table.checks)
         out["checks"].push_back({{"stage", check.stage},

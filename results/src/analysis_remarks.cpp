@@ -23,7 +23,8 @@ void remarkLeftOut(const std::vector<Comparison>& comparisons, const std::string
     result.remarks.push_back(fmt::format(
         "Tests of {}: participants without answers under one of the two conditions are left out; {} of {} "
         "participants enter.",
-        factor.empty() ? measure : factor,
+        factor.empty() || measure == "accuracy" ? (factor.empty() ? measure : factor)
+                                                : fmt::format("{} in {}", factor, measure),
         fewest == most ? fmt::format("{}", most) : fmt::format("{} to {}", fewest, most),
         result.participants));
 }
@@ -50,6 +51,23 @@ void remarkDecisions(const std::vector<Test>& tests, AnalysisResult& result) {
             "{} of {} tests ({}) cannot be significant at {} after Holm's correction, whatever was answered: "
             "they have too few differences other than zero.",
             out_of_reach, tested, tests.front().family, result.alpha));
+}
+
+/// Decisions that hang on whose answers, and which, are taken.
+void remarkSensitivity(AnalysisResult& result) {
+    for (const SensitivityResult& one : result.sensitivity) {
+        const auto remark = [&](const char* choice, const AdjustedTest& other) {
+            result.remarks.push_back(fmt::format(
+                "{}: {} against {} is {}significant at {} and is {}{}{}: the decision depends on that "
+                "choice.",
+                one.headline.family, one.a, one.b, one.headline.significant ? "" : "not ", result.alpha,
+                one.headline.significant ? "not " : "", choice,
+                other.p_holm ? fmt::format(" (p = {:.3g} after Holm's correction)", *other.p_holm) : ""));
+        };
+        if (one.depends_on_left_out) remark("where those who are left out count", one.with_left_out);
+        if (one.depends_on_doubtful)
+            remark("without marked trials and participants who failed a check", one.without_doubtful);
+    }
 }
 
 }  // namespace
@@ -92,15 +110,19 @@ void remarkAnswers(AnalysisResult& result) {
     if (table.withdrawn > 0)
         remarks.push_back(fmt::format("{} {} withdrew; nothing of theirs is kept.", table.withdrawn,
                                       table.withdrawn == 1 ? "participant" : "participants"));
-    for (const std::string& factor : table.between)
+    for (const Factor& factor : table.between)
         remarks.push_back(fmt::format(
-            "Participants differ in {}, which is not compared here: all are taken together.", factor));
+            "Participants differ in {}: systems are compared over all of them, whatever their {}; the groups "
+            "are compared apart.",
+            factor.name, factor.name));
 }
 
 void remarkTests(AnalysisResult& result) {
+    remarkSensitivity(result);
     for (const Measure& measure : result.measures) remarkLeftOut(result.pairwise, measure.name, "", result);
-    for (const char* factor : {"layout", "distance"})
-        remarkLeftOut(result.level_tests, "accuracy", factor, result);
+    for (const Factor& factor : withinFactors(result.table))
+        for (const Measure& measure : result.measures)
+            remarkLeftOut(result.level_tests, measure.name, factor.name, result);
     for (const auto* tests : {&result.pairwise, &result.level_tests}) {
         std::map<std::string, std::vector<Comparison>> families;
         for (const Comparison& one : *tests) families[one.family].push_back(one);

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "analysis_tables_further.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "plain_table.hpp"
 
@@ -12,10 +13,6 @@ namespace deixis::results {
 namespace {
 
 using enum ColumnType;
-
-PlainCell known(bool is_known, double value) {
-    return is_known ? PlainCell(value) : PlainCell();
-}
 
 PlainCell count(std::size_t n) {
     return static_cast<long long>(n);
@@ -34,6 +31,7 @@ PlainTable meansTable(const AnalysisResult& result) {
         {{"measure", text, Print::plain},
          {"system", text, Print::plain},
          {"mean", number, Print::plain, "mean"},
+         {"median", number},
          {"lower", number, Print::plain, "lower"},
          {"upper", number, Print::plain, "upper"},
          {"sd_participants", number, Print::plain, "SD (participants)"},
@@ -44,11 +42,12 @@ PlainTable meansTable(const AnalysisResult& result) {
         for (const SystemResult& system : result.systems) {
             const Summary& one = system.measures[m];
             const std::size_t people = one.by_participant.size();
-            out.rows.push_back({result.measures[m].name, system.system, known(one.n > 0, one.mean),
+            out.rows.push_back({result.measures[m].name, system.system, knownCell(one.n > 0, one.mean),
+                                knownCell(one.n > 0, one.median),
                                 one.interval ? PlainCell(one.interval->lower) : PlainCell(),
                                 one.interval ? PlainCell(one.interval->upper) : PlainCell(),
-                                known(people > 1, one.sd_participants), known(one.n > 1, one.sd_trials),
-                                count(people), count(one.n)});
+                                knownCell(people > 1, one.sd_participants),
+                                knownCell(one.n > 1, one.sd_trials), count(people), count(one.n)});
         }
     return out;
 }
@@ -64,8 +63,8 @@ PlainTable levelsTable(const AnalysisResult& result) {
                     {"sd_trials", number, Print::plain, "SD (trials)"},
                     {"answers", whole, Print::plain}}};
     for (const LevelResult& row : result.levels)
-        out.rows.push_back({row.measure, row.factor, row.system, row.level, known(row.n > 0, row.mean),
-                            known(row.n > 1, row.sd_trials), count(row.n)});
+        out.rows.push_back({row.measure, row.factor, row.system, row.level, knownCell(row.n > 0, row.mean),
+                            knownCell(row.n > 1, row.sd_trials), count(row.n)});
     return out;
 }
 
@@ -106,6 +105,7 @@ std::vector<PlainColumn> testColumns() {
             {"p_normal", number},
             {"p_pratt", number},
             {"p_holm_pratt", number},
+            {"p_holm_normal", number},
             {"smallest_p", number},
             {"significant", truth},
             {"depends_on_zeros", truth},
@@ -135,12 +135,13 @@ void addTest(std::vector<PlainCell>& row, const AdjustedTest& one) {
                            PlainCell(test.w_plus),
                            PlainCell(test.w_minus),
                            plainCell(test.z),
-                           known(tested, test.p_two_sided),
+                           knownCell(tested, test.p_two_sided),
                            plainCell(one.p_holm),
-                           known(tested, test.normal_p_two_sided),
-                           known(tested, test.pratt_p_two_sided),
+                           knownCell(tested, test.normal_p_two_sided),
+                           knownCell(tested, test.pratt_p_two_sided),
                            plainCell(one.p_holm_pratt),
-                           known(tested, test.smallest_p),
+                           plainCell(one.p_holm_normal),
+                           knownCell(tested, test.smallest_p),
                            PlainCell(one.significant),
                            PlainCell(one.depends_on_zeros),
                            PlainCell(one.out_of_reach),
@@ -176,7 +177,7 @@ PlainTable comparisonsTable(const std::string& name, const std::string& caption,
         }
         row.emplace_back(one.a);
         row.emplace_back(one.b);
-        row.push_back(known(one.test.n_pairs > 0, one.mean_difference));
+        row.push_back(knownCell(one.test.n_pairs > 0, one.mean_difference));
         addTest(row, one);
         out.rows.push_back(std::move(row));
     }
@@ -263,20 +264,6 @@ PlainTable itemsTable(const AnalysisResult& result) {
     return out;
 }
 
-PlainTable scoresTable(const AnalysisResult& result) {
-    PlainTable out{"scores",
-                   "Scores of questionnaires over participants",
-                   {{"stage", text, Print::plain},
-                    {"score", text, Print::plain},
-                    {"mean", number, Print::plain},
-                    {"sd", number, Print::plain, "SD"},
-                    {"n", whole, Print::plain, "$n$"}}};
-    for (const ScoreResult& one : result.scores)
-        out.rows.push_back(
-            {one.stage, one.score, PlainCell(one.mean), known(one.n > 1, one.sd), count(one.n)});
-    return out;
-}
-
 PlainTable checksTable(const AnalysisResult& result) {
     PlainTable out{"checks",
                    "Attention checks",
@@ -335,19 +322,32 @@ PlainTable answersTable(const AnalysisResult& result) {
                     {"correct", whole},
                     {"rating", number},
                     {"rt", number},
-                    {"synthetic", truth}}};
+                    {"synthetic", truth},
+                    {"marked", text},
+                    {"excluded", text}}};
+    for (const auto* factors : {&result.table.within, &result.table.between})
+        for (const Factor& factor : *factors) out.columns.push_back({factor.name, text});
     std::map<std::string, bool> is_accuracy;
     for (const Measure& measure : result.table.measures)
         is_accuracy[measure.name] = measure.kind == MeasureKind::accuracy;
-    for (const ResponseRow& row : result.table.rows) {
+    const auto add = [&](const ResponseRow& row) {
         const bool choice = is_accuracy[row.measure];
         out.rows.push_back({row.participant, row.measure, row.system, row.other_system, row.layout,
                             row.distance, row.target_id, row.trial >= 0 ? count(row.trial) : PlainCell(),
                             choice ? count(static_cast<int>(row.value)) : PlainCell(),
                             choice ? PlainCell() : PlainCell(row.value),
                             row.response_time_s > 0.0 ? PlainCell(row.response_time_s) : PlainCell(),
-                            PlainCell(row.synthetic)});
-    }
+                            PlainCell(row.synthetic), row.marked, row.excluded});
+        for (const Factor& factor : result.table.within)
+            out.rows.back().emplace_back(levelOf(result.table, row, factor.name));
+        const auto groups = result.table.groups.find(row.participant);
+        for (const Factor& factor : result.table.between) {
+            const bool known = groups != result.table.groups.end() && groups->second.contains(factor.name);
+            out.rows.back().emplace_back(known ? groups->second.at(factor.name) : std::string());
+        }
+    };
+    for (const ResponseRow& row : result.table.rows) add(row);
+    for (const ResponseRow& row : result.table.left_out_rows) add(row);
     return out;
 }
 
@@ -382,8 +382,8 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
         chanceTable(result),
         orderTable(result),
         timesTable(result),
-        scoresTable(result),
         checksTable(result)};
+    for (PlainTable table : furtherTables(result)) tables.push_back(std::move(table));
     const bool csv = format == TableFormat::csv;
     if (csv)
         for (PlainTable table : {itemsTable(result), leftOutTable(result), participantsTable(result),

@@ -1,5 +1,8 @@
 #include "analysis_tests.hpp"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -23,6 +26,14 @@ std::vector<Rational> pairedDifferences(const Cells& cells, const std::string& a
 
 }  // namespace
 
+std::vector<double> allTrials(const Cells& cells, const std::string& condition) {
+    std::vector<double> trials;
+    if (const auto cell = cells.find(condition); cell != cells.end())
+        for (const auto& [participant, scores] : cell->second)
+            trials.insert(trials.end(), scores.begin(), scores.end());
+    return trials;
+}
+
 Rational exactMeanOf(const Scores& scores) {
     Rational sum;
     for (const double score : scores) sum += Rational::fromShortestDecimal(score);
@@ -45,15 +56,18 @@ void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& n
     constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> p;
     std::vector<double> pratt;
+    std::vector<double> normal;
     int size = 0;
     for (const AdjustedTest* one : family) {
         const bool tested = one->test.n_pairs > 0;
         size += tested ? 1 : 0;
         p.push_back(tested ? one->test.p_two_sided : missing);
         pratt.push_back(tested ? one->test.pratt_p_two_sided : missing);
+        normal.push_back(tested ? one->test.normal_p_two_sided : missing);
     }
     const auto adjusted = holm(p);
     const auto adjusted_pratt = holm(pratt);
+    const auto adjusted_normal = holm(normal);
     for (std::size_t i = 0; i < family.size(); ++i) {
         AdjustedTest& one = *family[i];
         one.family = name;
@@ -61,10 +75,73 @@ void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& n
         if (one.test.n_pairs == 0) continue;
         one.p_holm = adjusted[i];
         one.p_holm_pratt = adjusted_pratt[i];
+        one.p_holm_normal = adjusted_normal[i];
         one.significant = adjusted[i] <= alpha;
         one.depends_on_zeros = one.significant != (adjusted_pratt[i] <= alpha);
+        one.depends_on_approximation = one.significant != (adjusted_normal[i] <= alpha);
         one.out_of_reach = one.test.smallest_p * size > alpha;
     }
+}
+
+CellsByMeasure cellsOf(const RowPointers& rows) {
+    CellsByMeasure cells;
+    for (const ResponseRow* row : rows)
+        cells[row->measure][row->system][row->participant].push_back(row->value);
+    return cells;
+}
+
+std::vector<Comparison> pairTests(const CellsByMeasure& cells, const std::vector<Measure>& measures,
+                                  const std::vector<std::string>& systems, double level, double alpha) {
+    std::vector<Comparison> out;
+    for (const Measure& measure : measures) {
+        const auto found = cells.find(measure.name);
+        const Cells none;
+        const std::size_t family = out.size();
+        for (std::size_t i = 0; i < systems.size(); ++i)
+            for (std::size_t j = i + 1; j < systems.size(); ++j) {
+                Comparison& pair = out.emplace_back();
+                pair.measure = measure.name;
+                pair.a = systems[i];
+                pair.b = systems[j];
+                testDifferences(pair, found == cells.end() ? none : found->second, level);
+            }
+        adjustFrom(out, family, fmt::format("{}: pairs of systems", measure.name), alpha);
+    }
+    return out;
+}
+
+std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
+                                              const std::vector<std::string>& systems, double level,
+                                              double alpha) {
+    const auto order = [&](const std::string& system) {
+        return std::find(systems.begin(), systems.end(), system) - systems.begin();
+    };
+    std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, std::map<std::string, Scores>> pairs;
+    for (const ResponseRow* row : rows) {
+        if (row->measure != "preference") continue;
+        const auto left = order(row->system);
+        const auto right = order(row->other_system);
+        // Positive: for the one that comes first in the study.
+        const double for_first = left < right ? -row->value : row->value;
+        pairs[{std::min(left, right), std::max(left, right)}][row->participant].push_back(for_first);
+    }
+    std::vector<PreferenceResult> out;
+    for (const auto& [pair, participants] : pairs) {
+        PreferenceResult& one = out.emplace_back();
+        one.a = systems[static_cast<std::size_t>(pair.first)];
+        one.b = systems[static_cast<std::size_t>(pair.second)];
+        std::vector<Rational> means;
+        for (const auto& [participant, scores] : participants) {
+            means.push_back(exactMeanOf(scores));
+            for (const double score : scores)
+                (score > 0.0 ? one.prefers_a : score < 0.0 ? one.prefers_b : one.ties) += 1;
+        }
+        one.mean = meanOf(means);
+        one.test = signedRankTest(means, level);
+        one.normality = shapiroWilk(means);
+    }
+    adjustFrom(out, 0, "preference: pairs of systems", alpha);
+    return out;
 }
 
 OmnibusResult omnibusTest(const Cells& cells, const std::string& measure,

@@ -15,6 +15,16 @@ using Scores = std::vector<double>;
 /// Condition -> participant -> scores. std::map keeps the participants in order.
 using Cells = std::map<std::string, std::map<std::string, Scores>>;
 
+/// By measure; the conditions are systems.
+using CellsByMeasure = std::map<std::string, Cells>;
+
+using RowPointers = std::vector<const ResponseRow*>;
+
+[[nodiscard]] CellsByMeasure cellsOf(const RowPointers& rows);
+
+/// Every score under a condition.
+[[nodiscard]] std::vector<double> allTrials(const Cells& cells, const std::string& condition);
+
 /// Scores as the decimals they were given as: means that are equal on paper are equal.
 [[nodiscard]] Rational exactMeanOf(const Scores& scores);
 
@@ -27,6 +37,25 @@ void testDifferences(Comparison& comparison, const Cells& cells, double level);
 
 /// Fills in all that depends on the family, which consists of these tests.
 void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& name, double alpha);
+
+/// The tests from `first` on are a family.
+template <typename Test>
+void adjustFrom(std::vector<Test>& tests, std::size_t first, const std::string& name, double alpha) {
+    std::vector<AdjustedTest*> family;
+    for (std::size_t i = first; i < tests.size(); ++i) family.push_back(&tests[i]);
+    adjustFamily(family, name, alpha);
+}
+
+/// All pairs of systems in each measure, a family each.
+[[nodiscard]] std::vector<Comparison> pairTests(const CellsByMeasure& cells,
+                                                const std::vector<Measure>& measures,
+                                                const std::vector<std::string>& systems, double level,
+                                                double alpha);
+
+/// All pairs of systems that stood side by side, whichever stood left: one family.
+[[nodiscard]] std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
+                                                            const std::vector<std::string>& systems,
+                                                            double level, double alpha);
 
 /// Of the participants who have scores under each of the systems.
 [[nodiscard]] OmnibusResult omnibusTest(const Cells& cells, const std::string& measure,

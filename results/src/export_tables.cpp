@@ -6,7 +6,8 @@ namespace {
 
 using enum ColumnType;
 
-const ExportColumn participant{{"participant", text, "Pseudonymous id"}, "participant", Privacy::participant};
+const ExportColumn participant_column{
+    {"participant", text, "Pseudonymous id"}, "participant", Privacy::participant};
 const ExportColumn session{
     {"session", whole, "One sitting of a participant with the program"}, "session", Privacy::session};
 const ExportColumn trial_index{
@@ -21,7 +22,7 @@ ExportTable responsesTable() {
         "a skipped trial). Answers that were given anew stand with the new ones only.",
         "FROM responses_flat AS f WHERE participant = ?1 ORDER BY trial_index, response, stimulus, question",
         {
-            participant,
+            participant_column,
             {{"participant_status", text,
               "active, excluded (leaves the analysis) or dropped (left the study)"},
              "participant_status"},
@@ -107,7 +108,7 @@ ExportTable trialsTable() {
             "What was planned: one row for each unit that is answered.",
             "FROM trials AS t WHERE participant = ?1 ORDER BY trial_index",
             {
-                participant,
+                participant_column,
                 trial_index,
                 {{"stage", text, "Name of the stage in the study file"}, "stage"},
                 {{"kind", text, "Kind of the stage"}, "kind"},
@@ -140,7 +141,7 @@ ExportTable sessionsTable() {
         "One row for each time that the program ran with a participant.",
         "FROM sessions AS e WHERE participant = ?1 ORDER BY id",
         {
-            participant,
+            participant_column,
             {{"session", whole, "One sitting of a participant with the program"}, "id", Privacy::session},
             {{"station", text, "desktop, headset or simulated"}, "station"},
             {{"station_details", text, "Device, driver, display"}, "station_details", Privacy::left_out},
@@ -167,7 +168,7 @@ ExportTable eventsTable() {
             "participant = ?1 "
             "ORDER BY id",
             {
-                participant,
+                participant_column,
                 session,
                 {{"time_s", number, "When, on the station's clock", "s"}, "time_s", Privacy::clock},
                 {{"utc", text, "When, UTC"},

@@ -15,6 +15,36 @@ void addOnce(std::vector<std::string>& known, const std::vector<std::string>& mo
         if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
 }
 
+void joinFactors(std::vector<Factor>& to, const std::vector<Factor>& from) {
+    for (const Factor& one : from) {
+        const auto known =
+            std::find_if(to.begin(), to.end(), [&](const Factor& f) { return f.name == one.name; });
+        if (known == to.end())
+            to.push_back(one);
+        else
+            addOnce(known->levels, one.levels);
+    }
+}
+
+/// A row holds its levels in the order of its table's factors.
+void joinWithin(ResponseTable& out, ResponseTable& next) {
+    const std::vector<Factor> before = out.within;
+    joinFactors(out.within, next.within);
+    const auto reorder = [&](const std::vector<Factor>& from, std::vector<ResponseRow>& rows) {
+        for (ResponseRow& row : rows) {
+            std::vector<std::string> levels(out.within.size());
+            for (std::size_t i = 0; i < from.size(); ++i)
+                for (std::size_t k = 0; k < out.within.size(); ++k)
+                    if (out.within[k].name == from[i].name) levels[k] = row.within[i];
+            row.within = std::move(levels);
+        }
+    };
+    reorder(before, out.rows);
+    reorder(before, out.left_out_rows);
+    reorder(next.within, next.rows);
+    reorder(next.within, next.left_out_rows);
+}
+
 template <typename T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
@@ -57,18 +87,19 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
     ResponseTable out = tables.front();
     std::map<std::string, const ResponseTable*> file_of;  // by participant
     const auto claim = [&](const ResponseTable& table) -> Result<void> {
-        for (const ResponseRow& row : table.rows)
-            if (const auto [known, is_new] = file_of.try_emplace(row.participant, &table);
-                !is_new && known->second != &table)
-                return fail(
-                    table.database,
-                    fmt::format("participant {} stands in {} too", row.participant, known->second->database),
-                    "Analyse one of the two, or give the participants different names");
+        for (const auto* rows : {&table.rows, &table.left_out_rows})
+            for (const ResponseRow& row : *rows)
+                if (const auto [known, is_new] = file_of.try_emplace(row.participant, &table);
+                    !is_new && known->second != &table)
+                    return fail(table.database,
+                                fmt::format("participant {} stands in {} too", row.participant,
+                                            known->second->database),
+                                "Analyse one of the two, or give the participants different names");
         return {};
     };
     if (auto claimed = claim(tables.front()); !claimed) return tl::unexpected(claimed.error());
     for (std::size_t i = 1; i < tables.size(); ++i) {
-        const ResponseTable& next = tables[i];
+        ResponseTable& next = tables[i];
         if (next.study_hash != out.study_hash || next.alpha != out.alpha)
             return fail(next.database,
                         fmt::format("its study (SHA-256 {:.12}) is not that of {} ({:.12})", next.study_hash,
@@ -78,7 +109,10 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         addOnce(out.systems, next.systems);
         addOnce(out.layouts, next.layouts);
         addOnce(out.distances, next.distances);
-        addOnce(out.between, next.between);
+        joinFactors(out.between, next.between);
+        joinWithin(out, next);
+        out.groups.insert(next.groups.begin(), next.groups.end());
+        out.failed_checks.insert(next.failed_checks.begin(), next.failed_checks.end());
         addOnce(out.program_versions, next.program_versions);
         addOnce(out.avatar_hashes, next.avatar_hashes);
         joinMeasures(out.measures, next.measures);
@@ -88,13 +122,16 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         append(out.stations, next.stations);
         append(out.notes, next.notes);
         append(out.rows, next.rows);
+        append(out.left_out_rows, next.left_out_rows);
+        append(out.choices, next.choices);
         out.planned_participants += next.planned_participants;
         out.withdrawn += next.withdrawn;
         out.database += ", " + next.database;
     }
-    std::stable_sort(out.rows.begin(), out.rows.end(), [](const ResponseRow& a, const ResponseRow& b) {
-        return a.participant < b.participant;
-    });
+    const auto by_participant = [](const auto& a, const auto& b) { return a.participant < b.participant; };
+    std::stable_sort(out.rows.begin(), out.rows.end(), by_participant);
+    std::stable_sort(out.left_out_rows.begin(), out.left_out_rows.end(), by_participant);
+    std::stable_sort(out.choices.begin(), out.choices.end(), by_participant);
     return out;
 }
 

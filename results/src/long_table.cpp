@@ -5,16 +5,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "long_table_cells.hpp"
 
 namespace deixis::results {
 
@@ -37,53 +38,18 @@ enum class LongColumn : std::size_t {
     attention,
     practice,
     synthetic,
-    balls
+    balls,
+    excluded,
+    marked
 };
-constexpr std::size_t long_column_count = static_cast<std::size_t>(LongColumn::balls) + 1;
+constexpr std::size_t long_column_count = static_cast<std::size_t>(LongColumn::marked) + 1;
 constexpr std::array<std::string_view, long_column_count> long_column_names{
-    "participant", "system", "correct", "rating", "response",  "stage",    "measure",   "layout", "distance",
-    "trial",       "order",  "item",    "rt",     "attention", "practice", "synthetic", "balls"};
+    "participant", "system",    "correct", "rating",   "response", "stage", "measure",
+    "layout",      "distance",  "trial",   "order",    "item",     "rt",    "attention",
+    "practice",    "synthetic", "balls",   "excluded", "marked"};
 
 std::size_t place(LongColumn column) {
     return static_cast<std::size_t>(column);
-}
-
-std::string lowered(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    std::string out(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    return out;
-}
-
-bool isMissing(const std::string& lower) {
-    return lower.empty() || lower == "na" || lower == "nan" || lower == "null";
-}
-
-std::optional<bool> truthOf(const std::string& lower) {
-    if (lower == "1" || lower == "true" || lower == "yes") return true;
-    if (lower == "0" || lower == "false" || lower == "no") return false;
-    return std::nullopt;
-}
-
-std::optional<double> numberOf(const std::string& lower) {
-    double value = 0.0;
-    const char* end = lower.data() + lower.size();
-    const auto [at, error] = std::from_chars(lower.data(), end, value);
-    if (error != std::errc() || at != end || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
-enum class Attention : unsigned char { none, check, passed, failed };
-
-std::optional<Attention> attentionOf(const std::string& lower) {
-    if (isMissing(lower) || lower == "none") return Attention::none;
-    if (lower == "passed" || lower == "pass") return Attention::passed;
-    if (lower == "failed" || lower == "fail") return Attention::failed;
-    if (lower == "check") return Attention::check;
-    if (const auto is_check = truthOf(lower)) return *is_check ? Attention::check : Attention::none;
-    return std::nullopt;
 }
 
 void addOnce(std::vector<std::string>& known, const std::string& name) {
@@ -101,8 +67,8 @@ class LongTableReader {
   public:
     using enum LongColumn;
 
-    LongTableReader(const std::filesystem::path& file, std::string_view text)
-        : file_(file.string()), reader_(text, file_), has_() {
+    LongTableReader(const std::filesystem::path& file, std::string_view text, const FactorColumns& factors)
+        : file_(file.string()), reader_(text, file_), factors_(factors), has_() {
         table_.study_name = file.stem().string();
         table_.study_title = file.filename().string();
         table_.database = file.filename().string();
@@ -133,7 +99,7 @@ class LongTableReader {
             if (name == "response_time_s") name = long_column_names[place(rt)];
             const auto known = std::find(long_column_names.begin(), long_column_names.end(), name);
             if (known == long_column_names.end()) {
-                unread.push_back(record_.fields[i]);
+                if (!isFactor(i)) unread.push_back(record_.fields[i]);
                 continue;
             }
             const auto column = static_cast<std::size_t>(known - long_column_names.begin());
@@ -149,10 +115,50 @@ class LongTableReader {
         if (!has_[place(correct)] && !has_[place(rating)] && !has_[place(response)])
             return fail(file_, "has none of the columns \"correct\", \"rating\" and \"response\"",
                         "Name the column of the answers so");
+        for (const auto& [asked, option, factors, found] :
+             {std::tuple(&factors_.between, "--between", &table_.between, &between_at_),
+              std::tuple(&factors_.within, "--within", &table_.within, &within_at_)})
+            for (const std::string& name : *asked) {
+                if (auto at = factorColumn(name, option); at)
+                    found->push_back(*at);
+                else
+                    return tl::unexpected(at.error());
+                factors->push_back({trimmed(record_.fields[found->back()])});
+            }
+        level_of_.resize(table_.between.size());
         if (!unread.empty())
             table_.notes.push_back(fmt::format("Columns of {} that are not read: {}.", table_.database,
                                                fmt::join(unread, ", ")));
         return {};
+    }
+
+    [[nodiscard]] bool isFactor(std::size_t column) const {
+        const auto names = [&](const std::string& name) {
+            return lowered(name) == lowered(record_.fields[column]);
+        };
+        return std::any_of(factors_.between.begin(), factors_.between.end(), names) ||
+               std::any_of(factors_.within.begin(), factors_.within.end(), names);
+    }
+
+    /// Of the first line.
+    [[nodiscard]] Result<std::size_t> factorColumn(const std::string& name, const char* option) const {
+        const std::string wanted = lowered(name);
+        if (std::find(long_column_names.begin(), long_column_names.end(), wanted) != long_column_names.end())
+            return fail(file_, fmt::format("{} {}: this column has a meaning of its own", option, name),
+                        "Name another column");
+        std::optional<std::size_t> found;
+        for (std::size_t i = 0; i < width_; ++i) {
+            if (lowered(record_.fields[i]) != wanted) continue;
+            if (found || std::count(between_at_.begin(), between_at_.end(), i) +
+                                 std::count(within_at_.begin(), within_at_.end(), i) >
+                             0)
+                return fail(file_, fmt::format("{} {}: the column stands twice", option, name));
+            found = i;
+        }
+        if (!found)
+            return fail(file_, fmt::format("{} {}: there is no such column", option, name),
+                        fmt::format("The columns are {}", fmt::join(record_.fields, ", ")));
+        return *found;
     }
 
     [[nodiscard]] const std::string& cell(LongColumn column) const {
@@ -165,10 +171,35 @@ class LongTableReader {
     [[nodiscard]] tl::unexpected<Error> bad(LongColumn column, const char* expected) const {
         return fail(where(column), fmt::format("found \"{}\", expected {}", cell(column), expected));
     }
-    [[nodiscard]] static std::string trimmed(const std::string& text) {
-        const auto first = text.find_first_not_of(" \t\r");
-        if (first == std::string::npos) return {};
-        return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    /// What holds of a participant stands alike in all of the participant's lines; an empty cell says
+    /// nothing.
+    Result<void> agree(std::map<std::string, std::string>& known, const std::string& who,
+                       const std::string& value, const std::string& column) const {
+        if (value.empty()) return {};
+        const auto [found, is_new] = known.try_emplace(who, value);
+        if (is_new || found->second == value) return {};
+        return fail(fmt::format("{}:{}: column \"{}\"", file_, record_.line, column),
+                    fmt::format("found \"{}\", but \"{}\" in an earlier line of participant {}", value,
+                                found->second, who),
+                    "It must be the same in all lines of a participant");
+    }
+
+    Result<void> readFactors(ResponseRow& row) {
+        for (std::size_t i = 0; i < table_.between.size(); ++i) {
+            const std::string level = trimmed(record_.fields[between_at_[i]]);
+            Factor& factor = table_.between[i];
+            if (isMissing(lowered(level))) continue;
+            if (auto same = agree(level_of_[i], row.participant, level, factor.name); !same) return same;
+            addOnce(factor.levels, level);
+            table_.groups[row.participant][factor.name] = level;
+        }
+        for (std::size_t i = 0; i < table_.within.size(); ++i) {
+            const std::string level = trimmed(record_.fields[within_at_[i]]);
+            const bool missing = isMissing(lowered(level));
+            if (!missing) addOnce(table_.within[i].levels, level);
+            row.within.push_back(missing ? "" : level);
+        }
+        return {};
     }
 
     Result<void> readRow() {
@@ -191,12 +222,21 @@ class LongTableReader {
         const auto check = attentionOf(lowered(cell(attention)));
         if (!check) return bad(attention, "0, 1, passed or failed");
         const std::string stage_name = trimmed(cell(stage));
+        row.excluded = reasonOf(cell(excluded), "excluded");
+        if (auto same =
+                agree(excluded_, row.participant, row.excluded.empty() ? "no" : row.excluded, "excluded");
+            !same)
+            return same;
+        row.marked = reasonOf(cell(marked), "marked");
         if (*check != Attention::none) {
             countCheck(stage_name, *check);
+            if (*check == Attention::failed && row.excluded.empty())
+                table_.failed_checks.insert(row.participant);
             return {};
         }
         if (is_practice.value_or(false)) return {};
-        participants_.insert(row.participant);
+        if (auto read = readFactors(row); !read) return read;
+        if (row.excluded.empty()) participants_.insert(row.participant);
         addOnce(table_.systems, row.system);
         addOnce(table_.layouts, row.layout);
         addOnce(table_.distances, row.distance);
@@ -251,6 +291,13 @@ class LongTableReader {
         return table_.measures.back();
     }
 
+    /// Who is left out has no say in what was planned and in the scale.
+    static void count(Measure& of, const ResponseRow& row) {
+        ++of.planned;
+        of.low = std::min(of.low, row.value);
+        of.high = std::max(of.high, row.value);
+    }
+
     [[nodiscard]] std::string ratingName(const std::string& stage_name) const {
         const std::string named = trimmed(cell(measure));
         return !named.empty() ? named : !stage_name.empty() ? stage_name : "rating";
@@ -262,11 +309,9 @@ class LongTableReader {
             return fail(fmt::format("{}:{}", file_, record_.line),
                         fmt::format("\"{}\" is a rating here and right or wrong elsewhere", name),
                         "Give the two different long_column_names in a column \"measure\"");
-        ++of.planned;
-        of.low = std::min(of.low, value);
-        of.high = std::max(of.high, value);
         row.measure = name;
         row.value = value;
+        if (row.excluded.empty()) count(of, row);
         table_.rows.push_back(std::move(row));
         return {};
     }
@@ -296,7 +341,7 @@ class LongTableReader {
         StageResponses& responses = responses_[ratingName(stage_name)];
         const std::string text = lowered(cell(response));
         if (isMissing(text)) {
-            ++responses.missing;
+            responses.missing += row.excluded.empty() ? 1 : 0;
             return {};
         }
         const auto is_true = truthOf(text);
@@ -314,11 +359,10 @@ class LongTableReader {
             const bool accuracy = responses.only_truth;
             const std::string name = accuracy ? "accuracy" : stage_name;
             Measure& of = measureNamed(name, accuracy ? MeasureKind::accuracy : MeasureKind::rating);
-            of.planned += static_cast<int>(responses.rows.size()) + responses.missing;
+            of.planned += responses.missing;
             for (const std::size_t i : responses.rows) {
                 table_.rows[i].measure = name;
-                of.low = std::min(of.low, table_.rows[i].value);
-                of.high = std::max(of.high, table_.rows[i].value);
+                if (table_.rows[i].excluded.empty()) count(of, table_.rows[i]);
             }
             if (accuracy)
                 table_.notes.push_back(fmt::format(
@@ -326,8 +370,25 @@ class LongTableReader {
         }
     }
 
+    void partLeftOut() {
+        for (const auto& [who, reason] : excluded_) {
+            if (reason == "no") continue;
+            // The table of answers writes the status before the reason.
+            const bool dropped = reason.starts_with("dropped: ");
+            const bool with_status = dropped || reason.starts_with("excluded: ");
+            table_.left_out.push_back(
+                {who, dropped, with_status ? reason.substr(reason.find(' ') + 1) : reason});
+        }
+        const auto first = std::stable_partition(table_.rows.begin(), table_.rows.end(),
+                                                 [](const ResponseRow& row) { return row.excluded.empty(); });
+        table_.left_out_rows.assign(std::move_iterator(first), std::move_iterator(table_.rows.end()));
+        table_.rows.erase(first, table_.rows.end());
+        std::erase_if(table_.measures, [](const Measure& one) { return one.planned == 0; });
+    }
+
     Result<ResponseTable> finish() {
         nameResponses();
+        partLeftOut();
         if (table_.rows.empty()) return fail(file_, "holds no answers to analyse");
         for (Measure& one : table_.measures)
             if (one.kind == MeasureKind::accuracy) {
@@ -342,8 +403,8 @@ class LongTableReader {
             table_.notes.push_back(fmt::format(
                 "{} attention checks are left out; whether they were passed is not told.", unscored_checks_));
         table_.planned_participants = static_cast<int>(participants_.size());
-        std::stable_sort(
-            table_.rows.begin(), table_.rows.end(), [](const ResponseRow& a, const ResponseRow& b) {
+        for (auto* rows : {&table_.rows, &table_.left_out_rows})
+            std::stable_sort(rows->begin(), rows->end(), [](const ResponseRow& a, const ResponseRow& b) {
                 return a.participant != b.participant ? a.participant < b.participant : a.trial < b.trial;
             });
         return std::move(table_);
@@ -352,6 +413,11 @@ class LongTableReader {
     std::string file_;
     CsvReader reader_;
     CsvRecord record_;
+    const FactorColumns& factors_;
+    std::vector<std::size_t> between_at_;  ///< columns of ResponseTable::between
+    std::vector<std::size_t> within_at_;
+    std::vector<std::map<std::string, std::string>> level_of_;  ///< by factor between, of each participant
+    std::map<std::string, std::string> excluded_;               ///< participant: why, or "no"
     std::array<std::optional<std::size_t>, long_column_count> has_;
     std::size_t width_ = 0;
     ResponseTable table_;
@@ -364,18 +430,27 @@ class LongTableReader {
 
 }  // namespace
 
-Result<ResponseTable> loadLongTable(const std::filesystem::path& file) {
+Result<ResponseTable> loadLongTable(const std::filesystem::path& file, const FactorColumns& factors) {
     const auto text = readFile(file);
     if (!text) return tl::unexpected(text.error());
-    return LongTableReader(file, *text).read();
+    return LongTableReader(file, *text, factors).read();
 }
 
-Result<ResponseTable> loadAnswers(const std::filesystem::path& file) {
+Result<ResponseTable> loadAnswers(const std::filesystem::path& file, const FactorColumns& factors) {
     std::ifstream in(file, std::ios::binary);
     std::string start(15, '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    const bool no_bytes = in.is_open() && in.gcount() == 0;
+    std::error_code code;
+    if (no_bytes && std::filesystem::is_regular_file(file, code))
+        return fail(file.string(),
+                    "the file is empty (0 bytes); expected a database or a CSV file with answers");
     const bool csv = in.gcount() > 0 && start != "SQLite format 3";
-    return csv ? loadLongTable(file) : loadResponses(file);
+    if (csv) return loadLongTable(file, factors);
+    if (!factors.between.empty() || !factors.within.empty())
+        return fail(file.string(), "--between and --within name columns of CSV files, and this is a database",
+                    "Leave them out: its study names its factors");
+    return loadResponses(file);
 }
 
 }  // namespace deixis::results

@@ -57,6 +57,10 @@ struct LatexCell {
 
 }  // namespace
 
+PlainCell knownCell(bool known, double value) {
+    return known ? PlainCell(value) : PlainCell();
+}
+
 PlainCell plainCell(const std::optional<double>& value) {
     return value ? PlainCell(*value) : PlainCell();
 }

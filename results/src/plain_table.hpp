@@ -35,6 +35,7 @@ struct PlainTable {
 };
 
 [[nodiscard]] PlainCell plainCell(const std::optional<double>& value);
+[[nodiscard]] PlainCell knownCell(bool known, double value);
 
 /// Safe for spreadsheets (safeText()).
 [[nodiscard]] std::string csvText(const PlainTable& table);

@@ -2,10 +2,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 
 #include "bradley_terry_outputs.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
+#include "report_tables.hpp"
 #include "report_tests.hpp"
 #include "report_text.hpp"
 
@@ -13,78 +15,83 @@ namespace deixis::results {
 
 namespace {
 
-std::string cells(const Summary& summary, const Measure& measure) {
+std::string cells(const Summary& summary, const Measure& measure, bool with_median) {
     const auto number = [&](bool known, double value) {
         return known ? scoreText(measure, value) : std::string(dash);
     };
     const std::string interval = summary.interval
                                      ? intervalText(measure, summary.interval->lower, summary.interval->upper)
                                      : std::string(dash);
-    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>",
-                       number(summary.n > 0, summary.mean), interval,
-                       number(summary.by_participant.size() > 1, summary.sd_participants),
-                       number(summary.n > 1, summary.sd_trials), summary.n);
+    return fmt::format(
+        "<td>{}</td>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", number(summary.n > 0, summary.mean),
+        with_median
+            ? fmt::format("<td>{}</td>", number(summary.n > 0 && hasManySteps(measure), summary.median))
+            : std::string(),
+        interval, number(summary.by_participant.size() > 1, summary.sd_participants),
+        number(summary.n > 1, summary.sd_trials), summary.n);
 }
 
 std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.measures.empty()) return "";
+    const bool with_median = std::any_of(result.measures.begin(), result.measures.end(), hasManySteps);
     std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{} Means of each system. Interval: {:g}&#160;%, bootstrap "
+        "<div class=\"scroll\"><table><caption>{} Means of each system, over participants{}. Interval: "
+        "{:g}&#160;%, bootstrap "
         "over "
         "participants. n counts answers.</caption><thead><tr><th>Measure</th><th class=\"text\">System</th>"
-        "<th>Mean</th><th>Interval</th><th>SD participants</th><th>SD "
+        "<th>Mean</th>{}<th>Interval</th><th>SD participants</th><th>SD "
         "trials</th><th>n</th></tr></thead><tbody>",
-        numbering.next(), 100.0 * result.options.level);
+        numbering.next(), with_median ? ", and medians" : "", 100.0 * result.options.level,
+        with_median ? "<th>Median</th>" : "");
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         for (const auto& system : result.systems)
             out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
                                escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
-                               cells(system.measures[i], result.measures[i]));
+                               cells(system.measures[i], result.measures[i], with_median));
     return out + "</tbody></table></div>";
 }
 
-/// Rows of one system stand next to each other, in the order of `levels`.
-std::string levelTable(const AnalysisResult& result, const std::string& factor,
-                       const std::vector<std::string>& levels, Numbering& numbering) {
-    if (levels.empty()) return "";
-    std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{} Accuracy by {}: proportion correct, mean &#177; standard "
-        "deviation over trials{}.</caption><thead><tr><th>System</th>",
-        numbering.next(), factor, factor == "layout" ? " (the paper's Table 1)" : "");
-    for (const auto& level : levels) out += fmt::format("<th>{}</th><th>n</th>", escapeHtml(level));
-    out += "</tr></thead><tbody>";
-    std::size_t i = 0;
+/// A row for each system, and one for all; only that one where each system has one level. Empty without
+/// answers.
+std::string levelTable(const AnalysisResult& result, const Measure& measure, const std::string& factor,
+                       Numbering& numbering) {
+    std::vector<std::string> levels;
+    std::map<std::string, std::vector<const LevelResult*>> by_system;
+    bool crossed = false;
     for (const LevelResult& row : result.levels) {
-        if (row.factor != factor) continue;
-        if (i % levels.size() == 0)
-            out += fmt::format("<tr{}><th scope=\"row\">{}</th>", i == 0 ? " class=\"all\"" : "",
-                               escapeHtml(row.system));
-        if (row.n == 0)
-            out += fmt::format("<td>{}</td>", dash);
-        else
-            out += fmt::format("<td>{:.2f} &#177; {}</td>", row.mean,
-                               row.n > 1 ? fmt::format("{:.2f}", row.sd_trials) : std::string(dash));
-        out += fmt::format("<td>{}</td>", row.n);
-        if (++i % levels.size() == 0) out += "</tr>";
+        if (row.factor != factor || row.measure != measure.name) continue;
+        if (row.system == "all") levels.push_back(row.level);
+        by_system[row.system].push_back(&row);
     }
-    return out + "</tbody></table></div>";
-}
-
-std::string scoresTable(const AnalysisResult& result, Numbering& numbering) {
-    if (result.scores.empty()) return "";
-    std::string out = fmt::format(
-        "<h2>Questionnaires</h2><div class=\"scroll\"><table><caption>{} Scores over "
-        "participants.</caption><thead>"
-        "<tr><th>Stage</th><th "
-        "class=\"text\">Score</th><th>Mean</th><th>SD</th><th>n</th></tr></thead><tbody>",
-        numbering.next());
-    for (const auto& score : result.scores)
-        out += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td "
-            "class=\"text\">{}</td><td>{:.2f}</td><td>{}</td><td>{}</td></tr>",
-            escapeHtml(score.stage), escapeHtml(score.score), score.mean,
-            score.n > 1 ? fmt::format("{:.2f}", score.sd) : std::string(dash), score.n);
-    return out + "</tbody></table></div>";
+    if (levels.empty()) return "";
+    std::vector<std::string> systems{"all"};
+    for (const auto& system : result.table.systems) {
+        systems.push_back(system);
+        const auto& rows = by_system[system];
+        crossed = crossed || levels.size() == 1 ||
+                  std::count_if(rows.begin(), rows.end(), [](const auto* row) { return row->n > 0; }) > 1;
+    }
+    if (!crossed) systems.resize(1);
+    const bool accuracy = measure.kind == MeasureKind::accuracy;
+    std::string columns = "<th>System</th>";
+    for (const auto& level : levels) columns += fmt::format("<th>{}</th><th>n</th>", escapeHtml(level));
+    std::string out = openTable(fmt::format("{} by {}: {}mean &#177; standard deviation over trials{}.",
+                                            escapeHtml(capitalised(measure.name)), escapeHtml(factor),
+                                            accuracy ? "proportion correct, " : "",
+                                            accuracy && factor == "layout" ? " (the paper's Table 1)" : ""),
+                                columns, numbering);
+    for (const auto& system : systems) {
+        out += fmt::format("<tr{}><th scope=\"row\">{}</th>", system == "all" ? " class=\"all\"" : "",
+                           escapeHtml(system));
+        for (const LevelResult* row : by_system[system]) {
+            const std::string sd = row->n > 1 ? fmt::format("{:.2f}", row->sd_trials) : std::string(dash);
+            out += row->n == 0 ? fmt::format("<td>{}</td><td>0</td>", dash)
+                               : fmt::format("<td>{} &#177; {}</td><td>{}</td>",
+                                             signedText(fmt::format("{:.2f}", row->mean)), sd, row->n);
+        }
+        out += "</tr>";
+    }
+    return out + close_table;
 }
 
 std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering) {
@@ -182,15 +189,19 @@ std::string renderReport(const AnalysisResult& result) {
     if (!result.measures.empty()) {
         out += "\n<h2>Means</h2>\n" + meansTable(result, numbering);
         out += "\n" + distributionsHtml(result, numbering);
-        out += "\n" + levelTable(result, "layout", table.layouts, numbering);
-        out += "\n" + levelTable(result, "distance", table.distances, numbering);
+        out += "\n" + pooledHtml(result, numbering);
+        for (const Factor& factor : withinFactors(table))
+            for (const Measure& measure : result.measures)
+                out += "\n" + levelTable(result, measure, factor.name, numbering);
     }
     out += "\n" + testsHtml(result, numbering);
     out += "\n" + differencesHtml(result, figures);
     out += "\n" + bradleyTerryHtml(result, numbering);
     out += "\n" + sensitivityHtml(result, numbering);
+    out += "\n" + betweenHtml(result, numbering);
+    out += "\n" + choicesHtml(result, numbering);
     out += "\n" + detailsHtml(result, numbering);
-    out += "\n" + scoresTable(result, numbering);
+    out += "\n" + scoresHtml(result, numbering);
     out += "\n" + checksAndLeftOut(result, numbering);
     out += "\n" + presenceHtml(result, numbering);
     if (!result.remarks.empty()) {

@@ -1,5 +1,7 @@
 #include "report_details.hpp"
 
+#include "report_tables.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,22 +11,9 @@ namespace deixis::results {
 
 namespace {
 
-std::string openTable(const std::string& caption, const std::string& columns, Numbering& numbering) {
-    return fmt::format(
-        "<div class=\"scroll\"><table><caption>{} {}</caption><thead><tr>{}</tr></thead><tbody>",
-        numbering.next(), caption, columns);
-}
-
-constexpr const char* close_table = "</tbody></table></div>";
-
-const Measure& measureOf(const AnalysisResult& result, const std::string& name) {
-    return *std::find_if(result.measures.begin(), result.measures.end(),
-                         [&](const Measure& one) { return one.name == name; });
-}
-
 std::string chanceTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.chance.empty()) return "";
-    const Measure& accuracy = measureOf(result, "accuracy");
+    const Measure accuracy = measureOf(result, "accuracy");
     const bool known = accuracy.balls > 1;
     std::string out = openTable(
         fmt::format(
@@ -55,7 +44,7 @@ std::string orderTable(const AnalysisResult& result, Numbering& numbering) {
         "<th>Measure</th><th>First half</th><th>Second half</th><th>n</th><th>p</th><th>p (Holm)</th>",
         numbering);
     for (const OrderResult& one : result.order) {
-        const Measure& measure = measureOf(result, one.measure);
+        const Measure measure = measureOf(result, one.measure);
         out += fmt::format(
             "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
             escapeHtml(capitalised(one.measure)), scoreText(measure, one.first),
@@ -118,33 +107,6 @@ std::string detailsHtml(const AnalysisResult& result, Numbering& numbering) {
     tables += timesTable(result, numbering);
     tables += itemsTable(result, numbering);
     return tables.empty() ? "" : "<h2>Chance, order, time and items</h2>" + tables;
-}
-
-std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) {
-    std::string rows;
-    bool differ = false;
-    for (const Comparison& one : result.pairwise) {
-        if (one.test.n_pairs == 0) continue;
-        differ = differ || one.depends_on_zeros;
-        rows += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td "
-            "class=\"text\">{}</td><td>{}</td><td>{}</td>"
-            "<td>{}</td><td>{}</td><td>{}</td></tr>",
-            escapeHtml(capitalised(one.measure)), escapeHtml(one.a), escapeHtml(one.b), one.test.n_zero,
-            pText(one.test.p_two_sided), pText(one.test.pratt_p_two_sided),
-            pText(one.test.normal_p_two_sided),
-            one.depends_on_zeros ? "<b>depends on the zeros</b>" : "the same");
-    }
-    if (rows.empty() || result.participants < 2) return "";
-    return "<h2>Sensitivity</h2>" +
-           openTable(
-               "The same pairs of systems with zeros dropped (the headline) and ranked (Pratt), and with the "
-               "normal approximation; p values are not corrected, the decisions are.",
-               "<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th><th>zeros</th><th>p</th>"
-               "<th>p (Pratt)</th><th>p (normal)</th><th>Decision</th>",
-               numbering) +
-           rows + close_table +
-           (differ ? "" : "<p class=\"small\">No decision depends on how zeros are treated.</p>");
 }
 
 std::string presenceHtml(const AnalysisResult& result, Numbering& numbering) {

@@ -10,8 +10,21 @@ namespace deixis::results {
 /// Accuracy against chance, order, response times, items; empty where nothing of it is known.
 [[nodiscard]] std::string detailsHtml(const AnalysisResult& result, Numbering& numbering);
 
-/// The same comparisons of systems under other choices: zeros dropped or ranked, p exact or normal.
+/// The same comparisons of systems under other choices: zeros dropped or ranked, p exact or normal, with and
+/// without exclusions, without doubtful answers.
 [[nodiscard]] std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering);
+
+/// Groups by the factors between participants; empty where there are none.
+[[nodiscard]] std::string betweenHtml(const AnalysisResult& result, Numbering& numbering);
+
+/// Questionnaires' scores; empty where there are none.
+[[nodiscard]] std::string scoresHtml(const AnalysisResult& result, Numbering& numbering);
+
+/// Ratings of scales with many steps, one by one; empty where there are none.
+[[nodiscard]] std::string pooledHtml(const AnalysisResult& result, Numbering& numbering);
+
+/// Confusion and the accuracy over target space; empty where the balls' positions are not known.
+[[nodiscard]] std::string choicesHtml(const AnalysisResult& result, Numbering& numbering);
 
 /// Who answered how often on what; empty where every participant has as many answers under each system.
 [[nodiscard]] std::string presenceHtml(const AnalysisResult& result, Numbering& numbering);

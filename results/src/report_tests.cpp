@@ -4,15 +4,11 @@
 
 #include <algorithm>
 
+#include "report_tables.hpp"
+
 namespace deixis::results {
 
 namespace {
-
-std::string tableHead(const std::string& caption, const std::string& columns, Numbering& numbering) {
-    return fmt::format(
-        "<div class=\"scroll\"><table><caption>{} {}</caption><thead><tr>{}</tr></thead><tbody>",
-        numbering.next(), caption, columns);
-}
 
 std::string verdict(const AdjustedTest& tested) {
     if (tested.test.n_pairs == 0) return "<td class=\"text not\">no participant has both</td>";
@@ -112,7 +108,7 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
     const std::string first = fmt::format("{}<th class=\"text\">A</th><th class=\"text\">B</th>",
                                           factor.empty() ? "" : "<th>System</th>");
     std::vector<std::string> names;
-    std::string out = tableHead(
+    std::string out = openTable(
         fmt::format("{}{} n counts participants.", caption,
                     measure.kind == MeasureKind::accuracy ? " (A &#8722; B in percentage points)." : "."),
         first + "<th>Mean A &#8722; B</th>" + effect_columns, numbering);
@@ -134,7 +130,7 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
     for (const PreferenceResult& pair : result.preferences) rows.push_back(&pair);
     const std::string first = "<th class=\"text\">A</th><th class=\"text\">B</th>";
     std::vector<std::string> names;
-    std::string out = tableHead(
+    std::string out = openTable(
         "Preferences: answers for A, for neither and for B; mean of the participants' means (positive: A). n "
         "counts participants.",
         first + "<th>for A</th><th>equal</th><th>for B</th><th>Mean</th>" + effect_columns, numbering);
@@ -164,7 +160,7 @@ std::string omnibusTable(const AnalysisResult& result, Numbering& numbering) {
             f.p ? pText(*f.p) : std::string(dash));
     }
     if (rows.empty()) return "";
-    return tableHead(
+    return openTable(
                "All systems at once, by Friedman's test of the participants' means. n counts participants "
                "with answers under every system.",
                "<th>Measure</th><th>n</th><th>&#967;&#178;</th><th>df</th><th>p</th><th>Kendall's W</th>"
@@ -188,11 +184,11 @@ std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
                                 escapeHtml(capitalised(measure.name)) + ", all pairs of systems", result,
                                 numbering);
     for (const Measure& measure : result.measures)
-        for (const char* factor : {"layout", "distance"})
-            tables += testTable(
-                result.level_tests, measure, factor,
-                fmt::format("{}, {}s within each system", escapeHtml(capitalised(measure.name)), factor),
-                result, numbering);
+        for (const Factor& factor : withinFactors(result.table))
+            tables += testTable(result.level_tests, measure, factor.name,
+                                fmt::format("{}, levels of {} within each system (all: over the systems)",
+                                            escapeHtml(capitalised(measure.name)), escapeHtml(factor.name)),
+                                result, numbering);
     tables += preferenceTable(result, numbering);
     return tables.empty() ? "" : out + tables;
 }

@@ -77,8 +77,11 @@ std::string extremes(const AnalysisResult& result, std::size_t measure) {
     std::stable_sort(answered.begin(), answered.end(),
                      [&](const auto* a, const auto* b) { return value(a) > value(b); });
     const auto named = [&](const SystemResult* s) {
-        return fmt::format("<b>{}</b> ({})", escapeHtml(s->system),
-                           scoreText(result.measures[measure], value(s)));
+        const Measure& of = result.measures[measure];
+        return fmt::format("<b>{}</b> ({}{})", escapeHtml(s->system), scoreText(of, value(s)),
+                           hasManySteps(of)
+                               ? "; median of participants " + scoreText(of, s->measures[measure].median)
+                               : std::string());
     };
     return fmt::format("{} had the highest mean {}, {} the lowest.", named(answered.front()),
                        escapeHtml(result.measures[measure].name), named(answered.back()));
@@ -104,21 +107,45 @@ std::string significance(const AnalysisResult& result, const std::string& measur
     return out + ".";
 }
 
-std::string levelSentence(const AnalysisResult& result, const std::string& factor) {
+std::string levelSentence(const AnalysisResult& result, const std::string& measure,
+                          const std::string& factor) {
     std::vector<std::string> systems;
     bool tested = false;
+    bool over_systems = false;
     for (const auto& comparison : result.level_tests) {
-        if (comparison.factor != factor) continue;
+        if (comparison.factor != factor || comparison.measure != measure) continue;
         tested = tested || comparison.test.n_pairs > 0;
+        over_systems = comparison.system == "all";
         if (comparison.significant && (systems.empty() || systems.back() != comparison.system))
             systems.push_back(comparison.system);
     }
     if (!tested) return "";
     std::string names;
     for (const auto& system : systems) names += (names.empty() ? "" : ", ") + escapeHtml(system);
-    return systems.empty()
-               ? fmt::format("The {} made no significant difference to accuracy for any system.", factor)
-               : fmt::format("The {} made a significant difference to accuracy for {}.", factor, names);
+    return fmt::format("The {} made {} significant difference to {}{}.", escapeHtml(factor),
+                       systems.empty() ? "no" : "a", escapeHtml(measure),
+                       over_systems      ? ""
+                       : systems.empty() ? " for any system"
+                                         : " for " + names);
+}
+
+std::string groupSentence(const AnalysisResult& result, const std::string& measure,
+                          const std::string& factor) {
+    bool tested = false;
+    std::string names;
+    for (const BetweenResult& one : result.between) {
+        if (one.factor != factor || one.measure != measure) continue;
+        tested = tested || one.test.p_two_sided;
+        if (one.significant)
+            names += fmt::format("{}{} and {} ({})", names.empty() ? "" : ", ", escapeHtml(one.a),
+                                 escapeHtml(one.b),
+                                 one.system == "all" ? "over all systems" : escapeHtml(one.system));
+    }
+    if (!tested) return "";
+    return names.empty() ? fmt::format("The groups by {} do not differ significantly in {}.",
+                                       escapeHtml(factor), escapeHtml(measure))
+                         : fmt::format("Groups by {} that differ significantly in {}: {}.",
+                                       escapeHtml(factor), escapeHtml(measure), names);
 }
 
 std::string preferenceSentence(const AnalysisResult& result) {
@@ -142,17 +169,25 @@ std::string findingsHtml(const AnalysisResult& result) {
         if (result.participants > 1) item += " " + significance(result, result.measures[measure].name);
         if (item.size() > 1) out += "<li>" + item + "</li>";
     }
-    if (result.participants > 1)
-        for (const auto& item :
-             {levelSentence(result, "layout"), levelSentence(result, "distance"), preferenceSentence(result)})
+    if (result.participants > 1) {
+        std::vector<std::string> items;
+        for (const Measure& measure : result.measures) {
+            for (const Factor& factor : withinFactors(result.table))
+                items.push_back(levelSentence(result, measure.name, factor.name));
+            for (const Factor& factor : result.table.between)
+                items.push_back(groupSentence(result, measure.name, factor.name));
+        }
+        items.push_back(preferenceSentence(result));
+        for (const auto& item : items)
             if (!item.empty()) out += "<li>" + item + "</li>";
+    }
     if (out.empty()) return "";
     out = "<ul class=\"findings\">" + out + "</ul>";
     if (result.participants > 1)
         out += fmt::format(
             "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "
-            "tests over participants, after Holm's correction.</p>",
-            result.alpha);
+            "tests over participants{}, after Holm's correction.</p>",
+            result.alpha, result.between.empty() ? "" : " (groups: rank-sum tests)");
     return out;
 }
 
@@ -217,7 +252,8 @@ std::string methodsHtml(const AnalysisResult& result) {
         "zeros "
         "among them, with the closed interval of the exact test. Holm's correction covers the {} pairs of "
         "systems "
-        "within one measure, and for layouts and distances each the tests of all systems; corrected p values "
+        "within one measure, and for each factor within participants the tests of all systems; corrected p "
+        "values "
         "up "
         "to &#945;&#160;=&#160;{} count as significant. A participant without answers under one of two "
         "conditions "
@@ -228,6 +264,19 @@ std::string methodsHtml(const AnalysisResult& result) {
         result.preferences.empty() ? ""
                                    : " Preferences: the same test of the participants' mean preferences "
                                      "against none, Holm over all pairs.");
+    if (!result.between.empty())
+        out +=
+            "<p><b>Groups.</b> Participants of two groups are compared by the two-sided Wilcoxon rank-sum "
+            "test "
+            "of their means, exact with ties too for up to 400 participants: for each system, and over all, "
+            "where a participant's score is the mean of that participant's means under each system. Holm's "
+            "correction covers all of these tests of one factor in one measure.</p>";
+    out +=
+        "<p><b>Other choices.</b> The pairs of systems are tested again with the participants who are left "
+        "out "
+        "(excluded, dropped out; not who refused consent, withdrew, or answered practice and checks), and "
+        "without marked trials and participants who failed an attention check. Each choice has Holm families "
+        "of its own.</p>";
     out +=
         "<p><b>Box plots.</b> Box: 25th to 75th percentile of the participants' means (linear interpolation, "
         "R's type&#160;7); line: median; notch: median &#177; 1.57 box heights / &#8730;n (McGill, Tukey and "
@@ -265,6 +314,8 @@ table { border-collapse: collapse; font-size: .9375rem; break-inside: avoid; }
 caption { text-align: left; padding-bottom: .4rem; }
 caption b { color: var(--ink); }
 th, td { padding: .28rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--thin); }
+table.dense { font-size: .84rem; }
+table.dense th, table.dense td { padding: .25rem .38rem; }
 th:first-child, td:first-child, .text { text-align: left; }
 thead th { border-bottom: 1.5px solid var(--ink); font-weight: 600; vertical-align: bottom; }
 thead tr.over th { border-bottom: none; text-align: center; padding-bottom: 0; }

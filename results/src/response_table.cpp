@@ -7,6 +7,7 @@
 
 #include "database_open.hpp"
 #include "questionnaire_scores.hpp"
+#include "response_details.hpp"
 #include "response_reading.hpp"
 
 namespace deixis::results {
@@ -36,13 +37,12 @@ void readStudy(SQLite::Database& database, ResponseTable& table) {
                    "ORDER BY position");
     table.layouts =
         textColumn(database,
-                   "SELECT name FROM layouts WHERE name IN (SELECT layout FROM trials WHERE kind = "
-                   "'referential-game' AND NOT practice) ORDER BY position");
+                   "SELECT name FROM layouts WHERE name IN (SELECT t.layout FROM trials AS t JOIN "
+                   "trial_stimuli AS s USING (participant, trial_index) WHERE s.scored) ORDER BY position");
     table.distances =
         textColumn(database,
                    "SELECT name FROM distances WHERE name IN (SELECT distance FROM trials WHERE NOT "
                    "practice AND check_kind IS NOT 'catch') ORDER BY position");
-    table.between = textColumn(database, "SELECT DISTINCT factor FROM participant_groups ORDER BY 1");
     table.planned_participants =
         database.execAndGet("SELECT count(*) FROM participants WHERE status = 'active'").getInt();
     table.withdrawn = database.execAndGet("SELECT count(*) FROM withdrawals").getInt();
@@ -135,13 +135,13 @@ void readLeftOut(SQLite::Database& database, ResponseTable& table) {
 // What all rows of a measure have in common.
 constexpr const char* row_columns =
     "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses, "
-    "r.trial_index";
-constexpr int next_column = 9;
+    "r.trial_index, p.status, p.reason";
+constexpr int next_column = 11;
 constexpr const char* row_tables =
     "FROM responses AS r JOIN participants AS p ON p.id = r.participant "
     "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
     "JOIN sessions AS e ON e.id = r.session ";
-constexpr const char* row_counts = "r.superseded IS NULL AND p.status = 'active' AND s.scored ";
+constexpr const char* row_counts = "r.superseded IS NULL AND s.scored ";
 
 ResponseRow baseRow(Statement& rows, const std::string& measure) {
     ResponseRow row;
@@ -155,7 +155,15 @@ ResponseRow baseRow(Statement& rows, const std::string& measure) {
     row.synthetic = rows.getColumn(6).getInt() != 0;
     row.pauses = rows.getColumn(7).getInt();
     row.trial = rows.getColumn(8).getInt();
+    if (rows.getColumn(9).getString() != "active")
+        row.excluded = fmt::format("{}: {}", rows.getColumn(9).getString(), rows.getColumn(10).getString());
     return row;
+}
+
+/// Parts those who are left out from those who count.
+void keepRow(ResponseTable& table, ResponseRow row) {
+    auto& rows = row.excluded.empty() ? table.rows : table.left_out_rows;
+    rows.push_back(std::move(row));
 }
 
 void readRatings(SQLite::Database& database, ResponseTable& table) {
@@ -169,9 +177,10 @@ void readRatings(SQLite::Database& database, ResponseTable& table) {
                                row_columns, row_tables, row_counts));
     while (rows.executeStep()) {
         const bool confidence = rows.getColumn(next_column + 2).getString() == "confidence";
-        table.rows.push_back(
-            baseRow(rows, confidence ? "confidence" : rows.getColumn(next_column + 1).getString()));
-        table.rows.back().value = rows.getColumn(next_column).getDouble();
+        ResponseRow row =
+            baseRow(rows, confidence ? "confidence" : rows.getColumn(next_column + 1).getString());
+        row.value = rows.getColumn(next_column).getDouble();
+        keepRow(table, std::move(row));
     }
 }
 
@@ -183,8 +192,9 @@ void readChoices(SQLite::Database& database, ResponseTable& table) {
                     "'referential-game' AND r.chosen_place IS NOT NULL ORDER BY r.participant, r.trial_index",
                     row_columns, row_tables, row_counts));
     while (rows.executeStep()) {
-        table.rows.push_back(baseRow(rows, "accuracy"));
-        table.rows.back().value = rows.getColumn(next_column).getInt();
+        ResponseRow row = baseRow(rows, "accuracy");
+        row.value = rows.getColumn(next_column).getInt();
+        keepRow(table, std::move(row));
     }
 }
 
@@ -199,9 +209,10 @@ void readPreferences(SQLite::Database& database, ResponseTable& table) {
             "ORDER BY r.participant, r.trial_index",
             row_columns, row_tables, row_counts));
     while (rows.executeStep()) {
-        table.rows.push_back(baseRow(rows, "preference"));
-        table.rows.back().value = rows.getColumn(next_column).getDouble();
-        table.rows.back().other_system = rows.getColumn(next_column + 1).getString();
+        ResponseRow row = baseRow(rows, "preference");
+        row.value = rows.getColumn(next_column).getDouble();
+        row.other_system = rows.getColumn(next_column + 1).getString();
+        keepRow(table, std::move(row));
     }
 }
 
@@ -219,14 +230,37 @@ Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& 
     readChoices(database, table);
     readRatings(database, table);
     readPreferences(database, table);
+    readResponseDetails(database, table);
+    const auto active =
+        textColumn(database, "SELECT id FROM participants WHERE status = 'active' ORDER BY id");
     for (QuestionnaireScore& score : readQuestionnaireScores(database))
-        if (score.value) table.scores.push_back({score.participant, score.stage, score.score, *score.value});
+        if (score.value && std::binary_search(active.begin(), active.end(), score.participant))
+            table.scores.push_back({score.participant, score.stage, score.score, *score.value});
+    if (table.rows.empty() && table.scores.empty() && !table.left_out_rows.empty())
+        return fail(path.string(), "everybody who answered is excluded or dropped out",
+                    "deixis participants include counts them again");
     if (table.rows.empty() && table.scores.empty())
         return fail(path.string(),
                     fmt::format("the database holds no answers yet ({} participants planned)",
                                 table.planned_participants),
                     "Run a session with it first");
     return table;
+}
+
+std::vector<Factor> withinFactors(const ResponseTable& table) {
+    std::vector<Factor> out;
+    if (!table.layouts.empty()) out.push_back({"layout", table.layouts});
+    if (!table.distances.empty()) out.push_back({"distance", table.distances});
+    out.insert(out.end(), table.within.begin(), table.within.end());
+    return out;
+}
+
+std::string levelOf(const ResponseTable& table, const ResponseRow& row, const std::string& factor) {
+    if (factor == "layout") return row.layout;
+    if (factor == "distance") return row.distance;
+    for (std::size_t i = 0; i < table.within.size() && i < row.within.size(); ++i)
+        if (table.within[i].name == factor) return row.within[i];
+    return {};
 }
 
 Result<ResponseTable> loadResponses(const fs::path& database) {

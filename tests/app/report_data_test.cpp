@@ -89,4 +89,47 @@ TEST_SUITE("app/report_data") {
         CHECK(nothing.status == 1);
         CHECK(contains(nothing.err, "missing.csv"));
     }
+
+    TEST_CASE("exclusions, groups and further factors come from columns; an empty file is told to be one") {
+        const Scratch scratch;
+        std::string text = "participant,system,rating,excluded,marked,group,style\n";
+        // Eight rate x above y by 1 to 8, the ninth (excluded) far below.
+        for (int p = 1; p <= 9; ++p)
+            for (const std::string style : {"calm", "lively"}) {
+                const std::string who = "P" + std::to_string(p) + ",";
+                const std::string end = std::string(p == 9 ? ",asleep" : ",") + ",," +
+                                        (p % 2 == 0 ? "even," : "odd,") + style + "\n";
+                text += who + "x," + std::to_string(p == 9 ? 0 : 50 + p) + end;
+                text += who + "y," + std::to_string(50) + end;
+            }
+        spill(scratch / "lab.csv", text);
+        const auto done = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "a.html") +
+                                  " --json " + (scratch / "a.json") + " --csv " + (scratch / "a") +
+                                  " --between group --within style --alpha 0.01");
+        INFO(done.err);
+        REQUIRE(done.status == 0);
+        const json out = json::parse(slurp(scratch / "a.json"));
+        CHECK(out["schema"]["version"] == 2);
+        const json& pair = out["sensitivity"]["pairs"][0];
+        CHECK(pair["headline"]["p_holm"] == 2.0 / 256.0);        // all of 8 differences positive
+        CHECK(pair["with_left_out"]["p_holm"] == 66.0 / 512.0);  // rank 9 negative: 33 of 512 patterns, twice
+        // The normal approximation: z = (36 - 18 - 1/2) / sqrt(51) = 2.45, p = 0.014.
+        CHECK(pair["changes"] == json{"normal", "with_left_out"});
+        // Odd: x at 51, 53, 55, 57; even: 52, 54, 56, 58: U = 6 of 16, in y all are equal.
+        CHECK(out["between"][1]["system"] == "x");
+        CHECK(out["between"][1]["a"] == "odd");
+        CHECK(out["between"][1]["u"] == 6.0);
+        CHECK(out["between"][1]["cliffs_delta"] == -0.25);
+        CHECK(out["between"][2]["p"] == 1.0);
+        CHECK(out["factor_tests"].size() == 2);
+        CHECK(out["left_out"][0]["reason"] == "asleep");
+        CHECK(contains(slurp(scratch / "a/sensitivity.csv"), "with_left_out"));
+        CHECK(contains(slurp(scratch / "a.html"), "Groups of participants"));
+
+        spill(scratch / "empty.csv", "");
+        const auto empty = program("report " + (scratch / "empty.csv") + " -o " + (scratch / "b.html"));
+        CHECK(empty.status == 1);
+        CHECK(contains(empty.err, "empty.csv: the file is empty (0 bytes)"));
+        CHECK_FALSE(fs::exists(scratch / "b.html"));
+    }
 }

@@ -96,7 +96,7 @@ TEST_SUITE("results/report") {
         CHECK(contains(ratings, "There are no answers on accuracy: it is not reported."));
         CHECK_FALSE(contains(ratings, "Accuracy, all pairs of systems"));
         CHECK(contains(ratings, "Naturalness, all pairs of systems"));
-        CHECK_FALSE(contains(ratings, "layouts within each system"));
+        CHECK_FALSE(contains(ratings, "levels of layout within each system"));
         fixtures::fill(folder / "b.sqlite", study, 12, 5, false, {0.9, 0.9, 0.8, 0.4}, {4.0, 3.6, 2.6, 2.9},
                        [](int participant, const studies::Trial& trial) {
                            return participant != 7 || trial.index < 23;

@@ -135,9 +135,11 @@ TEST_SUITE("results/response_table") {
         CHECK(table->checks[1].kind == "catch");
         CHECK(table->checks[1].failed == 2);
         // (12 + (0 + 20 - 4)) / 2 x 5, by hand.
-        REQUIRE_FALSE(table->scores.empty());
+        REQUIRE(table->scores.size() == 1);  // P02 is excluded
         CHECK(table->scores[0].value == 70.0);
-        CHECK(table->between == std::vector<std::string>{"style"});
+        REQUIRE(table->between.size() == 1);
+        CHECK(table->between[0].name == "style");
+        CHECK(table->left_out_rows.size() == 6);  // as many as of P01
         CHECK(table->planned_participants == 1);
     }
 

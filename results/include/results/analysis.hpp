@@ -10,6 +10,7 @@
 #include "results/bradley_terry.hpp"
 #include "results/friedman.hpp"
 #include "results/proportion.hpp"
+#include "results/rank_sum.hpp"
 #include "results/response_table.hpp"
 #include "results/shapiro_wilk.hpp"
 #include "results/signed_rank.hpp"
@@ -25,6 +26,7 @@ struct AnalysisOptions {
 
 struct Summary {
     double mean = 0.0;                     ///< of participants' means
+    double median = 0.0;                   ///< likewise
     double sd_participants = 0.0;          ///< over participants' means
     double sd_trials = 0.0;                ///< over single trials
     int n = 0;                             ///< trials
@@ -42,7 +44,7 @@ struct SystemResult {
 /// One level of a factor within a measure.
 struct LevelResult {
     std::string measure;
-    std::string factor;  ///< "layout" or "distance"
+    std::string factor;  ///< one of withinFactors()
     std::string system;  ///< "all" for the first rows of a measure and factor
     std::string level;
     double mean = 0.0;  ///< over trials, as in the paper's Table 1
@@ -54,11 +56,13 @@ struct LevelResult {
 struct AdjustedTest {
     SignedRankTest test{};  ///< n_pairs: the participants who have both conditions
     std::string family{};
-    int family_size = 0;                   ///< tests of the family that have a p
-    std::optional<double> p_holm{};        ///< none where no participant has both
-    std::optional<double> p_holm_pratt{};  ///< the family corrected with Pratt's p of each test
-    bool significant = false;              ///< p_holm <= alpha
-    bool depends_on_zeros = false;         ///< the decision would be another with Pratt's p
+    int family_size = 0;                    ///< tests of the family that have a p
+    std::optional<double> p_holm{};         ///< none where no participant has both
+    std::optional<double> p_holm_pratt{};   ///< the family corrected with Pratt's p of each test
+    std::optional<double> p_holm_normal{};  ///< likewise with the normal approximation's
+    bool significant = false;               ///< p_holm <= alpha
+    bool depends_on_zeros = false;          ///< the decision would be another with Pratt's p
+    bool depends_on_approximation = false;  ///< likewise with the normal approximation's
     /// Even the smallest p that so many differences can give, times the family's size, exceeds alpha.
     bool out_of_reach = false;
     ShapiroWilk normality{};  ///< of the differences; for description only
@@ -67,7 +71,7 @@ struct AdjustedTest {
 struct Comparison : AdjustedTest {
     std::string measure;
     std::string factor{};  ///< empty: a and b are systems; else levels of it, within `system`
-    std::string system{};
+    std::string system{};  ///< "all" where each system has one level of the factor
     std::string a, b;
     double mean_difference = 0.0;       ///< a - b, mean over the participants paired
     std::vector<double> differences{};  ///< a - b of each of them, participants in order
@@ -96,6 +100,72 @@ struct ScoreResult {
     double mean = 0.0;
     double sd = 0.0;
     int n = 0;
+    double q25 = 0.0, median = 0.0, q75 = 0.0;
+    std::string factor{};  ///< between participants, of whom these have `level`; empty: all participants
+    std::string level{};
+};
+
+/// A pair of systems under another choice of answers: its own families, of the same pairs.
+struct SensitivityResult {
+    std::string measure;  ///< "preference" too
+    std::string a, b;
+    AdjustedTest headline;       ///< as in pairwise and preferences
+    AdjustedTest with_left_out;  ///< who is excluded or dropped out counts, but not who refused consent
+    /// Without marked trials, and without participants who failed an attention check.
+    AdjustedTest without_doubtful;
+    bool depends_on_left_out = false;  ///< the decision would be another
+    bool depends_on_doubtful = false;
+};
+
+/// How many answers and participants each of these choices takes.
+struct AnswerCounts {
+    int participants = 0;  ///< with answers
+    int answers = 0;
+};
+
+/// Two groups of participants, by the rank-sum test of participants' means.
+struct BetweenResult {
+    std::string measure;
+    std::string factor;
+    std::string system;   ///< "all": of each participant, the mean of the means under each system
+    std::string a, b;     ///< levels
+    double mean_a = 0.0;  ///< of participants' means; 0 where there are none
+    double mean_b = 0.0;
+    RankSumTest test{};
+    std::string family{};  ///< all pairs of levels, over all and within each system
+    int family_size = 0;   ///< tests of it that have a p
+    std::optional<double> p_holm{};
+    bool significant = false;
+};
+
+/// How often balls of one role were chosen in a system's trials of the game.
+struct ConfusionResult {
+    std::string system;
+    /// "target"; "nearest 1", "nearest 2", ...: the distractors by their distance from the target; "left",
+    /// "right": the distractors on that side of the target, as seen from where the participant's head was.
+    std::string role;
+    int chosen = 0;
+    int shown = 0;  ///< such balls, over all trials
+};
+
+/// Right choices for the targets at one place.
+struct TargetPlace {
+    std::string system;  ///< "all" first
+    std::string target_id;
+    Vec3 position_m{0.0};  ///< in the avatar's frame
+    int n = 0;             ///< choices
+    double mean = 0.0;     ///< share of right ones
+};
+
+/// Ratings taken one by one. Those of a participant hang together, so they are pseudo-replicated: this
+/// describes, and no test belongs to it.
+struct PooledResult {
+    std::string measure;
+    std::string system;
+    int n = 0;
+    double mean = 0.0;
+    double sd = 0.0;
+    double q05 = 0.0, q25 = 0.0, median = 0.0, q75 = 0.0, q95 = 0.0;
 };
 
 /// A system's choices against chance, all taken as independent: clustering by participant and item is
@@ -149,8 +219,14 @@ struct AnalysisResult {
     std::vector<Comparison> level_tests;
     std::vector<PreferenceResult> preferences;
     BradleyTerry bradley_terry;
-    std::vector<ScoreResult> scores;
-    std::vector<ChanceResult> chance;  ///< where there is a game
+    std::vector<ScoreResult> scores;  ///< each over all participants, then by factors between them
+    std::vector<SensitivityResult> sensitivity;
+    AnswerCounts headline_answers, answers_with_left_out, answers_without_doubtful;
+    std::vector<BetweenResult> between;
+    std::vector<ConfusionResult> confusion;  ///< where the balls' positions are known
+    std::vector<TargetPlace> target_space;   ///< likewise; of each system by target
+    std::vector<PooledResult> pooled;        ///< of ratings
+    std::vector<ChanceResult> chance;        ///< where there is a game
     std::vector<TimeResult> times;
     std::vector<OrderResult> order;  ///< where the answers' order is known
     std::vector<ItemResult> items;   ///< by measure, lowest mean first
@@ -161,7 +237,8 @@ struct AnalysisResult {
 
 /// Participants' means are compared, as in the paper; a participant without answers under one of the two
 /// conditions is left out of that comparison. Holm's families: all pairs of systems in one measure, all pairs
-/// of levels of one factor over the systems (accuracy only), and all pairs in preference.
+/// of levels of one factor over the systems in one measure, all pairs in preference, and all pairs of groups
+/// of one factor, over all and within each system, in one measure.
 [[nodiscard]] AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options = {});
 /// The tests of analyse() alone, without bootstraps and descriptions, for who asks very often: fills in
 /// alpha, measures, omnibus, pairwise, levels, level_tests and preferences from the result's table and
@@ -170,6 +247,8 @@ void runTests(AnalysisResult& result);
 /// One JSON object; its keys stand in docs/analysis.md. Numbers in full precision, fixed order: the same
 /// table gives the same bytes. What is not defined is null.
 [[nodiscard]] std::string analysisJson(const AnalysisResult& result);
+/// A rating on a scale of more than ten steps (0 to 100): medians are given beside its means.
+[[nodiscard]] bool hasManySteps(const Measure& measure);
 /// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same table
 /// gives the same bytes. Its figures are Vega-Lite specifications, which the script in it draws.
 [[nodiscard]] std::string renderReport(const AnalysisResult& result);

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/pose.hpp"
 
 namespace deixis::results {
 
@@ -25,7 +28,13 @@ struct Measure {
     int planned = 0;  ///< values planned, of participants who count; confidence: as many as choices
 };
 
-/// One value. Practice and attention checks are not among them, nor who is excluded or dropped out.
+/// What answers or participants differ in, and its levels in the order of the tables.
+struct Factor {
+    std::string name;
+    std::vector<std::string> levels{};
+};
+
+/// One value. Practice and attention checks are never among them.
 struct ResponseRow {
     std::string participant;
     std::string measure;
@@ -39,6 +48,22 @@ struct ResponseRow {
     double response_time_s = 0.0;  ///< 0 where it is not known
     bool synthetic = false;        ///< answered by a simulated participant
     int pauses = 0;                ///< the trial was interrupted this often
+    /// Levels of ResponseTable::within, in its order; empty where a level is not known.
+    std::vector<std::string> within{};
+    std::string marked{};    ///< why the trial is in doubt; empty: it is not
+    std::string excluded{};  ///< why the participant is left out; of ResponseTable::left_out_rows only
+};
+
+/// A choice in the game with the balls it was made among, positions in the avatar's frame.
+struct ChoiceRow {
+    std::string participant;
+    std::string system;
+    std::string target_id;
+    std::vector<Vec3> balls{};  ///< centres in the order in which they were shown
+    int target_place = 0;       ///< which of `balls`
+    int chosen_place = 0;       ///< likewise
+    double head_x_m = 0.0;      ///< where the participant stood at the answer
+    double head_z_m = 0.0;
 };
 
 /// The sessions of one kind of station.
@@ -80,20 +105,33 @@ struct ResponseTable {
     std::vector<std::string> systems{};    ///< in the study file's order
     std::vector<std::string> layouts{};    ///< of scored trials, likewise
     std::vector<std::string> distances{};  ///< likewise
+    std::vector<Factor> within{};          ///< further factors within participants
     std::vector<Measure> measures{};       ///< accuracy first, then in the order of the stages
     int planned_participants = 0;          ///< those left out are not counted
     int withdrawn = 0;
     std::vector<LeftOut> left_out{};
     std::vector<CheckCount> checks{};
     std::vector<ScoreRow> scores{};
-    std::vector<std::string> between{};  ///< factors between participants
-    std::string database{};              ///< file names without their folders, joined by ", "
+    std::vector<Factor> between{};                                       ///< factors between participants
+    std::map<std::string, std::map<std::string, std::string>> groups{};  ///< participant, factor: level
+    std::set<std::string> failed_checks{};  ///< participants who count and failed an attention check
+    std::string database{};                 ///< file names without their folders, joined by ", "
     std::vector<StationUse> stations{};
     std::vector<std::string> program_versions{};  ///< that recorded the sessions, in order of their text
     std::vector<std::string> avatar_hashes{};     ///< likewise
     std::vector<std::string> notes{};             ///< on how the file was read, for the reader of the report
-    std::vector<ResponseRow> rows{};              ///< ordered by participant, then trial
+    std::vector<ResponseRow> rows{};  ///< of participants who count; ordered by participant, then trial
+    /// Likewise, of participants who are excluded or dropped out but did not refuse their consent.
+    std::vector<ResponseRow> left_out_rows{};
+    std::vector<ChoiceRow> choices{};  ///< of participants who count, where the balls are known
 };
+
+/// The factors within participants that the rows differ in: "layout", "distance", then ResponseTable::within.
+[[nodiscard]] std::vector<Factor> withinFactors(const ResponseTable& table);
+
+/// A row's level of one of them; empty where it has none.
+[[nodiscard]] std::string levelOf(const ResponseTable& table, const ResponseRow& row,
+                                  const std::string& factor);
 
 /// One table of several of the same study, in their order. Fails, naming the files, where the studies differ
 /// or a participant stands in two of them.

@@ -1,0 +1,183 @@
+#include "analysis_tables_further.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+using enum ColumnType;
+
+PlainCell wholeCell(int n) {
+    return static_cast<long long>(n);
+}
+
+/// One row for each pair and choice.
+PlainTable sensitivityTable(const AnalysisResult& result) {
+    PlainTable out{"sensitivity",
+                   "The pairs of systems under other choices",
+                   {{"measure", text, Print::plain},
+                    {"a", text, Print::plain},
+                    {"b", text, Print::plain},
+                    {"choice", text, Print::plain},
+                    {"n", whole, Print::plain, "$n$"},
+                    {"p", number, Print::p_value, "$p$"},
+                    {"p_holm", number, Print::p_value, "$p_\\mathrm{Holm}$"},
+                    {"significant", truth},
+                    {"changes", truth}}};
+    for (const SensitivityResult& one : result.sensitivity) {
+        const auto add = [&](const char* choice, const AdjustedTest& test, double p,
+                             const std::optional<double>& p_holm, bool changes) {
+            out.rows.push_back({one.measure, one.a, one.b, std::string(choice), wholeCell(test.test.n_pairs),
+                                knownCell(test.test.n_pairs > 0, p), plainCell(p_holm),
+                                PlainCell(p_holm && *p_holm <= result.alpha), PlainCell(changes)});
+        };
+        const AdjustedTest& head = one.headline;
+        add("headline", head, head.test.p_two_sided, head.p_holm, false);
+        add("pratt", head, head.test.pratt_p_two_sided, head.p_holm_pratt, head.depends_on_zeros);
+        add("normal", head, head.test.normal_p_two_sided, head.p_holm_normal, head.depends_on_approximation);
+        const AdjustedTest& more = one.with_left_out;
+        add("with_left_out", more, more.test.p_two_sided, more.p_holm, one.depends_on_left_out);
+        const AdjustedTest& fewer = one.without_doubtful;
+        add("without_doubtful", fewer, fewer.test.p_two_sided, fewer.p_holm, one.depends_on_doubtful);
+    }
+    return out;
+}
+
+PlainTable betweenTable(const AnalysisResult& result) {
+    PlainTable out{"between",
+                   "Groups of participants: rank-sum tests of participants' means",
+                   {{"measure", text, Print::plain},
+                    {"factor", text, Print::plain},
+                    {"system", text, Print::plain},
+                    {"a", text, Print::plain},
+                    {"b", text, Print::plain},
+                    {"n_a", whole, Print::plain, "$n_a$"},
+                    {"n_b", whole, Print::plain, "$n_b$"},
+                    {"mean_a", number},
+                    {"mean_b", number},
+                    {"u", number, Print::plain, "$U$"},
+                    {"ties", whole},
+                    {"z", number},
+                    {"p", number, Print::p_value, "$p$"},
+                    {"p_holm", number, Print::p_value, "$p_\\mathrm{Holm}$"},
+                    {"p_normal", number},
+                    {"significant", truth},
+                    {"hodges_lehmann", number, Print::plain, "shift"},
+                    {"hodges_lehmann_lower", number, Print::plain, "lower"},
+                    {"hodges_lehmann_upper", number, Print::plain, "upper"},
+                    {"hodges_lehmann_level", number},
+                    {"cliffs_delta", number, Print::plain, "$\\delta$"},
+                    {"a12", number},
+                    {"method", text},
+                    {"family", text},
+                    {"family_size", whole}}};
+    for (const BetweenResult& one : result.between) {
+        const RankSumTest& test = one.test;
+        const HodgesLehmann& shift = test.hodges_lehmann;
+        out.rows.push_back({one.measure,
+                            one.factor,
+                            one.system,
+                            one.a,
+                            one.b,
+                            wholeCell(test.n_a),
+                            wholeCell(test.n_b),
+                            knownCell(test.n_a > 0, one.mean_a),
+                            knownCell(test.n_b > 0, one.mean_b),
+                            knownCell(test.p_two_sided.has_value(), test.u),
+                            wholeCell(test.ties),
+                            plainCell(test.z),
+                            plainCell(test.p_two_sided),
+                            plainCell(one.p_holm),
+                            plainCell(test.normal_p_two_sided),
+                            PlainCell(one.significant),
+                            plainCell(shift.estimate),
+                            plainCell(shift.lower),
+                            plainCell(shift.upper),
+                            plainCell(shift.level),
+                            plainCell(test.cliffs_delta),
+                            plainCell(test.a12),
+                            test.method,
+                            one.family,
+                            wholeCell(one.family_size)});
+    }
+    return out;
+}
+
+PlainTable confusionTable(const AnalysisResult& result) {
+    PlainTable out{"confusion",
+                   "Which balls were chosen",
+                   {{"system", text, Print::plain},
+                    {"role", text, Print::plain, "ball"},
+                    {"chosen", whole, Print::plain},
+                    {"shown", whole, Print::plain},
+                    {"share", number, Print::plain}}};
+    for (const ConfusionResult& one : result.confusion)
+        out.rows.push_back({one.system, one.role, wholeCell(one.chosen), wholeCell(one.shown),
+                            PlainCell(static_cast<double>(one.chosen) / one.shown)});
+    return out;
+}
+
+PlainTable targetSpaceTable(const AnalysisResult& result) {
+    PlainTable out{"target_space",
+                   "Right choices by the target's place",
+                   {{"system", text},
+                    {"item", text},
+                    {"x_m", number},
+                    {"y_m", number},
+                    {"z_m", number},
+                    {"mean", number},
+                    {"n", whole}}};
+    for (const TargetPlace& one : result.target_space)
+        out.rows.push_back({one.system, one.target_id, PlainCell(one.position_m.x),
+                            PlainCell(one.position_m.y), PlainCell(one.position_m.z), PlainCell(one.mean),
+                            wholeCell(one.n)});
+    return out;
+}
+
+PlainTable pooledTable(const AnalysisResult& result) {
+    PlainTable out{"pooled_ratings",
+                   "Ratings taken one by one (pseudo-replicated)",
+                   {{"measure", text, Print::plain},
+                    {"system", text, Print::plain},
+                    {"n", whole, Print::plain, "$n$"},
+                    {"mean", number, Print::plain},
+                    {"sd", number, Print::plain, "SD"},
+                    {"q05", number, Print::plain, "5 \\%"},
+                    {"q25", number, Print::plain, "25 \\%"},
+                    {"median", number, Print::plain},
+                    {"q75", number, Print::plain, "75 \\%"},
+                    {"q95", number, Print::plain, "95 \\%"}}};
+    for (const PooledResult& one : result.pooled)
+        out.rows.push_back({one.measure, one.system, wholeCell(one.n), PlainCell(one.mean),
+                            knownCell(one.n > 1, one.sd), PlainCell(one.q05), PlainCell(one.q25),
+                            PlainCell(one.median), PlainCell(one.q75), PlainCell(one.q95)});
+    return out;
+}
+
+PlainTable scoresTable(const AnalysisResult& result) {
+    PlainTable out{"scores",
+                   "Scores of questionnaires over participants",
+                   {{"stage", text, Print::plain},
+                    {"score", text, Print::plain},
+                    {"factor", text, Print::plain},
+                    {"level", text, Print::plain},
+                    {"mean", number, Print::plain},
+                    {"sd", number, Print::plain, "SD"},
+                    {"n", whole, Print::plain, "$n$"},
+                    {"q25", number, Print::plain, "25 \\%"},
+                    {"median", number, Print::plain},
+                    {"q75", number, Print::plain, "75 \\%"}}};
+    for (const ScoreResult& one : result.scores)
+        out.rows.push_back({one.stage, one.score, one.factor, one.level, PlainCell(one.mean),
+                            knownCell(one.n > 1, one.sd), wholeCell(one.n), PlainCell(one.q25),
+                            PlainCell(one.median), PlainCell(one.q75)});
+    return out;
+}
+
+}  // namespace
+
+std::vector<PlainTable> furtherTables(const AnalysisResult& result) {
+    return {sensitivityTable(result), betweenTable(result), confusionTable(result),
+            targetSpaceTable(result), pooledTable(result),  scoresTable(result)};
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,55 @@
+#include "long_table_cells.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace deixis::results {
+
+std::string trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == std::string_view::npos) return {};
+    return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
+}
+
+std::string lowered(std::string_view text) {
+    std::string out = trimmed(text);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    return out;
+}
+
+bool isMissing(const std::string& cell) {
+    return cell.empty() || cell == "na" || cell == "nan" || cell == "null";
+}
+
+std::optional<bool> truthOf(const std::string& cell) {
+    if (cell == "1" || cell == "true" || cell == "yes") return true;
+    if (cell == "0" || cell == "false" || cell == "no") return false;
+    return std::nullopt;
+}
+
+std::optional<double> numberOf(const std::string& cell) {
+    double value = 0.0;
+    const char* end = cell.data() + cell.size();
+    const auto [at, error] = std::from_chars(cell.data(), end, value);
+    if (error != std::errc() || at != end || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::optional<Attention> attentionOf(const std::string& cell) {
+    if (isMissing(cell) || cell == "none") return Attention::none;
+    if (cell == "passed" || cell == "pass") return Attention::passed;
+    if (cell == "failed" || cell == "fail") return Attention::failed;
+    if (cell == "check") return Attention::check;
+    if (const auto is_check = truthOf(cell)) return *is_check ? Attention::check : Attention::none;
+    return std::nullopt;
+}
+
+std::string reasonOf(const std::string& cell, const char* word) {
+    const std::string lower = lowered(cell);
+    if (isMissing(lower)) return {};
+    if (const auto value = truthOf(lower)) return *value ? word : "";
+    return trimmed(cell);
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,115 @@
+// Groups of participants, and questionnaires.
+#include <fmt/core.h>
+
+#include "report_details.hpp"
+#include "report_tables.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+std::string betweenRow(const BetweenResult& one, const Measure& measure) {
+    const RankSumTest& test = one.test;
+    const HodgesLehmann& shift = test.hodges_lehmann;
+    const auto effect = [](const std::optional<double>& value) {
+        return value ? signedText(fmt::format("{:.2f}", *value)) : std::string(dash);
+    };
+    return fmt::format(
+        "<tr{}><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}, "
+        "{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td>"
+        "</tr>",
+        one.system == "all" ? " class=\"all\"" : "", escapeHtml(one.system), escapeHtml(one.a),
+        escapeHtml(one.b), test.n_a, test.n_b, test.n_a > 0 ? scoreText(measure, one.mean_a) : dash,
+        test.n_b > 0 ? scoreText(measure, one.mean_b) : dash,
+        shift.estimate ? fmt::format("{} {}", scoreText(measure, *shift.estimate),
+                                     intervalText(measure, *shift.lower, *shift.upper))
+                       : std::string(dash),
+        effect(test.cliffs_delta), test.a12 ? fmt::format("{:.2f}", *test.a12) : std::string(dash),
+        pText(test.p_two_sided), one.significant ? "sig" : "not", pText(one.p_holm));
+}
+
+}  // namespace
+
+std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
+    std::string out;
+    for (const Factor& factor : result.table.between)
+        for (const Measure& measure : result.measures) {
+            std::string rows;
+            bool tested = false;
+            int family = 0;
+            for (const BetweenResult& one : result.between) {
+                if (one.factor != factor.name || one.measure != measure.name) continue;
+                rows += betweenRow(one, measure);
+                tested = tested || one.test.p_two_sided;
+                family = one.family_size;
+            }
+            if (!tested) continue;
+            out += openTable(
+                       fmt::format("{} by {}: participants' means, rank-sum test (exact up to 400 "
+                                   "participants). \"all\": the mean of a participant's means under each "
+                                   "system. &#948;: Cliff's delta; A<sub>12</sub>: the probability that A is "
+                                   "above B, ties counting half.",
+                                   escapeHtml(capitalised(measure.name)), escapeHtml(factor.name)),
+                       "<th>System</th><th class=\"text\">A</th><th class=\"text\">B</th><th>n</th>"
+                       "<th>Mean A</th><th>Mean B</th><th>Shift</th><th>&#948;</th><th>A<sub>12</sub></th>"
+                       "<th>p</th><th>p (Holm)</th>",
+                       numbering, TableWidth::dense) +
+                   rows + close_table +
+                   fmt::format(
+                       "<p class=\"small\">Holm's family: {} tests, &#945;&#160;=&#160;{}; bold: "
+                       "significant. Shift: "
+                       "Hodges&#8211;Lehmann with its closed interval (asked for: {:g}&#160;%).</p>",
+                       family, result.alpha, 100.0 * result.options.level);
+        }
+    return out.empty() ? "" : "<h2>Groups of participants</h2>" + out;
+}
+
+std::string scoresHtml(const AnalysisResult& result, Numbering& numbering) {
+    if (result.scores.empty()) return "";
+    const bool grouped = !result.table.between.empty();
+    std::string out =
+        "<h2>Questionnaires</h2>" +
+        openTable("Scores over participants.",
+                  fmt::format("<th>Stage</th><th class=\"text\">Score</th>{}<th>n</th><th>Mean</th>"
+                              "<th>SD</th><th>25&#160;%</th><th>Median</th><th>75&#160;%</th>",
+                              grouped ? "<th class=\"text\">Group</th>" : ""),
+                  numbering);
+    for (const ScoreResult& score : result.scores) {
+        const std::string group =
+            score.factor.empty() ? "all" : escapeHtml(score.factor) + ": " + escapeHtml(score.level);
+        out += fmt::format(
+            "<tr{}><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}<td>{}</td><td>{:.2f}</td><td>{}</td>"
+            "<td>{:.2f}</td><td>{:.2f}</td><td>{:.2f}</td></tr>",
+            grouped && score.factor.empty() ? " class=\"all\"" : "", escapeHtml(score.stage),
+            escapeHtml(score.score), grouped ? "<td class=\"text\">" + group + "</td>" : "", score.n,
+            score.mean, score.n > 1 ? fmt::format("{:.2f}", score.sd) : std::string(dash), score.q25,
+            score.median, score.q75);
+    }
+    return out + close_table;
+}
+
+std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {
+    std::string rows;
+    for (const PooledResult& one : result.pooled) {
+        const Measure measure = measureOf(result, one.measure);
+        if (!hasManySteps(measure)) continue;
+        const auto number = [&](double value) { return scoreText(measure, value); };
+        rows += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escapeHtml(capitalised(one.measure)), escapeHtml(one.system), one.n, number(one.mean),
+            one.n > 1 ? number(one.sd) : dash, number(one.q05), number(one.q25), number(one.median),
+            number(one.q75), number(one.q95));
+    }
+    if (rows.empty()) return "";
+    return openTable(
+               "Ratings taken one by one, <b>pseudo-replicated</b>: a participant's ratings hang together, "
+               "so "
+               "this describes and supports no test.",
+               "<th>Measure</th><th class=\"text\">System</th><th>n</th><th>Mean</th><th>SD</th>"
+               "<th>5&#160;%</th><th>25&#160;%</th><th>Median</th><th>75&#160;%</th><th>95&#160;%</th>",
+               numbering) +
+           rows + close_table;
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,126 @@
+#include "response_details.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace deixis::results {
+
+namespace {
+
+using nlohmann::json;
+using SQLite::Statement;
+
+void addLevel(std::vector<Factor>& factors, const std::string& name, const std::string& level) {
+    auto factor =
+        std::find_if(factors.begin(), factors.end(), [&](const Factor& known) { return known.name == name; });
+    if (factor == factors.end()) factor = factors.insert(factors.end(), {name, {}});
+    if (std::find(factor->levels.begin(), factor->levels.end(), level) == factor->levels.end())
+        factor->levels.push_back(level);
+}
+
+void readGroups(SQLite::Database& database, ResponseTable& table) {
+    Statement groups(database, "SELECT participant, factor, level FROM participant_groups ORDER BY 2, 3, 1");
+    while (groups.executeStep()) {
+        const std::string factor = groups.getColumn(1).getString();
+        const std::string level = groups.getColumn(2).getString();
+        addLevel(table.between, factor, level);
+        table.groups[groups.getColumn(0).getString()][factor] = level;
+    }
+}
+
+/// Factors nested in the systems, which are within participants where these meet several systems.
+void readSystemFactors(SQLite::Database& database, ResponseTable& table) {
+    std::map<std::string, std::map<std::string, std::string>> of_system;
+    Statement systems(database, "SELECT name, levels FROM systems ORDER BY position");
+    while (systems.executeStep()) {
+        const std::string name = systems.getColumn(0).getString();
+        if (std::find(table.systems.begin(), table.systems.end(), name) == table.systems.end()) continue;
+        const json levels = json::parse(systems.getColumn(1).getString());
+        for (const auto& [factor, level] : levels.items()) {
+            of_system[name][factor] = level.get<std::string>();
+            addLevel(table.within, factor, level.get<std::string>());
+        }
+    }
+    for (auto* rows : {&table.rows, &table.left_out_rows})
+        for (ResponseRow& row : *rows)
+            for (const Factor& factor : table.within)
+                row.within.push_back(of_system[row.system][factor.name]);
+}
+
+/// A trial is in doubt where it was interrupted, and where the participant stood off the layout's place.
+void readMarks(SQLite::Database& database, ResponseTable& table) {
+    std::map<std::pair<std::string, int>, std::string> marks;
+    const auto mark = [&](Statement& rows) {
+        while (rows.executeStep()) {
+            std::string& why = marks[{rows.getColumn(0).getString(), rows.getColumn(1).getInt()}];
+            why += (why.empty() ? "" : ", ") + rows.getColumn(2).getString();
+        }
+    };
+    Statement interrupted(database,
+                          "SELECT participant, trial_index, 'interrupted' FROM responses WHERE superseded IS "
+                          "NULL AND (pauses > 0 OR begun_before)");
+    mark(interrupted);
+    Statement off_place(database,
+                        "SELECT DISTINCT r.participant, r.trial_index, 'off place' FROM events AS v JOIN "
+                        "responses AS r ON r.session = v.session AND r.trial_index = v.trial_index WHERE "
+                        "r.superseded IS NULL AND v.kind = 'off_place'");
+    mark(off_place);
+    for (auto* rows : {&table.rows, &table.left_out_rows})
+        for (ResponseRow& row : *rows)
+            if (const auto found = marks.find({row.participant, row.trial}); found != marks.end())
+                row.marked = found->second;
+}
+
+void readParticipants(SQLite::Database& database, ResponseTable& table) {
+    Statement failed(database,
+                     "SELECT DISTINCT r.participant FROM responses AS r JOIN participants AS p ON p.id = "
+                     "r.participant WHERE r.superseded IS NULL AND r.check_passed = 0 AND p.status = "
+                     "'active'");
+    while (failed.executeStep()) table.failed_checks.insert(failed.getColumn(0).getString());
+    std::set<std::string> declined;
+    // Who declined and agreed later has agreed.
+    Statement consents(
+        database,
+        "SELECT DISTINCT participant FROM consents AS c WHERE NOT agreed AND session = (SELECT "
+        "max(session) FROM consents AS o WHERE o.participant = c.participant AND o.stage = "
+        "c.stage)");
+    while (consents.executeStep()) declined.insert(consents.getColumn(0).getString());
+    std::erase_if(table.left_out_rows,
+                  [&](const ResponseRow& row) { return declined.contains(row.participant); });
+}
+
+std::vector<Vec3> positionsOf(const std::string& text) {
+    std::vector<Vec3> out;
+    for (const json& one : json::parse(text))
+        out.emplace_back(one.at(0).get<double>(), one.at(1).get<double>(), one.at(2).get<double>());
+    return out;
+}
+
+void readBalls(SQLite::Database& database, ResponseTable& table) {
+    Statement rows(
+        database,
+        "SELECT r.participant, s.system, t.target_id, t.balls, t.target_place, r.chosen_place, "
+        "r.head_x_m, r.head_z_m FROM responses AS r JOIN participants AS p ON p.id = r.participant "
+        "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+        "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
+        "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
+        "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
+        "ORDER BY r.participant, r.trial_index");
+    while (rows.executeStep())
+        table.choices.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getString(),
+                                 rows.getColumn(2).getString(), positionsOf(rows.getColumn(3).getString()),
+                                 rows.getColumn(4).getInt(), rows.getColumn(5).getInt(),
+                                 rows.getColumn(6).getDouble(), rows.getColumn(7).getDouble()});
+}
+
+}  // namespace
+
+void readResponseDetails(SQLite::Database& database, ResponseTable& table) {
+    readGroups(database, table);
+    readSystemFactors(database, table);
+    readMarks(database, table);
+    readParticipants(database, table);
+    readBalls(database, table);
+}
+
+}  // namespace deixis::results
