@@ -12,7 +12,7 @@ script <- sub("^--file=", "", grep("^--file=", arguments, value = TRUE))
 if (length(script) == 1) setwd(dirname(normalizePath(script)))
 
 labels <- c("participant", "measure", "system", "other_system", "layout", "distance", "item", "factor", "level",
-            "a", "b", "family", "method", "stage", "score", "name")
+            "a", "b", "family", "method", "stage", "score", "name", "excluded")
 table_of <- function(name) {
     file <- paste0(name, ".csv")
     if (!file.exists(file)) return(NULL)
@@ -26,6 +26,7 @@ settings <- table_of("settings")
 setting <- function(name) as.numeric(settings$value[settings$name == name])
 level <- setting("level")
 answers <- table_of("answers")
+answers <- answers[is.na(answers$excluded), ]  # the headline's: without who is left out
 answers$value <- ifelse(is.na(answers$correct), answers$rating, answers$correct)
 single <- is.na(answers$other_system)  # answers on one system; the others prefer one of two
 
@@ -128,6 +129,52 @@ paired <- function(first, second) {
 }
 is <- function(column, value) !is.na(answers[[column]]) & answers[[column]] == value
 
+of_system_or_all <- function(system) if (system == "all") rep(TRUE, nrow(answers)) else is("system", system)
+
+# P(U <= u) and P(U >= u) over all ways to take n_a of the ranks.
+rank_sum_tails <- function(ranks, n_a, w) {
+    doubled <- round(2 * ranks)
+    ways <- matrix(0, n_a + 1, sum(doubled) + 1)  # by how many are taken, and their sum
+    ways[1, 1] <- 1
+    for (r in doubled)
+        for (k in seq(min(n_a, length(doubled)), 1))
+            ways[k + 1, ] <- ways[k + 1, ] + c(numeric(r), head(ways[k, ], -r))
+    share <- ways[n_a + 1, ] / sum(ways[n_a + 1, ])
+    sums <- seq_along(share) - 1
+    c(sum(share[sums <= 2 * w]), sum(share[sums >= 2 * w]))
+}
+
+rank_sum <- function(exactly_a, exactly_b) {
+    a <- tidy(exactly_a)
+    b <- tidy(exactly_b)
+    n_a <- length(a)
+    n_b <- length(b)
+    ranks <- rank(c(a, b))
+    w <- sum(ranks[seq_len(n_a)])
+    u <- w - n_a * (n_a + 1) / 2
+    ties <- as.numeric(table(c(a, b)))
+    n <- n_a + n_b
+    spread <- sqrt(n_a * n_b / 12 * (n + 1 - sum(ties^3 - ties) / (n * (n - 1))))
+    out <- list(n_a = n_a, n_b = n_b, mean_a = mean(exactly_a), mean_b = mean(exactly_b), u = u, ties = sum(ties > 1),
+                a12 = u / (n_a * n_b), cliffs_delta = 2 * u / (n_a * n_b) - 1)
+    from_mean <- u - n_a * n_b / 2
+    if (spread > 0) {
+        out$z <- (from_mean - sign(from_mean) / 2) / spread
+        out$p_normal <- min(1, 2 * pnorm(-abs(out$z)))
+        out$p <- if (n <= 400) min(1, 2 * min(rank_sum_tails(ranks, n_a, w))) else out$p_normal
+    } else {
+        out$p <- 1
+    }
+    shifts <- sort(outer(exactly_a, exactly_b, "-"))
+    k <- 1
+    while (k < length(shifts) / 2 && pwilcox(k, n_a, n_b) <= (1 - level) / 2) k <- k + 1
+    out$hodges_lehmann <- median(shifts)
+    out$hodges_lehmann_lower <- shifts[k]
+    out$hodges_lehmann_upper <- shifts[length(shifts) + 1 - k]
+    out$hodges_lehmann_level <- 1 - 2 * pwilcox(k - 1, n_a, n_b)
+    out
+}
+
 # ---- tables ----------------------------------------------------------------------------------------------
 
 means <- table_of("means")
@@ -145,7 +192,7 @@ levels_table <- table_of("levels")
 for (i in seq_len(NROW(levels_table))) {
     row <- levels_table[i, ]
     here <- single & is("measure", row$measure) & is(row$factor, row$level) &
-        (row$system == "all" | is("system", row$system))
+        of_system_or_all(row$system)
     same(levels_table, i, "mean", mean(answers$value[here]))
     same(levels_table, i, "sd_trials", if (sum(here) > 1) sd(answers$value[here]) else NA)
     same(levels_table, i, "answers", sum(here))
@@ -187,11 +234,45 @@ if (!is.null(pairwise)) {
 level_tests <- table_of("level_tests")
 if (!is.null(level_tests)) {
     of_level <- function(row, level)
-        means_of(single & is("measure", row$measure) & is("system", row$system) & is(row$factor, level))
+        means_of(single & is("measure", row$measure) & of_system_or_all(row$system) & is(row$factor, level))
     compare_tests(level_tests, function(i) {
         row <- level_tests[i, ]
         paired(of_level(row, row$a), of_level(row, row$b))
     })
+}
+
+between <- table_of("between")
+if (!is.null(between)) {
+    # Of each participant the mean, or the mean of the means under each system.
+    group <- function(row, level) {
+        here <- single & is("measure", row$measure) & is(row$factor, level)
+        if (row$system != "all") return(means_of(here & is("system", row$system)))
+        by_system <- lapply(unique(answers$system[here]), function(s) means_of(here & is("system", s)))
+        people <- unique(answers$participant[here])
+        sapply(people, function(one) mean(unlist(lapply(by_system, function(column) column[one])), na.rm = TRUE))
+    }
+    found <- list()
+    for (i in seq_len(nrow(between))) {
+        row <- between[i, ]
+        found[[i]] <- rank_sum(group(row, row$a), group(row, row$b))
+        for (column in names(found[[i]])) same(between, i, column, found[[i]][[column]])
+    }
+    for (family in unique(between$family)) {
+        rows <- which(between$family == family)
+        p <- p.adjust(sapply(found[rows], function(test) test$p), "holm")
+        for (j in seq_along(rows)) same(between, rows[j], "p_holm", p[j])
+    }
+}
+
+pooled_ratings <- table_of("pooled_ratings")
+for (i in seq_len(NROW(pooled_ratings))) {
+    here <- single & is("measure", pooled_ratings$measure[i]) & is("system", pooled_ratings$system[i])
+    values <- answers$value[here]
+    same(pooled_ratings, i, "n", length(values))
+    same(pooled_ratings, i, "mean", mean(values))
+    same(pooled_ratings, i, "sd", if (length(values) > 1) sd(values) else NA)
+    for (q in c(5, 25, 75, 95)) same(pooled_ratings, i, sprintf("q%02d", q), quantile(values, q / 100, type = 7))
+    same(pooled_ratings, i, "median", median(values))
 }
 
 preferences <- table_of("preferences")

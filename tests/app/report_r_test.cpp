@@ -87,17 +87,23 @@ TEST_SUITE("app/report_r") {
         CHECK(contains(wrong.out, "mean_difference"));
     }
 
-    TEST_CASE("R finds the same numbers in preferences of simulated participants") {
+    TEST_CASE("R finds the same numbers in preferences, and in groups without who is excluded") {
         if (!hasR()) return;
-        const Scratch scratch;
-        REQUIRE(program("simulate genea-pairwise --participants 6 --db " + (scratch / "s.db")).status == 0);
-        REQUIRE(program("report " + (scratch / "s.db") + " -o " + (scratch / "page.html") + " --r " +
-                        (scratch / "r"))
-                    .status == 0);
-        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
-        INFO(done.out, done.err);
-        CHECK(done.status == 0);
-        CHECK(compared(done.out) > 100);
-        CHECK(contains(done.out, "Some answers are simulated"));
+        for (const auto& [study, table] :
+             {std::pair{"genea-pairwise", "preferences"}, std::pair{"distractor-distance", "between"}}) {
+            CAPTURE(study);
+            const Scratch scratch;
+            const std::string db = scratch / "s.db";
+            REQUIRE(program("simulate " + std::string(study) + " --participants 7 --db " + db).status == 0);
+            REQUIRE(program("participants exclude " + db + " S003 --reason test").status == 0);
+            REQUIRE(program("report " + db + " -o " + (scratch / "page.html") + " --r " + (scratch / "r"))
+                        .status == 0);
+            const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+            INFO(done.out, done.err);
+            CHECK(done.status == 0);
+            CHECK(compared(done.out) > 100);
+            CHECK(contains(slurp(scratch / "r/comparison.csv"), "\"" + std::string(table) + "\""));
+            CHECK(contains(done.out, "Some answers are simulated"));
+        }
     }
 }
