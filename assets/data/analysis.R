@@ -75,7 +75,7 @@ signed_rank <- function(exactly) {
     out <- list(n = n, n_zero = sum(d == 0), n_positive = sum(d > 0), n_negative = sum(d < 0),
                 ties = sum(table(abs(nonzero)) > 1), w_plus = sum(ranks[nonzero > 0]),
                 w_minus = sum(ranks[nonzero < 0]), p = two_sided(ranks, nonzero > 0),
-                paired_superiority = mean((d > 0) + (d == 0) / 2), smallest_p = NA, z = NA, p_normal = NA,
+                paired_superiority = mean((d > 0) + (d == 0) / 2), smallest_p = NA, z = NA, p_normal = 1,
                 p_pratt = 1, rank_biserial = NA)
     if (length(nonzero) > 0) {
         from_mean <- out$w_plus - sum(ranks) / 2

@@ -90,11 +90,11 @@ TEST_SUITE("app/report_r") {
     TEST_CASE("R finds the same numbers in preferences, and in groups without who is excluded") {
         if (!hasR()) return;
         for (const auto& [study, table] :
-             {std::pair{"genea-pairwise", "preferences"}, std::pair{"distractor-distance", "between"}}) {
+             {{"genea-pairwise", "preferences"}, {"distractor-distance", "between"}}) {
             CAPTURE(study);
             const Scratch scratch;
             const std::string db = scratch / "s.db";
-            REQUIRE(program("simulate " + std::string(study) + " --participants 7 --db " + db).status == 0);
+            REQUIRE(program("simulate " + study + " --participants 7 --db " + db).status == 0);
             REQUIRE(program("participants exclude " + db + " S003 --reason test").status == 0);
             REQUIRE(program("report " + db + " -o " + (scratch / "page.html") + " --r " + (scratch / "r"))
                         .status == 0);
@@ -102,7 +102,7 @@ TEST_SUITE("app/report_r") {
             INFO(done.out, done.err);
             CHECK(done.status == 0);
             CHECK(compared(done.out) > 100);
-            CHECK(contains(slurp(scratch / "r/comparison.csv"), "\"" + std::string(table) + "\""));
+            CHECK(contains(slurp(scratch / "r/comparison.csv"), "\"" + table + "\""));
             CHECK(contains(done.out, "Some answers are simulated"));
         }
     }
