@@ -89,8 +89,9 @@ TEST_SUITE("app/report_r") {
 
     TEST_CASE("R finds the same numbers in preferences, and in groups without who is excluded") {
         if (!hasR()) return;
-        for (const auto& [study, table] :
-             {{"genea-pairwise", "preferences"}, {"distractor-distance", "between"}}) {
+        const std::vector<std::pair<std::string, std::string>> cases{{"genea-pairwise", "preferences"},
+                                                                     {"distractor-distance", "between"}};
+        for (const auto& [study, table] : cases) {
             CAPTURE(study);
             const Scratch scratch;
             const std::string db = scratch / "s.db";
