@@ -46,7 +46,14 @@ void remarkDecisions(const std::vector<Test>& tests, AnalysisResult& result) {
                 one.family, one.a, one.b, one.significant ? "" : "not ", result.alpha, *one.p_holm,
                 one.significant ? "not " : "", *one.p_holm_pratt));
     }
-    if (out_of_reach > 0)
+    if (out_of_reach == 0) return;
+    if (out_of_reach < tested)
+        result.remarks.push_back(
+            fmt::format("{} of {} tests ({}) can be significant at {} after Holm's correction only where "
+                        "other pairs have "
+                        "smaller p: they have few differences other than zero.",
+                        out_of_reach, tested, tests.front().family, result.alpha));
+    else
         result.remarks.push_back(fmt::format(
             "{} of {} tests ({}) cannot be significant at {} after Holm's correction, whatever was answered: "
             "they have too few differences other than zero.",

@@ -89,7 +89,9 @@ std::string tableFoot(const Tests& tests, const AnalysisResult& result) {
     if (any(&AdjustedTest::depends_on_zeros))
         out += " &#8224; The decision would be another with Pratt's treatment of zeros.";
     if (any(&AdjustedTest::out_of_reach))
-        out += " &#8225; Too few differences other than zero: no answers could have made it significant.";
+        out +=
+            " &#8225; The smallest p that so few differences other than zero can give, times the number of "
+            "tests, exceeds &#945;: significant only where other pairs have a smaller p.";
     return out + "</p>";
 }
 

@@ -63,7 +63,8 @@ struct AdjustedTest {
     bool significant = false;               ///< p_holm <= alpha
     bool depends_on_zeros = false;          ///< the decision would be another with Pratt's p
     bool depends_on_approximation = false;  ///< likewise with the normal approximation's
-    /// Even the smallest p that so many differences can give, times the family's size, exceeds alpha.
+    /// Even the smallest p that so many differences can give, times the family's size, exceeds alpha:
+    /// significant at the most where others of the family have a smaller p.
     bool out_of_reach = false;
     ShapiroWilk normality{};  ///< of the differences; for description only
 };
