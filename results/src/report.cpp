@@ -199,7 +199,7 @@ std::string renderReport(const AnalysisResult& result) {
     out += "\n" + bradleyTerryHtml(result, numbering);
     out += "\n" + sensitivityHtml(result, numbering);
     out += "\n" + betweenHtml(result, numbering);
-    out += "\n" + choicesHtml(result, numbering);
+    out += "\n" + choicesHtml(result, figures, numbering);
     out += "\n" + detailsHtml(result, numbering);
     out += "\n" + scoresHtml(result, numbering);
     out += "\n" + checksAndLeftOut(result, numbering);

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "report_details.hpp"
+#include "report_figures.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -83,9 +84,11 @@ std::string targetTable(const AnalysisResult& result, Numbering& numbering) {
 
 }  // namespace
 
-std::string choicesHtml(const AnalysisResult& result, Numbering& numbering) {
+std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
     if (result.confusion.empty()) return "";
     std::string out = "<h2>Which balls were chosen, and where</h2>" + confusionTable(result, numbering);
+    if (!result.target_space.empty())
+        out += "<div class=\"plots\">" + figureHtml(placesFigure(result, figures)) + "</div>";
     return out + targetTable(result, numbering);
 }
 

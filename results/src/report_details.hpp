@@ -24,7 +24,7 @@ namespace deixis::results {
 [[nodiscard]] std::string pooledHtml(const AnalysisResult& result, Numbering& numbering);
 
 /// Confusion and the accuracy over target space; empty where the balls' positions are not known.
-[[nodiscard]] std::string choicesHtml(const AnalysisResult& result, Numbering& numbering);
+[[nodiscard]] std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering);
 
 /// Who answered how often on what; empty where every participant has as many answers under each system.
 [[nodiscard]] std::string presenceHtml(const AnalysisResult& result, Numbering& numbering);

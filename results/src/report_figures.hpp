@@ -29,7 +29,10 @@ struct StepCounts {
 /// Participants' differences between each pair of systems in a measure.
 [[nodiscard]] Figure differencesFigure(const AnalysisResult& result, std::size_t measure, Numbering& figures);
 
-/// All of the above but the differences, for the page's head.
+/// Right choices at each target's place. AnalysisResult::target_space is not empty.
+[[nodiscard]] Figure placesFigure(const AnalysisResult& result, Numbering& figures);
+
+/// Of the above what stands at the page's head.
 [[nodiscard]] std::string figuresHtml(const AnalysisResult& result, Numbering& figures);
 /// The differences of all measures, with their heading; empty where nothing is compared.
 [[nodiscard]] std::string differencesHtml(const AnalysisResult& result, Numbering& figures);

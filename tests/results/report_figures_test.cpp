@@ -189,8 +189,32 @@ TEST_SUITE("results/report_figures") {
         for (auto& row : table.rows)
             if (row.system == "direct") row.system = name;
         const auto figures = specificationsOf(renderReport(analyse(table)));
-        CHECK(figures.size() == 5);
+        CHECK(figures.size() == 6);
         CHECK(tests::contains(figures.at("means-1")["description"].get<std::string>(),
                               "</script>&amp;]]>\"'\ufffd"));
+    }
+
+    TEST_CASE(
+        "Right choices stand where their targets do: the avatar's left on the left, ahead and up are up") {
+        ResponseTable table;
+        table.systems = {"x", "y"};
+        const Vec3 left_low_far{0.5, 0.4, 2.0};
+        const Vec3 right_high_near{-0.5, 1.6, 1.0};
+        table.choices = {{"A", "x", "T1", {left_low_far, right_high_near}, 0, 0, 0.0, 2.0},
+                         {"A", "x", "T2", {left_low_far, right_high_near}, 1, 0, 0.0, 2.0},
+                         {"A", "y", "T2", {left_low_far, right_high_near}, 1, 1, 0.0, 2.0}};
+        const auto figures = specificationsOf(renderReport(analyse(table)));
+        REQUIRE(figures.contains("places"));
+        const auto points = valuesWith(figures.at("places"), "mean");
+        REQUIRE(points.size() == 6);  // three places, from above and from behind
+        const auto at = [&](std::size_t i, const char* axis) { return points[i][axis].get<double>(); };
+        CHECK(points[0]["mean"] == 1.0);
+        CHECK(points[2]["mean"] == 0.0);
+        CHECK(at(0, "x") < at(2, "x"));
+        CHECK(at(1, "x") < at(3, "x"));
+        CHECK(at(0, "y") < at(2, "y"));                          // farther ahead; the axis counts downwards
+        CHECK(at(1, "y") > at(3, "y"));                          // lower
+        CHECK(at(4, "y") == doctest::Approx(at(2, "y") + 1.0));  // the second system's row
+        CHECK(tests::contains(points[0]["tip"].get<std::string>(), "x, T1: 1 of 1"));
     }
 }
