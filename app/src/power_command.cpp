@@ -32,16 +32,9 @@ struct PowerArguments {
     results::PowerOptions options;
 };
 
-/// A file, or the name of one that ships ("pointing2023").
-std::filesystem::path effectPath(const std::string& name) {
-    const std::filesystem::path path = name;
-    std::error_code code;
-    if (std::filesystem::exists(path, code) || path.has_parent_path() || path.has_extension()) return path;
-    return assets::dataFile("effects/" + name + ".toml");
-}
-
 Result<studies::AssumedEffects> effectsFor(const PowerArguments& options, const studies::Study& study) {
-    if (options.from.empty()) return studies::loadAssumedEffects(effectPath(options.effect), study);
+    if (options.from.empty())
+        return studies::loadAssumedEffects(assets::fileOrShipped(options.effect, "effects"), study);
     const auto table = loadAll(options.from);
     if (!table) return tl::unexpected(table.error());
     auto estimated = results::estimateEffects(*table, study);

@@ -14,13 +14,6 @@ namespace deixis::app {
 
 namespace {
 
-std::filesystem::path studyPath(const std::string& name) {
-    const std::filesystem::path path = name;
-    std::error_code code;
-    if (std::filesystem::exists(path, code) || path.has_parent_path() || path.has_extension()) return path;
-    return assets::dataFile("studies/" + name + ".toml");
-}
-
 // Which generators there are is not the study's to know.
 void checkGenerators(const studies::Study& study, std::vector<Error>& problems) {
     const auto& known = motion::generatorNames();
@@ -80,7 +73,7 @@ Result<std::vector<studies::TargetItem>> targetsOf(studies::Study& study) {
 tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& name,
                                                              const std::string& language) {
     const studies::StudyFolders folders{assets::dataFile("languages"), assets::dataFile("questionnaires")};
-    auto study = studies::loadStudy(studyPath(name), folders, language);
+    auto study = studies::loadStudy(assets::fileOrShipped(name, "studies"), folders, language);
     if (!study) return tl::unexpected(study.error());
     std::vector<Error> problems;
     checkGenerators(*study, problems);

@@ -21,4 +21,12 @@ std::filesystem::path dataFile(std::string_view relative) {
     return fs::path(DEIXIS_SOURCE_DATA) / relative;
 }
 
+std::filesystem::path fileOrShipped(const std::string& name, std::string_view kind) {
+    const std::filesystem::path path = name;
+    std::error_code code;
+    const bool there = std::filesystem::exists(path, code) && !std::filesystem::is_directory(path, code);
+    if (there || path.has_parent_path() || path.has_extension()) return path;
+    return dataFile(std::string(kind) + "/" + name + ".toml");
+}
+
 }  // namespace deixis::assets

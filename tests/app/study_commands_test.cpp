@@ -52,6 +52,15 @@ TEST_SUITE("app/study_commands") {
         }
     }
 
+    TEST_CASE("A folder of the same name does not hide a study that ships") {
+        const Scratch scratch;
+        fs::create_directories(scratch / "pointing2023");
+        const auto checked =
+            shell("cd " + scratch.path().string() + " && " + DEIXIS_PROGRAM + " check pointing2023");
+        INFO(checked.err);
+        CHECK(checked.status == 0);
+    }
+
     TEST_CASE("Every problem of a file is told at once, with line, key and proposal") {
         const Scratch scratch;
         std::string text = shippedStudy();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace deixis::assets {
@@ -10,5 +11,9 @@ namespace deixis::assets {
 /// Looked for in $DEIXIS_DATA, then beside the program (data/), then in the folders of the build that made
 /// it.
 [[nodiscard]] std::filesystem::path dataFile(std::string_view relative);
+
+/// What a person means by `name`: a file, or a TOML file of `kind` that ships, such as "pointing2023" of
+/// "studies". A folder of that name is no file.
+[[nodiscard]] std::filesystem::path fileOrShipped(const std::string& name, std::string_view kind);
 
 }  // namespace deixis::assets
