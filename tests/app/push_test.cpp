@@ -121,9 +121,9 @@ std::map<std::string, std::string> counts(const std::string& database) {
 }
 
 void checkCounts(const PostgresServer& server, const std::string& database, const std::string& file) {
-    for (const auto& [table, count] : counts(file)) {
-        INFO(table);
-        CHECK(onServer(server, database, "SELECT count(*) FROM " + table) == count);
+    for (const auto& counted : counts(file)) {
+        INFO(counted.first);
+        CHECK(onServer(server, database, "SELECT count(*) FROM " + counted.first) == counted.second);
     }
 }
 

@@ -91,7 +91,9 @@ TEST_SUITE("app/report_r") {
         if (!hasR()) return;
         const std::vector<std::pair<std::string, std::string>> cases{{"genea-pairwise", "preferences"},
                                                                      {"distractor-distance", "between"}};
-        for (const auto& [study, table] : cases) {
+        for (const auto& one : cases) {
+            const std::string& study = one.first;
+            const std::string& table = one.second;
             CAPTURE(study);
             const Scratch scratch;
             const std::string db = scratch / "s.db";

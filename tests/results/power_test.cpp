@@ -122,9 +122,9 @@ TEST_SUITE("results/power") {
         // Six pairs in each of two measures, four systems by two layouts.
         REQUIRE(none.families.size() == 3);
         for (const FamilyPower& family : none.families)
-            for (const auto& [participants, any] : family.any) {
-                INFO(family.name << " of " << participants << ": " << any);
-                CHECK(*none.share(any).lower <= study.alpha);
+            for (const auto& any : family.any) {
+                INFO(family.name << " of " << any.first << ": " << any.second);
+                CHECK(*none.share(any.second).lower <= study.alpha);
             }
         effects.accuracy->systems = {
             {"demonstration-nn", 0.95}, {"direct", 0.8}, {"stiff", 0.6}, {"drifting", 0.35}};

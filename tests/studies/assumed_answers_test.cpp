@@ -108,7 +108,8 @@ TEST_SUITE("studies/assumed_answers") {
             const double se = std::sqrt((squares / studies - mean * mean) / studies);
             const double expected = key.first == 0 ? effects.accuracy->systems.at(key.second)
                                                    : effects.ratings["naturalness"].systems.at(key.second);
-            INFO(key.second << ": " << mean << " with standard error " << se);
+            const std::string& system = key.second;
+            INFO(system << ": " << mean << " with standard error " << se);
             CHECK(std::abs(mean - expected) < 4.0 * se);
         }
     }

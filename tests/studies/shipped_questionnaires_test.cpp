@@ -16,25 +16,25 @@ using namespace deixis::studies;
 
 namespace {
 
-const fs::path data = fs::path(DEIXIS_SOURCE_DIR) / "assets/data";
+const fs::path shipped_data = fs::path(DEIXIS_SOURCE_DIR) / "assets/data";
 constexpr std::array languages{"en", "de", "sv", "ko"};
 
 using Answers = std::map<std::string, double>;
 
 /// A folder of its own; gone with the test.
-class Folder {
+class OneStudyFolder {
   public:
-    Folder() {
+    OneStudyFolder() {
         std::string name = (fs::temp_directory_path() / "deixis_questionnaire_XXXXXX").string();
         REQUIRE(mkdtemp(name.data()) != nullptr);
         path_ = name;
     }
-    ~Folder() {
+    ~OneStudyFolder() {
         std::error_code ignored;
         fs::remove_all(path_, ignored);
     }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
+    OneStudyFolder(const OneStudyFolder&) = delete;
+    OneStudyFolder& operator=(const OneStudyFolder&) = delete;
     [[nodiscard]] const fs::path& path() const { return path_; }
 
   private:
@@ -42,8 +42,8 @@ class Folder {
 };
 
 /// The questionnaire as a study that names it gets it.
-Questionnaire shipped(const std::string& name, const std::string& language = "en") {
-    const Folder folder;
+Questionnaire shippedQuestionnaire(const std::string& name, const std::string& language = "en") {
+    const OneStudyFolder folder;
     const fs::path file = folder.path() / "study.toml";
     REQUIRE(writeFile(file, fmt::format(R"([study]
 name = "one-questionnaire"
@@ -58,7 +58,8 @@ file = "{}"
 )",
                                         language, name))
                 .has_value());
-    const auto study = loadStudy(file, {data / "languages", data / "questionnaires"}, language);
+    const auto study =
+        loadStudy(file, {shipped_data / "languages", shipped_data / "questionnaires"}, language);
     if (!study) FAIL(study.error().front().text());
     REQUIRE(study->stages.size() == 1);
     return study->stages.front().questionnaire;
@@ -123,7 +124,7 @@ constexpr std::array<Symptom, 16> symptoms{{
 
 TEST_SUITE("studies/shipped_questionnaires") {
     TEST_CASE("SSQ: the 16 symptoms stand in the published order on a scale from none to severe.") {
-        const Questionnaire ssq = shipped("ssq");
+        const Questionnaire ssq = shippedQuestionnaire("ssq");
         REQUIRE(ssq.questions.size() == symptoms.size());
         for (std::size_t i = 0; i < symptoms.size(); ++i) {
             const Question& question = ssq.questions[i];
@@ -138,7 +139,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
 
     TEST_CASE("SSQ: all symptoms slight, and all severe, give the scores worked out by hand.") {
         // Seven symptoms in each scale: 7 x 9.54, 7 x 7.58, 7 x 13.92, and (7 + 7 + 7) x 3.74.
-        const Questionnaire ssq = shipped("ssq");
+        const Questionnaire ssq = shippedQuestionnaire("ssq");
         const Answers slight = all(ssq, 1);
         checkScore(ssq, "nausea", slight, 66.78);
         checkScore(ssq, "oculomotor", slight, 53.06);
@@ -156,7 +157,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
     }
 
     TEST_CASE("SSQ: a single symptom counts for its own scales, and for the total once in each of them.") {
-        const Questionnaire ssq = shipped("ssq");
+        const Questionnaire ssq = shippedQuestionnaire("ssq");
         for (const Symptom& symptom : symptoms) {
             CAPTURE(symptom.id);
             Answers answers = all(ssq, 0);
@@ -170,7 +171,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
     }
 
     TEST_CASE("SSQ: a mixed sheet gives the scores worked out by hand.") {
-        const Questionnaire ssq = shipped("ssq");
+        const Questionnaire ssq = shippedQuestionnaire("ssq");
         Answers answers = all(ssq, 0);
         answers["general_discomfort"] = 1;
         answers["fatigue"] = 2;
@@ -186,7 +187,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
     }
 
     TEST_CASE("NASA-TLX: six ratings from 0 to 100, and their plain mean.") {
-        const Questionnaire tlx = shipped("nasa-tlx-raw");
+        const Questionnaire tlx = shippedQuestionnaire("nasa-tlx-raw");
         CHECK(ids(tlx) == std::vector<std::string>{"mental_demand", "physical_demand", "temporal_demand",
                                                    "performance", "effort", "frustration"});
         for (const Question& question : tlx.questions) {
@@ -216,7 +217,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
     }
 
     TEST_CASE("IPQ: the 14 items stand in the order of the English form, with ends of their own.") {
-        const Questionnaire ipq = shipped("ipq");
+        const Questionnaire ipq = shippedQuestionnaire("ipq");
         CHECK(ids(ipq) == std::vector<std::string>{"inv1", "real1", "sp4", "real2", "real3", "sp3", "inv2",
                                                    "g1", "sp1", "sp5", "inv3", "real4", "sp2", "inv4"});
         for (const Question& question : ipq.questions) {
@@ -235,7 +236,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
     }
 
     TEST_CASE("IPQ: scores follow igroup.org's syntax, in which sp2, inv3 and real1 alone are reversed.") {
-        const Questionnaire ipq = shipped("ipq");
+        const Questionnaire ipq = shippedQuestionnaire("ipq");
         const Answers answers{{"g1", 5},    {"sp1", 4},   {"sp2", 1},   {"sp3", 3},  {"sp4", 6},
                               {"sp5", 2},   {"inv1", 2},  {"inv2", 4},  {"inv3", 5}, {"inv4", 3},
                               {"real1", 1}, {"real2", 3}, {"real3", 2}, {"real4", 0}};
@@ -255,7 +256,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
 
     TEST_CASE("A score is there only where all its items were answered, and does not need the others.") {
         for (const char* name : {"ssq", "nasa-tlx-raw", "ipq"}) {
-            const Questionnaire questionnaire = shipped(name);
+            const Questionnaire questionnaire = shippedQuestionnaire(name);
             REQUIRE(!questionnaire.scores.empty());
             for (const Score& one : questionnaire.scores) {
                 CAPTURE(one.name);
@@ -272,7 +273,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
     }
 
     TEST_CASE("Demographics: age may be left out, and every other question has a way not to say.") {
-        const Questionnaire about = shipped("demographics");
+        const Questionnaire about = shippedQuestionnaire("demographics");
         CHECK(ids(about) ==
               std::vector<std::string>{"age", "gender", "handedness", "vision", "vr_experience"});
         for (const Question& question : about.questions) {
@@ -291,13 +292,13 @@ TEST_SUITE("studies/shipped_questionnaires") {
 
     TEST_CASE("A questionnaire is the same in every language but for its words.") {
         for (const char* name : {"ssq", "nasa-tlx-raw", "ipq", "demographics"}) {
-            const Questionnaire english = shipped(name);
+            const Questionnaire english = shippedQuestionnaire(name);
             CHECK_FALSE(english.reference.empty());
             for (const std::string language : languages) {
                 if (language == "en") continue;
                 CAPTURE(name);
                 CAPTURE(language);
-                const Questionnaire other = shipped(name, language);
+                const Questionnaire other = shippedQuestionnaire(name, language);
                 CHECK(other.name == english.name);
                 CHECK(other.per_page == english.per_page);
                 CHECK(other.text != english.text);
@@ -334,7 +335,7 @@ TEST_SUITE("studies/shipped_questionnaires") {
                 CAPTURE(name);
                 CAPTURE(language);
                 std::set<std::pair<std::string, std::vector<std::string>>> seen;
-                for (const Question& question : shipped(name, language).questions) {
+                for (const Question& question : shippedQuestionnaire(name, language).questions) {
                     CAPTURE(question.id);
                     CHECK(seen.emplace(question.text, question.scale.labels).second);
                     const std::set<std::string> labels(question.scale.labels.begin(),
