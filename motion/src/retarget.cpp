@@ -201,7 +201,7 @@ class Mover {
         Moved out;
         out.frames.resize(source_.clip().frames.size());
         ankles_.resize(out.frames.size());
-        if (finder) out.lines.resize(static_cast<std::size_t>(gesture->end_frame - gesture->onset_frame + 1));
+        if (finder) out.lines.resize(static_cast<std::size_t>(gesture->end_frame - gesture->onset_frame) + 1);
         forFrames(out.frames.size(), [&](std::size_t from, std::size_t to) {
             std::vector<Pose> world;
             for (std::size_t f = from; f < to; ++f) {

@@ -274,10 +274,10 @@ PopulationFit fitPopulation(std::span<const std::vector<SeenChoice>> by_particip
         std::array<double, 2 * steps + 1> parts{};
         for (const auto& table : tables) {
             double weights = 0.0;
-            for (int k = -steps; k <= steps; ++k) {
-                const double z = step * k;
+            for (int i = 0; i <= 2 * steps; ++i) {
+                const double z = step * (i - steps);
                 const double noise = noise_deg * std::max(0.2, 1.0 + between * z);
-                parts[static_cast<std::size_t>(k + steps)] =
+                parts[static_cast<std::size_t>(i)] =
                     -0.5 * z * z + logLikelihoodAt(table, gridPlace(noise), lapse);
                 weights += std::exp(-0.5 * z * z);
             }
