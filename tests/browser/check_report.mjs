@@ -28,7 +28,7 @@ run("report", at("study.sqlite"), "-o", at("report.html"), "--json", at("analysi
 const analysis = JSON.parse(fs.readFileSync(at("analysis.json"), "utf8"));
 
 const browser = await puppeteer.launch({executablePath: chromium, headless: true, protocolTimeout: 600000,
-    args: ["--no-sandbox", "--disable-gpu", "--font-render-hinting=none"]});
+    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--font-render-hinting=none"]});
 const said = [];  // what the page complained about
 const asked = [];  // what it asked for besides itself
 
