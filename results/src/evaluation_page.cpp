@@ -70,11 +70,14 @@ std::string nameCell(const SystemEvaluation& system) {
                        system.synthetic ? "&#160;*" : "");
 }
 
-std::string tableStart(int number, const std::string& caption, const std::string& head) {
+/// `style`: "dense" for many columns.
+std::string tableStart(int number, const std::string& caption, const std::string& head,
+                       const char* style = "plain") {
     return fmt::format(
-        "\n<div class=\"scroll\" tabindex=\"0\"><table><caption><span><b>Table {}.</b> {}</span></caption>"
+        "\n<div class=\"scroll\" tabindex=\"0\"><table class=\"{}\"><caption><span><b>Table {}.</b> "
+        "{}</span></caption>"
         "<thead><tr>{}</tr></thead><tbody>",
-        number, caption, head);
+        style, number, caption, head);
 }
 const char* const table_end = "</tbody></table></div>";
 
@@ -209,7 +212,8 @@ std::string comparisonsHtml(const Evaluation& evaluation) {
             "rank-biserial correlation, 1 where the first is better at every target. p: Wilcoxon&#8217;s "
             "signed-rank test, two-sided; Holm: adjusted over all pairs of the table.",
             "<th>Systems</th><th>targets</th><th>Mean</th><th>SD</th><th>Mean "
-            "(&#176;)</th><th>Typical [interval]</th><th>r</th><th>p</th><th>p (Holm)</th>");
+            "(&#176;)</th><th>Typical [interval]</th><th>r</th><th>p</th><th>p (Holm)</th>",
+            "dense");
     for (const SystemComparison& pair : evaluation.comparisons) {
         const SignedRankTest& test = pair.test;
         const bool any = test.n_pairs > 0;

@@ -113,7 +113,7 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
     std::string out = openTable(
         fmt::format("{}{} n counts participants.", caption,
                     measure.kind == MeasureKind::accuracy ? " (A &#8722; B in percentage points)." : "."),
-        first + "<th>Mean A &#8722; B</th>" + effect_columns, numbering);
+        first + "<th>Mean A &#8722; B</th>" + effect_columns, numbering, TableWidth::dense);
     for (const Comparison* one : rows) {
         names.push_back(fmt::format(
             "{}<td class=\"text\">{}</td><td class=\"text\">{}</td>",
@@ -135,7 +135,8 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
     std::string out = openTable(
         "Preferences: answers for A, for neither and for B; mean of the participants' means (positive: A). n "
         "counts participants.",
-        first + "<th>for A</th><th>equal</th><th>for B</th><th>Mean</th>" + effect_columns, numbering);
+        first + "<th>for A</th><th>equal</th><th>for B</th><th>Mean</th>" + effect_columns, numbering,
+        TableWidth::dense);
     const Measure scale{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0};
     for (const PreferenceResult* pair : rows) {
         names.push_back(fmt::format("<td class=\"text\">{}</td><td class=\"text\">{}</td>",
