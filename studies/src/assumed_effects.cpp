@@ -7,7 +7,6 @@
 #include <set>
 #include <string_view>
 
-#include "core/files.hpp"
 #include "studies/answer_curve.hpp"
 #include "study_texts.hpp"
 #include "toml_table.hpp"
@@ -167,9 +166,7 @@ std::vector<AskedMeasure> askedMeasures(const Study& study) {
 }
 
 Result<AssumedEffects> loadAssumedEffects(const std::filesystem::path& path, const Study& study) {
-    const auto bytes = readFile(path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto file = parseToml(path.string(), *bytes);
+    const auto file = readToml(path);
     if (!file) return tl::unexpected(file.error());
     Problems problems(path.string());
     TextBook no_texts(problems);

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "core/files.hpp"
 #include "toml_table.hpp"
 
 namespace deixis::studies {
@@ -106,9 +105,7 @@ Error errorOf(const std::string& file, std::vector<Problem> problems) {
 }  // namespace
 
 Result<LanguageTable> LanguageTable::load(const std::filesystem::path& file) {
-    const auto bytes = readFile(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto table = parseToml(file.string(), *bytes);
+    const auto table = readToml(file);
     if (!table) return tl::unexpected(table.error());
 
     std::vector<Problem> problems;

@@ -1,7 +1,6 @@
 #include <array>
 #include <string_view>
 
-#include "core/files.hpp"
 #include "motion/pointing.hpp"
 #include "studies/simulated_participant.hpp"
 #include "study_texts.hpp"
@@ -80,9 +79,7 @@ void readOtherAnswers(TomlTable& root, SimulatedParameters& read) {
 }  // namespace
 
 Result<SimulatedParameters> loadSimulatedParameters(const std::filesystem::path& path) {
-    const auto bytes = readFile(path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto file = parseToml(path.string(), *bytes);
+    const auto file = readToml(path);
     if (!file) return tl::unexpected(file.error());
     Problems problems(path.string());
     TextBook no_texts(problems);

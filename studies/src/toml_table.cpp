@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/files.hpp"
 #include "study_texts.hpp"
 
 namespace deixis::studies {
@@ -99,6 +100,12 @@ Result<toml::table> parseToml(const std::string& file, std::string_view bytes) {
         return fail(fmt::format("{}:{}", file, error.source().begin.line),
                     fmt::format("this is not valid TOML: {}", error.description()));
     }
+}
+
+Result<toml::table> readToml(const std::filesystem::path& path) {
+    const auto bytes = readFile(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return parseToml(path.string(), *bytes);
 }
 
 std::string_view nearestName(std::string_view found, std::span<const std::string_view> names) {

@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
@@ -43,6 +44,9 @@ class Problems {
 
 /// Parses; a syntax error names file and line.
 [[nodiscard]] Result<toml::table> parseToml(const std::string& file, std::string_view bytes);
+
+/// Reads the file and parses it.
+[[nodiscard]] Result<toml::table> readToml(const std::filesystem::path& path);
 
 /// The name nearest to `found`; empty where none is near.
 [[nodiscard]] std::string_view nearestName(std::string_view found, std::span<const std::string_view> names);
