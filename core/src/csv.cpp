@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace deixis {
@@ -40,13 +41,14 @@ void CsvReader::skipLineEnd() {
 Result<void> CsvReader::readField(std::string& field) {
     if (at_ < text_.size() && text_[at_] == '"') return readQuoted(field);
     const std::size_t begin = at_;
-    while (at_ < text_.size() && text_[at_] != ',' && !atLineEnd()) {
-        if (text_[at_] == '"')
+    for (; at_ < text_.size(); ++at_) {
+        const char c = text_[at_];
+        if (c == ',' || c == '\n' || (c == '\r' && atLineEnd())) break;
+        if (c == '"')
             return fail(fmt::format("{}:{}", name_, line_), "a quote stands inside an unquoted field",
                         "Quote the whole field and double the quote");
-        ++at_;
     }
-    field.assign(text_.substr(begin, at_ - begin));
+    field.assign(text_.data() + begin, at_ - begin);
     return {};
 }
 
@@ -84,13 +86,24 @@ Result<std::vector<CsvRecord>> parseCsv(std::string_view text, const std::string
 }
 
 std::string csvField(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string out = "\"";
+    std::string out;
+    appendCsvField(out, text);
+    return out;
+}
+
+void appendCsvField(std::string& out, std::string_view text) {
+    const bool is_plain = std::none_of(text.begin(), text.end(),
+                                       [](char c) { return c == ',' || c == '"' || c == '\r' || c == '\n'; });
+    if (is_plain) {
+        out += text;
+        return;
+    }
+    out += '"';
     for (const char c : text) {
         if (c == '"') out += '"';
         out += c;
     }
-    return out + '"';
+    out += '"';
 }
 
 }  // namespace deixis

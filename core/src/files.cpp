@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -21,6 +22,9 @@ Result<std::string> readFile(const std::filesystem::path& path) {
     if (!in) return fail(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
     std::string bytes;
     constexpr std::size_t at_once = std::size_t{1} << 20U;
+    constexpr std::uintmax_t most_at_first = std::uintmax_t{1} << 30U;
+    if (const auto size = std::filesystem::file_size(path, code); !code)
+        bytes.reserve(static_cast<std::size_t>(std::min(size, most_at_first)) + at_once);
     for (std::size_t count = 0; in; bytes.resize(count)) {
         bytes.resize(count + at_once);
         in.read(bytes.data() + count, static_cast<std::streamsize>(at_once));

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "bone_index.hpp"
+#include "core/parallel.hpp"
 #include "motion/pointing.hpp"
-#include "parallel.hpp"
 #include "retarget_assembly.hpp"
 #include "retarget_feet.hpp"
 #include "retarget_pointing.hpp"
@@ -17,6 +17,8 @@ namespace deixis::motion {
 namespace {
 
 using enum Bone;
+
+constexpr std::size_t frames_worth_a_thread = 2000;
 
 /// The bones whose rotation the source gives. Fingers count where a whole finger is there: single stand-ins
 /// for all fingers (CMU) leave the avatar's hand relaxed.
@@ -202,7 +204,7 @@ class Mover {
         out.frames.resize(source_.clip().frames.size());
         ankles_.resize(out.frames.size());
         if (finder) out.lines.resize(static_cast<std::size_t>(gesture->end_frame - gesture->onset_frame) + 1);
-        forFrames(out.frames.size(), [&](std::size_t from, std::size_t to) {
+        forRanges(out.frames.size(), frames_worth_a_thread, [&](std::size_t from, std::size_t to) {
             std::vector<Pose> world;
             for (std::size_t f = from; f < to; ++f) {
                 read(f, out.frames[f], world);
@@ -324,7 +326,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     clip.skeleton = avatar.skeleton;
     clip.frame_time_s = source_clip.frame_time_s;
     clip.frames.resize(moved.frames.size());
-    forFrames(clip.frames.size(), [&](std::size_t from, std::size_t to) {
+    forRanges(clip.frames.size(), frames_worth_a_thread, [&](std::size_t from, std::size_t to) {
         BodyPoser::Workspace workspace;
         for (std::size_t f = from; f < to; ++f)
             clip.frames[f] = poser.pose(moved.frames[f], static_cast<int>(f), workspace);

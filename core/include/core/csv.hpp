@@ -40,5 +40,7 @@ class CsvReader {
 
 /// The field, quoted where it must be.
 [[nodiscard]] std::string csvField(std::string_view text);
+/// Likewise, behind what stands in `out`.
+void appendCsvField(std::string& out, std::string_view text);
 
 }  // namespace deixis
