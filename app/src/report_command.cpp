@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <utility>
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
@@ -64,9 +65,9 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
         if (auto checked = checkOutput(file); !checked) return checked;
     if (!files.page.empty() && files.page == files.json)
         return fail(files.page, "was named for both the page and the JSON");
-    const auto table = loadAll(data, choice);
+    auto table = loadAll(data, choice);
     if (!table) return tl::unexpected(table.error());
-    const auto analysis = results::analyse(*table, options);
+    const auto analysis = results::analyse(std::move(*table), options);
     if (!files.page.empty())
         if (auto written = writeFile(files.page, results::renderReport(analysis)); !written) return written;
     if (!files.json.empty())

@@ -1,6 +1,9 @@
 #include "results/analysis.hpp"
 
-#include <set>
+#include <future>
+#include <map>
+#include <unordered_set>
+#include <utility>
 
 #include "analysis_details.hpp"
 #include "analysis_remarks.hpp"
@@ -18,86 +21,115 @@ std::vector<double> participantMeans(const Cells& cells, const std::string& cond
     return means;
 }
 
-/// Of participants' means, resampling participants.
-std::optional<BootstrapInterval> meanInterval(const std::vector<double>& means,
-                                              const AnalysisOptions& options) {
-    if (means.size() < 2) return std::nullopt;
-    std::vector<std::vector<double>> rows;
-    rows.reserve(means.size());
-    for (const double value : means) rows.push_back({value});
-    const auto made = bootstrapMeans(rows, {options.resamples, options.seed, options.level});
-    return made.front().bca ? made.front().bca : made.front().percentile;
-}
-
-Summary summarise(const Cells& cells, const std::string& system, const AnalysisOptions& options) {
+Summary summarise(const Cells& cells, const std::string& system) {
     const auto means = participantMeans(cells, system);
     const auto trials = allTrials(cells, system);
-    return {mean(means),
-            quantile(means, 0.5),
-            sampleSd(means),
-            sampleSd(trials),
-            static_cast<int>(trials.size()),
-            means,
-            meanInterval(means, options)};
+    return {
+        mean(means), quantile(means, 0.5), sampleSd(means), sampleSd(trials), static_cast<int>(trials.size()),
+        means};
 }
 
-RowPointers pointersTo(const std::vector<ResponseRow>& rows) {
-    RowPointers out;
-    out.reserve(rows.size());
-    for (const ResponseRow& row : rows) out.push_back(&row);
+/// Of participants' means, resampling participants. Summaries of as many participants are resampled together:
+/// each gets what it would get alone, as the seed is the same, and the draws are made once.
+void addIntervals(const std::vector<Summary*>& summaries, const AnalysisOptions& options) {
+    std::map<std::size_t, std::vector<Summary*>> by_size;
+    for (Summary* one : summaries)
+        if (one->by_participant.size() > 1) by_size[one->by_participant.size()].push_back(one);
+    for (const auto& [size, together] : by_size) {
+        std::vector<std::vector<double>> rows(size);
+        for (std::size_t i = 0; i < size; ++i)
+            for (const Summary* one : together) rows[i].push_back(one->by_participant[i]);
+        const auto made = bootstrapMeans(rows, {options.resamples, options.seed, options.level});
+        for (std::size_t c = 0; c < together.size(); ++c)
+            together[c]->interval = made[c].bca ? made[c].bca : made[c].percentile;
+    }
+}
+
+std::vector<SystemResult> summariseSystems(const CellsByMeasure& cells, const AnalysisResult& result) {
+    std::vector<SystemResult> out;
+    const Cells none;
+    for (const auto& system : result.table.systems) {
+        SystemResult& row = out.emplace_back(SystemResult{system, {}});
+        for (const Measure& measure : result.measures) {
+            const auto of_measure = cells.find(measure.name);
+            row.measures.push_back(summarise(of_measure == cells.end() ? none : of_measure->second, system));
+        }
+    }
+    std::vector<Summary*> summaries;
+    for (SystemResult& row : out)
+        for (Summary& one : row.measures) summaries.push_back(&one);
+    addIntervals(summaries, result.options);
     return out;
+}
+
+/// The tests of the answers in `cells`, which are the table's.
+void testAnswers(const RowPointers& rows, const CellsByMeasure& cells, AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    const double level = result.options.level;
+    result.omnibus.clear();
+    result.levels.clear();
+    result.level_tests.clear();
+    MeansByMeasure means = exactMeans(cells);
+    if (table.systems.size() > 1)
+        for (const Measure& measure : result.measures)
+            result.omnibus.push_back(omnibusTest(means[measure.name], measure.name, table.systems));
+    result.pairwise = pairTests(means, result.measures, table.systems, level, result.alpha);
+    compareLevels(result);
+    result.preferences = preferenceTests(rows, table.systems, level, result.alpha);
+}
+
+void setUp(AnalysisResult& result) {
+    result.alpha = result.options.alpha.value_or(result.table.alpha);
+    result.measures.clear();
+    for (const Measure& measure : result.table.measures)
+        if (measure.kind != MeasureKind::preference) result.measures.push_back(measure);
+}
+
+void countParticipants(AnalysisResult& result) {
+    std::unordered_set<Name> participants;
+    Name last;
+    for (const auto& row : result.table.rows) {
+        if (std::exchange(last, row.participant) != row.participant) participants.insert(row.participant);
+        result.synthetic = result.synthetic || row.synthetic;
+    }
+    // Who has filled in questionnaires only has taken part, too.
+    for (const auto& row : result.table.scores) participants.insert(row.participant);
+    for (const auto& station : result.table.stations)
+        result.synthetic = result.synthetic || station.synthetic;
+    result.participants = static_cast<int>(participants.size());
 }
 
 }  // namespace
 
 void runTests(AnalysisResult& result) {
-    const ResponseTable& table = result.table;
-    const double level = result.options.level;
-    result.alpha = result.options.alpha.value_or(table.alpha);
-    result.measures.clear();
-    result.omnibus.clear();
-    result.levels.clear();
-    result.level_tests.clear();
-    for (const Measure& measure : table.measures)
-        if (measure.kind != MeasureKind::preference) result.measures.push_back(measure);
-    const RowPointers rows = pointersTo(table.rows);
-    CellsByMeasure cells = cellsOf(rows);
-    if (table.systems.size() > 1)
-        for (const Measure& measure : result.measures)
-            result.omnibus.push_back(omnibusTest(cells[measure.name], measure.name, table.systems));
-    result.pairwise = pairTests(cells, result.measures, table.systems, level, result.alpha);
-    compareLevels(result);
-    result.preferences = preferenceTests(rows, table.systems, level, result.alpha);
+    setUp(result);
+    const RowPointers rows = pointersTo(result.table.rows);
+    testAnswers(rows, cellsOf(rows), result);
 }
 
-AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options) {
+AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     AnalysisResult result;
-    result.table = table;
+    result.table = std::move(table);
     result.options = options;
-    runTests(result);
-    CellsByMeasure cells = cellsOf(pointersTo(table.rows));
-    std::set<std::string> participants;
-    for (const auto& row : table.rows) {
-        participants.insert(row.participant);
-        result.synthetic = result.synthetic || row.synthetic;
-    }
-    // Who has filled in questionnaires only has taken part, too.
-    for (const auto& row : table.scores) participants.insert(row.participant);
-    for (const auto& station : table.stations) result.synthetic = result.synthetic || station.synthetic;
-    result.participants = static_cast<int>(participants.size());
+    setUp(result);
+    const RowPointers rows = pointersTo(result.table.rows);
+    const CellsByMeasure cells = cellsOf(rows);
+    // What needs no test is worked out beside the tests.
+    auto hash = std::async(std::launch::async, [&] { return answersHash(result.table); });
+    auto systems = std::async(std::launch::async, [&] { return summariseSystems(cells, result); });
+    auto descriptions = std::async(std::launch::async, [&] { describeAnswers(result); });
+    testAnswers(rows, cells, result);
+    countParticipants(result);
     remarkAnswers(result);
+    result.systems = systems.get();
+    result.answers_hash = hash.get();
+    descriptions.get();
 
-    for (const auto& system : table.systems) {
-        SystemResult& row = result.systems.emplace_back();
-        row.system = system;
-        for (const Measure& measure : result.measures)
-            row.measures.push_back(summarise(cells[measure.name], system, options));
-    }
-    result.bradley_terry = bradleyTerry(table, {options.resamples, options.seed, options.level});
+    if (!result.preferences.empty())
+        result.bradley_terry = bradleyTerry(result.table, {options.resamples, options.seed, options.level});
     compareOtherAnswers(result);
     compareGroups(result);
     summariseScores(result);
-    describeAnswers(result);
     describeChoices(result);
 
     remarkTests(result);

@@ -347,7 +347,7 @@ std::string analysisJson(const AnalysisResult& result) {
                     {"hash", table.study_hash},
                     {"planned_participants", table.planned_participants}};
     out["data"] = {
-        {"files", table.database}, {"answers_hash", answersHash(table)}, {"answers", table.rows.size()}};
+        {"files", table.database}, {"answers_hash", result.answers_hash}, {"answers", table.rows.size()}};
     out["measures"] = Json::array();
     for (const auto& measure : table.measures)
         out["measures"].push_back({{"measure", measure.name},

@@ -22,12 +22,19 @@ struct LevelCells {
 
 LevelCells levelCells(const ResponseTable& table, const std::string& measure, const Factor& factor) {
     LevelCells cells;
+    const Name name(measure);
+    RecentCells recent;
+    RecentCells recent_of_all;
     for (const auto& row : table.rows) {
-        if (row.measure != measure) continue;
-        const std::string level = levelOf(table, row, factor.name);
+        if (row.measure != name) continue;
+        const Name level = levelOf(table, row, factor.name);
         if (level.empty()) continue;
-        cells.by_system[row.system][level][row.participant].push_back(row.value);
-        cells.of_all[level][row.participant].push_back(row.value);
+        recent
+            .of(row, row.system, level,
+                [&]() -> Scores& { return cells.by_system[row.system][level][row.participant]; })
+            .push_back(row.value);
+        recent_of_all.of(row, level, level, [&]() -> Scores& { return cells.of_all[level][row.participant]; })
+            .push_back(row.value);
     }
     for (const std::string& level : factor.levels)
         if (cells.of_all.contains(level)) cells.levels.push_back(level);
@@ -51,7 +58,9 @@ void addLevels(const Measure& measure, const std::string& factor, LevelCells& ce
 void testLevels(const Measure& measure, const std::string& factor, LevelCells& cells,
                 AnalysisResult& result) {
     const std::size_t family = result.level_tests.size();
-    const auto test = [&](const std::string& system, const Cells& of_system) {
+    std::map<std::string, Means> means;  // by system
+    const auto add = [&](const std::string& system, const Cells& of_system) {
+        means[system] = exactMeans(of_system);
         for (std::size_t i = 0; i < cells.levels.size(); ++i)
             for (std::size_t j = i + 1; j < cells.levels.size(); ++j) {
                 Comparison& pair = result.level_tests.emplace_back();
@@ -60,14 +69,22 @@ void testLevels(const Measure& measure, const std::string& factor, LevelCells& c
                 pair.system = system;
                 pair.a = cells.levels[i];
                 pair.b = cells.levels[j];
-                testDifferences(pair, of_system, result.options.level);
             }
     };
     const bool over_systems = cells.nested && cells.levels.size() > 1;
     if (over_systems)
-        test("all", cells.of_all);
+        add("all", cells.of_all);
     else
-        for (const auto& system : result.table.systems) test(system, cells.by_system[system]);
+        for (const auto& system : result.table.systems) add(system, cells.by_system[system]);
+    std::size_t participants = 0;
+    for (const auto& [system, of_system] : means)
+        participants = std::max(participants, mostParticipants(of_system));
+    forTests(result.level_tests.size() - family, participants, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = family + from; i < family + to; ++i) {
+            Comparison& pair = result.level_tests[i];
+            testDifferences(pair, means.at(pair.system), result.options.level);
+        }
+    });
     adjustFrom(result.level_tests, family,
                fmt::format("{}: {} {} systems", measure.name, factor, over_systems ? "over" : "within"),
                result.alpha);

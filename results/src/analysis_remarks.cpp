@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "by_name.hpp"
+
 namespace deixis::results {
 
 namespace {
@@ -81,7 +83,7 @@ void remarkSensitivity(AnalysisResult& result) {
 
 void remarkAnswers(AnalysisResult& result) {
     const ResponseTable& table = result.table;
-    std::map<std::string, int> answered;
+    ByName<int> answered;
     int interrupted = 0;
     int synthetic = 0;
     for (const auto& row : table.rows) {

@@ -1,5 +1,6 @@
 // The comparisons of systems with answers that the headline leaves out, and without some that it takes.
-#include <set>
+#include <unordered_set>
+#include <utility>
 
 #include "analysis_details.hpp"
 #include "analysis_tests.hpp"
@@ -15,14 +16,22 @@ struct PairsOfChoice {
     AnswerCounts counts;
 };
 
+AnswerCounts countsOf(const RowPointers& rows) {
+    std::unordered_set<Name> participants;
+    Name last;
+    for (const ResponseRow* row : rows)
+        if (std::exchange(last, row->participant) != row->participant) participants.insert(row->participant);
+    return {static_cast<int>(participants.size()), static_cast<int>(rows.size())};
+}
+
 PairsOfChoice testChoice(const RowPointers& rows, const AnalysisResult& result) {
-    std::set<std::string> participants;
-    for (const ResponseRow* row : rows) participants.insert(row->participant);
+    // Mostly nobody is left out and nothing is in doubt: the answers are those of the headline.
+    if (rows.size() == result.table.rows.size())
+        return {result.pairwise, result.preferences, result.headline_answers};
     const auto& systems = result.table.systems;
     const double level = result.options.level;
-    return {pairTests(cellsOf(rows), result.measures, systems, level, result.alpha),
-            preferenceTests(rows, systems, level, result.alpha),
-            {static_cast<int>(participants.size()), static_cast<int>(rows.size())}};
+    return {pairTests(exactMeans(cellsOf(rows)), result.measures, systems, level, result.alpha),
+            preferenceTests(rows, systems, level, result.alpha), countsOf(rows)};
 }
 
 /// Without answers it is a test without pairs.
@@ -36,17 +45,16 @@ AdjustedTest preferenceIn(const PairsOfChoice& choice, const PreferenceResult& p
 
 void compareOtherAnswers(AnalysisResult& result) {
     const ResponseTable& table = result.table;
+    const std::unordered_set<Name> failed(table.failed_checks.begin(), table.failed_checks.end());
     RowPointers headline;
     RowPointers without;
     for (const ResponseRow& row : table.rows) {
         headline.push_back(&row);
-        if (row.marked.empty() && !table.failed_checks.contains(row.participant)) without.push_back(&row);
+        if (row.marked.empty() && !failed.contains(row.participant)) without.push_back(&row);
     }
     RowPointers with = headline;
     for (const ResponseRow& row : table.left_out_rows) with.push_back(&row);
-    std::set<std::string> participants;
-    for (const ResponseRow* row : headline) participants.insert(row->participant);
-    result.headline_answers = {static_cast<int>(participants.size()), static_cast<int>(headline.size())};
+    result.headline_answers = countsOf(headline);
     const PairsOfChoice with_left_out = testChoice(with, result);
     const PairsOfChoice without_doubtful = testChoice(without, result);
     result.answers_with_left_out = with_left_out.counts;

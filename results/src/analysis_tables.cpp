@@ -5,8 +5,11 @@
 #include <map>
 
 #include "analysis_tables_further.hpp"
+#include "analysis_tests.hpp"
+#include "answers_csv.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "plain_table.hpp"
+#include "results/descriptive.hpp"
 
 namespace deixis::results {
 
@@ -290,64 +293,21 @@ PlainTable participantsTable(const AnalysisResult& result) {
         "participant_means",
         "Participants' means",
         {{"participant", text}, {"measure", text}, {"system", text}, {"mean", number}, {"answers", whole}}};
-    std::map<std::string, std::map<std::string, std::map<std::string, std::pair<double, int>>>> sums;
-    for (const ResponseRow& row : result.table.rows) {
-        if (!row.other_system.empty()) continue;
-        auto& [sum, n] = sums[row.measure][row.participant][row.system];
-        sum += row.value;
-        ++n;
+    const CellsByMeasure cells = cellsOf(pointersTo(result.table.rows));
+    for (const Measure& measure : result.measures) {
+        const auto of_measure = cells.find(measure.name);
+        if (of_measure == cells.end()) continue;
+        for (const PresenceRow& row : result.presence)
+            for (const std::string& system : result.table.systems) {
+                const auto of_system = of_measure->second.find(system);
+                if (of_system == of_measure->second.end()) continue;
+                if (const auto scores = of_system->second.find(row.participant);
+                    scores != of_system->second.end())
+                    out.rows.push_back({row.participant, measure.name, system,
+                                        PlainCell(mean(scores->second)),
+                                        count(static_cast<int>(scores->second.size()))});
+            }
     }
-    for (const Measure& measure : result.measures)
-        for (const auto& [participant, systems] : sums[measure.name])
-            for (const std::string& system : result.table.systems)
-                if (const auto cell = systems.find(system); cell != systems.end())
-                    out.rows.push_back({participant, measure.name, system,
-                                        PlainCell(cell->second.first / cell->second.second),
-                                        count(cell->second.second)});
-    return out;
-}
-
-/// In the form that `deixis report` reads again.
-PlainTable answersTable(const AnalysisResult& result) {
-    PlainTable out{"answers",
-                   "Answers",
-                   {{"participant", text},
-                    {"measure", text},
-                    {"system", text},
-                    {"other_system", text},
-                    {"layout", text},
-                    {"distance", text},
-                    {"item", text},
-                    {"order", whole},
-                    {"correct", whole},
-                    {"rating", number},
-                    {"rt", number},
-                    {"synthetic", truth},
-                    {"marked", text},
-                    {"excluded", text}}};
-    for (const auto* factors : {&result.table.within, &result.table.between})
-        for (const Factor& factor : *factors) out.columns.push_back({factor.name, text});
-    std::map<std::string, bool> is_accuracy;
-    for (const Measure& measure : result.table.measures)
-        is_accuracy[measure.name] = measure.kind == MeasureKind::accuracy;
-    const auto add = [&](const ResponseRow& row) {
-        const bool choice = is_accuracy[row.measure];
-        out.rows.push_back({row.participant, row.measure, row.system, row.other_system, row.layout,
-                            row.distance, row.target_id, row.trial >= 0 ? count(row.trial) : PlainCell(),
-                            choice ? count(static_cast<int>(row.value)) : PlainCell(),
-                            choice ? PlainCell() : PlainCell(row.value),
-                            row.response_time_s > 0.0 ? PlainCell(row.response_time_s) : PlainCell(),
-                            PlainCell(row.synthetic), row.marked, row.excluded});
-        for (const Factor& factor : result.table.within)
-            out.rows.back().emplace_back(levelOf(result.table, row, factor.name));
-        const auto groups = result.table.groups.find(row.participant);
-        for (const Factor& factor : result.table.between) {
-            const bool known = groups != result.table.groups.end() && groups->second.contains(factor.name);
-            out.rows.back().emplace_back(known ? groups->second.at(factor.name) : std::string());
-        }
-    };
-    for (const ResponseRow& row : result.table.rows) add(row);
-    for (const ResponseRow& row : result.table.left_out_rows) add(row);
     return out;
 }
 
@@ -386,13 +346,14 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
     for (PlainTable table : furtherTables(result)) tables.push_back(std::move(table));
     const bool csv = format == TableFormat::csv;
     if (csv)
-        for (PlainTable table : {itemsTable(result), leftOutTable(result), participantsTable(result),
-                                 answersTable(result), settingsTable(result)})
+        for (PlainTable table :
+             {itemsTable(result), leftOutTable(result), participantsTable(result), settingsTable(result)})
             tables.push_back(std::move(table));
     std::vector<std::pair<std::string, std::string>> out;
     for (const PlainTable& table : tables)
         if (!table.rows.empty())
             out.emplace_back(table.name + (csv ? ".csv" : ".tex"), csv ? csvText(table) : latexText(table));
+    if (csv && !result.table.rows.empty()) out.emplace_back("answers.csv", answersCsv(result.table));
     return out;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -13,14 +14,14 @@ namespace deixis::results {
 
 namespace {
 
-std::vector<Rational> pairedDifferences(const Cells& cells, const std::string& a, const std::string& b) {
+std::vector<Rational> pairedDifferences(const Means& means, const std::string& a, const std::string& b) {
     std::vector<Rational> differences;
-    const auto cell_a = cells.find(a);
-    const auto cell_b = cells.find(b);
-    if (cell_a == cells.end() || cell_b == cells.end()) return differences;
-    for (const auto& [participant, scores] : cell_a->second)
-        if (const auto other = cell_b->second.find(participant); other != cell_b->second.end())
-            differences.push_back(exactMeanOf(scores) - exactMeanOf(other->second));
+    const auto of_a = means.find(a);
+    const auto of_b = means.find(b);
+    if (of_a == means.end() || of_b == means.end()) return differences;
+    for (const auto& [participant, mean] : of_a->second)
+        if (const auto other = of_b->second.find(participant); other != of_b->second.end())
+            differences.push_back(mean - other->second);
     return differences;
 }
 
@@ -35,17 +36,43 @@ std::vector<double> allTrials(const Cells& cells, const std::string& condition) 
 }
 
 Rational exactMeanOf(const Scores& scores) {
+    constexpr double small = 2147483648.0;
     Rational sum;
-    for (const double score : scores) sum += Rational::fromShortestDecimal(score);
-    return sum / Rational(static_cast<std::int64_t>(scores.size()));
+    std::int64_t whole = 0;  // most scores are small whole numbers
+    for (const double score : scores)
+        if (score == std::floor(score) && std::abs(score) < small)
+            whole += static_cast<std::int64_t>(score);
+        else
+            sum += Rational::fromShortestDecimal(score);
+    return (sum + Rational(whole)) / Rational(static_cast<std::int64_t>(scores.size()));
+}
+
+Means exactMeans(const Cells& cells) {
+    Means means;
+    for (const auto& [condition, by_participant] : cells)
+        for (const auto& [participant, scores] : by_participant)
+            means[condition].emplace_hint(means[condition].end(), participant, exactMeanOf(scores));
+    return means;
+}
+
+MeansByMeasure exactMeans(const CellsByMeasure& cells) {
+    MeansByMeasure means;
+    for (const auto& [measure, of_measure] : cells) means[measure] = exactMeans(of_measure);
+    return means;
+}
+
+std::size_t mostParticipants(const Means& means) {
+    std::size_t most = 0;
+    for (const auto& [condition, by_participant] : means) most = std::max(most, by_participant.size());
+    return most;
 }
 
 double meanOf(const std::vector<Rational>& values) {
     return values.empty() ? 0.0 : exactMean(values).toDouble();
 }
 
-void testDifferences(Comparison& comparison, const Cells& cells, double level) {
-    const auto differences = pairedDifferences(cells, comparison.a, comparison.b);
+void testDifferences(Comparison& comparison, const Means& means, double level) {
+    const auto differences = pairedDifferences(means, comparison.a, comparison.b);
     comparison.mean_difference = meanOf(differences);
     for (const Rational& difference : differences) comparison.differences.push_back(difference.toDouble());
     comparison.test = signedRankTest(differences, level);
@@ -83,19 +110,31 @@ void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& n
     }
 }
 
+RowPointers pointersTo(const std::vector<ResponseRow>& rows) {
+    RowPointers out;
+    out.reserve(rows.size());
+    for (const ResponseRow& row : rows) out.push_back(&row);
+    return out;
+}
+
 CellsByMeasure cellsOf(const RowPointers& rows) {
     CellsByMeasure cells;
+    RecentCells recent;
     for (const ResponseRow* row : rows)
-        cells[row->measure][row->system][row->participant].push_back(row->value);
+        recent
+            .of(*row, row->measure, row->system,
+                [&]() -> Scores& { return cells[row->measure][row->system][row->participant]; })
+            .push_back(row->value);
     return cells;
 }
 
-std::vector<Comparison> pairTests(const CellsByMeasure& cells, const std::vector<Measure>& measures,
+std::vector<Comparison> pairTests(const MeansByMeasure& means, const std::vector<Measure>& measures,
                                   const std::vector<std::string>& systems, double level, double alpha) {
     std::vector<Comparison> out;
     for (const Measure& measure : measures) {
-        const auto found = cells.find(measure.name);
-        const Cells none;
+        const auto found = means.find(measure.name);
+        const Means none;
+        const Means& of_measure = found == means.end() ? none : found->second;
         const std::size_t family = out.size();
         for (std::size_t i = 0; i < systems.size(); ++i)
             for (std::size_t j = i + 1; j < systems.size(); ++j) {
@@ -103,8 +142,11 @@ std::vector<Comparison> pairTests(const CellsByMeasure& cells, const std::vector
                 pair.measure = measure.name;
                 pair.a = systems[i];
                 pair.b = systems[j];
-                testDifferences(pair, found == cells.end() ? none : found->second, level);
             }
+        forTests(out.size() - family, mostParticipants(of_measure), [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = family + from; i < family + to; ++i)
+                testDifferences(out[i], of_measure, level);
+        });
         adjustFrom(out, family, fmt::format("{}: pairs of systems", measure.name), alpha);
     }
     return out;
@@ -117,8 +159,9 @@ std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
         return std::find(systems.begin(), systems.end(), system) - systems.begin();
     };
     std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, std::map<std::string, Scores>> pairs;
+    const Name preference("preference");
     for (const ResponseRow* row : rows) {
-        if (row->measure != "preference") continue;
+        if (row->measure != preference) continue;
         const auto left = order(row->system);
         const auto right = order(row->other_system);
         // Positive: for the one that comes first in the study.
@@ -144,20 +187,20 @@ std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
     return out;
 }
 
-OmnibusResult omnibusTest(const Cells& cells, const std::string& measure,
+OmnibusResult omnibusTest(const Means& means, const std::string& measure,
                           const std::vector<std::string>& systems) {
     std::set<std::string> participants;
-    for (const auto& [system, by_participant] : cells)
-        for (const auto& [participant, scores] : by_participant) participants.insert(participant);
+    for (const auto& [system, by_participant] : means)
+        for (const auto& [participant, mean] : by_participant) participants.insert(participant);
     std::vector<std::vector<Rational>> rows;
     for (const std::string& participant : participants) {
         std::vector<Rational> row;
         for (const std::string& system : systems) {
-            const auto cell = cells.find(system);
-            if (cell == cells.end()) break;
-            const auto scores = cell->second.find(participant);
-            if (scores == cell->second.end()) break;
-            row.push_back(exactMeanOf(scores->second));
+            const auto of_system = means.find(system);
+            if (of_system == means.end()) break;
+            const auto mean = of_system->second.find(participant);
+            if (mean == of_system->second.end()) break;
+            row.push_back(mean->second);
         }
         if (row.size() == systems.size()) rows.push_back(std::move(row));
     }

@@ -1,10 +1,12 @@
 // Participants' means under conditions, and the tests that compare them; private to the analysis.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "results/analysis.hpp"
 
 namespace deixis::results {
@@ -15,12 +17,44 @@ using Scores = std::vector<double>;
 /// Condition -> participant -> scores. std::map keeps the participants in order.
 using Cells = std::map<std::string, std::map<std::string, Scores>>;
 
+/// Condition -> participant -> mean score, exact.
+using Means = std::map<std::string, std::map<std::string, Rational>>;
+
 /// By measure; the conditions are systems.
 using CellsByMeasure = std::map<std::string, Cells>;
+using MeansByMeasure = std::map<std::string, Means>;
 
 using RowPointers = std::vector<const ResponseRow*>;
 
+[[nodiscard]] RowPointers pointersTo(const std::vector<ResponseRow>& rows);
+
 [[nodiscard]] CellsByMeasure cellsOf(const RowPointers& rows);
+
+/// The cells of the rows' participant that were used last: rows mostly stand by participant, so that the maps
+/// need not be asked for each of them.
+class RecentCells {
+  public:
+    /// make() gives the cell of the row's participant under two more names.
+    template <typename Make>
+    Scores& of(const ResponseRow& row, Name first, Name second, const Make& make) {
+        if (row.participant != participant_) cells_.clear();
+        participant_ = row.participant;
+        for (const Recent& one : cells_)
+            if (one.first == first && one.second == second) return *one.scores;
+        return *cells_.emplace_back(Recent{first, second, &make()}).scores;
+    }
+
+  private:
+    struct Recent {
+        Name first, second;
+        Scores* scores;
+    };
+    std::vector<Recent> cells_{};
+    Name participant_{};
+};
+
+[[nodiscard]] Means exactMeans(const Cells& cells);
+[[nodiscard]] MeansByMeasure exactMeans(const CellsByMeasure& cells);
 
 /// Every score under a condition.
 [[nodiscard]] std::vector<double> allTrials(const Cells& cells, const std::string& condition);
@@ -33,7 +67,18 @@ using RowPointers = std::vector<const ResponseRow*>;
 
 /// Fills in the differences' test, their mean and their normality: participants' means under comparison.a
 /// minus those under comparison.b, of the participants who have both.
-void testDifferences(Comparison& comparison, const Cells& cells, double level);
+void testDifferences(Comparison& comparison, const Means& means, double level);
+
+/// Calls work(first, last) for all of `count` tests: on several cores where each takes long, which is so
+/// where many participants are compared.
+template <typename Work>
+void forTests(std::size_t count, std::size_t participants, const Work& work) {
+    constexpr std::size_t many_participants = 200;
+    forRanges(count, participants < many_participants ? std::max<std::size_t>(count, 1) : 1, work);
+}
+
+/// How many have a mean under some condition, at least.
+[[nodiscard]] std::size_t mostParticipants(const Means& means);
 
 /// Fills in all that depends on the family, which consists of these tests.
 void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& name, double alpha);
@@ -47,7 +92,7 @@ void adjustFrom(std::vector<Test>& tests, std::size_t first, const std::string& 
 }
 
 /// All pairs of systems in each measure, a family each.
-[[nodiscard]] std::vector<Comparison> pairTests(const CellsByMeasure& cells,
+[[nodiscard]] std::vector<Comparison> pairTests(const MeansByMeasure& means,
                                                 const std::vector<Measure>& measures,
                                                 const std::vector<std::string>& systems, double level,
                                                 double alpha);
@@ -58,7 +103,7 @@ void adjustFrom(std::vector<Test>& tests, std::size_t first, const std::string& 
                                                             double level, double alpha);
 
 /// Of the participants who have scores under each of the systems.
-[[nodiscard]] OmnibusResult omnibusTest(const Cells& cells, const std::string& measure,
+[[nodiscard]] OmnibusResult omnibusTest(const Means& means, const std::string& measure,
                                         const std::vector<std::string>& systems);
 
 }  // namespace deixis::results

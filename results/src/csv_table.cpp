@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -9,11 +10,19 @@
 
 namespace deixis::results {
 
+namespace {
+
+/// Whether a spreadsheet may take it for a formula.
+bool looksLikeFormula(std::string_view text) {
+    if (text.empty()) return false;
+    const char c = text.front();
+    return c == '=' || c == '+' || c == '-' || c == '@' || c == '\t' || c == '\r';
+}
+
+}  // namespace
+
 std::string safeText(std::string_view text) {
-    constexpr std::string_view formula_starts = "=+-@\t\r";
-    if (!text.empty() && formula_starts.find(text.front()) != std::string_view::npos)
-        return "'" + std::string(text);
-    return std::string(text);
+    return (looksLikeFormula(text) ? "'" : "") + std::string(text);
 }
 
 CsvTable::CsvTable(std::vector<ColumnSpec> columns) : columns_(std::move(columns)) {
@@ -27,17 +36,24 @@ void CsvTable::separate() {
 
 void CsvTable::text(std::string_view value) {
     separate();
-    bytes_ += csvField(safeText(value));
+    if (looksLikeFormula(value))
+        appendCsvField(bytes_, safeText(value));
+    else
+        appendCsvField(bytes_, value);
 }
 
 void CsvTable::number(double value) {
+    constexpr double exact = 1e15;
+    if (value == std::floor(value) && std::abs(value) < exact && !std::signbit(value))
+        return whole(static_cast<long long>(value));  // the same digits, sooner
     separate();
     fmt::format_to(std::back_inserter(bytes_), "{}", value);
 }
 
 void CsvTable::whole(long long value) {
     separate();
-    fmt::format_to(std::back_inserter(bytes_), "{}", value);
+    const fmt::format_int digits(value);
+    bytes_.append(digits.data(), digits.size());
 }
 
 void CsvTable::empty() {

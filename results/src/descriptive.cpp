@@ -70,8 +70,12 @@ double sampleSd(std::span<const double> x) {
 }
 
 double quantile(std::vector<double> x, double q) {
-    if (x.empty()) return 0.0;
     std::sort(x.begin(), x.end());
+    return quantileOfSorted(x, q);
+}
+
+double quantileOfSorted(std::span<const double> x, double q) {
+    if (x.empty()) return 0.0;
     const double position = q * static_cast<double>(x.size() - 1);
     const auto below = static_cast<std::size_t>(position);
     const std::size_t above = std::min(below + 1, x.size() - 1);

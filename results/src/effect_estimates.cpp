@@ -140,7 +140,7 @@ double sdOverSystems(const std::vector<double>& means, const AnswerCurve& curve,
 
 /// Shifts of a factor's levels: how far their locations lie from the mean of all levels'.
 studies::ByName levelShifts(const std::vector<Residual>& residuals, const std::vector<std::string>& levels,
-                            const std::string ResponseRow::*level, const AnswerCurve& curve, double sd) {
+                            Name ResponseRow::*level, const AnswerCurve& curve, double sd) {
     constexpr std::array<double, 1> unshifted{0.0};
     studies::ByName out;
     double sum = 0.0;

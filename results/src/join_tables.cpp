@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <utility>
 
 #include "core/hash.hpp"
 #include "results/response_table.hpp"
@@ -32,7 +34,7 @@ void joinWithin(ResponseTable& out, ResponseTable& next) {
     joinFactors(out.within, next.within);
     const auto reorder = [&](const std::vector<Factor>& from, std::vector<ResponseRow>& rows) {
         for (ResponseRow& row : rows) {
-            std::vector<std::string> levels(out.within.size());
+            std::vector<Name> levels(out.within.size());
             for (std::size_t i = 0; i < from.size(); ++i)
                 for (std::size_t k = 0; k < out.within.size(); ++k)
                     if (out.within[k].name == from[i].name) levels[k] = row.within[i];
@@ -84,20 +86,27 @@ void joinChecks(std::vector<CheckCount>& to, const std::vector<CheckCount>& from
 }  // namespace
 
 Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
-    ResponseTable out = tables.front();
-    std::map<std::string, const ResponseTable*> file_of;  // by participant
+    ResponseTable out = std::move(tables.front());
+    std::vector<std::string> files;
+    std::map<Name, std::size_t> file_of;  // by participant
     const auto claim = [&](const ResponseTable& table) -> Result<void> {
-        for (const auto* rows : {&table.rows, &table.left_out_rows})
-            for (const ResponseRow& row : *rows)
-                if (const auto [known, is_new] = file_of.try_emplace(row.participant, &table);
-                    !is_new && known->second != &table)
-                    return fail(table.database,
-                                fmt::format("participant {} stands in {} too", row.participant,
-                                            known->second->database),
-                                "Analyse one of the two, or give the participants different names");
+        files.push_back(table.database);
+        for (const auto* rows : {&table.rows, &table.left_out_rows}) {
+            Name last;  // rows of one participant stand together
+            for (const ResponseRow& row : *rows) {
+                if (std::exchange(last, row.participant) == row.participant) continue;
+                if (const auto [known, is_new] = file_of.try_emplace(row.participant, files.size() - 1);
+                    !is_new && known->second != files.size() - 1)
+                    return fail(
+                        table.database,
+                        fmt::format("participant {} stands in {} too", row.participant, files[known->second]),
+                        "Analyse one of the two, or give the participants different names");
+            }
+        }
         return {};
     };
-    if (auto claimed = claim(tables.front()); !claimed) return tl::unexpected(claimed.error());
+    if (tables.size() > 1)
+        if (auto claimed = claim(out); !claimed) return tl::unexpected(claimed.error());
     for (std::size_t i = 1; i < tables.size(); ++i) {
         ResponseTable& next = tables[i];
         if (next.study_hash != out.study_hash || next.alpha != out.alpha)
@@ -129,17 +138,26 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         out.database += ", " + next.database;
     }
     const auto by_participant = [](const auto& a, const auto& b) { return a.participant < b.participant; };
-    std::stable_sort(out.rows.begin(), out.rows.end(), by_participant);
-    std::stable_sort(out.left_out_rows.begin(), out.left_out_rows.end(), by_participant);
-    std::stable_sort(out.choices.begin(), out.choices.end(), by_participant);
+    const auto sort = [&](auto& rows) {
+        if (!std::is_sorted(rows.begin(), rows.end(), by_participant))
+            std::stable_sort(rows.begin(), rows.end(), by_participant);
+    };
+    sort(out.rows);
+    sort(out.left_out_rows);
+    sort(out.choices);
     return out;
 }
 
 std::string answersHash(const ResponseTable& table) {
     std::string text;
-    for (const ResponseRow& row : table.rows)
-        text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", row.participant, row.measure, row.system,
-                            row.other_system, row.layout, row.distance, row.target_id, row.value);
+    for (const ResponseRow& row : table.rows) {
+        for (const Name one : {row.participant, row.measure, row.system, row.other_system, row.layout,
+                               row.distance, row.target_id}) {
+            text += one.text();
+            text += '\t';
+        }
+        fmt::format_to(std::back_inserter(text), "{}\n", row.value);
+    }
     return sha256Hex(text);
 }
 

@@ -25,6 +25,9 @@ bool isMissing(const std::string& cell) {
 std::optional<bool> truthOf(const std::string& cell) {
     if (cell == "1" || cell == "true" || cell == "yes") return true;
     if (cell == "0" || cell == "false" || cell == "no") return false;
+    // Programs that know no missing whole numbers write 1.0.
+    const auto value = numberOf(cell);
+    if (value && (*value == 0.0 || *value == 1.0)) return *value == 1.0;
     return std::nullopt;
 }
 
@@ -34,6 +37,18 @@ std::optional<double> numberOf(const std::string& cell) {
     const auto [at, error] = std::from_chars(cell.data(), end, value);
     if (error != std::errc() || at != end || !std::isfinite(value)) return std::nullopt;
     return value;
+}
+
+NumberCell numberCell(const std::string& cell) {
+    if (cell.empty()) return {true};
+    if (const auto value = numberOf(cell)) return {false, value};
+    const std::string text = lowered(cell);
+    return {isMissing(text), numberOf(text)};
+}
+
+TruthCell truthCell(const std::string& cell) {
+    const std::string text = lowered(cell);
+    return {isMissing(text), truthOf(text)};
 }
 
 std::optional<Attention> attentionOf(const std::string& cell) {

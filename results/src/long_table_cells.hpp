@@ -4,6 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+
+#include "core/name.hpp"
 
 namespace deixis::results {
 
@@ -15,10 +18,62 @@ namespace deixis::results {
 [[nodiscard]] std::optional<bool> truthOf(const std::string& cell);
 [[nodiscard]] std::optional<double> numberOf(const std::string& cell);  ///< finite
 
+/// Of a cell as it stands; without value where it is missing or no number.
+struct NumberCell {
+    bool missing = false;
+    std::optional<double> value{};
+};
+[[nodiscard]] NumberCell numberCell(const std::string& cell);
+
+/// Likewise.
+struct TruthCell {
+    bool missing = false;
+    std::optional<bool> value{};
+};
+[[nodiscard]] TruthCell truthCell(const std::string& cell);
+
 enum class Attention : unsigned char { none, check, passed, failed };
 [[nodiscard]] std::optional<Attention> attentionOf(const std::string& cell);
 
 /// A flag with its reason, not lowered: empty where it is not set, `word` where it is set without a reason.
 [[nodiscard]] std::string reasonOf(const std::string& cell, const char* word);
+
+/// What the cell of one column in the line before said: mostly the next one says the same.
+template <typename T>
+class LastCell {
+  public:
+    /// read(cell), unless it is known.
+    template <typename Read>
+    const T& of(const std::string& cell, const Read& read) {
+        if (!known_ || cell != cell_) {
+            value_ = read(cell);
+            cell_ = cell;
+            known_ = true;
+        }
+        return value_;
+    }
+
+  private:
+    std::string cell_{};
+    T value_{};
+    bool known_ = false;
+};
+
+/// The names that stand in one column, trimmed; each cell's is made once.
+class NameCells {
+  public:
+    Name of(const std::string& cell) {
+        if (cell == last_cell_) return last_;
+        const auto [found, is_new] = names_.try_emplace(cell);
+        if (is_new) found->second = Name(trimmed(cell));
+        last_cell_ = cell;
+        return last_ = found->second;
+    }
+
+  private:
+    std::unordered_map<std::string, Name> names_{};
+    std::string last_cell_{};
+    Name last_{};
+};
 
 }  // namespace deixis::results

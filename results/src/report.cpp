@@ -133,7 +133,7 @@ std::string provenance(const AnalysisResult& result) {
         out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
     };
     entry("Data", escapeHtml(table.database));
-    entry("Answers (SHA-256)", answersHash(table));
+    entry("Answers (SHA-256)", result.answers_hash);
     if (!table.study_hash.empty()) {
         entry("Study", escapeHtml(table.study_name));
         entry("Study file (SHA-256)", escapeHtml(table.study_hash));

@@ -2,6 +2,7 @@
 #include "results/long_table.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -100,6 +101,49 @@ TEST_SUITE("results/long_table") {
         CHECK(contains(longTableError("participant,system,rating\n"), "holds no answers"));
         CHECK(contains(longTableError("participant,system,rating,rt\nP1,a,1,-2\n"), "seconds, from 0 up"));
         CHECK(contains(longTableError("participant,system,rating\nP1,a,inf\n"), "expected a number"));
+    }
+
+    TEST_CASE("Whole numbers may be written as decimals; who is excluded is told where nobody is left") {
+        const auto table = readLong("participant,system,correct\nP1,a,1.0\nP1,b,0.0\nP1,b,\n");
+        REQUIRE(table.rows.size() == 2);
+        CHECK(table.rows[0].value == 1.0);
+        CHECK(table.rows[1].value == 0.0);
+        CHECK(contains(longTableError("participant,system,rating,excluded\nP1,a,3,late\n"),
+                       "everybody who answered is excluded"));
+        CHECK(contains(longTableError("participant,system,rating\nP1,a,1e300\n"), "from -1e12 to 1e12"));
+    }
+
+    TEST_CASE("A long file is read in parts as it is read whole") {
+        // From two times 4 MiB on; a quoted field keeps a file from being cut.
+        std::string lines;
+        for (int i = 0; i < 150000; ++i)
+            lines += fmt::format(
+                "P{:03},s{},{},{},{},{},{},{}\n", (i * 7919) % 450, i % 3, i % 2 == 0 ? "across" : "side",
+                i % 449, i % 5 == 0 ? "" : std::to_string(i % 2), i % 100 == 99 ? "" : std::to_string(i % 11),
+                (i * 7919) % 450 == 44 ? "late" : "", std::string(40, 'x'));
+        const std::string head = "participant,system,layout,order,correct,rating,excluded,remark\n";
+        const auto in_parts = readLong(head + lines);
+        const auto whole =
+            readLong("participant,system,layout,order,correct,rating,excluded,\"remark\"\n" + lines);
+        REQUIRE(lines.size() > (std::size_t{8} << 20U));
+        REQUIRE(in_parts.rows.size() == whole.rows.size());
+        CHECK(answersHash(in_parts) == answersHash(whole));
+        CHECK(in_parts.systems == whole.systems);
+        CHECK(in_parts.layouts == whole.layouts);
+        CHECK(in_parts.left_out_rows.size() == whole.left_out_rows.size());
+        CHECK(in_parts.left_out.size() == 1);
+        CHECK(in_parts.notes == whole.notes);
+        CHECK(in_parts.planned_participants == whole.planned_participants);
+        CHECK(in_parts.planned_participants == 449);
+        REQUIRE(in_parts.measures.size() == 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK(in_parts.measures[i].planned == whole.measures[i].planned);
+            CHECK(in_parts.measures[i].high == whole.measures[i].high);
+        }
+        CHECK(contains(longTableError(head + lines + "P1,s1,side,1,2,,,\n"),
+                       ":150002: column \"correct\": found \"2\""));
+        CHECK(contains(longTableError(head + lines + "P000,s1,side,1,1,,late,\n"),
+                       ":150002: column \"excluded\": found \"late\", but \"no\" in an earlier line"));
     }
 
     TEST_CASE("Several files are one study; a participant who stands in two is told") {

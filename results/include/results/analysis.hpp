@@ -208,6 +208,7 @@ struct PresenceRow {
 
 struct AnalysisResult {
     ResponseTable table;
+    std::string answers_hash{};  ///< answersHash() of it
     AnalysisOptions options;
     double alpha = 0.01;
     int participants = 0;
@@ -240,7 +241,7 @@ struct AnalysisResult {
 /// conditions is left out of that comparison. Holm's families: all pairs of systems in one measure, all pairs
 /// of levels of one factor over the systems in one measure, all pairs in preference, and all pairs of groups
 /// of one factor, over all and within each system, in one measure.
-[[nodiscard]] AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options = {});
+[[nodiscard]] AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options = {});
 /// The tests of analyse() alone, without bootstraps and descriptions, for who asks very often: fills in
 /// alpha, measures, omnibus, pairwise, levels, level_tests and preferences from the result's table and
 /// options.

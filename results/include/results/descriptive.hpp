@@ -12,6 +12,8 @@ namespace deixis::results {
 [[nodiscard]] double mean(std::span<const double> x);            ///< 0 of no values
 [[nodiscard]] double sampleSd(std::span<const double> x);        ///< n - 1; 0 for fewer than two
 [[nodiscard]] double quantile(std::vector<double> x, double q);  ///< R's type 7; 0 of no values
+/// Likewise, of values that are sorted already.
+[[nodiscard]] double quantileOfSorted(std::span<const double> sorted, double q);
 
 /// The exact mean; of at least one value.
 [[nodiscard]] Rational exactMean(std::span<const Rational> x);

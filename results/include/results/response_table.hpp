@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/name.hpp"
 #include "core/pose.hpp"
 
 namespace deixis::results {
@@ -36,22 +37,22 @@ struct Factor {
 
 /// One value. Practice and attention checks are never among them.
 struct ResponseRow {
-    std::string participant;
-    std::string measure;
-    std::string system;
-    std::string layout{};
-    std::string distance{};
-    std::string target_id{};
+    Name participant;
+    Name measure;
+    Name system;
+    Name layout{};
+    Name distance{};
+    Name target_id{};
     int trial = -1;  ///< place among the participant's trials, from 0; -1: not known
     double value = 0.0;
-    std::string other_system{};    ///< preference: `system` stood left, this one right
+    Name other_system{};           ///< preference: `system` stood left, this one right
     double response_time_s = 0.0;  ///< 0 where it is not known
     bool synthetic = false;        ///< answered by a simulated participant
     int pauses = 0;                ///< the trial was interrupted this often
     /// Levels of ResponseTable::within, in its order; empty where a level is not known.
-    std::vector<std::string> within{};
-    std::string marked{};    ///< why the trial is in doubt; empty: it is not
-    std::string excluded{};  ///< why the participant is left out; of ResponseTable::left_out_rows only
+    std::vector<Name> within{};
+    Name marked{};    ///< why the trial is in doubt; empty: it is not
+    Name excluded{};  ///< why the participant is left out; of ResponseTable::left_out_rows only
 };
 
 /// A choice in the game with the balls it was made among, positions in the avatar's frame.
@@ -130,8 +131,7 @@ struct ResponseTable {
 [[nodiscard]] std::vector<Factor> withinFactors(const ResponseTable& table);
 
 /// A row's level of one of them; empty where it has none.
-[[nodiscard]] std::string levelOf(const ResponseTable& table, const ResponseRow& row,
-                                  const std::string& factor);
+[[nodiscard]] Name levelOf(const ResponseTable& table, const ResponseRow& row, const std::string& factor);
 
 /// One table of several of the same study, in their order. Fails, naming the files, where the studies differ
 /// or a participant stands in two of them.

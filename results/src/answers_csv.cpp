@@ -1,0 +1,74 @@
+#include "answers_csv.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "by_name.hpp"
+#include "core/parallel.hpp"
+#include "csv_table.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+std::vector<ColumnSpec> answerColumns(const ResponseTable& table) {
+    using enum ColumnType;
+    std::vector<ColumnSpec> columns{
+        {"participant", text, ""},  {"measure", text, ""},   {"system", text, ""},
+        {"other_system", text, ""}, {"layout", text, ""},    {"distance", text, ""},
+        {"item", text, ""},         {"order", whole, ""},    {"correct", whole, ""},
+        {"rating", number, ""},     {"rt", number, "", "s"}, {"synthetic", truth, ""},
+        {"marked", text, ""},       {"excluded", text, ""}};
+    for (const auto* factors : {&table.within, &table.between})
+        for (const Factor& factor : *factors) columns.push_back({factor.name, text, ""});
+    return columns;
+}
+
+void addAnswer(const ResponseTable& table, const ResponseRow& row, bool is_choice, CsvTable& csv) {
+    for (const Name name : {row.participant, row.measure, row.system, row.other_system, row.layout,
+                            row.distance, row.target_id})
+        csv.text(name.text());
+    row.trial >= 0 ? csv.whole(row.trial) : csv.empty();
+    is_choice ? csv.whole(static_cast<int>(row.value)) : csv.empty();
+    is_choice ? csv.empty() : csv.number(row.value);
+    row.response_time_s > 0.0 ? csv.number(row.response_time_s) : csv.empty();
+    csv.whole(row.synthetic ? 1 : 0);
+    csv.text(row.marked.text());
+    csv.text(row.excluded.text());
+    for (const Factor& factor : table.within) csv.text(levelOf(table, row, factor.name).text());
+    if (!table.between.empty()) {
+        const auto groups = table.groups.find(row.participant);
+        for (const Factor& factor : table.between) {
+            const bool known = groups != table.groups.end() && groups->second.contains(factor.name);
+            csv.text(known ? groups->second.at(factor.name) : "");
+        }
+    }
+    csv.endRow();
+}
+
+}  // namespace
+
+std::string answersCsv(const ResponseTable& table) {
+    constexpr std::size_t rows_worth_a_thread = 50000;
+    std::string out;
+    for (const auto* rows : {&table.rows, &table.left_out_rows}) {
+        auto parts = mapRanges(rows->size(), rows_worth_a_thread, [&](std::size_t from, std::size_t to) {
+            CsvTable csv(answerColumns(table));
+            if (from > 0 || rows != &table.rows) (void)csv.take();  // the columns' names stand once
+            ByName<bool> is_choice;
+            for (const Measure& measure : table.measures)
+                is_choice[measure.name] = measure.kind == MeasureKind::accuracy;
+            for (std::size_t i = from; i < to; ++i)
+                addAnswer(table, (*rows)[i], is_choice[(*rows)[i].measure], csv);
+            return csv.take();
+        });
+        for (std::string& part : parts)
+            if (out.empty())
+                out = std::move(part);
+            else
+                out += part;
+    }
+    return out;
+}
+
+}  // namespace deixis::results

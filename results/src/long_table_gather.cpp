@@ -1,0 +1,121 @@
+// What the lines of a long table make together.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "long_table_reader.hpp"
+#include "row_order.hpp"
+
+namespace deixis::results {
+
+Result<void> LongTableReader::append(LongTableReader& next) {
+    for (const Measure& one : next.table_.measures) {
+        Measure& known = measureNamed(one.name, one.kind);
+        if (known.kind != one.kind) return fail(file_, "has ratings and choices of one name");
+        known.planned += one.planned;
+        known.low = std::min(known.low, one.low);
+        known.high = std::max(known.high, one.high);
+    }
+    for (auto& [stage_name, responses] : next.responses_) {
+        StageResponses& known = responses_[stage_name];
+        for (const std::size_t i : responses.rows) known.rows.push_back(table_.rows.size() + i);
+        known.only_truth = known.only_truth && responses.only_truth;
+        known.missing += responses.missing;
+    }
+    for (const auto& [who, person] : next.people_) {
+        Person& known = personOf(who);
+        known.counts = known.counts || person.counts;
+        if (auto same = agree(known.excluded, *person.excluded, who, "excluded"); !same) return same;
+        for (std::size_t i = 0; i < person.between.size(); ++i)
+            if (person.between[i])
+                if (auto same = agree(known.between[i], *person.between[i], who, ""); !same) return same;
+    }
+    for (const auto& name : next.table_.systems) systems_.add(name, table_.systems);
+    for (const auto& name : next.table_.layouts) layouts_.add(name, table_.layouts);
+    for (const auto& name : next.table_.distances) distances_.add(name, table_.distances);
+    for (std::size_t i = 0; i < table_.between.size(); ++i)
+        for (const auto& name : next.table_.between[i].levels)
+            between_seen_[i].add(name, table_.between[i].levels);
+    for (std::size_t i = 0; i < table_.within.size(); ++i)
+        for (const auto& name : next.table_.within[i].levels)
+            within_seen_[i].add(name, table_.within[i].levels);
+    for (const CheckCount& one : next.table_.checks) {
+        CheckCount& known = checksOf(one.stage);
+        known.passed += one.passed;
+        known.failed += one.failed;
+    }
+    table_.failed_checks.merge(next.table_.failed_checks);
+    table_.rows.insert(table_.rows.end(), std::move_iterator(next.table_.rows.begin()),
+                       std::move_iterator(next.table_.rows.end()));
+    balls_ = std::max(balls_, next.balls_);
+    empty_ += next.empty_;
+    unscored_checks_ += next.unscored_checks_;
+    return {};
+}
+
+void LongTableReader::nameResponses() {
+    for (const auto& [stage_name, responses] : responses_) {
+        const bool accuracy = responses.only_truth;
+        const Name name = accuracy ? accuracy_ : stage_name;
+        Measure& of = measureNamed(name, accuracy ? MeasureKind::accuracy : MeasureKind::rating);
+        of.planned += responses.missing;
+        for (const std::size_t i : responses.rows) {
+            table_.rows[i].measure = name;
+            if (table_.rows[i].excluded.empty()) count(of, table_.rows[i]);
+        }
+        if (accuracy)
+            table_.notes.push_back(fmt::format(
+                "Every response in \"{}\" is 0 or 1: they are taken as wrong and right.", stage_name));
+    }
+}
+
+void LongTableReader::takePeople() {
+    for (const auto& [who, person] : std::map<Name, Person>(people_.begin(), people_.end())) {
+        table_.planned_participants += person.counts ? 1 : 0;
+        for (std::size_t i = 0; i < person.between.size(); ++i)
+            if (person.between[i]) table_.groups[who][table_.between[i].name] = *person.between[i];
+        const std::string& reason = *person.excluded;
+        if (reason == not_excluded_) continue;
+        // The table of answers writes the status before the reason.
+        const bool dropped = reason.starts_with("dropped: ");
+        const bool with_status = dropped || reason.starts_with("excluded: ");
+        table_.left_out.push_back({who, dropped, with_status ? reason.substr(reason.find(' ') + 1) : reason});
+    }
+}
+
+void LongTableReader::partLeftOut() {
+    if (!table_.left_out.empty()) {
+        const auto first = std::stable_partition(table_.rows.begin(), table_.rows.end(),
+                                                 [](const ResponseRow& row) { return row.excluded.empty(); });
+        table_.left_out_rows.assign(std::move_iterator(first), std::move_iterator(table_.rows.end()));
+        table_.rows.erase(first, table_.rows.end());
+    }
+    std::erase_if(table_.measures, [](const Measure& one) { return one.planned == 0; });
+}
+
+Result<ResponseTable> LongTableReader::finish() {
+    nameResponses();
+    takePeople();
+    partLeftOut();
+    if (table_.rows.empty())
+        return fail(file_, table_.left_out_rows.empty()
+                               ? "holds no answers to analyse"
+                               : "holds no answers to analyse: everybody who answered is excluded");
+    for (Measure& one : table_.measures)
+        if (one.kind == MeasureKind::accuracy) {
+            one.low = 0.0;
+            one.high = 1.0;
+            one.balls = balls_;
+        }
+    std::stable_partition(table_.measures.begin(), table_.measures.end(),
+                          [](const Measure& one) { return one.kind == MeasureKind::accuracy; });
+    if (empty_ > 0) table_.notes.push_back(fmt::format("{} lines hold no answer.", empty_));
+    if (unscored_checks_ > 0)
+        table_.notes.push_back(fmt::format(
+            "{} attention checks are left out; whether they were passed is not told.", unscored_checks_));
+    for (auto* rows : {&table_.rows, &table_.left_out_rows}) sortByParticipantAndTrial(*rows);
+    return std::move(table_);
+}
+
+}  // namespace deixis::results
