@@ -97,8 +97,9 @@ Result<Source> readSource(const std::string& file) {
     for (const CsvRecord& row : source.rows)
         if (row.fields.size() != source.header.size())
             return fail(fmt::format("{}:{}", source.name, row.line),
-                        fmt::format("has {} fields, but the first line names {} columns", row.fields.size(),
-                                    source.header.size()));
+                        fmt::format("has {} field{}, but the first line names {} column{}", row.fields.size(),
+                                    row.fields.size() == 1 ? "" : "s", source.header.size(),
+                                    source.header.size() == 1 ? "" : "s"));
     return source;
 }
 
@@ -252,6 +253,16 @@ std::vector<Rational> StatsColumn::values() const {
 int StatsColumn::missing() const {
     return static_cast<int>(
         std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return !cell; }));
+}
+
+Result<std::vector<std::string>> parseColumnNames(std::string_view text) {
+    const auto lines = parseCsv(text, "--columns");
+    if (!lines) return tl::unexpected(lines.error());
+    if (lines->size() != 1)
+        return fail("--columns", fmt::format("found {} lines, expected one, as in a,b", lines->size()));
+    std::vector<std::string> names;
+    for (const std::string& name : lines->front().fields) names.emplace_back(trimmed(name));
+    return names;
 }
 
 Result<StatsTable> readStatsTable(const ColumnChoice& choice) {

@@ -39,6 +39,9 @@ struct StatsTable {
 
 /// The first line holds the columns' names. Cells are decimals or fractions; empty ones, NA and NaN are
 /// missing. In a file of one column an empty line is an empty cell. Errors name file, line and column.
+/// The names in `--columns`: one line of CSV, so that a name with a comma can be quoted.
+[[nodiscard]] Result<std::vector<std::string>> parseColumnNames(std::string_view text);
+
 [[nodiscard]] Result<StatsTable> readStatsTable(const ColumnChoice& choice);
 
 /// The rows in which no cell is missing, row by row; the table is paired.
