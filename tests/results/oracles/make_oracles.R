@@ -32,8 +32,7 @@ signed_rank <- function(case) {
     out[[paste0("exact_", side)]] <- wilcox.exact(nonzero, alternative = side, exact = TRUE)$p.value
   if (length(d) <= 39)
     out$pratt <- pvalue(wilcoxsign_test(d ~ rep(0, length(d)), distribution = "exact", zero.method = "Pratt"))
-  if (all(d != 0))
-    out$rank_biserial <- quiet(rank_biserial(d, rep(0, length(d)), paired = TRUE, ci = NULL))$r_rank_biserial
+  out$rank_biserial <- quiet(rank_biserial(d, rep(0, length(d)), paired = TRUE, ci = NULL))$r_rank_biserial
   if (all(d != 0) && !anyDuplicated(abs(d))) {
     found <- quiet(wilcox.test(d, exact = TRUE, conf.int = TRUE, conf.level = case$level))
     out$interval <- as.numeric(found$conf.int)
