@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "core/random.hpp"
 #include "oracles.hpp"
 #include "results/bootstrap.hpp"
@@ -232,6 +236,36 @@ TEST_SUITE("results/bootstrap") {
                 CHECK(std::abs(found.bca->lower - bca[0].get<double>()) < allowed);
                 CHECK(std::abs(found.bca->upper - bca[1].get<double>()) < allowed);
             }
+        }
+    }
+
+    TEST_CASE("Resampled means of few values are spread as those of all n^n resamples") {
+        const std::vector<double> x{0.0, 0.25, 1.0, 1.5, 4.0};
+        std::vector<double> all;
+        for (int pattern = 0; pattern < 3125; ++pattern) {
+            double sum = 0.0;
+            for (int rest = pattern, i = 0; i < 5; ++i, rest /= 5)
+                sum += x[static_cast<std::size_t>(rest % 5)];
+            all.push_back(sum / 5.0);
+        }
+        const auto share = [&](double limit) {
+            return static_cast<double>(
+                       std::count_if(all.begin(), all.end(), [&](double m) { return m <= limit; })) /
+                   3125.0;
+        };
+        std::vector<std::vector<double>> rows;
+        for (const double value : x) rows.push_back({value});
+        const auto found = bootstrapMeans(rows, {.resamples = 200000, .seed = 2, .level = 0.9})[0];
+        double squares = 0.0;
+        for (const double value : x) squares += (value - 1.35) * (value - 1.35);
+        CHECK(close(found.estimate, 1.35, 1e-15));
+        CHECK(close(found.se, std::sqrt(squares / 25.0), 0.01));
+        // Steps of the distribution: the end of an interval has its share at or below it, and less right
+        // below.
+        for (const auto& [end, tail] :
+             {std::pair{found.percentile->lower, 0.05}, std::pair{found.percentile->upper, 0.95}}) {
+            CHECK(share(end + 1e-9) > tail - 0.003);
+            CHECK(share(end - 1e-9) < tail + 0.003);
         }
     }
 
