@@ -25,8 +25,14 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// As the answers of `deixis report`.
 bool isMissing(std::string_view text) {
-    return text.empty() || text == "NA" || text == "NaN" || text == "nan" || text == "na";
+    constexpr std::size_t longest = 4;
+    if (text.size() > longest) return false;
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    return lower.empty() || lower == "na" || lower == "nan" || lower == "null";
 }
 
 struct Source {

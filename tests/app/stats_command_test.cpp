@@ -191,6 +191,13 @@ TEST_SUITE("app/stats") {
         CHECK_FAILS_SAYING(stats("friedman", odd, "--columns 'who\n7/3'"), "--columns", "2 lines");
     }
 
+    TEST_CASE("Empty cells, NA, NaN and null are missing; a sign or a word alone is not") {
+        CHECK(numbers("describe", "x,y\n,1\nNA,1\nnan,1\n Null ,1\n7,1\n", "--columns x")["n_missing"] == 4);
+        for (const char* cell : {"-", "none", "n/a", "inf", ".", "1;5"})
+            CHECK_FAILS_SAYING(stats("describe", "x\n1\n" + std::string(cell) + "\n", "--columns x"),
+                               "data.csv:3", "column \"x\"", cell, "is not a number");
+    }
+
     TEST_CASE("A number beyond a double is null, and the note says so") {
         const json large = numbers("describe", "x\n1e400\n1\n2\n", "--columns x");
         CHECK(large["max"].is_null());
