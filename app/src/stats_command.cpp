@@ -1,7 +1,9 @@
 // deixis stats: statistical tests of the columns of a CSV file.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
+#include <utility>
 
 #include "commands.hpp"
 #include "stats_points.hpp"
@@ -14,6 +16,7 @@ namespace {
 
 struct StatsArguments {
     ColumnChoice choice;
+    std::string columns;  ///< one line of CSV
     StatsOptions test;
     std::string chance;
     DensityOptions density;
@@ -61,6 +64,18 @@ void printText(const nlohmann::ordered_json& object, int indent) {
     }
 }
 
+/// JSON has no infinity: whether there was one. An undefined number is null before, and has its note.
+bool nullInfinite(nlohmann::ordered_json& value) {
+    if (value.is_number_float() && std::isinf(value.get<double>())) {
+        value = nullptr;
+        return true;
+    }
+    bool any = false;
+    if (value.is_structured())
+        for (auto& item : value) any = nullInfinite(item) || any;
+    return any;
+}
+
 /// `test` is null where `takes` says density or clusters.
 Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& options) {
     StatsOptions with = options.test;
@@ -73,12 +88,23 @@ Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& o
             return fail("--chance", fmt::format("{} is not between 0 and 1", options.chance));
         with.chance = *chance;
     }
-    const auto table = readStatsTable(options.choice);
+    ColumnChoice choice = options.choice;
+    if (!options.columns.empty()) {
+        auto named = parseColumnNames(options.columns);
+        if (!named) return tl::unexpected(named.error());
+        choice.columns = std::move(*named);
+    }
+    const auto table = readStatsTable(choice);
     if (!table) return tl::unexpected(table.error());
-    const auto found = takes.density    ? statsDensity(*table, options.density)
-                       : takes.clusters ? statsMeanShift(*table, options.clusters)
-                                        : test(*table, with);
+    auto found = takes.density    ? statsDensity(*table, options.density)
+                 : takes.clusters ? statsMeanShift(*table, options.clusters)
+                                  : test(*table, with);
     if (!found) return tl::unexpected(found.error());
+    if (nullInfinite(*found)) {
+        auto& note = (*found)["note"];
+        note = (note.is_string() ? note.get<std::string>() + "; " : std::string()) +
+               "numbers beyond 1.8e308 in size are null";
+    }
     if (options.json)
         fmt::print("{}\n", found->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     else
@@ -96,11 +122,9 @@ void addTest(CLI::App& stats, Command& chosen, const std::string& name, const st
                      "for standard input")
         ->required();
     CLI::Option* columns =
-        command
-            ->add_option("--columns", options->choice.columns,
-                         takes.long_form ? "Columns, as in a,b; with --group: its levels, in order [all]"
-                                         : "Columns, as in a,b")
-            ->delimiter(',');
+        command->add_option("--columns", options->columns,
+                            takes.long_form ? "Columns, as in a,b; with --group: its levels, in order [all]"
+                                            : "Columns, as in a,b");
     if (!takes.long_form) columns->required();
     if (takes.paired_by)
         command->add_option("--paired-by,--cluster", options->choice.paired_by,
@@ -119,7 +143,13 @@ void addTest(CLI::App& stats, Command& chosen, const std::string& name, const st
         command->add_option("--resamples", options->test.resamples, "Number of resamples")
             ->capture_default_str()
             ->check(CLI::Range(1, 10'000'000));
-        command->add_option("--seed", options->test.seed, "Seed of the resampling")->capture_default_str();
+        command->add_option("--seed", options->test.seed, "Seed of the resampling")
+            ->capture_default_str()
+            ->check(
+                [](const std::string& text) {
+                    return text.starts_with('-') ? "found " + text + ", expected a whole number from 0" : "";
+                },
+                "");
     }
     if (takes.density) {
         command
@@ -158,7 +188,7 @@ void addStatsCommand(CLI::App& cli, Command& chosen) {
     addTest(*stats, chosen, "shapiro", "Shapiro and Wilk's test of a column, or of the differences of two",
             statsShapiro, {.long_form = true, .paired_by = true});
     addTest(*stats, chosen, "spearman", "Spearman's rank correlation of two columns", statsSpearman,
-            {.paired_by = true});
+            {.long_form = true, .paired_by = true});
     addTest(*stats, chosen, "holm", "Holm's correction of a column of p values", statsHolm, {});
     addTest(*stats, chosen, "bootstrap", "Bootstrap intervals of the columns' means and their differences",
             statsBootstrap, {.long_form = true, .paired_by = true, .level = true, .resamples = true});

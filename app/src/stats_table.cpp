@@ -25,8 +25,14 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// As the answers of `deixis report`.
 bool isMissing(std::string_view text) {
-    return text.empty() || text == "NA" || text == "NaN" || text == "nan" || text == "na";
+    constexpr std::size_t longest = 4;
+    if (text.size() > longest) return false;
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+    return lower.empty() || lower == "na" || lower == "nan" || lower == "null";
 }
 
 struct Source {
@@ -97,8 +103,9 @@ Result<Source> readSource(const std::string& file) {
     for (const CsvRecord& row : source.rows)
         if (row.fields.size() != source.header.size())
             return fail(fmt::format("{}:{}", source.name, row.line),
-                        fmt::format("has {} fields, but the first line names {} columns", row.fields.size(),
-                                    source.header.size()));
+                        fmt::format("has {} field{}, but the first line names {} column{}", row.fields.size(),
+                                    row.fields.size() == 1 ? "" : "s", source.header.size(),
+                                    source.header.size() == 1 ? "" : "s"));
     return source;
 }
 
@@ -252,6 +259,16 @@ std::vector<Rational> StatsColumn::values() const {
 int StatsColumn::missing() const {
     return static_cast<int>(
         std::count_if(cells.begin(), cells.end(), [](const Cell& cell) { return !cell; }));
+}
+
+Result<std::vector<std::string>> parseColumnNames(std::string_view text) {
+    const auto lines = parseCsv(text, "--columns");
+    if (!lines) return tl::unexpected(lines.error());
+    if (lines->size() != 1)
+        return fail("--columns", fmt::format("found {} lines, expected one, as in a,b", lines->size()));
+    std::vector<std::string> names;
+    for (const std::string& name : lines->front().fields) names.emplace_back(trimmed(name));
+    return names;
 }
 
 Result<StatsTable> readStatsTable(const ColumnChoice& choice) {

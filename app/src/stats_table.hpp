@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -37,8 +38,12 @@ struct StatsTable {
     std::vector<int> lines{};
 };
 
-/// The first line holds the columns' names. Cells are decimals or fractions; empty ones, NA and NaN are
-/// missing. In a file of one column an empty line is an empty cell. Errors name file, line and column.
+/// The names in `--columns`: one line of CSV, so that a name with a comma can be quoted.
+[[nodiscard]] Result<std::vector<std::string>> parseColumnNames(std::string_view text);
+
+/// The first line holds the columns' names. Cells are decimals or fractions; empty ones, NA, NaN and null (in
+/// any case) are missing. In a file of one column an empty line is an empty cell. Errors name file, line and
+/// column.
 [[nodiscard]] Result<StatsTable> readStatsTable(const ColumnChoice& choice);
 
 /// The rows in which no cell is missing, row by row; the table is paired.

@@ -326,8 +326,8 @@ Result<Json> statsBootstrap(const StatsTable& table, const StatsOptions& options
             write(difference, at++);
         }
     note.addIf(undefined,
-               "an interval is undefined where there are no values, or where the estimate lies "
-               "beyond all resampled means");
+               "an interval is undefined where there are no values, where their sums are too large, or "
+               "where the estimate lies beyond all resampled means");
     note.write(out);
     return out;
 }

@@ -85,6 +85,10 @@ signed_rank <- function(exactly) {
         out$rank_biserial <- (out$w_plus - out$w_minus) / sum(ranks)
         out$smallest_p <- 2^(1 - length(nonzero))
     }
+    if (n == 0) {  # nobody answered to both: no p, and no place in the family
+        out[c("p", "p_normal", "p_pratt")] <- NA
+        return(out)
+    }
     walsh <- sort(outer(exactly, exactly, "+")[lower.tri(diag(n), diag = TRUE)] / 2)
     out$hodges_lehmann <- median(walsh)
     k <- 1
@@ -203,8 +207,8 @@ for (i in seq_len(NROW(omnibus))) {
     systems <- unique(means$system[means$measure == omnibus$measure[i]])
     columns <- lapply(systems, function(s) means_of(single & is("measure", omnibus$measure[i]) & is("system", s)))
     people <- Reduce(intersect, lapply(columns, names))
-    scores <- tidy(sapply(columns, function(column) column[people]))
     n <- length(people)
+    scores <- tidy(vapply(columns, function(column) column[people], numeric(n)))
     k <- length(systems)
     same(omnibus, i, "n", n)
     if (n < 2 || k < 2) next
@@ -363,7 +367,7 @@ contrasts_of <- function(measure, model, coefficients, covariance, systems, note
         weights <- setNames(numeric(length(coefficients)), names(coefficients))
         for (k in 1:2) if (at(pair[k]) %in% names(weights)) weights[at(pair[k])] <- c(1, -1)[k]
         estimate <- sum(weights * coefficients)
-        se <- sqrt(as.numeric(weights %*% covariance[names(weights), names(weights)] %*% weights))
+        se <- sqrt(as.numeric(weights %*% covariance[names(weights), names(weights), drop = FALSE] %*% weights))
         z <- estimate / se
         rows <- rbind(rows, data.frame(measure, model, a = pair[1], b = pair[2], estimate, se, z,
                                        p = 2 * pnorm(-abs(z))))
@@ -371,6 +375,11 @@ contrasts_of <- function(measure, model, coefficients, covariance, systems, note
     rows$p_holm <- p.adjust(rows$p, "holm")
     rows$note <- note
     rows
+}
+
+# NULL where a model cannot be fitted, or has no covariance; it says why.
+tried <- function(measure, model) {
+    tryCatch(model, error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
 }
 
 mixed_models <- data.frame()
@@ -384,21 +393,17 @@ for (measure in unique(answers$measure[single])) {
     binary <- all(!is.na(data$correct))
     steps <- length(unique(data$value))
     if (binary && has("lme4")) {
-        fit <- tryCatch(lme4::glmer(as.formula(paste("value ~", terms)), data, family = binomial),
-                        error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
-        if (is.null(fit)) next
-        mixed_models <- rbind(mixed_models, contrasts_of(measure, "logistic GLMM", lme4::fixef(fit),
-                                                         as.matrix(vcov(fit)), systems,
-                                                         if (lme4::isSingular(fit)) "a random intercept has no variance"
-                                                         else ""))
+        mixed_models <- rbind(mixed_models, tried(measure, {
+            fit <- lme4::glmer(as.formula(paste("value ~", terms)), data, family = binomial)
+            contrasts_of(measure, "logistic GLMM", lme4::fixef(fit), as.matrix(vcov(fit)), systems,
+                         if (lme4::isSingular(fit)) "a random intercept has no variance" else "")
+        }))
     } else if (!binary && steps >= 3 && steps <= 12 && has("ordinal")) {
         data$value <- factor(data$value, ordered = TRUE)
-        fit <- tryCatch(ordinal::clmm(as.formula(paste("value ~", terms)), data = data),
-                        error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
-        if (is.null(fit)) next
-        slopes <- fit$beta
-        mixed_models <- rbind(mixed_models, contrasts_of(measure, "cumulative link mixed model", slopes,
-                                                         vcov(fit)[names(slopes), names(slopes)], systems))
+        mixed_models <- rbind(mixed_models, tried(measure, {
+            fit <- ordinal::clmm(as.formula(paste("value ~", terms)), data = data)
+            contrasts_of(measure, "cumulative link mixed model", fit$beta, vcov(fit), systems)
+        }))
     }
 }
 if (nrow(mixed_models) > 0) write.csv(mixed_models, "mixed_models.csv", row.names = FALSE)

@@ -69,17 +69,20 @@ double typeSeven(const std::vector<double>& sorted, double q) {
 
 /// From the means that leave out one value each.
 double acceleration(const std::vector<double>& values) {
-    const auto n = static_cast<double>(values.size());
     const double centre = mean(values);
+    double largest = 0.0;
+    for (const double value : values) largest = std::max(largest, std::abs(value - centre));
+    if (largest == 0.0 || std::isinf(largest)) return 0.0;
     double squares = 0.0;
     double cubes = 0.0;
     for (const double value : values) {
-        // Without the value the mean is this much smaller than the mean of all such means.
-        const double influence = (value - centre) / (n - 1.0);
+        // Without the value the mean is smaller than the mean of all such means by a share of this; of their
+        // scale the result is free, and cubes of shares neither overflow nor vanish.
+        const double influence = (value - centre) / largest;
         squares += influence * influence;
         cubes += influence * influence * influence;
     }
-    return squares > 0.0 ? cubes / (6.0 * std::pow(squares, 1.5)) : 0.0;
+    return cubes / (6.0 * std::pow(squares, 1.5));
 }
 
 std::optional<BootstrapInterval> correctedInterval(const std::vector<double>& sorted,
@@ -93,7 +96,7 @@ std::optional<BootstrapInterval> correctedInterval(const std::vector<double>& so
     if (share <= 0.0 || share >= 1.0) return std::nullopt;
     const boost::math::normal normal;
     const double bias = boost::math::quantile(normal, share);
-    const double a = values.size() > 1 ? acceleration(values) : 0.0;
+    const double a = acceleration(values);
     const auto moved = [&](double q) {
         const double z = bias + boost::math::quantile(normal, q);
         return boost::math::cdf(normal, bias + z / (1.0 - a * z));
@@ -115,8 +118,9 @@ std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> r
         for (std::size_t i = 0; i < table.participants; ++i)
             if (table.counts[i * table.columns + c] > 0.0) values.push_back(rows[i][c]);
         out[c].n = static_cast<int>(values.size());
-        if (values.empty() || means[c].empty()) continue;
         std::vector<double>& sorted = means[c];
+        const auto fits = [](double value) { return std::isfinite(value); };
+        if (values.empty() || sorted.empty() || !std::all_of(sorted.begin(), sorted.end(), fits)) continue;
         std::sort(sorted.begin(), sorted.end());
         const double tail = 0.5 * (1.0 - options.level);
         out[c].estimate = mean(values);

@@ -172,9 +172,10 @@ std::string renderReport(const AnalysisResult& result) {
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{} &#8211; "
         "report</title>\n"
         "<style>{}{}</style>\n</head>\n<body>\n<h1>{}</h1>\n"
-        "<p class=\"lead\">{} participant{} &#183; {} answers &#183; {} systems{}</p>\n",
+        "<p class=\"lead\">{} participant{} &#183; {} answer{} &#183; {} system{}{}</p>\n",
         escapeHtml(table.study_title), report_css, figure_css, escapeHtml(table.study_title),
-        result.participants, result.participants == 1 ? "" : "s", table.rows.size(), table.systems.size(),
+        result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
+        table.rows.size() == 1 ? "" : "s", table.systems.size(), table.systems.size() == 1 ? "" : "s",
         table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
     if (result.synthetic)
         out +=

@@ -83,8 +83,13 @@ std::string extremes(const AnalysisResult& result, std::size_t measure) {
                                ? "; median of participants " + scoreText(of, s->measures[measure].median)
                                : std::string());
     };
+    const Measure& of = result.measures[measure];
+    const double highest = value(answered.front());
+    if (highest - value(answered.back()) <= 1e-12 * std::abs(highest))
+        return fmt::format("All systems had the same mean {} ({}).", escapeHtml(of.name),
+                           scoreText(of, highest));
     return fmt::format("{} had the highest mean {}, {} the lowest.", named(answered.front()),
-                       escapeHtml(result.measures[measure].name), named(answered.back()));
+                       escapeHtml(of.name), named(answered.back()));
 }
 
 std::string significance(const AnalysisResult& result, const std::string& measure) {

@@ -16,6 +16,7 @@ from sklearn.cluster import MeanShift, estimate_bandwidth
 from statsmodels.nonparametric.kernel_density import KDEMultivariate
 
 draw = numpy.random.default_rng(2023)
+draw_heaps = numpy.random.default_rng(1995)
 
 
 def half_cylinder(n):
@@ -38,11 +39,31 @@ def densities(points, queries):
     }
 
 
-def clusters(name, points, bandwidth=None):
-    estimated = float(estimate_bandwidth(points, quantile=0.3))
+def clusters(name, points, bandwidth=None, quantile=0.3):
+    estimated = float(estimate_bandwidth(points, quantile=quantile))
     found = MeanShift(bandwidth=bandwidth or estimated, bin_seeding=False).fit(points)
-    return {"name": name, "points": points.tolist(), "estimated": estimated, "bandwidth": bandwidth or estimated,
+    return {"name": name, "points": points.tolist(), "quantile": quantile, "estimated": estimated, "bandwidth": bandwidth or estimated,
             "centres": found.cluster_centers_.tolist(), "labels": found.labels_.tolist()}
+
+
+def spread_points(n, d):
+    """Some in one heap, some in several."""
+    heaps = draw_heaps.normal(0, 2, (draw_heaps.integers(1, 4), d))
+    return numpy.round(heaps[draw_heaps.integers(0, len(heaps), n)] + draw_heaps.normal(0, 0.5, (n, d)), 2)
+
+
+def more_densities():
+    return [densities(spread_points(int(draw_heaps.integers(5, 25)), d), numpy.round(draw_heaps.normal(0, 2, (4, d)), 2))
+            for d in (1, 2, 3) for _ in range(10)]
+
+
+def more_clusters():
+    cases = []
+    for i in range(30):
+        points = spread_points(int(draw_heaps.integers(15, 40)), 1 + i % 3)
+        given = float(numpy.round(draw_heaps.uniform(0.4, 2.0), 2)) if i % 2 else None
+        cases.append(clusters(f"heaps {i}", points, given, (0.3, 0.2, 0.5)[i // 2 % 3]))
+    return cases
 
 
 def all_pairings(x, y):
@@ -66,9 +87,11 @@ x30 = numpy.round(draw.normal(0, 1, 30), 2)
 print(json.dumps({
     "made_by": f"scripts/reference/density.py, SciPy {scipy.__version__}, statsmodels {statsmodels.__version__}, "
                f"scikit-learn {sklearn.__version__}",
-    "density": [densities(targets, grid), densities(half_cylinder(9)[:, :1], numpy.array([[-1.0], [0.0], [2.5]]))],
+    "density": [densities(targets, grid), densities(half_cylinder(9)[:, :1], numpy.array([[-1.0], [0.0], [2.5]]))]
+    + more_densities(),
     "mean_shift": [clusters("targets, bandwidth as in the paper", targets, 0.78), clusters("targets, estimated", targets),
-                   clusters("three spots", spots), clusters("three spots, narrow", spots, 0.3)],
+                   clusters("three spots", spots), clusters("three spots, narrow", spots, 0.3)]
+    + more_clusters(),
     "spearman": [
         correlation("six pairs", [1.2, 3.1, 0.4, 2.2, 5.0, 4.1], [2.0, 2.5, 0.1, 3.3, 4.8, 9.9]),
         correlation("seven pairs, ties", [1, 2, 2, 3, 5, 5, 5], [4, 4, 1, 3, 2, 2, 0]),

@@ -132,4 +132,21 @@ TEST_SUITE("app/report_data") {
         CHECK(contains(empty.err, "empty.csv: the file is empty (0 bytes)"));
         CHECK_FALSE(fs::exists(scratch / "b.html"));
     }
+
+    TEST_CASE("answers that are all equal, or a single one, are told without a highest and a lowest") {
+        const Scratch scratch;
+        const auto page = [&](const std::string& lines) {
+            spill(scratch / "lab.csv", "participant,system,rating\n" + lines);
+            const auto done = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html"));
+            INFO(done.err);
+            REQUIRE(done.status == 0);
+            return slurp(scratch / "page.html");
+        };
+        const std::string equal = page("P1,x,0.1\nP1,x,0.3\nP1,y,0.2\nP2,y,0.2\nP2,x,0.3\nP2,x,0.1\n");
+        CHECK(contains(equal, "All systems had the same mean rating (0.20)."));
+        CHECK_FALSE(contains(equal, "had the highest"));
+        const std::string single = page("P1,x,3\n");
+        CHECK(contains(single, "1 participant &#183; 1 answer &#183; 1 system<"));
+        CHECK_FALSE(contains(single, "had the"));
+    }
 }

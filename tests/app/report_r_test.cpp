@@ -87,6 +87,41 @@ TEST_SUITE("app/report_r") {
         CHECK(contains(wrong.out, "mean_difference"));
     }
 
+    TEST_CASE("R takes two systems, a measure that nobody gave both, and models that cannot be fitted") {
+        if (!hasR()) return;
+        deixis::Random random(4);
+        std::string answers = "participant,measure,system,rating\n";
+        for (int p = 10; p < 20; ++p)
+            for (const std::string system : {"stiff", "fluent"}) {
+                const std::string start = "P" + std::to_string(p) + ",";
+                for (int i = 0; i < 4; ++i)
+                    answers += start + "naturalness," + system + "," +
+                               std::to_string(1 + random.below(system == "fluent" ? 5 : 4)) + "\n";
+                if ((p % 2 == 0) == (system == "stiff"))
+                    answers += start + "shared," + system + "," + std::to_string(1 + random.below(5)) + "\n";
+                // Two people only, who agree but for one answer: no covariance of the model.
+                if (p < 12)
+                    answers += start + "few," + system + "," +
+                               (system == "stiff" ? "1"
+                                : p == 10         ? "2"
+                                                  : "3") +
+                               "\n";
+            }
+        const Scratch scratch;
+        spill(scratch / "lab.csv", answers);
+        const auto made = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") +
+                                  " --r " + (scratch / "r"));
+        INFO(made.err);
+        REQUIRE(made.status == 0);
+        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        INFO(done.out, done.err);
+        CHECK(done.status == 0);
+        CHECK(compared(done.out) > 50);
+        if (!contains(done.out, "not installed"))
+            CHECK(contains(slurp(scratch / "r/mixed_models.csv"),
+                           "\"naturalness\",\"cumulative link mixed model\",\"stiff\",\"fluent\""));
+    }
+
     TEST_CASE("R finds the same numbers in preferences, and in groups without who is excluded") {
         if (!hasR()) return;
         const std::vector<std::pair<std::string, std::string>> cases{{"genea-pairwise", "preferences"},

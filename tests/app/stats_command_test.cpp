@@ -156,7 +156,7 @@ TEST_SUITE("app/stats") {
                            "\"two\" is not a number", "7/3");
         CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2/0\n", "--columns a,b"), "data.csv:2",
                            "divides by zero");
-        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1\n", "--columns a,b"), "data.csv:2", "1 fields",
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1\n", "--columns a,b"), "data.csv:2", "1 field",
                            "2 columns");
         CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n", "--columns a,c"), "no column \"c\"", "a, b");
         CHECK_FAILS_SAYING(stats("signed-rank", "a,a\n1,2\n", "--columns a,a"), "several columns");
@@ -170,8 +170,44 @@ TEST_SUITE("app/stats") {
                            "\"who\"");
         CHECK_FAILS_SAYING(stats("rank-sum", pairs, "--columns a,b --level 1"), "--level");
         CHECK_FAILS_SAYING(program("stats describe /nowhere/x.csv --columns a"), "/nowhere/x.csv");
+        CHECK_FAILS_SAYING(stats("rank-sum", "x\n1\n", "--columns x,x,x"), "takes 2 columns");
+        CHECK(stats("bootstrap", "x\n1\n", "--columns x --seed -1").status == 2);
         CHECK(stats("signed-rank", pairs, "").status == 1);
         CHECK(program("stats").status == 2);
+    }
+
+    TEST_CASE("Columns are named in one line of CSV, before the file or after it") {
+        const std::string odd = "who,\"x, y\", -z ,7/3\nP1,1,2,3\nP2,2,4,4\nP3,5,1,9\n";
+        const json out = numbers("friedman", odd, "'--columns=\"x, y\", -z,7/3'");
+        CHECK(out["columns"] == json::array({"x, y", "-z", "7/3"}));
+        CHECK(out["mean_ranks"] == json::array({4.0 / 3.0, 5.5 / 3.0, 8.5 / 3.0}));
+        const Scratch scratch;
+        spill(scratch / "data.csv", pairs);
+        const auto first = program("stats signed-rank --columns a,b " + (scratch / "data.csv") + " --json");
+        REQUIRE(first.status == 0);
+        CHECK(json::parse(first.out) == numbers("signed-rank", pairs, "--columns a,b"));
+        CHECK_FAILS_SAYING(stats("friedman", odd, "--columns 'x, y'"), "no column \"x\"");
+        CHECK_FAILS_SAYING(stats("friedman", odd, "--columns '\"x'"), "--columns", "no closing quote");
+        CHECK_FAILS_SAYING(stats("friedman", odd, "--columns 'who\n7/3'"), "--columns", "2 lines");
+    }
+
+    TEST_CASE("Empty cells, NA, NaN and null are missing; a sign or a word alone is not") {
+        CHECK(numbers("describe", "x,y\n,1\nNA,1\nnan,1\n Null ,1\n7,1\n", "--columns x")["n_missing"] == 4);
+        for (const char* cell : {"-", "none", "n/a", "inf", ".", "1;5"})
+            CHECK_FAILS_SAYING(stats("describe", "x\n1\n" + std::string(cell) + "\n", "--columns x"),
+                               "data.csv:3", "column \"x\"", cell, "is not a number");
+    }
+
+    TEST_CASE("A number beyond a double is null, and the note says so") {
+        const json large = numbers("describe", "x\n1e400\n1\n2\n", "--columns x");
+        CHECK(large["max"].is_null());
+        CHECK(large["median"] == 2.0);
+        CHECK(large["note"].get<std::string>().find("1.8e308") != std::string::npos);
+        const json sums = numbers("bootstrap", "x\n1e308\n1.5e308\n1e308\n", "--columns x --resamples 50");
+        CHECK(sums["means"][0]["bca"]["lower"].is_null());
+        CHECK(sums["note"].get<std::string>().find("too large") != std::string::npos);
+        // Ranks and differences are exact all the same.
+        CHECK(numbers("signed-rank", "a,b\n1e400,0\n2e400,1\n3,4\n", "--columns a,b")["w_plus"] == 5.0);
     }
 
     TEST_CASE("Standard input is read, and people get a line for each number") {

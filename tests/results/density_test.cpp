@@ -36,7 +36,7 @@ void checkDensity(const GaussianDensity& density, const nlohmann::json& expected
 TEST_SUITE("results/density") {
     TEST_CASE("Densities and bandwidths agree with statsmodels' KDEMultivariate and SciPy's gaussian_kde") {
         const auto file = reference();
-        REQUIRE(file["density"].size() == 2);
+        REQUIRE(file["density"].size() >= 30);
         for (const auto& example : file["density"]) {
             const auto points = example["points"].get<Points>();
             const auto queries = example["queries"].get<Points>();
@@ -88,11 +88,11 @@ TEST_SUITE("results/density") {
 TEST_SUITE("results/mean_shift") {
     TEST_CASE("Labels, centres and the estimated bandwidth agree with scikit-learn") {
         const auto file = reference();
-        REQUIRE(file["mean_shift"].size() == 4);
+        REQUIRE(file["mean_shift"].size() >= 30);
         for (const auto& example : file["mean_shift"]) {
             CAPTURE(example["name"].get<std::string>());
             const auto points = example["points"].get<Points>();
-            CHECK(estimateBandwidth(points) ==
+            CHECK(estimateBandwidth(points, example["quantile"].get<double>()) ==
                   doctest::Approx(example["estimated"].get<double>()).epsilon(1e-12));
             const auto found = meanShift(points, example["bandwidth"].get<double>());
             REQUIRE(found);

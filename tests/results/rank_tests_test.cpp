@@ -40,6 +40,7 @@ TEST_SUITE("results/rank_sum") {
 
     TEST_CASE("R agrees where its conventions are ours: exactRankTests, coin, the normal one, intervals") {
         int compared = 0;
+        int intervals = 0;
         for (const auto& expected : oracles("rank_sum")) {
             const auto& r = expected["r"];
             if (!r.contains("greater")) continue;
@@ -51,13 +52,36 @@ TEST_SUITE("results/rank_sum") {
             CHECK(close(found.p_less, r["less"], 1e-9));
             CHECK(close(found.p_less, r["coin_less"], 1e-8));
             CHECK(close(found.normal_p_two_sided, r["normal_p"], 1e-9));
+            if (r.contains("cliffs_delta")) CHECK(close(found.cliffs_delta, r["cliffs_delta"], 1e-9));
             if (!r.contains("interval")) continue;
+            ++intervals;
             CHECK(close(found.p_two_sided, r["two_sided"], 1e-9));
             CHECK(close(found.hodges_lehmann.lower, r["interval"][0], 1e-9));
             CHECK(close(found.hodges_lehmann.upper, r["interval"][1], 1e-9));
             CHECK(close(found.hodges_lehmann.estimate, r["estimate"], 1e-9));
         }
-        CHECK(compared >= 28);
+        CHECK(compared >= 30);
+        CHECK(intervals >= 30);
+    }
+
+    TEST_CASE("SciPy's mannwhitneyu agrees: exact without ties, and the normal approximation") {
+        int exact = 0;
+        int normal = 0;
+        for (const auto& expected : oracles("rank_sum")) {
+            if (!expected.contains("scipy")) continue;
+            CAPTURE(expected["name"].get<std::string>());
+            const auto& scipy = expected["scipy"];
+            const auto found = rankSumTest(rationals(expected["a"]), rationals(expected["b"]));
+            CHECK(close(found.normal_p_two_sided, scipy["normal_p"], 1e-12));
+            ++normal;
+            if (!scipy.contains("less")) continue;
+            CHECK(close(found.p_two_sided, scipy["two-sided"], 1e-12));
+            CHECK(close(found.p_greater, scipy["greater"], 1e-12));
+            CHECK(close(found.p_less, scipy["less"], 1e-12));
+            ++exact;
+        }
+        CHECK(exact >= 30);
+        CHECK(normal >= 30);
     }
 
     TEST_CASE("Exact up to 400 values, with ties; then the approximation, without a step") {
@@ -92,7 +116,7 @@ TEST_SUITE("results/rank_sum") {
 }
 
 TEST_SUITE("results/friedman") {
-    TEST_CASE("R's friedman.test agrees, with ties and for two columns") {
+    TEST_CASE("R's friedman.test, coin, effectsize and SciPy agree, with ties and for two columns") {
         const auto cases = oracles("friedman");
         REQUIRE(cases.size() >= 30);
         for (const auto& expected : cases) {
@@ -108,6 +132,13 @@ TEST_SUITE("results/friedman") {
                 continue;
             }
             CHECK(std::abs(found.chi2.value() - r["chi2"].get<double>()) < 1e-10 * (1.0 + *found.chi2));
+            CHECK(std::abs(*found.chi2 - r["coin_chi2"].get<double>()) < 1e-10 * (1.0 + *found.chi2));
+            CHECK(std::abs(found.kendalls_w.value() - r["effectsize_w"].get<double>()) < 1e-12);
+            if (expected.contains("scipy")) {
+                const auto& scipy = expected["scipy"];
+                CHECK(std::abs(*found.chi2 - scipy["chi2"].get<double>()) < 1e-10 * (1.0 + *found.chi2));
+                CHECK(close(found.p, scipy["p"], 1e-9));
+            }
             CHECK(found.df == r["df"].get<int>());
             CHECK(close(found.p, r["p"], 1e-9));
             CHECK(std::abs(found.kendalls_w.value() - r["w"].get<double>()) < 1e-12);
@@ -138,7 +169,7 @@ TEST_SUITE("results/friedman") {
 }
 
 TEST_SUITE("results/shapiro_wilk") {
-    TEST_CASE("R's shapiro.test agrees from 3 to 5000 values") {
+    TEST_CASE("R's shapiro.test agrees from 3 to 5000 values, and SciPy's within its single precision") {
         const auto cases = oracles("shapiro");
         REQUIRE(cases.size() >= 30);
         for (const auto& expected : cases) {
@@ -147,6 +178,8 @@ TEST_SUITE("results/shapiro_wilk") {
             CHECK(close(found.w, expected["r"]["w"], 1e-9));
             CHECK(std::abs(found.p.value() - expected["r"]["p"].get<double>()) < 1e-8);
             CHECK(close(found.p, expected["r"]["p"], 1e-6));
+            CHECK(close(found.w, expected["scipy"]["w"], 1e-4));
+            CHECK(std::abs(found.p.value() - expected["scipy"]["p"].get<double>()) < 1e-3);
         }
     }
 

@@ -77,6 +77,7 @@ TEST_SUITE("results/signed_rank") {
     TEST_CASE(
         "R agrees where its conventions are ours: exactRankTests, coin's Pratt, the normal one, intervals") {
         int compared = 0;
+        int intervals = 0;
         for (const auto& expected : oracles("signed_rank")) {
             const auto& r = expected["r"];
             if (!r.contains("exact_greater")) continue;
@@ -90,11 +91,33 @@ TEST_SUITE("results/signed_rank") {
             if (r.contains("pratt")) CHECK(close(found.pratt_p_two_sided, r["pratt"], 1e-8));
             if (r.contains("rank_biserial")) CHECK(close(found.rank_biserial, r["rank_biserial"], 1e-9));
             if (r.contains("interval")) {
+                ++intervals;
                 CHECK(close(found.hodges_lehmann.lower, r["interval"][0], 1e-9));
                 CHECK(close(found.hodges_lehmann.upper, r["interval"][1], 1e-9));
             }
         }
         CHECK(compared >= 30);
+        CHECK(intervals >= 30);
+    }
+
+    TEST_CASE("SciPy's wilcoxon agrees: exact without ties, and the normal approximation") {
+        int exact = 0;
+        int normal = 0;
+        for (const auto& expected : oracles("signed_rank")) {
+            if (!expected.contains("scipy")) continue;
+            CAPTURE(expected["name"].get<std::string>());
+            const auto& scipy = expected["scipy"];
+            const auto found = signedRankTest(differences(expected["a"], expected["b"]));
+            CHECK(close(found.normal_p_two_sided, scipy["normal_p"], 1e-12));
+            ++normal;
+            if (!scipy.contains("less")) continue;
+            CHECK(close(found.p_two_sided, scipy["two-sided"], 1e-12));
+            CHECK(close(found.p_greater, scipy["greater"], 1e-12));
+            CHECK(close(found.p_less, scipy["less"], 1e-12));
+            ++exact;
+        }
+        CHECK(exact >= 30);
+        CHECK(normal >= 30);
     }
 
     TEST_CASE("A thousand and more tied differences are tested exactly") {

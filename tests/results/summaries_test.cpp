@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "core/random.hpp"
 #include "oracles.hpp"
 #include "results/bootstrap.hpp"
@@ -78,7 +82,7 @@ TEST_SUITE("results/rational") {
 }
 
 TEST_SUITE("results/holm") {
-    TEST_CASE("R's p.adjust agrees; missing p values stay missing and do not count") {
+    TEST_CASE("R's p.adjust and the definition agree; missing p values stay missing and do not count") {
         const auto cases = oracles("holm");
         REQUIRE(cases.size() >= 30);
         for (const auto& expected : cases) {
@@ -96,6 +100,7 @@ TEST_SUITE("results/holm") {
                     CHECK(!r.is_number());
                 } else {
                     CHECK(close(found[i], r.get<double>(), 1e-14));
+                    CHECK(close(found[i], expected["adjusted"][i].get<double>(), 1e-14));
                 }
             }
         }
@@ -184,7 +189,7 @@ TEST_SUITE("results/descriptive") {
 }
 
 TEST_SUITE("results/proportion") {
-    TEST_CASE("R's binom.test agrees: Clopper and Pearson's interval, and the exact test against chance") {
+    TEST_CASE("R's and SciPy's exact binomial tests agree: intervals, and p against chance") {
         const auto cases = oracles("proportion");
         REQUIRE(cases.size() >= 30);
         for (const auto& expected : cases) {
@@ -198,6 +203,9 @@ TEST_SUITE("results/proportion") {
             CHECK(close(found.p_chance, r["p_chance"], 1e-8));
             CHECK(close(found.p_greater, r["p_greater"], 1e-8));
             CHECK(close(found.p_less, r["p_less"], 1e-8));
+            CHECK(close(found.p_chance, expected["scipy"]["p_chance"], 1e-8));
+            CHECK(std::abs(found.lower.value() - expected["scipy"]["lower"].get<double>()) < 1e-9);
+            CHECK(std::abs(found.upper.value() - expected["scipy"]["upper"].get<double>()) < 1e-9);
         }
         CHECK(!proportion(0, 0, 0.95, 0.5).estimate);
         CHECK(!proportion(1, 2, 0.95, std::nullopt).p_chance);
@@ -205,19 +213,76 @@ TEST_SUITE("results/proportion") {
 }
 
 TEST_SUITE("results/bootstrap") {
-    TEST_CASE("SciPy's percentile and BCa intervals agree within the error of resampling") {
-        for (const auto& expected : oracles("bootstrap")) {
+    TEST_CASE("SciPy's and R's percentile and BCa intervals agree within the error of resampling") {
+        const auto cases = oracles("bootstrap");
+        REQUIRE(cases.size() >= 30);
+        for (const auto& expected : cases) {
             std::vector<std::vector<double>> rows;
             for (const auto& value : expected["x"]) rows.push_back({value.get<double>()});
-            const auto found = bootstrapMeans(rows, {.resamples = 100000, .seed = 5, .level = 0.95})[0];
+            const double level = expected["level"];
+            CAPTURE(expected["x"].dump());
+            CAPTURE(level);
+            const auto found = bootstrapMeans(rows, {.resamples = 100000, .seed = 5, .level = level})[0];
             const double se = expected["se"];
             CHECK(close(found.estimate, expected["mean"], 1e-12));
             CHECK(close(found.se, expected["se"], 0.02));
-            CHECK(std::abs(found.percentile->lower - expected["percentile"][0].get<double>()) < 0.05 * se);
-            CHECK(std::abs(found.percentile->upper - expected["percentile"][1].get<double>()) < 0.05 * se);
-            CHECK(std::abs(found.bca->lower - expected["bca"][0].get<double>()) < 0.05 * se);
-            CHECK(std::abs(found.bca->upper - expected["bca"][1].get<double>()) < 0.05 * se);
+            // Far out a quantile of resampled means is the less certain.
+            const double allowed = (level > 0.95 ? 0.1 : 0.06) * se;
+            for (const auto* by : {&expected, &expected["r"]}) {
+                const auto& percentile = (*by)["percentile"];
+                const auto& bca = (*by)["bca"];
+                CHECK(std::abs(found.percentile->lower - percentile[0].get<double>()) < allowed);
+                CHECK(std::abs(found.percentile->upper - percentile[1].get<double>()) < allowed);
+                CHECK(std::abs(found.bca->lower - bca[0].get<double>()) < allowed);
+                CHECK(std::abs(found.bca->upper - bca[1].get<double>()) < allowed);
+            }
         }
+    }
+
+    TEST_CASE("Resampled means of few values are spread as those of all n^n resamples") {
+        const std::vector<double> x{0.0, 0.25, 1.0, 1.5, 4.0};
+        std::vector<double> all;
+        for (int pattern = 0; pattern < 3125; ++pattern) {
+            double sum = 0.0;
+            for (int rest = pattern, i = 0; i < 5; ++i, rest /= 5)
+                sum += x[static_cast<std::size_t>(rest % 5)];
+            all.push_back(sum / 5.0);
+        }
+        const auto share = [&](double limit) {
+            return static_cast<double>(
+                       std::count_if(all.begin(), all.end(), [&](double m) { return m <= limit; })) /
+                   3125.0;
+        };
+        std::vector<std::vector<double>> rows;
+        for (const double value : x) rows.push_back({value});
+        const auto found = bootstrapMeans(rows, {.resamples = 200000, .seed = 2, .level = 0.9})[0];
+        double squares = 0.0;
+        for (const double value : x) squares += (value - 1.35) * (value - 1.35);
+        CHECK(close(found.estimate, 1.35, 1e-15));
+        CHECK(close(found.se, std::sqrt(squares / 25.0), 0.01));
+        // Steps of the distribution: the end of an interval has its share at or below it, and less right
+        // below.
+        for (const auto& [end, tail] :
+             {std::pair{found.percentile->lower, 0.05}, std::pair{found.percentile->upper, 0.95}}) {
+            CHECK(share(end + 1e-9) > tail - 0.003);
+            CHECK(share(end - 1e-9) < tail + 0.003);
+        }
+    }
+
+    TEST_CASE("Intervals do not depend on the unit, and sums beyond a double leave them undefined") {
+        std::vector<std::vector<double>> rows;
+        for (const double value : {1.0, 2.0, 2.0, 3.0, 9.0, 17.0})
+            rows.push_back({value, std::ldexp(value, 900), std::ldexp(value, -900), value * 1e307, 0.1});
+        const auto found = bootstrapMeans(rows, {.resamples = 2000, .seed = 3, .level = 0.95});
+        for (const int power : {900, -900}) {
+            const auto& scaled = found[power > 0 ? 1 : 2];
+            CHECK(scaled.bca->lower == std::ldexp(found[0].bca->lower, power));
+            CHECK(scaled.bca->upper == std::ldexp(found[0].bca->upper, power));
+        }
+        CHECK(found[3].n == 6);
+        CHECK(!found[3].percentile);
+        CHECK(!found[3].bca);
+        CHECK(found[4].bca->upper == doctest::Approx(0.1).epsilon(1e-14));
     }
 
     TEST_CASE("A seed gives the same intervals again, in whichever company a column stands") {

@@ -19,7 +19,7 @@ struct BootstrapInterval {
     double upper = 0.0;
 };
 
-/// Of one column. Nothing is estimated of a column without values.
+/// Of one column. Nothing is estimated of a column without values, or of values whose sums exceed a double.
 struct BootstrapMean {
     int n = 0;  ///< participants with a value
     std::optional<double> estimate{};

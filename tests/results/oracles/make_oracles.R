@@ -4,6 +4,7 @@ suppressMessages({
   library(exactRankTests)
   library(coin)
   library(effectsize)
+  library(boot)
 })
 files <- commandArgs(trailingOnly = TRUE)
 cases <- fromJSON(files[1], simplifyVector = FALSE)
@@ -31,8 +32,7 @@ signed_rank <- function(case) {
     out[[paste0("exact_", side)]] <- wilcox.exact(nonzero, alternative = side, exact = TRUE)$p.value
   if (length(d) <= 39)
     out$pratt <- pvalue(wilcoxsign_test(d ~ rep(0, length(d)), distribution = "exact", zero.method = "Pratt"))
-  if (all(d != 0))
-    out$rank_biserial <- quiet(rank_biserial(d, rep(0, length(d)), paired = TRUE, ci = NULL))$r_rank_biserial
+  out$rank_biserial <- quiet(rank_biserial(d, rep(0, length(d)), paired = TRUE, ci = NULL))$r_rank_biserial
   if (all(d != 0) && !anyDuplicated(abs(d))) {
     found <- quiet(wilcox.test(d, exact = TRUE, conf.int = TRUE, conf.level = case$level))
     out$interval <- as.numeric(found$conf.int)
@@ -49,6 +49,7 @@ rank_sum <- function(case) {
   out$normal_p <- quiet(wilcox.test(a, b, exact = FALSE, correct = TRUE))$p.value
   for (side in c("greater", "less"))
     out[[side]] <- quiet(wilcox.exact(a, b, alternative = side, exact = TRUE))$p.value
+  if (length(a) > 1 && length(b) > 1) out$cliffs_delta <- quiet(cliffs_delta(a, b, ci = NULL))$r_rank_biserial
   group <- factor(rep(c("a", "b"), c(length(a), length(b))))
   out$coin_less <- pvalue(wilcox_test(c(a, b) ~ group, distribution = "exact", alternative = "less"))
   if (!anyDuplicated(c(a, b)) && length(a) > 1) {
@@ -69,8 +70,14 @@ friedman <- function(case) {
   n <- nrow(x)
   k <- ncol(x)
   f <- (n - 1) * chi2 / (n * (k - 1) - chi2)
-  list(chi2 = chi2, df = k - 1, p = found$p.value, w = chi2 / (n * (k - 1)), f = f,
-       f_p = pf(f, k - 1, (k - 1) * (n - 1), lower.tail = FALSE))
+  out <- list(chi2 = chi2, df = k - 1, p = found$p.value, w = chi2 / (n * (k - 1)), f = f,
+              f_p = pf(f, k - 1, (k - 1) * (n - 1), lower.tail = FALSE))
+  if (!is.nan(chi2)) {
+    long <- data.frame(y = as.vector(x), of = factor(rep(seq_len(k), each = n)), who = factor(rep(seq_len(n), k)))
+    out$coin_chi2 <- as.numeric(statistic(friedman_test(y ~ of | who, long)))
+    out$effectsize_w <- quiet(kendalls_w(x, ci = NULL))$Kendalls_W
+  }
+  out
 }
 
 shapiro <- function(case) {
@@ -99,6 +106,15 @@ described <- function(case) {
   list(mean = mean(x), sd = sd(x), min = min(x), max = max(x), q = q, mad = mad(x))
 }
 
+# boot's quantiles are interpolated on the normal scale; with so many resamples that is below their error.
+bootstrapped <- function(case) {
+  set.seed(39)
+  x <- as.numeric(case$x)
+  drawn <- boot(x, function(x, i) mean(x[i]), R = 200000)
+  found <- boot.ci(drawn, conf = case$level, type = c("perc", "bca"), L = x - mean(x))
+  list(percentile = found$percent[4:5], bca = found$bca[4:5])
+}
+
 proportion <- function(case) {
   test <- function(side) binom.test(case$successes, case$n, case$chance, side, conf.level = case$level)
   found <- test("two.sided")
@@ -118,7 +134,7 @@ answers <- list(
   rank_sum = lapply(cases$rank_sum, rank_sum), friedman = lapply(cases$friedman, friedman),
   shapiro = lapply(cases$shapiro, shapiro), spearman = lapply(cases$spearman, spearman),
   holm = lapply(cases$holm, holm), describe = lapply(cases$describe, described),
-  proportion = lapply(cases$proportion, proportion))
+  proportion = lapply(cases$proportion, proportion), bootstrap = lapply(cases$bootstrap, bootstrapped))
 made_by <- paste0(R.version.string, ", exactRankTests ", packageVersion("exactRankTests"), ", coin ",
-                  packageVersion("coin"), ", effectsize ", packageVersion("effectsize"))
+                  packageVersion("coin"), ", effectsize ", packageVersion("effectsize"), ", boot ", packageVersion("boot"))
 write(toJSON(list(made_by = made_by, answers = answers), digits = NA, auto_unbox = TRUE, na = "null"), files[2])

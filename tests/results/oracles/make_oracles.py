@@ -2,10 +2,12 @@
 
 Answers come from plain enumeration in exact fractions (all 2^n signs, all ways to share out the values, all
 pairings), from whole-number dynamic programming where there are too many of those, from SciPy, and from R
-(make_oracles.R: stats, exactRankTests, coin, effectsize). The program under test takes no part.
+(make_oracles.R: stats, boot, exactRankTests, coin, effectsize). The program under test takes no part. Densities and
+clusters are in scripts/reference/density.py.
 
 Run: /usr/bin/python3 tests/results/oracles/make_oracles.py
-Needs python3-scipy, r-base-core, r-cran-exactranktests, r-cran-coin, r-cran-effectsize, r-cran-jsonlite.
+Needs python3-scipy, r-base-core, r-cran-boot, r-cran-exactranktests, r-cran-coin, r-cran-effectsize, r-cran-jsonlite,
+which Debian 12 has all.
 """
 
 import itertools
@@ -23,6 +25,7 @@ import scipy.stats
 
 here = Path(__file__).parent
 draw = random.Random(1995)
+draw_untied = random.Random(1945)
 
 
 def number(cell):
@@ -116,6 +119,12 @@ def signed_rank(name, a, b, level="0.95"):
                                  "upper": float(walsh[-k]), "level": achieved}
     else:
         out["hodges_lehmann"] = {"estimate": None, "lower": None, "upper": None, "level": None}
+    if len(rest) > 1:
+        signed = [float(r if x > 0 else -r) for r, x in zip(ranks, rest)]
+        out["scipy"] = {"normal_p": min(1.0, float(scipy.stats.wilcoxon(signed, correction=True, mode="approx").pvalue))}
+        if out["ties"] == 0 and len(rest) <= 50:
+            for side in ("two-sided", "greater", "less"):
+                out["scipy"][side] = float(scipy.stats.wilcoxon(signed, mode="exact", alternative=side).pvalue)
     return out
 
 
@@ -156,6 +165,17 @@ def signed_rank_cases():
         cases.append(signed_rank(f"{n} pairs in fifths", mean_cells(n, [5], 1), mean_cells(n, [5, 4], 1)))
     cases.append(signed_rank("39 pairs without ties", [f"{draw.gauss(0.3, 1):.6f}" for _ in range(39)], ["0"] * 39))
     cases.append(signed_rank("60 pairs, far tail", [f"{draw.gauss(3, 1):.2f}" for _ in range(60)], ["0"] * 60))
+    return cases
+
+
+def untied_pairs():
+    """For R's intervals, which need differences without ties and zeros."""
+    cases = []
+    for i in range(24):
+        n = draw_untied.randint(4, 45)
+        differences = draw_untied.sample(range(1, 20 * n), n)
+        cells = [f"{x * draw_untied.choice((1, 1, -1)) / 1000:.3f}" for x in differences]
+        cases.append(signed_rank(f"untied {i}", cells, ["0"] * n, draw_untied.choice(["0.95", "0.9", "0.99"])))
     return cases
 
 
@@ -215,7 +235,23 @@ def rank_sum(name, a, b, level="0.95"):
     k, achieved = interval_rank(u_counts(len(x), len(y)), (1 - Fraction(level)) / 2)
     out["hodges_lehmann"] = {"estimate": float(median(differences)), "lower": float(differences[k - 1]),
                              "upper": float(differences[-k]), "level": achieved}
+    if len(set(ranks)) > 1:
+        sides = [float(r) for r in ranks[: len(x)]], [float(r) for r in ranks[len(x):]]
+        out["scipy"] = {"normal_p": float(scipy.stats.mannwhitneyu(*sides, method="asymptotic").pvalue)}
+        if len(set(ranks)) == len(ranks):
+            for side in ("two-sided", "greater", "less"):
+                out["scipy"][side] = float(scipy.stats.mannwhitneyu(*sides, method="exact", alternative=side).pvalue)
     return out
+
+
+def untied_samples():
+    """For R's intervals, which need samples without ties."""
+    cases = []
+    for i in range(28):
+        n_a, n_b = draw_untied.randint(3, 20), draw_untied.randint(3, 20)
+        values = [f"{x / 100:.2f}" for x in draw_untied.sample(range(50 * (n_a + n_b)), n_a + n_b)]
+        cases.append(rank_sum(f"untied {i}", values[:n_a], values[n_a:], draw_untied.choice(["0.95", "0.9", "0.99"])))
+    return cases
 
 
 def rank_sum_cases():
@@ -249,6 +285,11 @@ def friedman_cases():
     for i in range(28):
         k, n = draw.randint(2, 6), draw.randint(2, 40)
         cases.append({"name": f"random {i}", "rows": [mean_cells(k, [1, 2, 3], 0) for _ in range(n)]})
+    for case in cases:
+        columns = [[float(r) for r in column] for column in zip(*(midranks([number(c) for c in row]) for row in case["rows"]))]
+        if len(columns) > 2 and case["name"] != "all tied":
+            found = scipy.stats.friedmanchisquare(*columns)
+            case["scipy"] = {"chi2": float(found.statistic), "p": float(found.pvalue)}
     return cases
 
 
@@ -261,6 +302,9 @@ def shapiro_cases():
     for n in (3, 5, 8, 11, 12, 20, 39, 100):
         cases.append({"name": f"skewed {n}", "x": [f"{draw.expovariate(1):.2f}" for _ in range(n)]})
     cases.append({"name": "5000", "x": [str(draw.randint(0, 99)) for _ in range(5000)]})
+    for case in cases:
+        found = scipy.stats.shapiro([float(number(c)) for c in case["x"]])
+        case["scipy"] = {"w": float(found.statistic), "p": float(found.pvalue)}
     return cases
 
 
@@ -298,11 +342,22 @@ def spearman_cases():
     return cases
 
 
+def holm(p):
+    """By the definition: of each p the largest of what the p up to it give, in exact fractions."""
+    there = sorted((Fraction(str(x)), i) for i, x in enumerate(p) if x is not None)
+    out = [None] * len(p)
+    for place, (_, i) in enumerate(there):
+        out[i] = float(min(Fraction(1), max((len(there) - j) * x for j, (x, _) in enumerate(there[: place + 1]))))
+    return out
+
+
 def holm_cases():
     cases = [{"p": []}, {"p": [None]}, {"p": [0.04]}, {"p": [0.0, 1.0, 0.5]}, {"p": [0.02, None, 0.02, 0.01]}]
     for _ in range(27):
         cases.append({"p": [None if draw.random() < 0.1 else round(draw.random() ** 3, draw.randint(1, 6))
                             for _ in range(draw.randint(1, 15))]})
+    for case in cases:
+        case["adjusted"] = holm(case["p"])
     return cases
 
 
@@ -322,18 +377,25 @@ def proportion_cases():
     for _ in range(25):
         n = draw.randint(2, 120)
         cases.append((draw.randint(0, n), n, draw.choice(["1/2", "1/3", "0.25", "1/7", "0.9"]), draw.choice(["0.95", "0.9"])))
-    return [{"successes": s, "n": n, "chance": float(number(c)), "level": float(l)} for s, n, c, l in cases]
+    out = []
+    for s, n, c, level in cases:
+        test = scipy.stats.binomtest(s, n, float(number(c)))
+        interval = test.proportion_ci(float(level), "exact")
+        out.append({"successes": s, "n": n, "chance": float(number(c)), "level": float(level),
+                    "scipy": {"p_chance": float(test.pvalue), "lower": float(interval.low), "upper": float(interval.high)}})
+    return out
 
 
 def bootstrap_cases():
     """SciPy's intervals from 200,000 resamples; another generator, so equal only within its error."""
     cases = []
-    for n, shape in ((12, "normal"), (39, "normal"), (39, "skewed"), (20, "skewed")):
-        x = [round(draw.gauss(3, 1) if shape == "normal" else draw.expovariate(1), 3) for _ in range(n)]
-        case = {"x": x, "mean": float(numpy.mean(x))}
+    for i, n in enumerate((12, 39, 39, 20) + tuple(draw_untied.randint(8, 60) for _ in range(28))):
+        skewed, level = i % 2 == 1, (0.95, 0.95, 0.9, 0.99)[i // 4 % 4]
+        x = [round(draw_untied.expovariate(1) if skewed else draw_untied.gauss(3, 1), 3) for _ in range(n)]
+        case = {"x": x, "level": level, "mean": float(numpy.mean(x))}
         for method in ("percentile", "BCa"):
             found = scipy.stats.bootstrap((x,), numpy.mean, n_resamples=200000, batch=20000, method=method,
-                                          random_state=numpy.random.default_rng(7))
+                                          confidence_level=level, random_state=numpy.random.default_rng(7))
             case[method.lower()] = [float(v) for v in found.confidence_interval]
             case["se"] = float(found.standard_error)
         cases.append(case)
@@ -341,10 +403,10 @@ def bootstrap_cases():
 
 
 cases = {
-    "signed_rank": signed_rank_cases(),
+    "signed_rank": signed_rank_cases() + untied_pairs(),
     "signed_rank_large": [large_case("1,000 pairs in tenths", 1000, 0.05, 1),
                           large_case("1,500 pairs in hundredths", 1500, -0.06, 2)],
-    "rank_sum": rank_sum_cases(),
+    "rank_sum": rank_sum_cases() + untied_samples(),
     "friedman": friedman_cases(),
     "shapiro": shapiro_cases(),
     "spearman": spearman_cases(),
