@@ -196,8 +196,11 @@ Figure profileFigure(const Evaluation& evaluation, std::size_t index, ProfileKin
     }
     FigureJson time = quantity("t");
     time["scale"] = {{"domain", {scale.first_s, scale.last_s}}, {"nice", false}};
-    time["axis"] = {
-        {"title", "time from pointing (s)"}, {"grid", true}, {"tickCount", 6}, {"labelFlush", false}};
+    time["axis"] = {{"title", "time from pointing (s)"},
+                    {"grid", true},
+                    {"tickCount", 6},
+                    {"labelFlush", false},
+                    {"labelPadding", 10}};
     FigureJson mean = quantity("mean");
     mean["scale"] = {{"domain", {0.0, scale.high}}, {"nice", false}};
     mean["axis"] = {{"title", reward ? "reward (Eq. 2)" : "hand speed (m/s)"}, {"tickCount", 6}};
@@ -306,7 +309,8 @@ Figure densityScatter(const Evaluation& evaluation, std::size_t index, Numbering
     x["axis"] = {{"title", "density of training targets (1/m\u00b3)"},
                  {"grid", true},
                  {"tickCount", 5},
-                 {"labelFlush", false}};
+                 {"labelFlush", false},
+                 {"labelPadding", 10}};
     FigureJson y = quantity("y");
     y["scale"] = {
         {"domain", {leastAccuracy(evaluation), highest_accuracy}}, {"nice", false}, {"zero", false}};

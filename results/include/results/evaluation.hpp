@@ -119,7 +119,7 @@ struct SystemComparison {
     /// bits of another machine's arithmetic change no rank. n_pairs is how many targets there are.
     SignedRankTest test{};
     std::vector<double> differences{};  ///< of accuracy, one for each target
-    std::optional<double> p_holm{};  ///< over all pairs that share targets; none where there are none
+    std::optional<double> p_holm{};     ///< over all pairs that share targets; none where there are none
 };
 
 struct Evaluation {
@@ -146,8 +146,8 @@ struct Evaluation {
 /// Fails where there are no clips, or no density or clusters can be had from the training targets.
 [[nodiscard]] Result<Evaluation> evaluate(EvaluationInput input);
 
-/// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same evaluation
-/// gives the same bytes.
+/// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same
+/// evaluation gives the same bytes.
 [[nodiscard]] std::string renderEvaluation(const Evaluation& evaluation);
 /// One JSON object, "format": "deixis-evaluation", "version": 1; documented in docs/evaluation.md.
 [[nodiscard]] std::string evaluationJson(const Evaluation& evaluation);
