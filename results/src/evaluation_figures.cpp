@@ -38,7 +38,7 @@ double leastAccuracy(const Evaluation& evaluation) {
 
 /// The angles that the accuracies beside a plot mean, as many as have room; 0 is the ceiling.
 std::vector<BoxPlot::Level> anglesBeside(double low, double high) {
-    const double least_apart = 0.045 * (high - low);
+    const double least_apart = 0.05 * (high - low);
     std::vector<BoxPlot::Level> levels;
     for (const double degrees : {0.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0}) {
         const double at = rewardOf(degrees);
@@ -78,8 +78,10 @@ Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
     return {
         "accuracy",
         figures.next() +
-            " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Right: the same as angle between "
-            "forearm and target; dashed: the ceiling." +
+            " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
+            "median; "
+            "diamond: mean; whiskers: 5th and 95th percentile. Right: the same as angle between forearm and "
+            "target; dashed: the ceiling." +
             (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the least to "
                                    "the greatest; all else is of all clips.",
                                    most_box_points)
@@ -317,9 +319,12 @@ Figure densityScatter(const Evaluation& evaluation, std::size_t index, Numbering
     y["axis"] = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}, {"tickCount", 6}};
     const FigureJson at{{"x", x}, {"y", y}, {"tooltip", {{"field", "tip"}}}};
     FigureJson layers = FigureJson::array();
-    layers.push_back(
-        layerOf(std::move(points),
-                {{"type", "circle"}, {"size", 18}, {"opacity", 0.45}, {"color", systemColour(index)}}, at));
+    layers.push_back(layerOf(std::move(points),
+                             {{"type", "circle"},
+                              {"size", order.size() > 100 ? 18 : 40},
+                              {"opacity", 0.45},
+                              {"color", systemColour(index)}},
+                             at));
     layers.push_back(dashedLine("y", reward_ceiling));
     const FigureJson tenths = tenthsOf(system, order);
     if (!tenths.empty()) {

@@ -275,7 +275,7 @@ Figure densitySpace(const Evaluation& evaluation, Numbering& figures) {
         layerOf(drawnPoints(evaluation),
                 {{"type", "point"},
                  {"shape", "circle"},
-                 {"size", 42},
+                 {"size", evaluation.points.size() > 200 ? 42 : 110},
                  {"opacity", 1},
                  {"stroke", even_colour},
                  {"strokeWidth", 0.5}},

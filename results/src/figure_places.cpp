@@ -144,7 +144,7 @@ FigureJson SpacePlot::spec(double low, double high, const char* format, double m
         layers.push_back(layerOf(points_,
                                  {{"type", "point"},
                                   {"shape", "circle"},
-                                  {"size", 70},
+                                  {"size", {{"expr", "clamp(width / 8, 20, 70)"}}},
                                   {"opacity", 1},
                                   {"stroke", even_colour},
                                   {"strokeWidth", 0.7}},
