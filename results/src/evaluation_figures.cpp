@@ -75,19 +75,17 @@ Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
     plot.nothing = "no accuracy";
     plot.levels = anglesBeside(plot.low, plot.high);
     plot.most_points = most_box_points;
-    return {
-        "accuracy",
-        figures.next() +
-            " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
-            "median; "
-            "diamond: mean; whiskers: 5th and 95th percentile. Right: the same as angle between forearm and "
-            "target; dashed: the ceiling." +
-            (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the least to "
-                                   "the greatest; all else is of all clips.",
-                                   most_box_points)
-                     : std::string()),
-        fmt::format("Box plots of the clips' accuracy by system; medians: {}.", mediansText(plot)),
-        boxPlotSpec(plot), evaluation.systems.size() > 4};
+    return {"accuracy",
+            figures.next() +
+                " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
+                "median; diamond: mean; whiskers: 5th and 95th percentile. Right: the same as angle between "
+                "forearm and target; dashed: the ceiling." +
+                (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the least "
+                                       "to the greatest; all else is of all clips.",
+                                       most_box_points)
+                         : std::string()),
+            fmt::format("Box plots of the clips' accuracy by system; medians: {}.", mediansText(plot)),
+            boxPlotSpec(plot), evaluation.systems.size() > 4};
 }
 
 Figure accuracyDifferences(const Evaluation& evaluation, Numbering& figures) {
@@ -107,9 +105,8 @@ Figure accuracyDifferences(const Evaluation& evaluation, Numbering& figures) {
         "differences",
         figures.next() +
             " Differences of accuracy at the targets that both systems were made for (points), and their "
-            "typical difference with its interval (Hodges&#8211;Lehmann; filled and starred where p is "
-            "at most 0.05 after Holm&#8217;s correction). Right of 0 the system named first is more "
-            "accurate." +
+            "typical difference with its interval (Hodges&#8211;Lehmann; filled and starred where p is at "
+            "most 0.05 after Holm&#8217;s correction). Right of 0 the system named first is more accurate." +
             (thinned ? fmt::format(" At most {} points a pair are drawn, evenly from the least to the "
                                    "greatest difference.",
                                    most_difference_points)

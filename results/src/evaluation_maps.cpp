@@ -128,15 +128,14 @@ Figure densityMap(const Evaluation& evaluation, Numbering& figures) {
     SpacePlot plot({""}, maps.space());
     drawMaps(plot, 0, maps, "", "test point");
     for (const Vec3& target : evaluation.input.training) plot.dot(0, target);
-    return {
-        "density-map",
-        fmt::format("{} Density of the training targets (1/m&#179;) and the targets themselves (dots), those "
-                    "within the map (the paper&#8217;s Figure&#160;10&#160;B): {}",
-                    figures.next(), spaceText(maps.space())),
-        fmt::format("Maps of the density at {} test points from above and from behind the agent, with the "
-                    "training targets as dots; densities up to {:.3g} per cubic metre.",
-                    evaluation.points.size(), range.second),
-        plot.spec(0.0, range.second > 0.0 ? range.second : 1.0, ".2~g", 1.3 * map_row_px), true};
+    return {"density-map",
+            fmt::format("{} Density of the training targets (1/m&#179;) and the targets themselves (dots), "
+                        "those within the map (the paper&#8217;s Figure&#160;10&#160;B): {}",
+                        figures.next(), spaceText(maps.space())),
+            fmt::format("Maps of the density at {} test points from above and from behind the agent, with "
+                        "the training targets as dots; densities up to {:.3g} per cubic metre.",
+                        evaluation.points.size(), range.second),
+            plot.spec(0.0, range.second > 0.0 ? range.second : 1.0, ".2~g", 1.3 * map_row_px), true};
 }
 
 Figure accuracyMaps(const Evaluation& evaluation, Numbering& figures) {
@@ -160,10 +159,9 @@ Figure accuracyMaps(const Evaluation& evaluation, Numbering& figures) {
             fmt::format("{} Mean accuracy of each system by the target&#8217;s place (the paper&#8217;s "
                         "Figure&#160;10&#160;C); one scale for all.",
                         figures.next()),
-            fmt::format(
-                "Maps of the mean accuracy over the targets' places, from above and from behind the agent, "
-                "in a row for each of {} systems; {:.3f} to {:.3f}.",
-                names.size(), range.first, range.second),
+            fmt::format("Maps of the mean accuracy over the targets' places, from above and from behind the "
+                        "agent, in a row for each of {} systems; {:.3f} to {:.3f}.",
+                        names.size(), range.first, range.second),
             plot.spec(range.first, range.second > range.first ? range.second : range.first + 0.01, ".2f",
                       map_row_px),
             true};

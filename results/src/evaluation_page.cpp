@@ -76,8 +76,7 @@ std::string findings(const Evaluation& evaluation) {
     if (strongest)
         out += fmt::format(
             "<li>The correlation of accuracy with the density of the training targets is {} <b>{}</b>: "
-            "Spearman's "
-            "&#961; = {}, p {}{}.</li>",
+            "Spearman's &#961; = {}, p {}{}.</li>",
             evaluation.systems.size() == 1 ? "for" : "strongest for", escapeHtml(strongest->system),
             fixedText(strongest->correlation.rho, 3), strongest->correlation.p < 0.001 ? "" : "= ",
             pText(strongest->correlation.p));
@@ -105,22 +104,18 @@ std::string profilesSection(const Evaluation& evaluation, Numbering& figures, Nu
         for (const ProfileKind kind : {ProfileKind::reward, ProfileKind::speed})
             drawn += figureHtml(profileFigure(evaluation, i, kind, figures));
     return "\n<h2>Around the time of pointing</h2>\n<p class=\"small intro\">Reward and speed of the "
-           "pointing "
-           "hand, "
-           "mean and band of one standard deviation over the clips of each hand (their number in brackets; "
-           "the paper&#8217;s Figures 2 "
-           "and "
-           "3). 0 is the time of pointing; steps that fewer than half of the clips have are left out. Dashed "
-           "across: the ceiling of the reward, and the speed below which a frame counts.</p>" +
+           "pointing hand, mean and band of one standard deviation over the clips of each hand (their number "
+           "in brackets; the paper&#8217;s Figures 2 and 3). 0 is the time of pointing; steps that fewer "
+           "than half of the clips have are left out. Dashed across: the ceiling of the reward, and the "
+           "speed below which a frame counts.</p>" +
            plots(drawn) + profilesHtml(evaluation, tables);
 }
 
 std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
     std::string out =
         "\n<h2>Accuracy and training targets</h2>\n<p class=\"small intro\">In the maps a cell is a mean "
-        "over y "
-        "(from "
-        "above) or over z (from behind); the agent stands at x = 0, z = 0, and its left is on the left.</p>";
+        "over y (from above) or over z (from behind); the agent stands at x = 0, z = 0, and its left is on "
+        "the left.</p>";
     out += "<div class=\"single\">" + figureHtml(densitySpace(evaluation, figures)) + "</div>";
     out += plots(figureHtml(densityMap(evaluation, figures)));
     out += correlationTable(evaluation, tables);
@@ -139,33 +134,25 @@ std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Nu
 std::string methods(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     return fmt::format(
-        "\n<h2>Methods</h2>\n<p>After section 3.2 of Deichler, Wang, Alexanderson and Beskow (2023).</p>\n"
-        "<p><b>Accuracy</b> of a clip is the greatest reward, Equation&#160;2: &#952; = 1 &#8722; angle(hand "
-        "to "
-        "target, elbow to hand)/&#960;, reward = (e<sup>&#952;</sup> &#8722; 1)/e, among the frames within "
-        "{:g} s "
-        "of the time of pointing to either side (a window of {:g} s) in which the hand moves slower than "
-        "{:g} m/s. "
-        "The time of pointing is the frame in which the pointing posture is reached, the manifest&#8217;s "
-        "<i>peak</i>. Speed is that of the hand joint by central differences. A clip whose hand is never so "
-        "slow "
-        "there has no accuracy: it is counted as missing, and nothing is filled in. Clips are measured on "
-        "their own skeletons. Only the forearm counts, as in the paper: an agent that brings eye, fingertip "
-        "and "
-        "target into line, as people do, scores lower than one whose forearm points.</p>\n"
-        "<p><b>Density</b> is a Gaussian kernel estimate over the {} training targets, bandwidths {}. "
-        "<b>Correlation</b> is Spearman&#8217;s, with mean ranks for ties; p is exact over all pairings up "
-        "to nine "
-        "clips, beyond that by Student&#8217;s t.</p>\n"
-        "<p><b>Clusters</b> are those of MeanShift with a flat kernel, by scikit-learn&#8217;s conventions. "
-        "A test "
-        "point belongs to the cluster of its nearest training target, as in section 2.2.2 of the paper.</p>\n"
-        "<p><b>Systems are compared</b> target by target (several clips of one system for one target count "
-        "by their mean). The signed-rank test is exact up to 2,000 targets, ties among differences included; "
-        "differences are rounded to 10<sup>&#8722;9</sup>, and those of zero left out of the ranking. "
-        "Targets "
-        "are a sample of places, not of people: p says how far the order of two systems hangs on the "
-        "places.</p>",
+        "\n<h2>Methods</h2>\n<p>After section 3.2 of Deichler, Wang, Alexanderson and Beskow "
+        "(2023).</p>\n<p><b>Accuracy</b> of a clip is the greatest reward, Equation&#160;2: &#952; = 1 "
+        "&#8722; angle(hand to target, elbow to hand)/&#960;, reward = (e<sup>&#952;</sup> &#8722; 1)/e, "
+        "among the frames within {:g} s of the time of pointing to either side (a window of {:g} s) in which "
+        "the hand moves slower than {:g} m/s. The time of pointing is the frame in which the pointing "
+        "posture is reached, the manifest&#8217;s <i>peak</i>. Speed is that of the hand joint by central "
+        "differences. A clip whose hand is never so slow there has no accuracy: it is counted as missing, "
+        "and nothing is filled in. Clips are measured on their own skeletons. Only the forearm counts, as in "
+        "the paper: an agent that brings eye, fingertip and target into line, as people do, scores lower "
+        "than one whose forearm points.</p>\n<p><b>Density</b> is a Gaussian kernel estimate over the {} "
+        "training targets, bandwidths {}. <b>Correlation</b> is Spearman&#8217;s, with mean ranks for ties; "
+        "p is exact over all pairings up to nine clips, beyond that by Student&#8217;s "
+        "t.</p>\n<p><b>Clusters</b> are those of MeanShift with a flat kernel, by scikit-learn&#8217;s "
+        "conventions. A test point belongs to the cluster of its nearest training target, as in section "
+        "2.2.2 of the paper.</p>\n<p><b>Systems are compared</b> target by target (several clips of one "
+        "system for one target count by their mean). The signed-rank test is exact up to 2,000 targets, ties "
+        "among differences included; differences are rounded to 10<sup>&#8722;9</sup>, and those of zero "
+        "left out of the ranking. Targets are a sample of places, not of people: p says how far the order of "
+        "two systems hangs on the places.</p>",
         0.5 * input.rule.window_s, input.rule.window_s, input.rule.slower_than_m_s, input.training.size(),
         bandwidthWords(evaluation));
 }
@@ -193,14 +180,13 @@ std::string provenance(const Evaluation& evaluation) {
 }  // namespace
 
 std::string renderEvaluation(const Evaluation& evaluation) {
-    std::string out =
-        pageStart("Objective evaluation of pointing", "Objective evaluation of pointing") +
-        fmt::format(
-            "<p class=\"lead\">{} system{} &#183; {} clips &#183; {} test points &#183; {} training "
-            "targets ({})</p>",
-            evaluation.systems.size(), evaluation.systems.size() == 1 ? "" : "s",
-            evaluation.input.clips.size(), evaluation.points.size(), evaluation.input.training.size(),
-            escapeHtml(evaluation.input.training_source));
+    std::string out = pageStart("Objective evaluation of pointing", "Objective evaluation of pointing") +
+                      fmt::format(
+                          "<p class=\"lead\">{} system{} &#183; {} clips &#183; {} test points &#183; {} "
+                          "training targets ({})</p>",
+                          evaluation.systems.size(), evaluation.systems.size() == 1 ? "" : "s",
+                          evaluation.input.clips.size(), evaluation.points.size(),
+                          evaluation.input.training.size(), escapeHtml(evaluation.input.training_source));
     out += syntheticNote(evaluation) + findings(evaluation) + remarksHtml(evaluation.remarks);
     Numbering figures("Figure");
     Numbering tables;

@@ -30,11 +30,11 @@ constexpr std::array profile_times_s{-1.0, -0.5, 0.0, 0.5, 1.0};
 std::string profileTable(const Evaluation& evaluation, bool reward, Numbering& tables) {
     std::string columns = "<th>System</th><th class=\"text\">hand</th><th>clips</th>";
     for (const double time : profile_times_s) columns += "<th>" + fixedText(time, 1) + " s</th>";
-    std::string out = openTable(
-        reward ? "Reward around the time of pointing, mean &#177; standard deviation over clips."
-               : "Speed of the pointing hand (m/s) around the time of pointing, mean &#177; standard "
-                 "deviation over clips.",
-        columns, tables);
+    std::string out =
+        openTable(reward ? "Reward around the time of pointing, mean &#177; standard deviation over clips."
+                         : "Speed of the pointing hand (m/s) around the time of pointing, mean &#177; "
+                           "standard deviation over clips.",
+                  columns, tables);
     for (const SystemEvaluation& system : evaluation.systems)
         for (const auto& [hand, profile] :
              {std::pair{"right", &system.right}, std::pair{"left", &system.left}}) {
@@ -66,8 +66,7 @@ std::string profileTable(const Evaluation& evaluation, bool reward, Numbering& t
 std::string systemsHtml(const Evaluation& evaluation, Numbering& tables) {
     std::string out = openTable(
         "Accuracy (Equation 2, dimensionless) and the same as angle between forearm and target (degrees), "
-        "over "
-        "clips; SD with n &#8722; 1.",
+        "over clips; SD with n &#8722; 1.",
         "<th>System</th><th>n</th><th>Mean</th><th>SD</th><th>Median</th><th>Mean (&#176;)</th><th>SD "
         "(&#176;)</th><th>Median (&#176;)</th><th>missing</th><th>left hand</th>",
         tables);
@@ -123,11 +122,10 @@ std::string clustersHtml(const Evaluation& evaluation, Numbering& tables) {
         "points</th>";
     for (const auto& system : evaluation.systems) head += "<th>" + escapeHtml(system.system) + "</th>";
     std::string out = openTable(
-        fmt::format(
-            "Clusters of the training targets (MeanShift, bandwidth {:.3g} m{}): centre, sizes, and the "
-            "mean accuracy of each system at the test points whose nearest training target belongs to "
-            "the cluster.",
-            evaluation.mean_shift_bandwidth, evaluation.mean_shift_estimated ? ", estimated" : ""),
+        fmt::format("Clusters of the training targets (MeanShift, bandwidth {:.3g} m{}): centre, sizes, and "
+                    "the mean accuracy of each system at the test points whose nearest training target "
+                    "belongs to the cluster.",
+                    evaluation.mean_shift_bandwidth, evaluation.mean_shift_estimated ? ", estimated" : ""),
         head, tables);
     for (std::size_t c = 0; c < evaluation.clusters.size(); ++c) {
         const TargetCluster& cluster = evaluation.clusters[c];
@@ -148,11 +146,10 @@ std::string comparisonsHtml(const Evaluation& evaluation, Numbering& tables) {
         openTable(
             "Differences of accuracy, the first system&#8217;s minus the second&#8217;s, over the targets at "
             "which both have one. Typical: Hodges and Lehmann&#8217;s estimate with its interval of "
-            "95&#160;%. r: "
-            "rank-biserial correlation, 1 where the first is better at every target. p: Wilcoxon&#8217;s "
-            "signed-rank test, two-sided; Holm: adjusted over all pairs of the table.",
-            "<th>Systems</th><th>targets</th><th>Mean</th><th>SD</th><th>Mean "
-            "(&#176;)</th><th>Typical [interval]</th><th>r</th><th>p</th><th>p (Holm)</th>",
+            "95&#160;%. r: rank-biserial correlation, 1 where the first is better at every target. p: "
+            "Wilcoxon&#8217;s signed-rank test, two-sided; Holm: adjusted over all pairs of the table.",
+            "<th>Systems</th><th>targets</th><th>Mean</th><th>SD</th><th>Mean (&#176;)</th><th>Typical "
+            "[interval]</th><th>r</th><th>p</th><th>p (Holm)</th>",
             tables, TableWidth::dense);
     for (const SystemComparison& pair : evaluation.comparisons) {
         const SignedRankTest& test = pair.test;
