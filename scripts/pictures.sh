@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of the documents with the program itself: docs/images/*, but for headset.png, which needs a headset's
-# runtime. The report is pictured by Chromium; the experimenter's window and the replay need somebody at a desktop: a
+# runtime. The pages are pictured by Chromium; the experimenter's window and the replay need somebody at a desktop: a
 # scripted person on a virtual display.
 #   scripts/pictures.sh [PROGRAM]
 set -euo pipefail
@@ -30,10 +30,19 @@ has() {
 if has Xvfb operator.png && has xdotool operator.png && has import operator.png; then
     python3 -B tests/desktop/rig/for_documents.py --program "$program" --folder docs/images
 fi
-if has chromium report.png; then
+# PAGE HEIGHT PICTURE
+page_picture() {
+    chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size="1280,$2" --virtual-time-budget=20000 \
+        --user-data-dir="$scratch/browser" --screenshot="$PWD/docs/images/$3" "file://$1" 2>/dev/null
+}
+if has chromium "report.png, evaluation.png"; then
     "$program" simulate pointing2023 --participants 39 --db "$scratch/study.sqlite"
     "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
-    chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --window-size=1280,990 --virtual-time-budget=20000 \
-        --user-data-dir="$scratch/browser" --screenshot="$PWD/docs/images/report.png" "file://$scratch/report.html" \
-        2>/dev/null
+    page_picture "$scratch/report.html" 990 report.png
+    "$program" targets --grid >"$scratch/grid.csv"
+    for system in demonstration-nn direct stiff drifting; do
+        "$program" generate "$system" --targets "$scratch/grid.csv" --out "$scratch/$system" >/dev/null
+    done
+    "$program" evaluate "$scratch"/{demonstration-nn,direct,stiff,drifting} -o "$scratch/evaluation.html"
+    page_picture "$scratch/evaluation.html" 1000 evaluation.png
 fi

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "results/descriptive.hpp"
 #include "results/holm.hpp"
@@ -49,6 +50,7 @@ SystemComparison compared(const ByTarget& a, const ByTarget& b) {
     out.sd = sampleSd(differences);
     out.mean_difference_deg = mean(differences_deg);
     out.test = signedRankTest(rounded);
+    out.differences = std::move(differences);
     return out;
 }
 

@@ -1,19 +1,27 @@
-// Box plots, profiles and scatter plots of the evaluation.
+// Box plots, differences, profiles and scatter plots of the evaluation.
 #include "evaluation_figures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <tuple>
+#include <numeric>
 #include <utility>
 
+#include "figure_boxes.hpp"
+#include "figure_differences.hpp"
 #include "results/descriptive.hpp"
-#include "svg_drawing.hpp"
 
 namespace deixis::results {
 
 namespace {
+
+constexpr std::size_t most_box_points = 100;
+constexpr std::size_t most_difference_points = 100;
+constexpr std::size_t most_scatter_points = 500;
+constexpr double highest_accuracy = 0.64;
+constexpr double pairs_alpha = 0.05;
 
 /// Equation 2 of an angle.
 double rewardOf(double degrees) {
@@ -28,62 +36,85 @@ double leastAccuracy(const Evaluation& evaluation) {
     return std::max(0.0, std::floor(least / 0.05) * 0.05);
 }
 
-/// Degrees above the plot, as many as have room.
-void degreesAbove(SvgDrawing& drawing, const Scale& x, double y_top, double y_bottom) {
-    double last = x(reward_ceiling) + 60.0;
+/// The angles that the accuracies beside a plot mean, as many as have room; 0 is the ceiling.
+std::vector<BoxPlot::Level> anglesBeside(double low, double high) {
+    const double least_apart = 0.05 * (high - low);
+    std::vector<BoxPlot::Level> levels;
     for (const double degrees : {0.0, 5.0, 10.0, 15.0, 20.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0}) {
-        const double at = x(rewardOf(degrees));
-        if (rewardOf(degrees) < x.low || last - at < 32.0 || at - x.from < 8.0) continue;
-        last = at;
-        drawing.line(at, y_top - 4.0, at, y_top, "axis");
-        drawing.text(at, y_top - 8.0, "middle", fmt::format("{:g}\u00b0", degrees));
+        const double at = rewardOf(degrees);
+        if (at < low || (!levels.empty() && levels.back().value - at < least_apart)) continue;
+        levels.push_back({at, fmt::format("{:g}\u00b0", degrees), degrees == 0.0});
     }
-    drawing.line(x.from, y_top, x.to, y_top, "axis");
-    drawing.line(x(reward_ceiling), y_top, x(reward_ceiling), y_bottom, "limit");
+    return levels;
 }
 
-void boxAlong(SvgDrawing& drawing, const Scale& x, double y, const std::vector<double>& values) {
-    const BoxSummary box = *boxSummary(values);
-    constexpr double half = 11.0;
-    for (const double end : {box.q05, box.q95}) drawing.line(x(end), y - 5.0, x(end), y + 5.0, "box");
-    drawing.line(x(box.q05), y, x(box.q25), y, "box");
-    drawing.line(x(box.q75), y, x(box.q95), y, "box");
-    drawing.rectangle(x(box.q25), y - half, std::max(0.5, x(box.q75) - x(box.q25)), 2.0 * half,
-                      R"(class="box area")");
-    for (const double value : values)
-        if (value < box.q05 || value > box.q95) drawing.circle(x(value), y, 1.9, R"(class="dot")");
-    const double median = x(box.median);
-    drawing.line(median, y - half, median, y + half, "median");
-    drawing.path(fmt::format("M{:.1f} {:.1f}l5 5l-5 5l-5 -5z", x(box.mean), y - 5.0), R"(class="diamond")");
+std::string accuracyText(double value) {
+    return fixedText(value, 3);
+}
+
+FigureJson dashedLine(const char* axis, double at) {
+    return {{"data", {{"values", {FigureJson::object()}}}},
+            {"mark", {{"type", "rule"}, {"color", even_colour}, {"strokeDash", {5, 4}}}},
+            {"encoding", {{axis, {{"datum", at}}}}}};
 }
 
 }  // namespace
 
-std::string accuracyBoxesSvg(const Evaluation& evaluation) {
-    constexpr double width = 420.0;
-    constexpr double top = 46.0;
-    constexpr double row = 50.0;
-    const double bottom = top + row * static_cast<double>(evaluation.systems.size()) + 4.0;
-    SvgDrawing drawing(
-        width, bottom + 42.0, "boxes", "Accuracy by system",
-        "Box plots of the accuracy of all clips of each system. The numbers stand in Table 1.");
-    const Scale x{leastAccuracy(evaluation), 0.65, 12.0, width - 14.0};
-    drawing.axisX(x, top, bottom, "accuracy (Eq. 2)", 7);
-    degreesAbove(drawing, x, top, bottom);
-    drawing.text(x.from, 14.0, "start", "the same as angle between forearm and target");
-    double y = top;
-    for (const SystemEvaluation& system : evaluation.systems) {
-        drawing.text(x.from + 4.0, y + 16.0, "start", system.system, "strong halo");
-        if (system.rewards.empty()) {
-            drawing.text(x.from + 4.0, y + 38.0, "start", "no clip has an accuracy");
-        } else {
-            drawing.open("c0");
-            boxAlong(drawing, x, y + 34.0, system.rewards);
-            drawing.close();
-        }
-        y += row;
+Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
+    BoxPlot plot;
+    bool thinned = false;
+    for (const auto& system : evaluation.systems) {
+        plot.boxes.push_back({system.system, system.rewards});
+        thinned = thinned || system.rewards.size() > most_box_points;
     }
-    return drawing.finish();
+    plot.low = leastAccuracy(evaluation);
+    plot.high = highest_accuracy;
+    plot.axis = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}, {"tickCount", 8}};
+    plot.height_px = 340.0;
+    plot.text = accuracyText;
+    plot.nothing = "no accuracy";
+    plot.levels = anglesBeside(plot.low, plot.high);
+    plot.most_points = most_box_points;
+    return {"accuracy",
+            figures.next() +
+                " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
+                "median; diamond: mean; whiskers: 5th and 95th percentile. Right: the same as angle between "
+                "forearm and target; dashed: the ceiling." +
+                (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the least "
+                                       "to the greatest; all else is of all clips.",
+                                       most_box_points)
+                         : std::string()),
+            fmt::format("Box plots of the clips' accuracy by system; medians: {}.", mediansText(plot)),
+            boxPlotSpec(plot), evaluation.systems.size() > 4};
+}
+
+Figure accuracyDifferences(const Evaluation& evaluation, Numbering& figures) {
+    DifferencePlot plot;
+    bool thinned = false;
+    for (const SystemComparison& pair : evaluation.comparisons) {
+        if (pair.differences.empty()) continue;
+        plot.rows.push_back({evaluation.systems[pair.a].system, evaluation.systems[pair.b].system,
+                             pair.differences, pair.test.hodges_lehmann, pair.p_holm.value_or(1.0),
+                             pair.p_holm.value_or(1.0) <= pairs_alpha});
+        thinned = thinned || pair.differences.size() > most_difference_points;
+    }
+    plot.axis = {{"title", "difference of accuracy"}};
+    plot.text = accuracyText;
+    plot.most_points = most_difference_points;
+    return {
+        "differences",
+        figures.next() +
+            " Differences of accuracy at the targets that both systems were made for (points), and their "
+            "typical difference with its interval (Hodges&#8211;Lehmann; filled and starred where p is at "
+            "most 0.05 after Holm&#8217;s correction). Right of 0 the system named first is more accurate." +
+            (thinned ? fmt::format(" At most {} points a pair are drawn, evenly from the least to the "
+                                   "greatest difference.",
+                                   most_difference_points)
+                     : std::string()),
+        "Differences of accuracy between the systems of each pair at their common targets, with the typical "
+        "difference and its interval." +
+            shiftsText(plot),
+        differencesSpec(plot), evaluation.systems.size() > 4};
 }
 
 namespace {
@@ -92,112 +123,231 @@ struct Course {
     double low, mean, high;
 };
 Course courseAt(const ProfilePoint& point, ProfileKind kind) {
-    const bool accuracy = kind == ProfileKind::accuracy;
-    const double centre = accuracy ? point.reward_mean : point.speed_mean;
-    const double sd = accuracy ? point.reward_sd : point.speed_sd;
+    const bool reward = kind == ProfileKind::reward;
+    const double centre = reward ? point.reward_mean : point.speed_mean;
+    const double sd = reward ? point.reward_sd : point.speed_sd;
     return {std::max(0.0, centre - sd), centre, centre + sd};
 }
 
-void drawCourse(SvgDrawing& drawing, const HandProfile& profile, ProfileKind kind, const Scale& x,
-                const Scale& y, const char* colour, const char* line_class) {
-    if (profile.points.empty()) return;
-    std::string centre;
-    std::string above;
-    std::string below;
-    for (const ProfilePoint& point : profile.points) {
-        const Course course = courseAt(point, kind);
-        centre += (centre.empty() ? "M" : "L") + pathPoint(x(point.time_s), y(course.mean));
-        above += (above.empty() ? "M" : "L") + pathPoint(x(point.time_s), y(std::min(course.high, y.high)));
-        below.insert(0, "L" + pathPoint(x(point.time_s), y(std::max(course.low, y.low))));
-    }
-    drawing.open(colour);
-    drawing.path(above + below + "Z", R"(class="band")");
-    drawing.path(centre, fmt::format(R"(class="{}")", line_class));
-    drawing.close();
-}
+struct ProfileScale {
+    double first_s = -0.5, last_s = 0.5;
+    double high = 0.0;
+};
 
-/// One scale for all systems: by the widest of their bands.
-double highestOf(const Evaluation& evaluation, ProfileKind kind) {
-    if (kind == ProfileKind::accuracy) return 0.65;
+/// By the longest and the widest band of all systems.
+ProfileScale profileScale(const Evaluation& evaluation, ProfileKind kind) {
+    ProfileScale scale;
     double highest = 1.0;
     for (const auto& system : evaluation.systems)
         for (const HandProfile* profile : {&system.left, &system.right})
-            for (const ProfilePoint& point : profile->points)
-                highest = std::max(highest, courseAt(point, kind).high);
-    return std::ceil(highest / 0.5) * 0.5;
-}
-
-std::pair<double, double> timeRange(const Evaluation& evaluation) {
-    double first = -0.5;
-    double last = 0.5;
-    for (const auto& system : evaluation.systems)
-        for (const HandProfile* profile : {&system.left, &system.right})
             for (const ProfilePoint& point : profile->points) {
-                first = std::min(first, point.time_s);
-                last = std::max(last, point.time_s);
+                scale.first_s = std::min(scale.first_s, point.time_s);
+                scale.last_s = std::max(scale.last_s, point.time_s);
+                highest = std::max(highest, courseAt(point, kind).high);
             }
-    return {first, last};
+    scale.high = kind == ProfileKind::reward ? 0.65 : std::ceil(highest / 0.5) * 0.5;
+    return scale;
 }
 
-/// Names of the curves, above the plot.
-void handKey(SvgDrawing& drawing, const SystemEvaluation& system, double x, double y) {
-    for (const auto& [name, profile, colour, line_class] :
-         {std::tuple{"right hand", &system.right, "c0", "curve"},
-          std::tuple{"left hand", &system.left, "c1", "curve dashed"}}) {
-        if (profile->clips == 0) continue;
-        drawing.open(colour);
-        drawing.line(x, y - 4.5, x + 22.0, y - 4.5, line_class);
-        drawing.close();
-        drawing.text(x + 27.0, y, "start", fmt::format("{} ({})", name, profile->clips));
-        x += 150.0;
-    }
+struct NamedHand {
+    std::string name;
+    const HandProfile* profile;
+    const char* hand;
+};
+
+std::vector<NamedHand> handsOf(const SystemEvaluation& system) {
+    std::vector<NamedHand> hands;
+    for (const auto& [name, profile] : {std::pair{"right", &system.right}, std::pair{"left", &system.left}})
+        if (profile->clips > 0)
+            hands.push_back({fmt::format("{} hand ({})", name, profile->clips), profile, name});
+    return hands;
+}
+
+FigureJson courseValues(const std::vector<NamedHand>& hands, ProfileKind kind, double high) {
+    FigureJson values = FigureJson::array();
+    for (const NamedHand& hand : hands)
+        for (const ProfilePoint& point : hand.profile->points) {
+            const Course course = courseAt(point, kind);
+            const double sd = kind == ProfileKind::reward ? point.reward_sd : point.speed_sd;
+            values.push_back({{"t", rounded(point.time_s)},
+                              {"mean", rounded(course.mean)},
+                              {"low", rounded(course.low)},
+                              {"high", rounded(std::min(course.high, high))},
+                              {"hand", hand.name},
+                              {"tip", fmt::format("{} hand at {:.2f} s: {:.3f}, SD {:.3f}, n = {}", hand.hand,
+                                                  rounded(point.time_s), course.mean, sd, point.n)}});
+        }
+    return values;
 }
 
 }  // namespace
 
-std::string profileSvg(const Evaluation& evaluation, std::size_t index, ProfileKind kind) {
+Figure profileFigure(const Evaluation& evaluation, std::size_t index, ProfileKind kind, Numbering& figures) {
     const SystemEvaluation& system = evaluation.systems[index];
-    const bool accuracy = kind == ProfileKind::accuracy;
-    SvgDrawing drawing(
-        340.0, 236.0, fmt::format("{}-{}", accuracy ? "course" : "speed", index),
-        fmt::format("{} by hand: {}", accuracy ? "Accuracy" : "Hand speed", system.system),
-        fmt::format("Mean and one standard deviation over the clips against the time from pointing, {} "
-                    "right-handed and {} left-handed clips. The numbers stand in profiles.csv.",
-                    system.right.clips, system.left.clips));
-    const auto [first, last] = timeRange(evaluation);
-    const Scale x{first, last, 52.0, 330.0};
-    const Scale y{0.0, highestOf(evaluation, kind), 190.0, 26.0};
-    drawing.axisX(x, y.to, y.from, "time from pointing (s)", 6);
-    drawing.axisY(y, x.from, x.to, 14.0, accuracy ? "reward (Eq. 2)" : "hand speed (m/s)", 6);
-    drawing.line(x(0.0), y.from, x(0.0), y.to, "axis");
-    if (!accuracy && evaluation.input.rule.slower_than_m_s < y.high)
-        drawing.line(x.from, y(evaluation.input.rule.slower_than_m_s), x.to,
-                     y(evaluation.input.rule.slower_than_m_s), "limit");
-    if (accuracy) drawing.line(x.from, y(reward_ceiling), x.to, y(reward_ceiling), "limit");
-    drawCourse(drawing, system.left, kind, x, y, "c1", "curve dashed");
-    drawCourse(drawing, system.right, kind, x, y, "c0", "curve");
-    handKey(drawing, system, x.from, 14.0);
-    return drawing.finish();
+    const bool reward = kind == ProfileKind::reward;
+    const ProfileScale scale = profileScale(evaluation, kind);
+    const auto hands = handsOf(system);
+    FigureJson names = FigureJson::array();
+    FigureJson colours = FigureJson::array();
+    for (const NamedHand& hand : hands) {
+        names.push_back(hand.name);
+        colours.push_back(systemColour(hand.profile == &system.right ? 0 : 5));
+    }
+    FigureJson time = quantity("t");
+    time["scale"] = {{"domain", {scale.first_s, scale.last_s}}, {"nice", false}};
+    time["axis"] = {{"title", "time from pointing (s)"},
+                    {"grid", true},
+                    {"tickCount", 6},
+                    {"labelFlush", false},
+                    {"labelPadding", 10}};
+    FigureJson mean = quantity("mean");
+    mean["scale"] = {{"domain", {0.0, scale.high}}, {"nice", false}};
+    mean["axis"] = {{"title", reward ? "reward (Eq. 2)" : "hand speed (m/s)"}, {"tickCount", 6}};
+    const FigureJson colour{{"field", "hand"},
+                            {"type", "nominal"},
+                            {"scale", {{"domain", std::move(names)}, {"range", std::move(colours)}}},
+                            {"legend", {{"columns", 2}, {"symbolOpacity", 1}}}};
+    FigureJson band = quantity("low");
+    band["scale"] = mean["scale"];
+    band["title"] = mean["axis"]["title"];
+    FigureJson layers = FigureJson::array();
+    layers.push_back(
+        {{"mark", {{"type", "area"}, {"opacity", 0.17}}},
+         {"encoding", {{"x", time}, {"y", band}, {"y2", {{"field", "high"}}}, {"color", colour}}}});
+    layers.push_back({{"data", {{"values", {FigureJson::object()}}}},
+                      {"mark", {{"type", "rule"}, {"color", soft_colour}}},
+                      {"encoding", {{"x", {{"datum", 0}}}}}});
+    const double limit = reward ? reward_ceiling : evaluation.input.rule.slower_than_m_s;
+    if (limit < scale.high) layers.push_back(dashedLine("y", limit));
+    layers.push_back({{"mark",
+                       {{"type", "line"},
+                        {"strokeWidth", 2},
+                        {"strokeDash", {{"expr", "indexof(datum.hand, 'left') == 0 ? [6, 3] : [1, 0]"}}}}},
+                      {"encoding", {{"x", time}, {"y", mean}, {"color", colour}}}});
+    layers.push_back({{"mark", {{"type", "circle"}, {"size", 60}, {"opacity", 0}}},
+                      {"encoding", {{"x", time}, {"y", mean}, {"tooltip", {{"field", "tip"}}}}}});
+    std::string spoken;
+    for (const NamedHand& hand : hands) {
+        const auto& points = hand.profile->points;
+        const auto at_zero = std::find_if(points.begin(), points.end(), [](const ProfilePoint& point) {
+            return std::abs(point.time_s) < 0.5 * profile_step_s;
+        });
+        if (at_zero != points.end())
+            spoken += fmt::format(" At the time of pointing, {}: {:.3f}.", hand.name,
+                                  courseAt(*at_zero, kind).mean);
+    }
+    const char* what = reward ? "reward" : "speed of the pointing hand";
+    return {fmt::format("{}-{}", reward ? "reward" : "speed", index + 1),
+            fmt::format("{} {}: {}.", figures.next(), escapeHtml(system.system), what),
+            fmt::format("{}: mean and one standard deviation of the {} around the time of pointing.{}",
+                        system.system, what, spoken),
+            {{"height", 200},
+             {"data", {{"values", courseValues(hands, kind, scale.high)}}},
+             {"layer", std::move(layers)}}};
 }
 
-std::string densityScatterSvg(const Evaluation& evaluation, std::size_t index) {
+namespace {
+
+/// Places of the clips in the order of their densities.
+std::vector<std::size_t> byDensity(const SystemEvaluation& system) {
+    std::vector<std::size_t> order(system.densities.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return system.densities[a] < system.densities[b]; });
+    return order;
+}
+
+/// Medians of ten groups of clips of neighbouring densities; none of fewer than fifty clips.
+FigureJson tenthsOf(const SystemEvaluation& system, const std::vector<std::size_t>& order) {
+    constexpr std::size_t groups = 10;
+    FigureJson tenths = FigureJson::array();
+    if (order.size() < 5 * groups) return tenths;
+    for (std::size_t group = 0; group < groups; ++group) {
+        std::vector<double> densities;
+        std::vector<double> rewards;
+        for (std::size_t i = group * order.size() / groups; i < (group + 1) * order.size() / groups; ++i) {
+            densities.push_back(system.densities[order[i]]);
+            rewards.push_back(system.rewards[order[i]]);
+        }
+        const double density = quantile(densities, 0.5);
+        const double reward = quantile(rewards, 0.5);
+        tenths.push_back({{"x", rounded(density)},
+                          {"y", rounded(reward)},
+                          {"tip", fmt::format("median of {} clips: {:.3f} at {:.3g} per m\u00b3",
+                                              rewards.size(), reward, density)}});
+    }
+    return tenths;
+}
+
+std::string correlationWords(const SpearmanTest& test) {
+    if (test.method == "undefined") return "no correlation is defined";
+    return fmt::format("&#961; = {}, p {}{}", fixedText(test.rho, 3), test.p < 0.001 ? "" : "= ",
+                       pText(test.p));
+}
+
+}  // namespace
+
+Figure densityScatter(const Evaluation& evaluation, std::size_t index, Numbering& figures) {
     const SystemEvaluation& system = evaluation.systems[index];
     double highest = 0.0;
     for (const TestPoint& point : evaluation.points) highest = std::max(highest, point.density);
-    SvgDrawing drawing(340.0, 240.0, fmt::format("scatter-{}", index),
-                       fmt::format("Accuracy against density: {}", system.system),
-                       fmt::format("A point for each of {} clips. The correlation stands in Table 2.",
-                                   system.rewards.size()));
-    const Scale x{0.0, highest > 0.0 ? 1.04 * highest : 1.0, 52.0, 330.0};
-    const Scale y{leastAccuracy(evaluation), 0.65, 194.0, 10.0};
-    drawing.axisX(x, y.to, y.from, "density of training targets (1/m\u00b3)", 6);
-    drawing.axisY(y, x.from, x.to, 14.0, "accuracy (Eq. 2)", 7);
-    drawing.line(x.from, y(reward_ceiling), x.to, y(reward_ceiling), "limit");
-    drawing.open("c0 dots");
-    for (std::size_t i = 0; i < system.rewards.size(); ++i)
-        drawing.circle(x(system.densities[i]), y(system.rewards[i]), 2.0, "");
-    drawing.close();
-    return drawing.finish();
+    std::vector<const MeasuredClip*> clips;
+    for (const MeasuredClip* clip : system.clips)
+        if (clip->accuracy) clips.push_back(clip);
+    const auto order = byDensity(system);
+    FigureJson points = FigureJson::array();
+    for (const std::size_t pick : evenPicks(order.size(), most_scatter_points)) {
+        const std::size_t i = order[pick];
+        points.push_back({{"x", rounded(system.densities[i])},
+                          {"y", rounded(system.rewards[i])},
+                          {"tip", fmt::format("{}: {:.3f} ({:.1f}\u00b0)", clips[i]->clip, system.rewards[i],
+                                              system.errors_deg[i])}});
+    }
+    FigureJson x = quantity("x");
+    x["scale"] = {{"domain", {0.0, highest > 0.0 ? 1.04 * highest : 1.0}}, {"nice", false}};
+    x["axis"] = {{"title", "density of training targets (1/m\u00b3)"},
+                 {"grid", true},
+                 {"tickCount", 5},
+                 {"labelFlush", false},
+                 {"labelPadding", 10}};
+    FigureJson y = quantity("y");
+    y["scale"] = {
+        {"domain", {leastAccuracy(evaluation), highest_accuracy}}, {"nice", false}, {"zero", false}};
+    y["axis"] = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}, {"tickCount", 6}};
+    const FigureJson at{{"x", x}, {"y", y}, {"tooltip", {{"field", "tip"}}}};
+    FigureJson layers = FigureJson::array();
+    layers.push_back(layerOf(std::move(points),
+                             {{"type", "circle"},
+                              {"size", order.size() > 100 ? 18 : 40},
+                              {"opacity", 0.45},
+                              {"color", systemColour(index)}},
+                             at));
+    layers.push_back(dashedLine("y", reward_ceiling));
+    const FigureJson tenths = tenthsOf(system, order);
+    if (!tenths.empty()) {
+        layers.push_back(
+            layerOf(tenths, {{"type", "line"}, {"color", ink_colour}, {"strokeWidth", 1.5}}, at));
+        layers.push_back(layerOf(tenths,
+                                 {{"type", "point"},
+                                  {"shape", "diamond"},
+                                  {"size", 60},
+                                  {"fill", paper_colour},
+                                  {"stroke", ink_colour},
+                                  {"strokeWidth", 1.5},
+                                  {"opacity", 1}},
+                                 at));
+    }
+    const std::string found = correlationWords(system.correlation);
+    return {fmt::format("density-{}", index + 1),
+            fmt::format("{} {}: {}.{}", figures.next(), escapeHtml(system.system), found,
+                        order.size() > most_scatter_points
+                            ? fmt::format(" {} of {} clips are drawn, evenly along the density.",
+                                          most_scatter_points, order.size())
+                            : std::string()),
+            fmt::format("{}: accuracy of {} clips against the density of the training targets; the "
+                        "correlation stands in a table of this page.",
+                        system.system, order.size()),
+            {{"height", 220}, {"layer", std::move(layers)}}};
 }
 
 }  // namespace deixis::results

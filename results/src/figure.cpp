@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 
 #include "report_text.hpp"
 
@@ -40,10 +41,11 @@ std::string figureHtml(const Figure& figure) {
         scriptJson(spec));
 }
 
-std::string figuresEnd() {
-    std::string out =
-        "\n<noscript><p class=\"small\">The figures are drawn with JavaScript, which is off here. The tables "
-        "hold all their numbers.</p></noscript>\n<script>/*<![CDATA[*/\n";
+std::string figuresEnd(const std::string& elsewhere) {
+    std::string out = fmt::format(
+        "\n<noscript><p class=\"small\">The figures are drawn with JavaScript, which is off here. {}</p>"
+        "</noscript>\n<script>/*<![CDATA[*/\n",
+        elsewhere);
     out += figureScript();
     return out + "/*]]>*/</script>";
 }
@@ -85,6 +87,20 @@ std::vector<double> sidewaysPlaces(const std::vector<double>& values, double apa
     return places;
 }
 
+std::vector<std::size_t> evenPicks(std::size_t count, std::size_t most) {
+    std::vector<std::size_t> picks(std::min(count, most));
+    for (std::size_t i = 0; i < picks.size(); ++i)
+        picks[i] = picks.size() > 1 ? i * (count - 1) / (picks.size() - 1) : 0;
+    return picks;
+}
+
+std::vector<double> thinnedValues(std::vector<double> values, std::size_t most) {
+    std::sort(values.begin(), values.end());
+    std::vector<double> thinned;
+    for (const std::size_t at : evenPicks(values.size(), most)) thinned.push_back(values[at]);
+    return thinned;
+}
+
 FigureJson nameAxis(const std::vector<std::vector<std::string>>& names) {
     std::vector<std::size_t> values(names.size());
     std::iota(values.begin(), values.end(), std::size_t{0});
@@ -105,14 +121,36 @@ FigureJson rowAxis(const std::vector<std::vector<std::string>>& names) {
     return axis;
 }
 
+double rounded(double value) {
+    return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
+}
+
+FigureJson heightByWidth(const std::string& expression) {
+    FigureJson patch{
+        {{"op", "remove"}, {"path", "/height"}},
+        {{"op", "add"}, {"path", "/signals/-"}, {"value", {{"name", "height"}, {"update", expression}}}}};
+    return {{"embedOptions", {{"patch", std::move(patch)}}}};
+}
+
 FigureJson quantity(const char* field) {
     return {{"field", field}, {"type", "quantitative"}};
+}
+
+FigureJson ownColour(const char* field) {
+    return {{"field", field}, {"type", "nominal"}, {"scale", nullptr}};
+}
+
+FigureJson layerOf(FigureJson values, FigureJson mark, FigureJson encoding) {
+    return {{"data", {{"values", std::move(values)}}},
+            {"mark", std::move(mark)},
+            {"encoding", std::move(encoding)}};
 }
 
 const char* const figure_css = R"css(
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 25rem), 1fr));
   gap: 2rem 1.6rem; margin: 1.2rem 0; }
 .plots .wide { grid-column: 1 / -1; }
+.single { max-width: 38rem; margin: 1.2rem 0; }
 figure { margin: 0; min-width: 0; position: relative; break-inside: avoid; }
 figcaption { margin: 0 0 .5rem; padding-right: 2.4rem; overflow-wrap: anywhere; }
 figcaption b { color: var(--ink); font-size: 1rem; }
@@ -151,6 +189,7 @@ figcaption b { color: var(--ink); font-size: 1rem; }
 }
 @media print {
   .plots { grid-template-columns: 1fr 1fr; gap: 1rem; }
+  .single { max-width: 70%; }
   .drawing > details { display: none; }
   .drawing svg { width: 100%; }
   .wide .drawing svg { width: auto; }

@@ -1,5 +1,5 @@
-// Figures of the pages as Vega-Lite specifications. All numbers are computed here; the page's script only
-// draws them.
+// Figures of the report's and the evaluation's pages as Vega-Lite specifications. All numbers are computed
+// here; the page's script only draws them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -25,9 +25,9 @@ struct Figure {
 [[nodiscard]] std::string figureHtml(const Figure& figure);
 /// The style sheet of figures.
 extern const char* const figure_css;
-/// At the page's end, after all figures: the elements that draw them. Without JavaScript the page says that
-/// its tables hold the numbers.
-[[nodiscard]] std::string figuresEnd();
+/// At the page's end, after all figures: the elements that draw them. `elsewhere`: the sentence that tells
+/// where the numbers are where JavaScript is off.
+[[nodiscard]] std::string figuresEnd(const std::string& elsewhere);
 /// Of figuresEnd(): the libraries, their licences and what calls them.
 [[nodiscard]] std::string_view figureScript();
 
@@ -48,12 +48,29 @@ inline constexpr const char* even_colour = "#8a8a85";  ///< what is not signific
 [[nodiscard]] std::vector<double> sidewaysPlaces(const std::vector<double>& values, double apart,
                                                  double half);
 
+/// Of `count` places at most `most`, evenly spread, the first and the last among them: what is drawn of more
+/// points than a figure can show.
+[[nodiscard]] std::vector<std::size_t> evenPicks(std::size_t count, std::size_t most);
+/// `values` in order, thinned by evenPicks: of many, points at their quantiles.
+[[nodiscard]] std::vector<double> thinnedValues(std::vector<double> values, std::size_t most);
+
 /// An axis at 0, 1, ... labelled with names of one or several lines.
 [[nodiscard]] FigureJson nameAxis(const std::vector<std::vector<std::string>>& names);
 /// The same at the side of rows, for names that all have as many lines.
 [[nodiscard]] FigureJson rowAxis(const std::vector<std::vector<std::string>>& names);
 
+/// To four significant digits: finer than a figure can show, and shorter on the page.
+[[nodiscard]] double rounded(double value);
+
+/// What makes a figure's height follow its width: a Vega expression of `width`. For Figure::spec's
+/// "usermeta"; Vega-Lite alone cannot say it.
+[[nodiscard]] FigureJson heightByWidth(const std::string& expression);
+
 /// A quantitative channel: {"field": ..., "type": "quantitative"}.
 [[nodiscard]] FigureJson quantity(const char* field);
+/// A channel whose colours stand in the data: in the field "colour" if no other is named.
+[[nodiscard]] FigureJson ownColour(const char* field = "colour");
+/// A layer with data of its own.
+[[nodiscard]] FigureJson layerOf(FigureJson values, FigureJson mark, FigureJson encoding);
 
 }  // namespace deixis::results

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "bradley_terry_outputs.hpp"
+#include "page.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
 #include "report_tables.hpp"
@@ -166,17 +167,13 @@ std::string stationKinds(const ResponseTable& table) {
 
 std::string renderReport(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
-    std::string out = fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
-        "charset=\"utf-8\"/>\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{} &#8211; "
-        "report</title>\n"
-        "<style>{}{}</style>\n</head>\n<body>\n<h1>{}</h1>\n"
-        "<p class=\"lead\">{} participant{} &#183; {} answer{} &#183; {} system{}{}</p>\n",
-        escapeHtml(table.study_title), report_css, figure_css, escapeHtml(table.study_title),
-        result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
-        table.rows.size() == 1 ? "" : "s", table.systems.size(), table.systems.size() == 1 ? "" : "s",
-        table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
+    std::string out =
+        pageStart(table.study_title + " \u2013 report", table.study_title) +
+        fmt::format("<p class=\"lead\">{} participant{} &#183; {} answer{} &#183; {} system{}{}</p>\n",
+                    result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
+                    table.rows.size() == 1 ? "" : "s", table.systems.size(),
+                    table.systems.size() == 1 ? "" : "s",
+                    table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
     if (result.synthetic)
         out +=
             "<p class=\"synthetic\"><b>Simulated participants:</b> these numbers test the pipeline and are "
@@ -205,14 +202,9 @@ std::string renderReport(const AnalysisResult& result) {
     out += "\n" + scoresHtml(result, numbering);
     out += "\n" + checksAndLeftOut(result, numbering);
     out += "\n" + presenceHtml(result, numbering);
-    if (!result.remarks.empty()) {
-        out += "\n<h2>Remarks</h2><ul class=\"findings\">";
-        for (const auto& remark : result.remarks) out += "<li>" + escapeHtml(remark) + "</li>";
-        out += "</ul>";
-    }
+    out += remarksHtml(result.remarks);
     out += "\n<h2>Methods</h2>" + methodsHtml(result) + "\n" + provenance(result);
-    out += figuresEnd();
-    return out + "\n</body>\n</html>\n";
+    return out + pageEnd("The tables hold all their numbers.");
 }
 
 }  // namespace deixis::results

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "report_tables.hpp"
 #include "results/descriptive.hpp"
 
 namespace deixis::results {
@@ -25,25 +26,15 @@ std::string boxesTable(const AnalysisResult& result, Numbering& tables) {
         for (const SystemResult& system : result.systems) {
             const auto box = boxSummary(system.measures[i].by_participant);
             if (!box) continue;
-            const auto score = [&](double value) {
-                return "<td>" + scoreText(result.measures[i], value) + "</td>";
-            };
-            rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>",
-                                escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system)) +
-                    score(box->q05) + score(box->q25) + score(box->median) + score(box->q75) +
-                    score(box->q95) + "<td>" +
-                    intervalText(result.measures[i], box->notch_low, box->notch_high) + "</td>" +
-                    fmt::format("<td>{}</td></tr>", box->n);
+            const auto score = [&](double value) { return scoreText(result.measures[i], value); };
+            rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
+                                escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
+                                boxCells(*box, score));
         }
     if (rows.empty()) return "";
-    return fmt::format(
-        "<div class=\"scroll\"><table><caption>{} What the box plots draw: quantiles of the participants' "
-        "means. n "
-        "counts participants.</caption><thead><tr><th>Measure</th><th "
-        "class=\"text\">System</th><th>5&#160;%</th>"
-        "<th>25&#160;%</th><th>Median</th><th>75&#160;%</th><th>95&#160;%</th><th>Notch</th><th>n</th></tr>"
-        "</thead><tbody>{}</tbody></table></div>",
-        tables.next(), rows);
+    return openTable("What the box plots draw: quantiles of the participants' means. n counts participants.",
+                     std::string("<th>Measure</th><th class=\"text\">System</th>") + box_columns, tables) +
+           rows + close_table;
 }
 
 std::string stepsTable(const AnalysisResult& result, std::size_t measure, const StepCounts& counts,
@@ -60,10 +51,10 @@ std::string stepsTable(const AnalysisResult& result, std::size_t measure, const 
                             : fmt::format("<td>{}</td>", dash);
         rows += fmt::format("<td>{}</td></tr>", all);
     }
-    return fmt::format(
-        "<div class=\"scroll\"><table><caption>{} {}: how often each step of the scale was "
-        "chosen.</caption><thead><tr><th>System</th>{}<th>n</th></tr></thead><tbody>{}</tbody></table></div>",
-        tables.next(), escapeHtml(capitalised(result.measures[measure].name)), head, rows);
+    return openTable(escapeHtml(capitalised(result.measures[measure].name)) +
+                         ": how often each step of the scale was chosen.",
+                     "<th>System</th>" + head + "<th>n</th>", tables) +
+           rows + close_table;
 }
 
 }  // namespace

@@ -9,8 +9,21 @@ namespace deixis::results {
 std::string openTable(const std::string& caption, const std::string& columns, Numbering& numbering,
                       TableWidth width) {
     return fmt::format(
-        "<div class=\"scroll\"><table{}><caption>{} {}</caption><thead><tr>{}</tr></thead><tbody>",
+        "<div class=\"scroll\"><table{}><caption><span>{} "
+        "{}</span></caption><thead><tr>{}</tr></thead><tbody>",
         width == TableWidth::dense ? " class=\"dense\"" : "", numbering.next(), caption, columns);
+}
+
+const char* const box_columns =
+    "<th>5&#160;%</th><th>25&#160;%</th><th>Median</th><th>75&#160;%</th><th>95&#160;%</th><th>Notch</th>"
+    "<th>n</th>";
+
+std::string boxCells(const BoxSummary& box, const std::function<std::string(double)>& text) {
+    std::string out;
+    for (const double value : {box.q05, box.q25, box.median, box.q75, box.q95})
+        out += "<td>" + text(value) + "</td>";
+    return out +
+           fmt::format("<td>[{}, {}]</td><td>{}</td>", text(box.notch_low), text(box.notch_high), box.n);
 }
 
 Measure measureOf(const AnalysisResult& result, const std::string& name) {

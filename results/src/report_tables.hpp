@@ -1,9 +1,11 @@
-// What the report's tables have in common; private to the report.
+// What the tables of the pages have in common.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "report_text.hpp"
+#include "results/descriptive.hpp"
 
 namespace deixis::results {
 
@@ -16,6 +18,10 @@ enum class TableWidth : unsigned char {
                                     Numbering& numbering, TableWidth width = TableWidth::normal);
 
 constexpr const char* close_table = "</tbody></table></div>";
+
+/// Of a table of what box plots draw: the columns' heads, and the cells of a row, HTML.
+extern const char* const box_columns;
+[[nodiscard]] std::string boxCells(const BoxSummary& box, const std::function<std::string(double)>& text);
 
 /// One of AnalysisResult::measures, or that of preferences.
 [[nodiscard]] Measure measureOf(const AnalysisResult& result, const std::string& name);

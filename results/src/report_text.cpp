@@ -43,12 +43,15 @@ std::string pText(const std::optional<double>& p) {
     return p ? pText(*p) : std::string(dash);
 }
 
-std::string scoreText(const Measure& measure, double value) {
-    const bool percent = measure.kind == MeasureKind::accuracy;
-    const std::string digits =
-        percent ? fmt::format("{:.1f}", 100.0 * std::abs(value)) : fmt::format("{:.2f}", std::abs(value));
+std::string fixedText(double value, int decimals) {
+    const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
     const bool zero = digits.find_first_not_of("0.") == std::string::npos;
-    return (value < 0.0 && !zero ? "\u2212" : "") + digits + (percent ? "\u00a0%" : "");
+    return (value < 0.0 && !zero ? "\u2212" : "") + digits;
+}
+
+std::string scoreText(const Measure& measure, double value) {
+    return measure.kind == MeasureKind::accuracy ? fixedText(100.0 * value, 1) + "\u00a0%"
+                                                 : fixedText(value, 2);
 }
 
 std::string intervalText(const Measure& measure, double lower, double upper) {
@@ -291,58 +294,5 @@ std::string methodsHtml(const AnalysisResult& result) {
         "that differ after Holm's correction.</p>";
     return out;
 }
-
-const char* const report_css = R"css(
-:root { color-scheme: light dark; --paper: #ffffff; --ink: #1c1c1a; --soft: #4c4c48; --rule: #d6d6d1;
-  --thin: #e3e3e0; --shade: #f5f5f2; --warn: #b35900; --warn-paper: #fff6e8; }
-@media screen and (prefers-color-scheme: dark) {
-  :root { --paper: #16181b; --ink: #ecece8; --soft: #b4b4ae; --rule: #4a4d52; --thin: #33363a; --shade: #202327;
-    --warn: #f0a04b; --warn-paper: #2c2418; } }
-@page { size: A4; margin: 16mm 15mm; }
-* { box-sizing: border-box; }
-body { margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 62rem; background: var(--paper); color: var(--ink);
-  font: 1rem/1.5 "Source Sans 3", "Noto Sans", "DejaVu Sans", "Segoe UI", Helvetica, Arial, sans-serif;
-  font-variant-numeric: tabular-nums; }
-h1 { font-size: 1.9rem; line-height: 1.2; margin: 0 0 .3rem; }
-h2 { font-size: 1.25rem; margin: 2.4rem 0 .6rem; padding-bottom: .25rem; border-bottom: 1px solid var(--rule);
-  break-after: avoid; }
-h1, h2 { overflow-wrap: anywhere; }
-p { margin: .5rem 0; max-width: 48rem; }
-.lead { color: var(--soft); margin-bottom: 1.2rem; }
-.small, caption, figcaption { font-size: .875rem; color: var(--soft); }
-.synthetic { border: 2px solid var(--warn); border-left-width: .6rem; background: var(--warn-paper); padding: .7rem 1rem;
-  margin: 1.2rem 0; max-width: none; }
-.findings { padding-left: 1.2rem; max-width: 48rem; }
-.findings li { margin: .35rem 0; }
-.scroll { overflow-x: auto; margin: 1rem 0; }
-table { border-collapse: collapse; font-size: .9375rem; break-inside: avoid; }
-caption { text-align: left; padding-bottom: .4rem; }
-caption b { color: var(--ink); }
-th, td { padding: .28rem .6rem; text-align: right; white-space: nowrap; border-bottom: 1px solid var(--thin); }
-table.dense { font-size: .84rem; }
-table.dense th, table.dense td { padding: .25rem .38rem; }
-th:first-child, td:first-child, .text { text-align: left; }
-thead th { border-bottom: 1.5px solid var(--ink); font-weight: 600; vertical-align: bottom; }
-thead tr.over th { border-bottom: none; text-align: center; padding-bottom: 0; }
-tbody th { font-weight: 600; }
-tr.all td, tr.all th { background: var(--shade); }
-td.sig { font-weight: 600; }
-td.not { color: var(--soft); }
-details { margin: -.4rem 0 1rem; font-size: .875rem; }
-summary { cursor: pointer; color: var(--soft); }
-td.missing { background: var(--warn-paper); color: var(--warn); }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: .2rem 1.2rem; font-size: .9375rem; }
-dt { color: var(--soft); }
-dd { margin: 0; overflow-wrap: anywhere; }
-@media print {
-  html { font-size: 9.5pt; }
-  body { padding: 0; max-width: none; line-height: 1.4; }
-  h2 { margin-top: 1.4rem; }
-  dl { break-inside: avoid; }
-  th, td { padding: .2rem .6rem; }
-  p, .findings { max-width: none; }
-  .scroll { overflow: visible; }
-}
-)css";
 
 }  // namespace deixis::results

@@ -36,6 +36,9 @@ class Numbering {
 [[nodiscard]] std::string pText(double p);
 [[nodiscard]] std::string pText(const std::optional<double>& p);  ///< a dash where there is none
 
+/// With so many decimals and a proper minus sign, none before zero. Text, which HTML takes as it is.
+[[nodiscard]] std::string fixedText(double value, int decimals);
+
 /// A participant's mean, a mean or an SD of a measure: percent with one decimal, or scale points with two.
 /// Text, which HTML takes as it is.
 [[nodiscard]] std::string scoreText(const Measure& measure, double value);
@@ -48,9 +51,6 @@ class Numbering {
 
 /// "Accuracy", "Human-likeness".
 [[nodiscard]] std::string capitalised(std::string_view text);
-
-/// The page's style sheet.
-extern const char* const report_css;
 
 /// What stands at the head of the page: the main findings in a few sentences, HTML.
 [[nodiscard]] std::string findingsHtml(const AnalysisResult& result);

@@ -1,248 +1,42 @@
-// Looks at the report's page in Chromium, as people would: every figure drawn where its numbers say, at three widths, on
-// light and dark screens, on paper, by keyboard and without JavaScript. Data: simulated participants.
+// Looks at the report's page in Chromium (page.mjs): figures are where the analysis' numbers say. Data: simulated
+// participants.
 //   node check_report.mjs PROGRAM FOLDER STUDY PARTICIPANTS
-// Leaves the page, its pictures and its print in FOLDER. Exit status 77: there is no Chromium.
 import assert from "node:assert/strict";
-import {execFileSync} from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
-import {pathToFileURL} from "node:url";
-import puppeteer from "puppeteer-core";
+import {checkPage, meansStand, workplace} from "./page.mjs";
 
 const [program, folder, study, participants] = process.argv.slice(2).map((word, k) => k < 2 ? path.resolve(word) : word);
-const widths = [400, 1000, 1600];
-
-const chromium = ["chromium", "chromium-browser", "google-chrome"].flatMap(name =>
-    process.env.PATH.split(":").map(place => path.join(place, name))).find(file => fs.existsSync(file));
-if (!chromium) {
-  console.log("check_report: there is no Chromium (scripts/install.sh tests installs it); nothing was looked at");
-  process.exit(77);
-}
-
-fs.rmSync(folder, {recursive: true, force: true});
-fs.mkdirSync(folder, {recursive: true});
-const at = name => path.join(folder, name);
-const run = (...words) => execFileSync(program, words, {cwd: folder, stdio: ["ignore", "ignore", "inherit"]});
+const {at, run} = workplace(program, folder);
 run("simulate", study, "--participants", participants, "--db", at("study.sqlite"));
 run("report", at("study.sqlite"), "-o", at("report.html"), "--json", at("analysis.json"));
 const analysis = JSON.parse(fs.readFileSync(at("analysis.json"), "utf8"));
-
-const browser = await puppeteer.launch({executablePath: chromium, headless: true, protocolTimeout: 600000,
-    args: ["--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--font-render-hinting=none"]});
-const said = [];  // what the page complained about
-const asked = [];  // what it asked for besides itself
-
-async function opened(width, {dark = false, script = true} = {}) {
-  const page = await browser.newPage();
-  page.setDefaultTimeout(120000);
-  page.on("console", message => { if (["error", "warn"].includes(message.type())) said.push(message.text()); });
-  page.on("pageerror", error => said.push(String(error)));
-  page.on("request", request => {
-    if (!/^(data|blob):/.test(request.url()) && !request.isNavigationRequest()) asked.push(request.url());
-  });
-  await page.setJavaScriptEnabled(script);
-  await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: dark ? "dark" : "light"}]);
-  await page.setViewport({width, height: 900});
-  await page.goto(pathToFileURL(at("report.html")).href);
-  if (script)
-    await page.waitForFunction(() =>
-        [...document.querySelectorAll("figure")].every(figure => figure.dataset.drawn || figure.querySelector(".failed")));
-  return page;
-}
-
-// What a figure shows, and whether anything of it is cut off or lies on something else.
-const figuresOf = page => page.evaluate(() => [...document.querySelectorAll("figure")].map(figure => {
-  const svg = figure.querySelector(".chart-wrapper svg, .drawing > svg");
-  const box = element => { const {left, top, right, bottom} = element.getBoundingClientRect(); return {left, top, right, bottom}; };
-  const turned = text => /rotate\((?!0)/.test(text.getAttribute("transform") ?? "");
-  const frame = svg ? box(svg) : null;
-  const seen = text => text.textContent.trim() !== "" && getComputedStyle(text).opacity !== "0";
-  const texts = svg ? [...svg.querySelectorAll("text")].filter(seen) : [];
-  const cut = texts.filter(text => {
-    const one = box(text);
-    const slack = turned(text) ? 7 : 1;  // the corners of a slanting line's box are empty
-    return one.left < frame.left - slack || one.right > frame.right + slack || one.top < frame.top - slack ||
-        one.bottom > frame.bottom + slack;
-  });
-  const labels = svg ? [...svg.querySelectorAll(".role-axis-label text")].filter(seen).map(text => ({...box(text), words: text.textContent,
-      turned: turned(text)})) : [];
-  const over = [];
-  for (const a of labels)
-    for (const b of labels)
-      if (a !== b && !a.turned && !b.turned && a.left < b.right - 0.5 && b.left < a.right - 0.5 && a.top < b.bottom - 2 &&
-          b.top < a.bottom - 2)
-        over.push(a.words + " / " + b.words);
-  return {
-    id: figure.id, label: figure.getAttribute("aria-label"), drawn: figure.dataset.drawn === "yes",
-    spec: JSON.parse(figure.querySelector("script").textContent),
-    drawingLabel: figure.querySelector(".chart-wrapper")?.getAttribute("aria-label"), frame, whole: box(figure),
-    marks: svg ? svg.querySelectorAll(".mark-symbol path, .mark-rect path, .mark-rule line, .mark-line path").length : 0,
-    labels: labels.map(label => label.words), cut: cut.map(text => text.textContent), over,
-    diamonds: svg ? [...svg.querySelectorAll(".mark-symbol path[stroke='#1c1c1a']")].map(path => {
-      const {top, bottom} = box(path);
-      return 0.5 * (top + bottom);
-    }) : [],
-  };
-}));
-
-const close = (a, b, within, words) => assert.ok(Math.abs(a - b) <= within, `${words}: ${a} and ${b}`);
 const measures = analysis.measures.filter(one => one.kind !== "preference").map(one => one.measure);
 
-try {
-  // At each width: drawn, nothing cut, nothing wider than the screen.
-  for (const width of widths) {
-    const page = await opened(width);
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-    assert.ok(wide <= width, `the page is ${wide} px wide on a screen of ${width} px`);
-    const figures = await figuresOf(page);
-    const named = start => figures.filter(one => one.id.startsWith(start)).length;
-    assert.equal(named("means-"), measures.length, "a box plot for each measure");
-    assert.equal(named("differences-"), measures.filter(measure =>
-        analysis.pairwise.some(pair => pair.measure === measure && pair.n > 0)).length, "differences for each measure");
-    assert.equal(named("preferences"), analysis.preferences.length > 0 ? 1 : 0, "preferences");
-    for (const figure of figures) {
-      const where = `${figure.id} at ${width} px`;
-      assert.ok(figure.drawn, `${where} is drawn`);
-      assert.ok(figure.marks >= 3, `${where} has marks: ${figure.marks}`);
-      assert.ok(figure.frame.right - figure.frame.left > 200, `${where} is wide enough`);
-      assert.ok(figure.frame.right <= figure.whole.right + 1, `${where} keeps to its place`);
-      assert.deepEqual(figure.cut, [], `${where}: words are cut`);
-      assert.deepEqual(figure.over, [], `${where}: labels lie on each other`);
-      assert.ok(figure.label.length > 40 && figure.drawingLabel === figure.label, `${where} tells what it shows`);
-    }
-    // The boxes' numbers are the analysis', and the diamonds stand where their means are.
-    for (const [i, measure] of measures.entries()) {
-      const figure = figures.find(one => one.id === `means-${i + 1}`);
-      const systems = analysis.systems.filter(one => one[measure].n > 0).map(one => one[measure]);
-      const drawnBy = layer => figure.spec.layer.find(layer);
-      const medians = drawnBy(one => one.mark.strokeWidth === 2.5).data.values.map(one => one.y);
-      assert.deepEqual(medians, systems.map(one => one.box.median), `${measure}: medians`);
-      assert.equal(figure.diamonds.length, systems.length, `${measure}: a mean for each system`);
-      const order = systems.map((_, k) => k).sort((a, b) => systems[a].mean - systems[b].mean);
-      const [low, high] = [order[0], order[order.length - 1]];
-      if (systems[high].mean - systems[low].mean > 0.01)
-        for (const k of order) {
-          const share = (systems[k].mean - systems[low].mean) / (systems[high].mean - systems[low].mean);
-          close(figure.diamonds[k], figure.diamonds[low] + share * (figure.diamonds[high] - figure.diamonds[low]), 1,
-              `${measure}: height of mean ${k + 1}`);
-        }
-      const scale = analysis.measures.find(one => one.measure === measure);
-      for (const end of [scale.low, scale.high])
-        assert.ok(figure.labels.includes(scale.kind === "accuracy" ? `${100 * end}\u00a0%` : String(end)),
-            `${measure}: the scale's end ${end} among ${figure.labels}`);
-      const differing = analysis.pairwise.filter(pair => pair.measure === measure && pair.significant).length;
-      const stars = drawnBy(one => one.mark.type === "text" && one.encoding.text?.field === "stars").data.values;
-      assert.equal(stars.length, differing <= 15 ? differing : 0, `${measure}: a bracket for each pair that differs`);
-    }
-    await page.screenshot({path: at(`light-${width}.png`), fullPage: true});
-
-    // Chromium's own account of the page for those who cannot see it.
-    if (width === 1000) {
-      const tree = await page.accessibility.snapshot({interestingOnly: false});
-      const names = [];
-      (function walk(node) { if (node.role === "figure") names.push(node.name); node.children?.forEach(walk); })(tree);
-      assert.deepEqual(names, figures.map(one => one.label), "figures by name in the accessibility tree");
-    }
-
-    // The same page turned narrow while it is open: figures follow.
-    if (width === 1600) {
-      await page.setViewport({width: 500, height: 900});
-      await page.waitForFunction(() => document.documentElement.scrollWidth <= 500);
-    }
-    await page.close();
+function expected(figures) {
+  const named = start => figures.filter(one => one.id.startsWith(start)).length;
+  assert.equal(named("means-"), measures.length, "a box plot for each measure");
+  assert.equal(named("differences-"), measures.filter(measure =>
+      analysis.pairwise.some(pair => pair.measure === measure && pair.n > 0)).length, "differences for each measure");
+  assert.equal(named("preferences"), analysis.preferences.length > 0 ? 1 : 0, "preferences");
+  // The boxes' numbers are the analysis', and the diamonds stand where their means are.
+  for (const [i, measure] of measures.entries()) {
+    const figure = figures.find(one => one.id === `means-${i + 1}`);
+    const systems = analysis.systems.filter(one => one[measure].n > 0).map(one => one[measure]);
+    const drawnBy = layer => figure.spec.layer.find(layer);
+    const medians = drawnBy(one => one.mark.strokeWidth === 2.5).data.values.map(one => one.y);
+    assert.deepEqual(medians, systems.map(one => one.box.median), `${measure}: medians`);
+    meansStand(figure.diamonds, systems.map(one => one.mean), measure);
+    const scale = analysis.measures.find(one => one.measure === measure);
+    for (const end of [scale.low, scale.high])
+      assert.ok(figure.labels.includes(scale.kind === "accuracy" ? `${100 * end}\u00a0%` : String(end)),
+          `${measure}: the scale's end ${end} among ${figure.labels}`);
+    const differing = analysis.pairwise.filter(pair => pair.measure === measure && pair.significant).length;
+    const stars = drawnBy(one => one.mark.type === "text" && one.encoding.text?.field === "stars").data.values;
+    assert.equal(stars.length, differing <= 15 ? differing : 0, `${measure}: a bracket for each pair that differs`);
   }
-
-  // A dark screen: other colours, and words that can be read.
-  const colours = page => page.evaluate(() => {
-    const of = (element, property) => getComputedStyle(element)[property].match(/\d+/g).slice(0, 3).map(Number);
-    return {paper: of(document.body, "backgroundColor"), words: of(document.body, "color"),
-      labels: [...document.querySelectorAll("figure .role-axis text")].map(one => of(one, "fill"))};
-  });
-  const light = await opened(1000);
-  const dark = await opened(1000, {dark: true});
-  const luminance = ([r, g, b]) => [r, g, b].map(part => part / 255)
-      .map(part => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4)
-      .reduce((sum, part, k) => sum + part * [0.2126, 0.7152, 0.0722][k], 0);
-  const contrast = (a, b) => (Math.max(luminance(a), luminance(b)) + 0.05) / (Math.min(luminance(a), luminance(b)) + 0.05);
-  const seen = {light: await colours(light), dark: await colours(dark)};
-  assert.notDeepEqual(seen.light.paper, seen.dark.paper);
-  for (const [name, screen] of Object.entries(seen)) {
-    assert.ok(screen.labels.length > 0);
-    for (const words of [screen.words, ...screen.labels])
-      assert.ok(contrast(words, screen.paper) >= 4.5, `contrast of ${words} on ${screen.paper}, ${name}`);
-  }
-  await dark.screenshot({path: at("dark-1000.png"), fullPage: true});
-
-  // On paper: A4, light even where the screen is dark, every figure whole.
-  fs.writeFileSync(at("print.pdf"), await dark.pdf({format: "A4", preferCSSPageSize: true, printBackground: true}));
-  const printed = execFileSync("pdftotext", ["-layout", at("print.pdf"), "-"], {encoding: "utf8"});
-  const count = await dark.evaluate(() => document.querySelectorAll("figure").length);
-  for (let k = 1; k <= count; ++k) assert.ok(printed.includes(`Figure ${k}.`), `Figure ${k} is printed`);
-  assert.ok(printed.includes("share of answers") || printed.includes("difference, "), "axes are printed");
-  await dark.emulateMediaType("print");
-  assert.equal(await dark.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
-  await dark.close();
-
-  // By keyboard: to the first figure's menu, into it, and its picture is saved.
-  const first = await light.$eval("figure", figure => figure.id);
-  const downloads = at("downloads");
-  fs.mkdirSync(downloads);
-  const session = await browser.target().createCDPSession();
-  await session.send("Browser.setDownloadBehavior", {behavior: "allow", downloadPath: downloads});
-  await light.bringToFront();
-  const focused = () => light.evaluate(() => ({tag: document.activeElement.tagName,
-    figure: document.activeElement.closest("figure")?.id, name: document.activeElement.getAttribute("aria-label"),
-    download: document.activeElement.download}));
-  let where = await focused();
-  for (let k = 0; k < 40 && where.tag !== "SUMMARY"; ++k) {
-    await light.keyboard.press("Tab");
-    where = await focused();
-  }
-  assert.equal(where.figure, first, "Tab reaches the menu of the first figure");
-  assert.equal(where.name, "Save Figure 1.");
-  await light.keyboard.press("Enter");
-  await light.waitForSelector(`#${first} details[data-ready]`);
-  const arrives = async (name, begins) => {
-    const file = path.join(downloads, name);
-    for (let k = 0; k < 600 && !(fs.existsSync(file) && fs.statSync(file).size > 0); ++k)
-      await new Promise(done => setTimeout(done, 100));
-    assert.ok(fs.existsSync(file), `${name} is saved`);
-    const bytes = fs.readFileSync(file);
-    assert.equal(bytes.subarray(0, begins.length).toString("latin1"), begins);
-    return bytes;
-  };
-  await light.keyboard.press("Tab");
-  assert.equal((await focused()).download, `${first}.svg`);
-  await light.keyboard.press("Enter");
-  const svg = (await arrives(`${first}.svg`, "<svg")).toString("utf8");
-  for (const system of analysis.systems)
-    assert.ok(svg.includes(system.system.split(/[- ]/)[0]), `${system.system} is in the saved figure`);
-  assert.ok(!svg.includes("var("), "a saved figure carries its own colours");
-  await light.keyboard.press("Tab");
-  assert.equal((await focused()).download, `${first}.png`);
-  await light.keyboard.press("Enter");
-  const png = await arrives(`${first}.png`, "\x89PNG");
-  assert.ok(png.readUInt32BE(16) >= 1000, "the PNG is large enough to print");
-  await light.keyboard.press("Escape");
-  assert.deepEqual(await light.evaluate(() => document.querySelectorAll("figure details[open]").length), 0);
-  const entries = await light.evaluate(id => document.querySelectorAll(`#${id} .vega-actions a`).length, first);
-  assert.equal(entries, 2, "the menu saves, and offers nothing that needs a network");
-  await light.close();
-
-  // Without JavaScript the page says where the numbers are, and they are there.
-  const plain = await opened(1000, {script: false});
-  const text = await plain.$eval("body", body => body.innerText);
-  assert.ok(text.includes("The figures are drawn with JavaScript, which is off here."));
-  if (measures.length > 0) assert.ok(text.includes("What the box plots draw"));
-  await plain.close();
-
-  assert.deepEqual(said, [], "the page complains of nothing");
-  assert.deepEqual(asked, [], "the page asks for nothing");
-  console.log(`check_report: ${study}, ${participants} simulated participants: ${count} figures drawn at ` +
-      `${widths.join(", ")} px, dark, printed, saved by keyboard`);
-} catch (error) {
-  if (said.length > 0) console.error("The page said:", said);
-  throw error;
-} finally {
-  await browser.close();
 }
+
+const found = await checkPage({at, file: "report.html", systems: analysis.systems.map(one => one.system),
+  printed: ["share of answers", "difference, "], plain: measures.length > 0 ? ["What the box plots draw"] : [], expected});
+console.log(`check_report: ${study}, ${participants} simulated participants: ${found}`);

@@ -8,39 +8,16 @@
 
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
+#include "specifications.hpp"
 #include "text.hpp"
 
 using namespace deixis;
 using namespace deixis::results;
+using deixis::tests::specificationsOf;
+using deixis::tests::valuesWith;
 using nlohmann::json;
 
 namespace {
-
-/// The Vega-Lite specifications of a page by their figures' ids.
-std::map<std::string, json> specificationsOf(const std::string& page) {
-    std::map<std::string, json> found;
-    const std::string begin = "<script type=\"application/json\">";
-    std::size_t at = 0;
-    while ((at = page.find("\n<figure id=\"", at)) != std::string::npos) {
-        const std::size_t name = at + std::string("\n<figure id=\"").size();
-        const std::size_t from = page.find(begin, at) + begin.size();
-        const std::size_t to = page.find("</script>", from);
-        REQUIRE(to != std::string::npos);
-        found[page.substr(name, page.find('"', name) - name)] = json::parse(page.substr(from, to - from));
-        at = to;
-    }
-    return found;
-}
-
-/// The values of the layers whose data have such a field, one after another.
-std::vector<json> valuesWith(const json& spec, const std::string& field) {
-    std::vector<json> found;
-    for (const json& layer : spec["layer"])
-        if (layer.contains("data"))
-            for (const json& value : layer["data"]["values"])
-                if (value.contains(field)) found.push_back(value);
-    return found;
-}
 
 ResponseTable wholeStudy(const fixtures::Folder& folder) {
     const auto study = fixtures::study({"demonstration-nn", "direct", "stiff", "drifting"});

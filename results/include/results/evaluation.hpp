@@ -118,7 +118,8 @@ struct SystemComparison {
     /// Of the differences of accuracy, to 1e-9: what is nearer together counts as equal, so that the last
     /// bits of another machine's arithmetic change no rank. n_pairs is how many targets there are.
     SignedRankTest test{};
-    std::optional<double> p_holm{};  ///< over all pairs that share targets; none where there are none
+    std::vector<double> differences{};  ///< of accuracy, one for each target
+    std::optional<double> p_holm{};     ///< over all pairs that share targets; none where there are none
 };
 
 struct Evaluation {
@@ -145,7 +146,7 @@ struct Evaluation {
 /// Fails where there are no clips, or no density or clusters can be had from the training targets.
 [[nodiscard]] Result<Evaluation> evaluate(EvaluationInput input);
 
-/// A whole, self-contained HTML page (also well-formed XML), without script, outside file or date: the same
+/// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same
 /// evaluation gives the same bytes.
 [[nodiscard]] std::string renderEvaluation(const Evaluation& evaluation);
 /// One JSON object, "format": "deixis-evaluation", "version": 1; documented in docs/evaluation.md.

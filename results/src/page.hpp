@@ -1,0 +1,18 @@
+// What the report's and the evaluation's pages have in common: self-contained HTML that is well-formed XML,
+// too.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace deixis::results {
+
+/// To the heading; both are text.
+[[nodiscard]] std::string pageStart(const std::string& title, const std::string& heading);
+/// A section; empty where there are none.
+[[nodiscard]] std::string remarksHtml(const std::vector<std::string>& remarks);
+/// With what draws the figures. `elsewhere`: the sentence that tells where their numbers are where JavaScript
+/// is off.
+[[nodiscard]] std::string pageEnd(const std::string& elsewhere);
+
+}  // namespace deixis::results
