@@ -48,7 +48,8 @@ void remarkDecisions(const std::vector<Test>& tests, AnalysisResult& result) {
                 one.family, one.a, one.b, one.significant ? "" : "not ", result.alpha, *one.p_holm,
                 one.significant ? "not " : "", *one.p_holm_pratt));
     }
-    if (out_of_reach == 0) return;
+    // Of a single participant nothing is tested, and the report says so.
+    if (out_of_reach == 0 || result.participants < 2) return;
     if (out_of_reach < tested)
         result.remarks.push_back(
             fmt::format("{} of {} tests ({}) can be significant at {} after Holm's correction only where "

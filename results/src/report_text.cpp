@@ -109,8 +109,10 @@ std::string significance(const AnalysisResult& result, const std::string& measur
                                  escapeHtml(comparison.b));
     }
     if (pairs == 0) return "";
-    std::string out = fmt::format("{} of {} pairs of systems differ significantly in {}", significant, pairs,
-                                  escapeHtml(measure));
+    std::string out = pairs == 1 ? fmt::format("The two systems {}differ significantly in {}",
+                                               significant == 1 ? "" : "do not ", escapeHtml(measure))
+                                 : fmt::format("{} of {} pairs of systems differ significantly in {}",
+                                               significant, pairs, escapeHtml(measure));
     if (significant > 0 && !equal.empty()) out += " (not: " + equal + ")";
     return out + ".";
 }
@@ -201,6 +203,16 @@ std::string findingsHtml(const AnalysisResult& result) {
 
 namespace {
 
+/// A study tells the scale; of other data only the answers are known.
+std::string ratingSentence(const ResponseTable& table, const Measure& measure, const std::string& name) {
+    if (!table.study_hash.empty())
+        return fmt::format(" {} is the rating on the scale from {} to {}.", name, measure.low, measure.high);
+    if (measure.low == measure.high)
+        return fmt::format(" {} is a rating; all answers are {}.", name, measure.low);
+    return fmt::format(" {} is a rating; the answers go from {} to {}, and the data do not tell the scale.",
+                       name, measure.low, measure.high);
+}
+
 std::string measureSentences(const AnalysisResult& result) {
     std::string out;
     for (const Measure& measure : result.table.measures) {
@@ -212,8 +224,7 @@ std::string measureSentences(const AnalysisResult& result) {
                                                 100.0 / measure.balls)
                                   : std::string());
         else if (measure.kind == MeasureKind::rating)
-            out +=
-                fmt::format(" {} is the rating on the scale from {} to {}.", name, measure.low, measure.high);
+            out += ratingSentence(result.table, measure, name);
         else
             out += fmt::format(
                 " {} runs from 2 (clearly the one) over 0 (equal) to &#8722;2 (clearly the other), whichever "
@@ -258,9 +269,8 @@ std::string methodsHtml(const AnalysisResult& result) {
         "differences. p is exact, with ties too, for up to 2,000 differences; beyond, it is a normal "
         "approximation with tie and continuity corrections. The shift is the median of all Walsh averages, "
         "zeros "
-        "among them, with the closed interval of the exact test. Holm's correction covers the {} pairs of "
-        "systems "
-        "within one measure, and for each factor within participants the tests of all systems; corrected p "
+        "among them, with the closed interval of the exact test. Holm's correction covers {}for each factor "
+        "within participants the tests of all systems; corrected p "
         "values "
         "up "
         "to &#945;&#160;=&#160;{} count as significant. A participant without answers under one of two "
@@ -268,7 +278,10 @@ std::string methodsHtml(const AnalysisResult& result) {
         "is left out of their comparison; nothing is filled in. That a difference is not significant does "
         "not "
         "show that there is none: look at its interval.{}</p>",
-        pairs, result.alpha,
+        pairs == 0 ? ""
+                   : fmt::format("the {} of systems within one measure, and ",
+                                 pairs == 1 ? "one pair" : fmt::format("{} pairs", pairs)),
+        result.alpha,
         result.preferences.empty() ? ""
                                    : " Preferences: the same test of the participants' mean preferences "
                                      "against none, Holm over all pairs.");
