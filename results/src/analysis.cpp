@@ -96,6 +96,7 @@ AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& option
     result.bradley_terry = bradleyTerry(table, {options.resamples, options.seed, options.level});
     compareOtherAnswers(result);
     compareGroups(result);
+    comparePreferencesOfGroups(result);
     summariseScores(result);
     describeAnswers(result);
     describeChoices(result);

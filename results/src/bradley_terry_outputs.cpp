@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "json_values.hpp"
+
 namespace deixis::results {
 
 namespace {
 
 using AbilityJson = nlohmann::ordered_json;
-
-AbilityJson numberOrNull(const std::optional<double>& value) {
-    return value ? AbilityJson(*value) : AbilityJson();
-}
 
 std::optional<double> lowerOf(const Ability& one) {
     return one.interval ? std::optional<double>(one.interval->lower) : std::nullopt;

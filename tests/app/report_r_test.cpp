@@ -89,8 +89,15 @@ TEST_SUITE("app/report_r") {
 
     TEST_CASE("R finds the same numbers in preferences, and in groups without who is excluded") {
         if (!hasR()) return;
-        const std::vector<std::pair<std::string, std::string>> cases{{"genea-pairwise", "preferences"},
-                                                                     {"distractor-distance", "between"}};
+        const Scratch folder;
+        spill(folder / "groups.toml",
+              replaced(slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies/genea-pairwise.toml"),
+                       "[[systems]]",
+                       "[[between]]\nname = \"age\"\nlevels = [\"old\", \"young\"]\n\n[[systems]]"));
+        const std::vector<std::pair<std::string, std::string>> cases{
+            {"genea-pairwise", "preferences"},
+            {folder / "groups.toml", "preferences_between"},
+            {"distractor-distance", "between"}};
         for (const auto& one : cases) {
             const std::string& study = one.first;
             const std::string& table = one.second;
