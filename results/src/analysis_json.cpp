@@ -300,7 +300,7 @@ const char* kindName(MeasureKind kind) {
 std::string analysisJson(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     Json out;
-    out["schema"] = {{"name", "deixis-analysis"}, {"version", 2}};
+    out["schema"] = {{"name", "deixis-analysis"}, {"version", 3}};
     out["program"] = {{"name", "deixis"}, {"recorded_by", table.program_versions}};
     out["study"] = {{"name", table.study_name},
                     {"title", table.study_title},
