@@ -378,7 +378,7 @@ has <- function(package) {
 }
 
 # Contrasts of all pairs of systems from a model's coefficients, Wald tests, Holm within the measure.
-contrasts_of <- function(measure, model, coefficients, covariance, systems, note = "") {
+contrasts_of <- function(measure, model, coefficients, covariance, systems, note) {
     at <- function(system) paste0("system", system)
     rows <- data.frame()
     for (pair in combn(systems, 2, simplify = FALSE)) {
@@ -395,6 +395,21 @@ contrasts_of <- function(measure, model, coefficients, covariance, systems, note
     rows
 }
 
+# A model, and what R says while it is fitted: printed, and kept beside the contrasts.
+fitted_by <- function(measure, fit) {
+    said <- character()
+    hear <- function(condition, restart) {
+        said <<- c(said, trimws(conditionMessage(condition)))
+        invokeRestart(restart)
+    }
+    model <- tryCatch(withCallingHandlers(fit, message = function(m) hear(m, "muffleMessage"),
+                                          warning = function(w) hear(w, "muffleWarning")),
+                      error = function(e) { said <<- c(said, conditionMessage(e)); NULL })
+    note <- paste(unique(said), collapse = "; ")
+    if (note != "") cat(measure, ":", note, "\n")
+    if (is.null(model)) NULL else list(model = model, note = note)
+}
+
 mixed_models <- data.frame()
 for (measure in unique(answers$measure[single])) {
     data <- answers[single & is("measure", measure) & !is.na(answers$value), ]
@@ -402,26 +417,20 @@ for (measure in unique(answers$measure[single])) {
     if (length(systems) < 2 || length(unique(data$value)) < 2 || length(unique(data$participant)) < 2) next
     data$system <- factor(data$system, levels = systems)
     by_item <- sum(!is.na(data$item)) == nrow(data) && length(unique(data$item)) > 1
-    terms <- paste(c("system", "(1 | participant)", if (by_item) "(1 | item)"), collapse = " + ")
+    terms <- as.formula(paste(c("value ~ system", "(1 | participant)", if (by_item) "(1 | item)"), collapse = " + "))
     binary <- all(!is.na(data$correct))
     steps <- length(unique(data$value))
-    if (binary && has("lme4")) {
-        fit <- tryCatch(lme4::glmer(as.formula(paste("value ~", terms)), data, family = binomial),
-                        error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
-        if (is.null(fit)) next
-        mixed_models <- rbind(mixed_models, contrasts_of(measure, "logistic GLMM", lme4::fixef(fit),
-                                                         as.matrix(vcov(fit)), systems,
-                                                         if (lme4::isSingular(fit)) "a random intercept has no variance"
-                                                         else ""))
-    } else if (!binary && steps >= 3 && steps <= 12 && has("ordinal")) {
-        data$value <- factor(data$value, ordered = TRUE)
-        fit <- tryCatch(ordinal::clmm(as.formula(paste("value ~", terms)), data = data),
-                        error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
-        if (is.null(fit)) next
-        slopes <- fit$beta
-        mixed_models <- rbind(mixed_models, contrasts_of(measure, "cumulative link mixed model", slopes,
-                                                         vcov(fit)[names(slopes), names(slopes)], systems))
-    }
+    ordinal <- !binary && steps >= 3 && steps <= 12
+    if (!binary && steps < 3 || !has(if (ordinal) "ordinal" else "lme4")) next
+    name <- if (binary) "logistic GLMM" else if (ordinal) "cumulative link mixed model" else "linear mixed model"
+    if (ordinal) data$value <- factor(data$value, ordered = TRUE)
+    fit <- fitted_by(measure, if (binary) lme4::glmer(terms, data, family = binomial)
+                              else if (ordinal) ordinal::clmm(terms, data = data)
+                              else lme4::lmer(terms, data))
+    if (is.null(fit)) next
+    slopes <- if (ordinal) fit$model$beta else lme4::fixef(fit$model)
+    covariance <- as.matrix(vcov(fit$model))[names(slopes), names(slopes)]
+    mixed_models <- rbind(mixed_models, contrasts_of(measure, name, slopes, covariance, systems, fit$note))
 }
 if (nrow(mixed_models) > 0) write.csv(mixed_models, "mixed_models.csv", row.names = FALSE)
 
