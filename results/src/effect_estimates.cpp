@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "preference_estimates.hpp"
 #include "results/descriptive.hpp"
 #include "studies/answer_curve.hpp"
 
@@ -193,13 +194,25 @@ Result<MeasureAnswers> answersOf(const ResponseTable& table, const AskedMeasure&
 std::set<std::string> systemsAsked(const studies::Study& study, const AskedMeasure& measure) {
     std::set<std::string> out;
     for (const studies::Stage& stage : study.stages) {
-        if (!stage.scored() || stage.kind == studies::StageKind::pairwise) continue;
+        if (!stage.scored()) continue;
         const bool game = stage.kind == studies::StageKind::game;
-        if (game ? measure.name == "accuracy" || (measure.name == "confidence" && stage.confidence)
-                 : measure.name == stage.measure)
+        const bool pairs = stage.kind == studies::StageKind::pairwise;
+        if (pairs  ? measure.kind == AskedKind::preference
+            : game ? measure.name == "accuracy" || (measure.name == "confidence" && stage.confidence)
+                   : measure.name == stage.measure)
             out.insert(stage.design.systems.begin(), stage.design.systems.end());
     }
     return out;
+}
+
+void addPreference(const ResponseTable& table, const std::set<std::string>& systems, EffectEstimates& out) {
+    auto estimated = estimatePreference(table, {systems.begin(), systems.end()});
+    if (const auto* why = std::get_if<std::string>(&estimated)) {
+        out.notes.push_back(fmt::format("preference: not estimated, {}", *why));
+        return;
+    }
+    out.effects.preference = std::get<studies::AssumedPreference>(std::move(estimated));
+    out.notes.push_back("preference: noise_sd is taken as 1, for only ratios to it are in the answers");
 }
 
 }  // namespace
@@ -210,9 +223,12 @@ Result<EffectEstimates> estimateEffects(const ResponseTable& table, const studie
         const bool answered = std::any_of(table.rows.begin(), table.rows.end(), [&](const ResponseRow& row) {
             return row.measure == measure.name;
         });
-        if (measure.kind == AskedKind::preference || !answered) {
-            out.notes.push_back(fmt::format("{}: not estimated{}", measure.name,
-                                            answered ? ", preferences never are" : ", there are no answers"));
+        if (!answered) {
+            out.notes.push_back(fmt::format("{}: not estimated, there are no answers", measure.name));
+            continue;
+        }
+        if (measure.kind == AskedKind::preference) {
+            addPreference(table, systemsAsked(study, measure), out);
             continue;
         }
         const auto answers = answersOf(table, measure, systemsAsked(study, measure));
@@ -233,10 +249,15 @@ Result<EffectEstimates> estimateEffects(const ResponseTable& table, const studie
         accuracy.distances =
             levelShifts(answers->residuals, table.distances, &ResponseRow::distance, curve, sd);
         out.effects.accuracy = std::move(accuracy);
+        out.notes.push_back(
+            "accuracy: lapse_rate is left at 0, for lapses cannot be told from the spread of choices; what "
+            "they "
+            "cost stands in the shares of right choices");
     }
-    if (!out.effects.accuracy && out.effects.ratings.empty())
-        return fail(table.database, fmt::format("holds no answers on what {} measures", study.name),
-                    "Only ratings, choices and confidence can be estimated");
+    if (!out.effects.accuracy && out.effects.ratings.empty() && !out.effects.preference)
+        return fail(table.database,
+                    fmt::format("holds no answers on what {} measures that can be estimated", study.name),
+                    "Write a file of assumed effects and name it with --effect");
     if (!table.study_hash.empty() && table.study_hash != study.hash)
         out.notes.push_back("the answers are those of another study file");
     std::set<std::string> participants;

@@ -67,6 +67,13 @@ void countFound(const AnalysisResult& analysis, PowerCounts& counts) {
     }
 }
 
+/// The system's levels of the factors that are nested in systems.
+const std::map<std::string, std::string>& levelsOf(const studies::Study& study, const std::string& system) {
+    return std::find_if(study.systems.begin(), study.systems.end(),
+                        [&](const studies::SystemSource& one) { return one.name == system; })
+        ->levels;
+}
+
 /// All of the table but the rows: what the store reads from a database of the study.
 ResponseTable tableOf(const studies::Study& study, const std::vector<studies::AskedMeasure>& measures,
                       const std::vector<studies::PlannedAnswer>& planned) {
@@ -82,7 +89,10 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::As
         distances.insert(answer.trial->distance);
     }
     for (const auto& system : study.systems)
-        if (systems.contains(system.name)) table.systems.push_back(system.name);
+        if (systems.contains(system.name)) {
+            table.systems.push_back(system.name);
+            for (const auto& [factor, level] : system.levels) addLevel(table.within, factor, level);
+        }
     for (const auto& layout : study.layouts)
         if (layouts.contains(layout.name)) table.layouts.push_back(layout.name);
     for (const auto& distance : study.distances)
@@ -98,7 +108,7 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::As
 }
 
 ResponseRow rowOf(const studies::PlannedAnswer& answer, const std::vector<studies::AskedMeasure>& measures,
-                  const std::string& participant) {
+                  const std::string& participant, const studies::Study& study, const ResponseTable& table) {
     const studies::Trial& trial = *answer.trial;
     const studies::AskedMeasure& measure = measures[answer.measure];
     ResponseRow row;
@@ -110,6 +120,11 @@ ResponseRow rowOf(const studies::PlannedAnswer& answer, const std::vector<studie
     row.target_id = trial.stimuli[answer.stimulus].item;
     row.trial = trial.index;
     if (measure.kind == studies::AskedKind::preference) row.other_system = trial.stimuli[1].system;
+    const auto& levels = levelsOf(study, row.system);
+    for (const Factor& factor : table.within) {
+        const auto level = levels.find(factor.name);
+        row.within.push_back(level == levels.end() ? "" : level->second);
+    }
     row.synthetic = true;
     return row;
 }
@@ -210,7 +225,8 @@ Result<PowerAnalysis> PowerAnalysis::make(const studies::Study& study,
     const auto& measures = impl->answers->measures();
     impl->table = tableOf(study, measures, impl->answers->planned());
     for (const studies::PlannedAnswer& answer : impl->answers->planned())
-        impl->rows.push_back(rowOf(answer, measures, impl->plans[answer.participant].participant));
+        impl->rows.push_back(
+            rowOf(answer, measures, impl->plans[answer.participant].participant, study, impl->table));
     PowerResult& result = impl->result;
     result.study_name = study.name;
     result.study_hash = study.hash;

@@ -161,9 +161,7 @@ double AssumedAnswers::drawOne(const Draw& draw, AssumedParticipant& participant
         };
         const double left_better = strength(draw.system) - strength(draw.other_system) +
                                    model.noise_sd * participant.random.normal();
-        const double size = std::abs(left_better);
-        const double clear = size <= model.tie_zone ? 0.0 : size <= model.clear_zone ? 1.0 : 2.0;
-        return left_better > 0.0 ? -clear : clear;
+        return PreferenceCurve{model.tie_zone, model.clear_zone}.answer(-left_better);
     }
     const double behind = model.locations[draw.system] + draw.shift +
                           participant.part(draw.measure, draw.system, model.spread) +

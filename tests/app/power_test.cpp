@@ -68,6 +68,23 @@ TEST_SUITE("app/power") {
         INFO(again.err);
         REQUIRE(again.status == 0);
         CHECK(slurp(scratch / "from.json") == slurp(scratch / "again.json"));
+        CHECK(from.out.find("lapse_rate is left at 0") != std::string::npos);
+
+        REQUIRE(
+            program("simulate genea-pairwise --participants 14 --db " + (scratch / "pairs.sqlite")).status ==
+            0);
+        const auto pairs =
+            program("power genea-pairwise --from " + (scratch / "pairs.sqlite") +
+                    " --participants 14 --studies 40 --save-effects " + (scratch / "pairs.toml"));
+        INFO(pairs.err);
+        REQUIRE(pairs.status == 0);
+        CHECK(pairs.out.find("preference: noise_sd is taken as 1") != std::string::npos);
+        CHECK(pairs.out.find("preference: pairs of systems (6 tests)") != std::string::npos);
+        CHECK(slurp(scratch / "pairs.toml").find("[preference.systems]") != std::string::npos);
+        const auto same = program("power genea-pairwise --effect " + (scratch / "pairs.toml") +
+                                  " --participants 14 --studies 40");
+        REQUIRE(same.status == 0);
+        CHECK(pairs.out.ends_with(same.out));
     }
 
     TEST_CASE("What is wrong with the effects or the options is told in one line.") {

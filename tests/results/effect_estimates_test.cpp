@@ -33,6 +33,7 @@ ResponseTable drawn(const Study& study, const AssumedEffects& effects, int parti
         row.layout = planned.trial->layout;
         row.distance = planned.trial->distance;
         row.target_id = planned.trial->stimuli[0].item;
+        if (planned.trial->stimuli.size() > 1) row.other_system = planned.trial->stimuli[1].system;
         row.value = values[i];
         table.rows.push_back(row);
     }
@@ -70,6 +71,32 @@ TEST_SUITE("results/effect_estimates") {
         CHECK(rating.spread.participant_system_sd == doctest::Approx(0.5).epsilon(0.1));
         CHECK(rating.spread.item_sd == doctest::Approx(0.3).epsilon(0.25));
         CHECK(rating.noise_sd == doctest::Approx(0.8).epsilon(0.05));
+    }
+
+    TEST_CASE("From many preferences strengths, zones and spread come back, as ratios to the noise.") {
+        Study study = plan_fixture::studyOf({"x", "y", "z"});
+        study.stages = {plan_fixture::trials(study, "pairs", StageKind::pairwise, 4)};
+        AssumedEffects effects;
+        effects.preference = {{{"x", 2.0}, {"y", 0.4}, {"z", -1.2}}, 1.0, 2.0, 0.6, 2.4};
+        const ResponseTable table = drawn(study, effects, 800);
+        const auto found = estimateEffects(table, study);
+        REQUIRE(found.has_value());
+        const AssumedPreference& preference = found->effects.preference.value();
+        CHECK(preference.noise_sd == 1.0);
+        CHECK(preference.systems.at("x") - preference.systems.at("y") == doctest::Approx(0.8).epsilon(0.06));
+        CHECK(preference.systems.at("y") - preference.systems.at("z") == doctest::Approx(0.8).epsilon(0.06));
+        CHECK(preference.participant_system_sd == doctest::Approx(0.5).epsilon(0.06));
+        CHECK(preference.tie_zone == doctest::Approx(0.3).epsilon(0.06));
+        CHECK(preference.clear_zone == doctest::Approx(1.2).epsilon(0.04));
+
+        // Where z never wins, its strength has no end.
+        ResponseTable won = table;
+        std::erase_if(won.rows, [](const ResponseRow& row) {
+            return row.value == 0.0 || (row.value < 0.0 ? row.system : row.other_system) == "z";
+        });
+        const auto none = estimateEffects(won, study);
+        REQUIRE_FALSE(none.has_value());
+        CHECK(none.error().text().find("that can be estimated") != std::string::npos);
     }
 
     TEST_CASE("Answers that lack a system, or are all alike, are refused by name.") {

@@ -184,6 +184,19 @@ TEST_SUITE("results/power") {
         CHECK(preferred.contrasts[0].found.at(20).a_higher > 90);  // x against y
         CHECK(preferred.contrasts[2].found.at(20).either() < 15);  // y against z
 
+        // Factors that are nested in the systems are compared over them, as in the report.
+        Study nested = oneStage(StageKind::rating, 3, {"x", "y", "z"});
+        for (SystemSource& system : nested.systems)
+            system.levels = {{"hold", system.name == "x" ? "long" : "short"}};
+        AssumedEffects higher;
+        higher.ratings["naturalness"].systems = {{"x", 4.0}, {"y", 2.5}, {"z", 2.5}};
+        const PowerResult by_level = powerOf(nested, higher, {20}, manyStudies(50));
+        REQUIRE(by_level.families.size() == 2);
+        CHECK(by_level.families[1].name == "naturalness: hold over systems");
+        const ContrastPower& hold = by_level.contrasts.back();
+        CHECK(hold.a == "long");
+        CHECK(hold.found.at(20).a_higher > 45);
+
         const Study groups = plan_fixture::rating();
         AssumedEffects one;
         for (const SystemSource& system : groups.systems)
