@@ -1,6 +1,8 @@
 // Which figures stand at the report's head, and the tables of what only they draw.
 #include "report_figures.hpp"
 
+#include "report_tables.hpp"
+
 #include <fmt/core.h>
 
 #include "results/descriptive.hpp"
@@ -36,14 +38,12 @@ std::string boxesTable(const AnalysisResult& result, Numbering& tables) {
                     fmt::format("<td>{}</td></tr>", box->n);
         }
     if (rows.empty()) return "";
-    return fmt::format(
-        "<div class=\"scroll\"><table><caption>{} What the box plots draw: quantiles of the participants' "
-        "means. n "
-        "counts participants.</caption><thead><tr><th>Measure</th><th "
-        "class=\"text\">System</th><th>5&#160;%</th>"
-        "<th>25&#160;%</th><th>Median</th><th>75&#160;%</th><th>95&#160;%</th><th>Notch</th><th>n</th></tr>"
-        "</thead><tbody>{}</tbody></table></div>",
-        tables.next(), rows);
+    return openTable("What the box plots draw: quantiles of the participants' means. n counts participants.",
+                     "<th>Measure</th><th "
+                     "class=\"text\">System</th><th>5&#160;%</th><th>25&#160;%</th><th>Median</th>"
+                     "<th>75&#160;%</th><th>95&#160;%</th><th>Notch</th><th>n</th>",
+                     tables) +
+           rows + close_table;
 }
 
 std::string stepsTable(const AnalysisResult& result, std::size_t measure, const StepCounts& counts,
@@ -60,10 +60,10 @@ std::string stepsTable(const AnalysisResult& result, std::size_t measure, const 
                             : fmt::format("<td>{}</td>", dash);
         rows += fmt::format("<td>{}</td></tr>", all);
     }
-    return fmt::format(
-        "<div class=\"scroll\"><table><caption>{} {}: how often each step of the scale was "
-        "chosen.</caption><thead><tr><th>System</th>{}<th>n</th></tr></thead><tbody>{}</tbody></table></div>",
-        tables.next(), escapeHtml(capitalised(result.measures[measure].name)), head, rows);
+    return openTable(fmt::format("{}: how often each step of the scale was chosen.",
+                                 escapeHtml(capitalised(result.measures[measure].name))),
+                     "<th>System</th>" + head + "<th>n</th>", tables) +
+           rows + close_table;
 }
 
 }  // namespace

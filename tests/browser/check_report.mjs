@@ -136,6 +136,23 @@ try {
     }
     await page.screenshot({path: at(`light-${width}.png`), fullPage: true});
 
+    // What scrolls is reached by keyboard, and has a name.
+    const scrolls = await page.evaluate(() => [...document.querySelectorAll(".scroll")].map(one =>
+        ({name: one.getAttribute("aria-label"), role: one.getAttribute("role"), tab: one.tabIndex})));
+    assert.ok(scrolls.length > 0 && scrolls.every(one => one.name && one.role === "region" && one.tab === 0),
+        "each table is in a region that takes the keyboard");
+    assert.equal(new Set(scrolls.map(one => one.name)).size, scrolls.length, "regions have names of their own");
+    if (width === 400) {
+      const scrolled = await page.evaluate(() => {
+        const wide = [...document.querySelectorAll(".scroll")].find(one => one.scrollWidth > one.clientWidth);
+        wide.scrollIntoView();
+        wide.focus();
+        return wide.getAttribute("aria-label");
+      });
+      await page.keyboard.press("ArrowRight");
+      await page.waitForFunction(name => document.querySelector(`.scroll[aria-label="${name}"]`).scrollLeft > 0, {}, scrolled);
+    }
+
     // Chromium's own account of the page for those who cannot see it.
     if (width === 1000) {
       const tree = await page.accessibility.snapshot({interestingOnly: false});
