@@ -68,6 +68,10 @@ void runTests(AnalysisResult& result) {
     result.pairwise = pairTests(cells, result.measures, table.systems, level, result.alpha);
     compareLevels(result);
     result.preferences = preferenceTests(rows, table.systems, level, result.alpha);
+    result.between.clear();
+    result.preferences_between.clear();
+    compareGroups(result);
+    comparePreferencesOfGroups(result);
 }
 
 AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options) {
@@ -95,8 +99,6 @@ AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& option
     }
     result.bradley_terry = bradleyTerry(table, {options.resamples, options.seed, options.level});
     compareOtherAnswers(result);
-    compareGroups(result);
-    comparePreferencesOfGroups(result);
     summariseScores(result);
     describeAnswers(result);
     describeChoices(result);

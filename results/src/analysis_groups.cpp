@@ -13,15 +13,6 @@ namespace deixis::results {
 
 namespace {
 
-/// Of a factor between participants; empty where it is not known.
-std::string levelOfParticipant(const ResponseTable& table, const std::string& participant,
-                               const std::string& factor) {
-    const auto groups = table.groups.find(participant);
-    if (groups == table.groups.end()) return "";
-    const auto level = groups->second.find(factor);
-    return level == groups->second.end() ? "" : level->second;
-}
-
 /// System ("all" among them) -> level -> participants' means.
 using GroupMeans = std::map<std::string, std::map<std::string, std::vector<Rational>>>;
 

@@ -26,6 +26,14 @@ std::vector<Rational> pairedDifferences(const Cells& cells, const std::string& a
 
 }  // namespace
 
+std::string levelOfParticipant(const ResponseTable& table, const std::string& participant,
+                               const std::string& factor) {
+    const auto groups = table.groups.find(participant);
+    if (groups == table.groups.end()) return "";
+    const auto level = groups->second.find(factor);
+    return level == groups->second.end() ? "" : level->second;
+}
+
 std::vector<double> allTrials(const Cells& cells, const std::string& condition) {
     std::vector<double> trials;
     if (const auto cell = cells.find(condition); cell != cells.end())

@@ -22,6 +22,10 @@ using RowPointers = std::vector<const ResponseRow*>;
 
 [[nodiscard]] CellsByMeasure cellsOf(const RowPointers& rows);
 
+/// Of a factor between participants; empty where it is not known.
+[[nodiscard]] std::string levelOfParticipant(const ResponseTable& table, const std::string& participant,
+                                             const std::string& factor);
+
 /// Every score under a condition.
 [[nodiscard]] std::vector<double> allTrials(const Cells& cells, const std::string& condition);
 

@@ -15,8 +15,12 @@ namespace {
 /// A large study's answers under the effects.
 ResponseTable drawn(const Study& study, const AssumedEffects& effects, int participants) {
     std::vector<StudyPlan> plans;
-    for (int number = 1; number <= participants; ++number)
-        plans.push_back(buildPlan(study, plan_fixture::targetsFor(study, 100), "S1", number, {}).value());
+    std::vector<Groups> taken;
+    for (int number = 1; number <= participants; ++number) {
+        taken.push_back(assignGroups(study, taken, number));
+        plans.push_back(
+            buildPlan(study, plan_fixture::targetsFor(study, 100), "S1", number, taken.back()).value());
+    }
     const AssumedAnswers answers(study, effects, plans);
     std::vector<double> values(answers.planned().size());
     answers.draw(7, values);
@@ -28,6 +32,7 @@ ResponseTable drawn(const Study& study, const AssumedEffects& effects, int parti
         const PlannedAnswer& planned = answers.planned()[i];
         ResponseRow row;
         row.participant = std::to_string(planned.participant);
+        table.groups[row.participant] = taken[planned.participant];
         row.measure = answers.measures()[planned.measure].name;
         row.system = planned.trial->stimuli[0].system;
         row.layout = planned.trial->layout;
@@ -44,9 +49,11 @@ ResponseTable drawn(const Study& study, const AssumedEffects& effects, int parti
 
 TEST_SUITE("results/effect_estimates") {
     TEST_CASE("From many answers the effects come back that they were drawn from.") {
-        const Study study = plan_fixture::pointing();
+        Study study = plan_fixture::pointing();
+        study.between = {{"training", {"none", "long"}}};
         AssumedEffects effects;
         effects.accuracy.emplace();
+        effects.accuracy->groups["training"] = {{"none", -0.4}, {"long", 0.4}};
         effects.accuracy->systems = {
             {"demonstration-nn", 0.85}, {"direct", 0.95}, {"stiff", 0.8}, {"drifting", 0.45}};
         effects.accuracy->spread = {0.7, 0.6, 0.5};
@@ -55,6 +62,7 @@ TEST_SUITE("results/effect_estimates") {
             {"demonstration-nn", 4.1}, {"direct", 3.6}, {"stiff", 2.9}, {"drifting", 2.4}};
         effects.ratings["naturalness"].spread = {0.6, 0.5, 0.3};
         effects.ratings["naturalness"].noise_sd = 0.8;
+        effects.ratings["naturalness"].groups["training"] = {{"none", 0.3}, {"long", -0.3}};
         const auto found = estimateEffects(drawn(study, effects, 500), study);
         REQUIRE(found.has_value());
         const AssumedAccuracy& accuracy = *found->effects.accuracy;
@@ -71,6 +79,8 @@ TEST_SUITE("results/effect_estimates") {
         CHECK(rating.spread.participant_system_sd == doctest::Approx(0.5).epsilon(0.1));
         CHECK(rating.spread.item_sd == doctest::Approx(0.3).epsilon(0.25));
         CHECK(rating.noise_sd == doctest::Approx(0.8).epsilon(0.05));
+        CHECK(accuracy.groups.at("training").at("long") == doctest::Approx(0.4).epsilon(0.25));
+        CHECK(rating.groups.at("training").at("long") == doctest::Approx(-0.3).epsilon(0.25));
     }
 
     TEST_CASE("From many preferences strengths, zones and spread come back, as ratios to the noise.") {

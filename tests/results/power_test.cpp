@@ -197,6 +197,21 @@ TEST_SUITE("results/power") {
         CHECK(hold.a == "long");
         CHECK(hold.found.at(20).a_higher > 45);
 
+        // Groups differ where they are assumed to, and by no more than the error where they are not.
+        Study grouped = oneStage(StageKind::rating, 4);
+        grouped.between = {{"training", {"none", "long"}}, {"hand", {"left", "right"}}};
+        AssumedEffects trained;
+        trained.ratings["naturalness"].systems = {{"x", 3.0}, {"y", 3.0}};
+        trained.ratings["naturalness"].spread = {0.5, 0.2, 0.2};
+        trained.ratings["naturalness"].groups["training"] = {{"none", -0.6}, {"long", 0.6}};
+        const PowerResult of_groups = powerOf(grouped, trained, {40}, manyStudies(200));
+        REQUIRE(of_groups.families.size() == 3);  // of systems, and of either factor: all, x, y
+        CHECK(of_groups.families[1].name == "naturalness: training");
+        CHECK(of_groups.families[1].tests == 3);
+        CHECK(of_groups.contrasts[1].system == "all");
+        CHECK(of_groups.contrasts[1].found.at(40).b_higher > 180);
+        CHECK(*of_groups.share(of_groups.families[2].any.at(40)).lower <= grouped.alpha);
+
         const Study groups = plan_fixture::rating();
         AssumedEffects one;
         for (const SystemSource& system : groups.systems)

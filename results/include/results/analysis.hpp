@@ -269,8 +269,8 @@ struct AnalysisResult {
 /// pair of systems in preference.
 [[nodiscard]] AnalysisResult analyse(const ResponseTable& table, const AnalysisOptions& options = {});
 /// The tests of analyse() alone, without bootstraps and descriptions, for who asks very often: fills in
-/// alpha, measures, omnibus, pairwise, levels, level_tests and preferences from the result's table and
-/// options.
+/// alpha, measures, omnibus, pairwise, levels, level_tests, preferences, between and preferences_between from
+/// the result's table and options.
 void runTests(AnalysisResult& result);
 /// One JSON object; its keys stand in docs/analysis.md. Numbers in full precision, fixed order: the same
 /// table gives the same bytes. What is not defined is null.
