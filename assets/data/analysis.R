@@ -385,7 +385,7 @@ contrasts_of <- function(measure, model, coefficients, covariance, systems, note
         weights <- setNames(numeric(length(coefficients)), names(coefficients))
         for (k in 1:2) if (at(pair[k]) %in% names(weights)) weights[at(pair[k])] <- c(1, -1)[k]
         estimate <- sum(weights * coefficients)
-        se <- sqrt(as.numeric(weights %*% covariance[names(weights), names(weights)] %*% weights))
+        se <- sqrt(as.numeric(weights %*% covariance[names(weights), names(weights), drop = FALSE] %*% weights))
         z <- estimate / se
         rows <- rbind(rows, data.frame(measure, model, a = pair[1], b = pair[2], estimate, se, z,
                                        p = 2 * pnorm(-abs(z))))
@@ -424,13 +424,15 @@ for (measure in unique(answers$measure[single])) {
     if (!binary && steps < 3 || !has(if (ordinal) "ordinal" else "lme4")) next
     name <- if (binary) "logistic GLMM" else if (ordinal) "cumulative link mixed model" else "linear mixed model"
     if (ordinal) data$value <- factor(data$value, ordered = TRUE)
-    fit <- fitted_by(measure, if (binary) lme4::glmer(terms, data, family = binomial)
-                              else if (ordinal) ordinal::clmm(terms, data = data)
-                              else lme4::lmer(terms, data))
+    fit <- fitted_by(measure, {
+        model <- if (binary) lme4::glmer(terms, data, family = binomial)
+                 else if (ordinal) ordinal::clmm(terms, data = data)
+                 else lme4::lmer(terms, data)
+        list(slopes = if (ordinal) model$beta else lme4::fixef(model), covariance = as.matrix(vcov(model)))
+    })
     if (is.null(fit)) next
-    slopes <- if (ordinal) fit$model$beta else lme4::fixef(fit$model)
-    covariance <- as.matrix(vcov(fit$model))[names(slopes), names(slopes)]
-    mixed_models <- rbind(mixed_models, contrasts_of(measure, name, slopes, covariance, systems, fit$note))
+    mixed_models <- rbind(mixed_models, contrasts_of(measure, name, fit$model$slopes, fit$model$covariance, systems,
+                                                     fit$note))
 }
 if (nrow(mixed_models) > 0) write.csv(mixed_models, "mixed_models.csv", row.names = FALSE)
 
