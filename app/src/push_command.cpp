@@ -25,6 +25,11 @@ Result<void> push(const PushRequest& request) {
     const auto pushed = results::pushDatabase(request.database, request.server);
     if (!pushed) return tl::unexpected(pushed.error());
     const results::PushOutcome& told = *pushed;
+    if (told.upgraded_from)
+        fmt::print(
+            "brought up to date: the server's tables of the study, which were of version {}; an older deixis "
+            "can no longer use them\n",
+            *told.upgraded_from);
     if (told.rows == 0 && told.changed == 0 && told.erased.empty())
         fmt::print("nothing new: the server holds all of {}\n", request.database);
     else

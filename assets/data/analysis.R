@@ -19,7 +19,9 @@ table_of <- function(name) {
     columns <- names(read.csv(file, nrows = 1, check.names = FALSE))
     classes <- ifelse(columns %in% labels, "character", NA)
     names(classes) <- columns
-    read.csv(file, check.names = FALSE, colClasses = classes, na.strings = "", encoding = "UTF-8")
+    found <- read.csv(file, check.names = FALSE, colClasses = classes, na.strings = "", encoding = "UTF-8")
+    attr(found, "table") <- name
+    found
 }
 
 settings <- table_of("settings")
@@ -38,8 +40,7 @@ same <- function(table, row, column, ours) {
     ours <- as.numeric(ours)
     if (length(ours) == 0) ours <- NA
     off <- if (is.na(ours) && is.na(theirs)) 0 else abs(ours - theirs) / max(1, abs(theirs))
-    name <- deparse(substitute(table))
-    compared <<- rbind(compared, data.frame(table = name, row = row, column = column, deixis = theirs, r = ours,
+    compared <<- rbind(compared, data.frame(table = attr(table, "table"), row = row, column = column, deixis = theirs, r = ours,
                                             off = ifelse(is.na(off), Inf, off)))
 }
 
@@ -153,6 +154,7 @@ rank_sum <- function(exactly_a, exactly_b) {
     b <- tidy(exactly_b)
     n_a <- length(a)
     n_b <- length(b)
+    if (n_a == 0 || n_b == 0) return(list(n_a = n_a, n_b = n_b, p = NA))
     ranks <- rank(c(a, b))
     w <- sum(ranks[seq_len(n_a)])
     u <- w - n_a * (n_a + 1) / 2
@@ -245,27 +247,31 @@ if (!is.null(level_tests)) {
     })
 }
 
+# Compares a table of rank-sum tests; group(row, level): the scores of that level's participants.
+compare_groups <- function(tests, group) {
+    found <- lapply(seq_len(nrow(tests)), function(i) {
+        row <- tests[i, ]
+        rank_sum(group(row, row$a), group(row, row$b))
+    })
+    for (i in seq_along(found))
+        for (column in names(found[[i]])) same(tests, i, column, found[[i]][[column]])
+    for (family in unique(tests$family)) {
+        rows <- which(tests$family == family)
+        p <- p.adjust(sapply(found[rows], function(test) test$p), "holm")
+        for (j in seq_along(rows)) same(tests, rows[j], "p_holm", p[j])
+    }
+}
+
 between <- table_of("between")
 if (!is.null(between)) {
     # Of each participant the mean, or the mean of the means under each system.
-    group <- function(row, level) {
+    compare_groups(between, function(row, level) {
         here <- single & is("measure", row$measure) & is(row$factor, level)
         if (row$system != "all") return(means_of(here & is("system", row$system)))
         by_system <- lapply(unique(answers$system[here]), function(s) means_of(here & is("system", s)))
         people <- unique(answers$participant[here])
         sapply(people, function(one) mean(unlist(lapply(by_system, function(column) column[one])), na.rm = TRUE))
-    }
-    found <- list()
-    for (i in seq_len(nrow(between))) {
-        row <- between[i, ]
-        found[[i]] <- rank_sum(group(row, row$a), group(row, row$b))
-        for (column in names(found[[i]])) same(between, i, column, found[[i]][[column]])
-    }
-    for (family in unique(between$family)) {
-        rows <- which(between$family == family)
-        p <- p.adjust(sapply(found[rows], function(test) test$p), "holm")
-        for (j in seq_along(rows)) same(between, rows[j], "p_holm", p[j])
-    }
+    })
 }
 
 pooled_ratings <- table_of("pooled_ratings")
@@ -279,28 +285,44 @@ for (i in seq_len(NROW(pooled_ratings))) {
     same(pooled_ratings, i, "median", median(values))
 }
 
+# Answers to a pair of systems, positive for a.
+towards <- function(a, b) {
+    forth <- is("system", a) & is("other_system", b)
+    back <- is("system", b) & is("other_system", a)
+    # A preference below 0 is for the first of the two.
+    chosen <- answers[forth | back, ]
+    chosen$value <- ifelse(back, answers$value, -answers$value)[forth | back]
+    chosen
+}
+net_preferences <- function(chosen) vapply(split(chosen$value, chosen$participant), mean, numeric(1))
+
 preferences <- table_of("preferences")
 if (!is.null(preferences)) {
-    towards <- function(i) {
-        a <- preferences$a[i]
-        b <- preferences$b[i]
-        forth <- is("system", a) & is("other_system", b)
-        back <- is("system", b) & is("other_system", a)
-        # A preference below 0 is for the first of the two.
-        data.frame(participant = answers$participant[forth | back],
-                   value = ifelse(back, answers$value, -answers$value)[forth | back])
-    }
-    compare_tests(preferences, function(i) {
-        chosen <- towards(i)
-        vapply(split(chosen$value, chosen$participant), mean, numeric(1))
-    })
+    compare_tests(preferences, function(i) net_preferences(towards(preferences$a[i], preferences$b[i])))
     for (i in seq_len(nrow(preferences))) {
-        chosen <- towards(i)
-        same(preferences, i, "mean", mean(vapply(split(chosen$value, chosen$participant), mean, numeric(1))))
+        chosen <- towards(preferences$a[i], preferences$b[i])
+        same(preferences, i, "mean", mean(net_preferences(chosen)))
         same(preferences, i, "prefers_a", sum(chosen$value > 0))
         same(preferences, i, "equal", sum(chosen$value == 0))
         same(preferences, i, "prefers_b", sum(chosen$value < 0))
     }
+}
+
+preferences_between <- table_of("preferences_between")
+if (!is.null(preferences_between)) {
+    of_level <- function(row, level) {
+        chosen <- towards(row$system, row$other_system)
+        chosen[!is.na(chosen[[row$factor]]) & chosen[[row$factor]] == level, ]
+    }
+    compare_groups(preferences_between, function(row, level) net_preferences(of_level(row, level)))
+    for (i in seq_len(nrow(preferences_between)))
+        for (side in c("a", "b")) {
+            chosen <- of_level(preferences_between[i, ], preferences_between[[side]][i])
+            same(preferences_between, i, paste0("answers_", side), nrow(chosen))
+            same(preferences_between, i, paste0("wins_", side), mean(chosen$value > 0))
+            same(preferences_between, i, paste0("ties_", side), mean(chosen$value == 0))
+            same(preferences_between, i, paste0("losses_", side), mean(chosen$value < 0))
+        }
 }
 
 chance <- table_of("chance")
@@ -360,7 +382,7 @@ has <- function(package) {
 }
 
 # Contrasts of all pairs of systems from a model's coefficients, Wald tests, Holm within the measure.
-contrasts_of <- function(measure, model, coefficients, covariance, systems, note = "") {
+contrasts_of <- function(measure, model, coefficients, covariance, systems, note) {
     at <- function(system) paste0("system", system)
     rows <- data.frame()
     for (pair in combn(systems, 2, simplify = FALSE)) {
@@ -377,9 +399,19 @@ contrasts_of <- function(measure, model, coefficients, covariance, systems, note
     rows
 }
 
-# NULL where a model cannot be fitted, or has no covariance; it says why.
-tried <- function(measure, model) {
-    tryCatch(model, error = function(e) { cat(measure, ":", conditionMessage(e), "\n"); NULL })
+# A model, and what R says while it is fitted: printed, and kept beside the contrasts.
+fitted_by <- function(measure, fit) {
+    said <- character()
+    hear <- function(condition, restart) {
+        said <<- c(said, trimws(conditionMessage(condition)))
+        invokeRestart(restart)
+    }
+    model <- tryCatch(withCallingHandlers(fit, message = function(m) hear(m, "muffleMessage"),
+                                          warning = function(w) hear(w, "muffleWarning")),
+                      error = function(e) { said <<- c(said, conditionMessage(e)); NULL })
+    note <- paste(unique(said), collapse = "; ")
+    if (note != "") cat(measure, ":", note, "\n")
+    if (is.null(model)) NULL else list(model = model, note = note)
 }
 
 mixed_models <- data.frame()
@@ -389,22 +421,22 @@ for (measure in unique(answers$measure[single])) {
     if (length(systems) < 2 || length(unique(data$value)) < 2 || length(unique(data$participant)) < 2) next
     data$system <- factor(data$system, levels = systems)
     by_item <- sum(!is.na(data$item)) == nrow(data) && length(unique(data$item)) > 1
-    terms <- paste(c("system", "(1 | participant)", if (by_item) "(1 | item)"), collapse = " + ")
+    terms <- as.formula(paste(c("value ~ system", "(1 | participant)", if (by_item) "(1 | item)"), collapse = " + "))
     binary <- all(!is.na(data$correct))
     steps <- length(unique(data$value))
-    if (binary && has("lme4")) {
-        mixed_models <- rbind(mixed_models, tried(measure, {
-            fit <- lme4::glmer(as.formula(paste("value ~", terms)), data, family = binomial)
-            contrasts_of(measure, "logistic GLMM", lme4::fixef(fit), as.matrix(vcov(fit)), systems,
-                         if (lme4::isSingular(fit)) "a random intercept has no variance" else "")
-        }))
-    } else if (!binary && steps >= 3 && steps <= 12 && has("ordinal")) {
-        data$value <- factor(data$value, ordered = TRUE)
-        mixed_models <- rbind(mixed_models, tried(measure, {
-            fit <- ordinal::clmm(as.formula(paste("value ~", terms)), data = data)
-            contrasts_of(measure, "cumulative link mixed model", fit$beta, vcov(fit), systems)
-        }))
-    }
+    ordinal <- !binary && steps >= 3 && steps <= 12
+    if (!binary && steps < 3 || !has(if (ordinal) "ordinal" else "lme4")) next
+    name <- if (binary) "logistic GLMM" else if (ordinal) "cumulative link mixed model" else "linear mixed model"
+    if (ordinal) data$value <- factor(data$value, ordered = TRUE)
+    fit <- fitted_by(measure, {
+        model <- if (binary) lme4::glmer(terms, data, family = binomial)
+                 else if (ordinal) ordinal::clmm(terms, data = data)
+                 else lme4::lmer(terms, data)
+        list(slopes = if (ordinal) model$beta else lme4::fixef(model), covariance = as.matrix(vcov(model)))
+    })
+    if (is.null(fit)) next
+    mixed_models <- rbind(mixed_models, contrasts_of(measure, name, fit$model$slopes, fit$model$covariance, systems,
+                                                     fit$note))
 }
 if (nrow(mixed_models) > 0) write.csv(mixed_models, "mixed_models.csv", row.names = FALSE)
 

@@ -45,12 +45,6 @@
     });
   }
 
-  // Tables that are wider than the page can be scrolled with keys.
-  const reach = new ResizeObserver(boxes => {
-    for (const {target} of boxes) target.tabIndex = target.scrollWidth > target.clientWidth ? 0 : -1;
-  });
-  document.querySelectorAll(".scroll").forEach(table => reach.observe(table));
-
   for (const figure of document.querySelectorAll("figure")) {
     const specification = figure.querySelector("script[type='application/json']");
     if (!specification) continue;

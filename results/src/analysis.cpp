@@ -76,6 +76,10 @@ void testAnswers(const RowPointers& rows, const CellsByMeasure& cells, AnalysisR
     result.pairwise = pairTests(means, result.measures, table.systems, level, result.alpha);
     compareLevels(result);
     result.preferences = preferenceTests(rows, table.systems, level, result.alpha);
+    result.between.clear();
+    result.preferences_between.clear();
+    compareGroups(result);
+    comparePreferencesOfGroups(result);
 }
 
 void setUp(AnalysisResult& result) {
@@ -128,7 +132,6 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     if (!result.preferences.empty())
         result.bradley_terry = bradleyTerry(result.table, {options.resamples, options.seed, options.level});
     compareOtherAnswers(result);
-    compareGroups(result);
     summariseScores(result);
     describeChoices(result);
 

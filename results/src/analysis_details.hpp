@@ -11,8 +11,9 @@ void compareLevels(AnalysisResult& result);
 /// Sensitivity: the pairs of systems with other participants and trials. Needs pairwise and preferences.
 void compareOtherAnswers(AnalysisResult& result);
 
-/// Factors between participants.
+/// Factors between participants, in the measures and in the preferences of each pair of systems.
 void compareGroups(AnalysisResult& result);
+void comparePreferencesOfGroups(AnalysisResult& result);
 
 /// Questionnaires' scores.
 void summariseScores(AnalysisResult& result);

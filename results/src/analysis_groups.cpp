@@ -22,9 +22,8 @@ GroupMeans groupMeans(const ResponseTable& table, const std::string& measure, co
         if (row.measure == measure) scores[row.participant][row.system].push_back(row.value);
     GroupMeans out;
     for (const auto& [participant, systems] : scores) {
-        const auto groups = table.groups.find(participant);
-        if (groups == table.groups.end() || !groups->second.contains(factor)) continue;
-        const std::string& level = groups->second.at(factor);
+        const std::string level = levelOfParticipant(table, participant, factor);
+        if (level.empty()) continue;
         std::vector<Rational> means;
         for (const auto& [system, of_system] : systems) {
             means.push_back(exactMeanOf(of_system));
@@ -35,8 +34,38 @@ GroupMeans groupMeans(const ResponseTable& table, const std::string& measure, co
     return out;
 }
 
-void adjustGroups(std::vector<BetweenResult>& tests, std::size_t first, const std::string& name,
-                  double alpha) {
+/// A pair of systems' answers by level, and each participant's net preference.
+struct GroupPreferences {
+    std::map<std::string, std::vector<Rational>> net;
+    std::map<std::string, PreferenceCounts> answers;
+};
+
+GroupPreferences groupPreferences(const ResponseTable& table, const std::string& factor,
+                                  const std::map<std::string, Scores>& participants) {
+    GroupPreferences out;
+    for (const auto& [participant, scores] : participants) {
+        const std::string level = levelOfParticipant(table, participant, factor);
+        if (level.empty()) continue;
+        out.net[level].push_back(exactMeanOf(scores));
+        PreferenceCounts& counts = out.answers[level];
+        for (const double score : scores)
+            ++(score > 0.0 ? counts.wins : score < 0.0 ? counts.losses : counts.ties);
+    }
+    return out;
+}
+
+void compareLevelsOf(GroupTest& out, const Factor& factor, std::size_t a, std::size_t b,
+                     std::map<std::string, std::vector<Rational>>& by_level, double level) {
+    out.factor = factor.name;
+    out.a = factor.levels[a];
+    out.b = factor.levels[b];
+    out.mean_a = meanOf(by_level[out.a]);
+    out.mean_b = meanOf(by_level[out.b]);
+    out.test = rankSumTest(by_level[out.a], by_level[out.b], level);
+}
+
+template <typename Test>
+void adjustGroups(std::vector<Test>& tests, std::size_t first, const std::string& name, double alpha) {
     std::vector<double> p;
     int size = 0;
     for (std::size_t i = first; i < tests.size(); ++i) {
@@ -45,7 +74,7 @@ void adjustGroups(std::vector<BetweenResult>& tests, std::size_t first, const st
     }
     const auto adjusted = holm(p);
     for (std::size_t i = first; i < tests.size(); ++i) {
-        BetweenResult& one = tests[i];
+        GroupTest& one = tests[i];
         one.family = name;
         one.family_size = size;
         if (!one.test.p_two_sided) continue;
@@ -59,12 +88,7 @@ void addScores(const std::string& factor, const std::string& level, AnalysisResu
     std::vector<std::pair<std::string, std::string>> order;
     std::map<std::pair<std::string, std::string>, Scores> values;
     for (const ScoreRow& row : result.table.scores) {
-        if (!factor.empty()) {
-            const auto groups = result.table.groups.find(row.participant);
-            if (groups == result.table.groups.end()) continue;
-            const auto of_factor = groups->second.find(factor);
-            if (of_factor == groups->second.end() || of_factor->second != level) continue;
-        }
+        if (!factor.empty() && levelOfParticipant(result.table, row.participant, factor) != level) continue;
         auto& of_score = values[{row.stage, row.score}];
         if (of_score.empty()) order.emplace_back(row.stage, row.score);
         of_score.push_back(row.value);
@@ -92,19 +116,36 @@ void compareGroups(AnalysisResult& result) {
                     for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
                         BetweenResult& out = result.between.emplace_back();
                         out.measure = measure.name;
-                        out.factor = factor.name;
                         out.system = system;
-                        out.a = factor.levels[i];
-                        out.b = factor.levels[j];
-                        const auto& a = means[system][out.a];
-                        const auto& b = means[system][out.b];
-                        out.mean_a = meanOf(a);
-                        out.mean_b = meanOf(b);
-                        out.test = rankSumTest(a, b, result.options.level);
+                        compareLevelsOf(out, factor, i, j, means[system], result.options.level);
                     }
             adjustGroups(result.between, family, fmt::format("{}: {}", measure.name, factor.name),
                          result.alpha);
         }
+}
+
+void comparePreferencesOfGroups(AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    RowPointers rows;
+    for (const ResponseRow& row : table.rows) rows.push_back(&row);
+    const PreferencesByPair pairs = preferencesByPair(rows, table.systems);
+    for (const Factor& factor : table.between) {
+        const std::size_t family = result.preferences_between.size();
+        for (const auto& [pair, participants] : pairs) {
+            GroupPreferences groups = groupPreferences(table, factor.name, participants);
+            for (std::size_t i = 0; i < factor.levels.size(); ++i)
+                for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
+                    PreferenceBetweenResult& out = result.preferences_between.emplace_back();
+                    out.system = table.systems[pair.first];
+                    out.other_system = table.systems[pair.second];
+                    compareLevelsOf(out, factor, i, j, groups.net, result.options.level);
+                    out.answers_a = groups.answers[out.a];
+                    out.answers_b = groups.answers[out.b];
+                }
+        }
+        adjustGroups(result.preferences_between, family, fmt::format("preference: {}", factor.name),
+                     result.alpha);
+    }
 }
 
 void summariseScores(AnalysisResult& result) {

@@ -1,6 +1,8 @@
 #include <nlohmann/json.hpp>
 
+#include "analysis_json_groups.hpp"
 #include "bradley_terry_outputs.hpp"
+#include "json_values.hpp"
 #include "results/analysis.hpp"
 #include "results/descriptive.hpp"
 
@@ -9,14 +11,6 @@ namespace deixis::results {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json orNull(bool known, double value) {
-    return known ? Json(value) : Json();
-}
-
-Json orNull(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
 
 Json intervalJson(const std::optional<BootstrapInterval>& interval) {
     return interval ? Json{{"lower", interval->lower}, {"upper", interval->upper}} : Json();
@@ -35,13 +29,13 @@ Json boxJson(const std::optional<BoxSummary>& box) {
 
 Json summaryJson(const Summary& summary) {
     const std::size_t participants = summary.by_participant.size();
-    return {{"mean", orNull(summary.n > 0, summary.mean)},
-            {"median", orNull(summary.n > 0, summary.median)},
+    return {{"mean", numberOrNull(summary.n > 0, summary.mean)},
+            {"median", numberOrNull(summary.n > 0, summary.median)},
             {"interval", intervalJson(summary.interval)},
             {"box", boxJson(boxSummary(summary.by_participant))},
             {"participants", participants},
-            {"sd_participants", orNull(participants > 1, summary.sd_participants)},
-            {"sd_trials", orNull(summary.n > 1, summary.sd_trials)},
+            {"sd_participants", numberOrNull(participants > 1, summary.sd_participants)},
+            {"sd_trials", numberOrNull(summary.n > 1, summary.sd_trials)},
             {"n", summary.n}};
 }
 
@@ -56,30 +50,31 @@ void addTest(Json& out, const AdjustedTest& adjusted, const AnalysisResult& resu
     out["ties"] = test.ties;
     out["w_plus"] = test.w_plus;
     out["w_minus"] = test.w_minus;
-    out["z"] = orNull(test.z);
-    out["p"] = orNull(tested, test.p_two_sided);
-    out["p_holm"] = orNull(adjusted.p_holm);
+    out["z"] = numberOrNull(test.z);
+    out["p"] = numberOrNull(tested, test.p_two_sided);
+    out["p_holm"] = numberOrNull(adjusted.p_holm);
     out["significant"] = adjusted.significant;
     out["method"] = test.method;
     out["family"] = adjusted.family;
     out["family_size"] = adjusted.family_size;
     out["alpha"] = result.alpha;
-    out["p_normal"] = orNull(tested, test.normal_p_two_sided);
-    out["p_pratt"] = orNull(tested, test.pratt_p_two_sided);
-    out["p_holm_pratt"] = orNull(adjusted.p_holm_pratt);
+    out["p_normal"] = numberOrNull(tested, test.normal_p_two_sided);
+    out["p_pratt"] = numberOrNull(tested, test.pratt_p_two_sided);
+    out["p_holm_pratt"] = numberOrNull(adjusted.p_holm_pratt);
     out["depends_on_zeros"] = adjusted.depends_on_zeros;
-    out["p_holm_normal"] = orNull(adjusted.p_holm_normal);
+    out["p_holm_normal"] = numberOrNull(adjusted.p_holm_normal);
     out["depends_on_approximation"] = adjusted.depends_on_approximation;
-    out["smallest_p"] = orNull(tested, test.smallest_p);
+    out["smallest_p"] = numberOrNull(tested, test.smallest_p);
     out["out_of_reach"] = adjusted.out_of_reach;
-    out["rank_biserial"] = orNull(test.rank_biserial);
-    out["paired_superiority"] = orNull(test.paired_superiority);
+    out["rank_biserial"] = numberOrNull(test.rank_biserial);
+    out["paired_superiority"] = numberOrNull(test.paired_superiority);
     const HodgesLehmann& shift = test.hodges_lehmann;
-    out["hodges_lehmann"] = {{"estimate", orNull(shift.estimate)},
-                             {"lower", orNull(shift.lower)},
-                             {"upper", orNull(shift.upper)},
-                             {"level", orNull(shift.level)}};
-    out["shapiro_wilk"] = {{"w", orNull(adjusted.normality.w)}, {"p", orNull(adjusted.normality.p)}};
+    out["hodges_lehmann"] = {{"estimate", numberOrNull(shift.estimate)},
+                             {"lower", numberOrNull(shift.lower)},
+                             {"upper", numberOrNull(shift.upper)},
+                             {"level", numberOrNull(shift.level)}};
+    out["shapiro_wilk"] = {{"w", numberOrNull(adjusted.normality.w)},
+                           {"p", numberOrNull(adjusted.normality.p)}};
 }
 
 Json comparisonJson(const Comparison& comparison, const AnalysisResult& result) {
@@ -89,7 +84,7 @@ Json comparisonJson(const Comparison& comparison, const AnalysisResult& result) 
     if (!comparison.system.empty()) out["system"] = comparison.system;
     out["a"] = comparison.a;
     out["b"] = comparison.b;
-    out["mean_difference"] = orNull(comparison.test.n_pairs > 0, comparison.mean_difference);
+    out["mean_difference"] = numberOrNull(comparison.test.n_pairs > 0, comparison.mean_difference);
     addTest(out, comparison, result);
     return out;
 }
@@ -103,8 +98,8 @@ Json levelsJson(const AnalysisResult& result, const std::string& factor, const s
         Json one{{"measure", row.measure}, {"system", row.system}};
         if (with_factor) one["factor"] = row.factor;
         one[key] = row.level;
-        one["mean"] = orNull(row.n > 0, row.mean);
-        one["sd_trials"] = orNull(row.n > 1, row.sd_trials);
+        one["mean"] = numberOrNull(row.n > 0, row.mean);
+        one["sd_trials"] = numberOrNull(row.n > 1, row.sd_trials);
         one["n"] = row.n;
         out.push_back(std::move(one));
     }
@@ -147,19 +142,20 @@ Json omnibusJson(const AnalysisResult& result) {
              {"n_missing", result.participants - one.test.n},
              {"ties", one.test.ties},
              {"mean_ranks", ranks},
-             {"chi2", orNull(one.test.chi2)},
+             {"chi2", numberOrNull(one.test.chi2)},
              {"df", one.test.df},
-             {"p", orNull(one.test.p)},
-             {"kendalls_w", orNull(one.test.kendalls_w)},
-             {"iman_davenport", {{"f", orNull(f.f)}, {"df1", f.df1}, {"df2", f.df2}, {"p", orNull(f.p)}}}});
+             {"p", numberOrNull(one.test.p)},
+             {"kendalls_w", numberOrNull(one.test.kendalls_w)},
+             {"iman_davenport",
+              {{"f", numberOrNull(f.f)}, {"df1", f.df1}, {"df2", f.df2}, {"p", numberOrNull(f.p)}}}});
     }
     return out;
 }
 
 Json decisionJson(const AdjustedTest& one, double p, const std::optional<double>& p_holm, double alpha) {
     return {{"n", one.test.n_pairs},
-            {"p", orNull(one.test.n_pairs > 0, p)},
-            {"p_holm", orNull(p_holm)},
+            {"p", numberOrNull(one.test.n_pairs > 0, p)},
+            {"p_holm", numberOrNull(p_holm)},
             {"significant", p_holm && *p_holm <= alpha}};
 }
 
@@ -196,42 +192,6 @@ Json sensitivityJson(const AnalysisResult& result) {
             {"pairs", pairs}};
 }
 
-Json betweenJson(const AnalysisResult& result) {
-    Json out = Json::array();
-    for (const BetweenResult& one : result.between) {
-        const RankSumTest& test = one.test;
-        const HodgesLehmann& shift = test.hodges_lehmann;
-        out.push_back({{"measure", one.measure},
-                       {"factor", one.factor},
-                       {"system", one.system},
-                       {"a", one.a},
-                       {"b", one.b},
-                       {"n_a", test.n_a},
-                       {"n_b", test.n_b},
-                       {"mean_a", orNull(test.n_a > 0, one.mean_a)},
-                       {"mean_b", orNull(test.n_b > 0, one.mean_b)},
-                       {"u", orNull(test.p_two_sided.has_value(), test.u)},
-                       {"ties", test.ties},
-                       {"z", orNull(test.z)},
-                       {"p", orNull(test.p_two_sided)},
-                       {"p_holm", orNull(one.p_holm)},
-                       {"significant", one.significant},
-                       {"method", test.method},
-                       {"family", one.family},
-                       {"family_size", one.family_size},
-                       {"alpha", result.alpha},
-                       {"p_normal", orNull(test.normal_p_two_sided)},
-                       {"a12", orNull(test.a12)},
-                       {"cliffs_delta", orNull(test.cliffs_delta)},
-                       {"hodges_lehmann",
-                        {{"estimate", orNull(shift.estimate)},
-                         {"lower", orNull(shift.lower)},
-                         {"upper", orNull(shift.upper)},
-                         {"level", orNull(shift.level)}}}});
-    }
-    return out;
-}
-
 Json scoresJson(const AnalysisResult& result, bool by_group) {
     Json out = Json::array();
     for (const ScoreResult& score : result.scores) {
@@ -242,7 +202,7 @@ Json scoresJson(const AnalysisResult& result, bool by_group) {
             one["level"] = score.level;
         }
         one["mean"] = score.mean;
-        one["sd"] = orNull(score.n > 1, score.sd);
+        one["sd"] = numberOrNull(score.n > 1, score.sd);
         one["n"] = score.n;
         one["q25"] = score.q25;
         one["median"] = score.median;
@@ -275,7 +235,7 @@ void addPooled(Json& out, const AnalysisResult& result) {
                                          {"system", one.system},
                                          {"n", one.n},
                                          {"mean", one.mean},
-                                         {"sd", orNull(one.n > 1, one.sd)},
+                                         {"sd", numberOrNull(one.n > 1, one.sd)},
                                          {"q05", one.q05},
                                          {"q25", one.q25},
                                          {"median", one.median},
@@ -290,10 +250,10 @@ void addDetails(Json& out, const AnalysisResult& result) {
         out["chance"].push_back({{"system", one.system},
                                  {"successes", one.proportion.successes},
                                  {"n", one.proportion.n},
-                                 {"estimate", orNull(one.proportion.estimate)},
-                                 {"lower", orNull(one.proportion.lower)},
-                                 {"upper", orNull(one.proportion.upper)},
-                                 {"p_chance", orNull(one.proportion.p_chance)},
+                                 {"estimate", numberOrNull(one.proportion.estimate)},
+                                 {"lower", numberOrNull(one.proportion.lower)},
+                                 {"upper", numberOrNull(one.proportion.upper)},
+                                 {"p_chance", numberOrNull(one.proportion.p_chance)},
                                  {"ignores", "clustering by participant and item"}});
     out["order"] = Json::array();
     for (const OrderResult& one : result.order) {
@@ -340,7 +300,7 @@ const char* kindName(MeasureKind kind) {
 std::string analysisJson(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     Json out;
-    out["schema"] = {{"name", "deixis-analysis"}, {"version", 2}};
+    out["schema"] = {{"name", "deixis-analysis"}, {"version", 3}};
     out["program"] = {{"name", "deixis"}, {"recorded_by", table.program_versions}};
     out["study"] = {{"name", table.study_name},
                     {"title", table.study_title},
@@ -387,6 +347,7 @@ std::string analysisJson(const AnalysisResult& result) {
     out["bradley_terry"] = bradleyTerryJson(result);
     out["sensitivity"] = sensitivityJson(result);
     out["between"] = betweenJson(result);
+    out["preferences_between"] = preferencesBetweenJson(result);
     addDetails(out, result);
     addChoices(out, result);
     addPooled(out, result);

@@ -27,6 +27,14 @@ std::vector<Rational> pairedDifferences(const Means& means, const std::string& a
 
 }  // namespace
 
+std::string levelOfParticipant(const ResponseTable& table, const std::string& participant,
+                               const std::string& factor) {
+    const auto groups = table.groups.find(participant);
+    if (groups == table.groups.end()) return "";
+    const auto level = groups->second.find(factor);
+    return level == groups->second.end() ? "" : level->second;
+}
+
 std::vector<double> allTrials(const Cells& cells, const std::string& condition) {
     std::vector<double> trials;
     if (const auto cell = cells.find(condition); cell != cells.end())
@@ -152,13 +160,11 @@ std::vector<Comparison> pairTests(const MeansByMeasure& means, const std::vector
     return out;
 }
 
-std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
-                                              const std::vector<std::string>& systems, double level,
-                                              double alpha) {
+PreferencesByPair preferencesByPair(const RowPointers& rows, const std::vector<std::string>& systems) {
     const auto order = [&](const std::string& system) {
-        return std::find(systems.begin(), systems.end(), system) - systems.begin();
+        return static_cast<std::size_t>(std::find(systems.begin(), systems.end(), system) - systems.begin());
     };
-    std::map<std::pair<std::ptrdiff_t, std::ptrdiff_t>, std::map<std::string, Scores>> pairs;
+    PreferencesByPair pairs;
     const Name preference("preference");
     for (const ResponseRow* row : rows) {
         if (row->measure != preference) continue;
@@ -168,11 +174,17 @@ std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
         const double for_first = left < right ? -row->value : row->value;
         pairs[{std::min(left, right), std::max(left, right)}][row->participant].push_back(for_first);
     }
+    return pairs;
+}
+
+std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
+                                              const std::vector<std::string>& systems, double level,
+                                              double alpha) {
     std::vector<PreferenceResult> out;
-    for (const auto& [pair, participants] : pairs) {
+    for (const auto& [pair, participants] : preferencesByPair(rows, systems)) {
         PreferenceResult& one = out.emplace_back();
-        one.a = systems[static_cast<std::size_t>(pair.first)];
-        one.b = systems[static_cast<std::size_t>(pair.second)];
+        one.a = systems[pair.first];
+        one.b = systems[pair.second];
         std::vector<Rational> means;
         for (const auto& [participant, scores] : participants) {
             means.push_back(exactMeanOf(scores));

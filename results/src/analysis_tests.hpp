@@ -55,6 +55,9 @@ class RecentCells {
 
 [[nodiscard]] Means exactMeans(const Cells& cells);
 [[nodiscard]] MeansByMeasure exactMeans(const CellsByMeasure& cells);
+/// Of a factor between participants; empty where it is not known.
+[[nodiscard]] std::string levelOfParticipant(const ResponseTable& table, const std::string& participant,
+                                             const std::string& factor);
 
 /// Every score under a condition.
 [[nodiscard]] std::vector<double> allTrials(const Cells& cells, const std::string& condition);
@@ -97,7 +100,14 @@ void adjustFrom(std::vector<Test>& tests, std::size_t first, const std::string& 
                                                 const std::vector<std::string>& systems, double level,
                                                 double alpha);
 
-/// All pairs of systems that stood side by side, whichever stood left: one family.
+/// Participants' answers to the pairs of systems that stood side by side, whichever stood left; positive for
+/// the first of the pair. A pair: places in the study's order, the lower one first.
+using PreferencesByPair = std::map<std::pair<std::size_t, std::size_t>, std::map<std::string, Scores>>;
+
+[[nodiscard]] PreferencesByPair preferencesByPair(const RowPointers& rows,
+                                                  const std::vector<std::string>& systems);
+
+/// All of these pairs: one family.
 [[nodiscard]] std::vector<PreferenceResult> preferenceTests(const RowPointers& rows,
                                                             const std::vector<std::string>& systems,
                                                             double level, double alpha);

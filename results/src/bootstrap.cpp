@@ -67,45 +67,47 @@ double typeSeven(const std::vector<double>& sorted, double q) {
     return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// From the means that leave out one value each.
-double acceleration(const std::vector<double>& values) {
+/// How much smaller the mean is without each value than the mean of all such means, but for a factor.
+std::vector<double> influencesOnMean(const std::vector<double>& values) {
     const double centre = mean(values);
+    std::vector<double> out;
+    out.reserve(values.size());
+    for (const double value : values) out.push_back(value - centre);
+    return out;
+}
+
+}  // namespace
+
+double bootstrapAcceleration(std::span<const double> influences) {
     double largest = 0.0;
-    for (const double value : values) largest = std::max(largest, std::abs(value - centre));
+    for (const double influence : influences) largest = std::max(largest, std::abs(influence));
     if (largest == 0.0 || std::isinf(largest)) return 0.0;
     double squares = 0.0;
     double cubes = 0.0;
-    for (const double value : values) {
-        // Without the value the mean is smaller than the mean of all such means by a share of this; of their
-        // scale the result is free, and cubes of shares neither overflow nor vanish.
-        const double influence = (value - centre) / largest;
+    for (const double one : influences) {
+        // Of their scale the result is free, and cubes of shares neither overflow nor vanish.
+        const double influence = one / largest;
         squares += influence * influence;
         cubes += influence * influence * influence;
     }
     return cubes / (6.0 * std::pow(squares, 1.5));
 }
 
-std::optional<BootstrapInterval> correctedInterval(const std::vector<double>& sorted,
-                                                   const std::vector<double>& values, double estimate,
-                                                   double level) {
-    // Means that are equal on paper differ in their last bits.
-    const double allowance = 1e-12 * std::max(std::abs(sorted.front()), std::abs(sorted.back()));
+std::optional<BootstrapInterval> correctedInterval(const std::vector<double>& sorted, double estimate,
+                                                   double acceleration, double allowance, double level) {
     const auto below = std::lower_bound(sorted.begin(), sorted.end(), estimate - allowance) - sorted.begin();
     const auto up_to = std::upper_bound(sorted.begin(), sorted.end(), estimate + allowance) - sorted.begin();
     const double share = static_cast<double>(below + up_to) / (2.0 * static_cast<double>(sorted.size()));
     if (share <= 0.0 || share >= 1.0) return std::nullopt;
     const boost::math::normal normal;
     const double bias = boost::math::quantile(normal, share);
-    const double a = acceleration(values);
     const auto moved = [&](double q) {
         const double z = bias + boost::math::quantile(normal, q);
-        return boost::math::cdf(normal, bias + z / (1.0 - a * z));
+        return boost::math::cdf(normal, bias + z / (1.0 - acceleration * z));
     };
     const double tail = 0.5 * (1.0 - level);
     return BootstrapInterval{typeSeven(sorted, moved(tail)), typeSeven(sorted, moved(1.0 - tail))};
 }
-
-}  // namespace
 
 std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> rows,
                                           const BootstrapOptions& options) {
@@ -126,7 +128,10 @@ std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> r
         out[c].estimate = mean(values);
         out[c].se = sampleSd(sorted);
         out[c].percentile = BootstrapInterval{typeSeven(sorted, tail), typeSeven(sorted, 1.0 - tail)};
-        out[c].bca = correctedInterval(sorted, values, *out[c].estimate, options.level);
+        // Means that are equal on paper differ in their last bits.
+        const double allowance = 1e-12 * std::max(std::abs(sorted.front()), std::abs(sorted.back()));
+        const double accelerated = values.size() > 1 ? bootstrapAcceleration(influencesOnMean(values)) : 0.0;
+        out[c].bca = correctedInterval(sorted, *out[c].estimate, accelerated, allowance, options.level);
     }
     return out;
 }

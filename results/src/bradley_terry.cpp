@@ -82,6 +82,55 @@ void addWins(WinMatrix& sum, const WinMatrix& wins) {
         for (std::size_t j = 0; j < sum.size(); ++j) sum[i][j] += wins[i][j];
 }
 
+void addNote(BradleyTerry& out, const std::string& more) {
+    out.note += (out.note.empty() ? "" : "; ") + more;
+}
+
+/// By system the influence of each participant on its ability; none where the others' answers alone have no
+/// finite abilities.
+std::optional<std::vector<std::vector<double>>> abilityInfluences(
+    const std::vector<WinMatrix>& by_participant, const std::vector<double>& estimates) {
+    std::vector<std::vector<double>> without(estimates.size());
+    for (std::size_t left_out = 0; left_out < by_participant.size(); ++left_out) {
+        WinMatrix sum = emptyWins(estimates.size());
+        for (std::size_t i = 0; i < by_participant.size(); ++i)
+            if (i != left_out) addWins(sum, by_participant[i]);
+        const auto abilities = bradleyTerryAbilities(sum, estimates);
+        if (!abilities) return std::nullopt;
+        for (std::size_t i = 0; i < estimates.size(); ++i) without[i].push_back((*abilities)[i]);
+    }
+    for (std::vector<double>& of_system : without) {
+        const double centre = mean(of_system);
+        for (double& one : of_system) one = centre - one;
+    }
+    return without;
+}
+
+void addCorrectedIntervals(const std::vector<std::vector<double>>& resampled,
+                           const std::vector<WinMatrix>& by_participant, const std::vector<double>& estimates,
+                           double level, BradleyTerry& out) {
+    const auto of_participants = abilityInfluences(by_participant, estimates);
+    if (!of_participants) {
+        addNote(
+            out,
+            "without one of the participants there are no finite abilities: BCa intervals are not defined, "
+            "percentiles stand alone");
+        return;
+    }
+    // Abilities that are equal on paper are so to what the iteration leaves open.
+    constexpr double allowance = 1e-9;
+    std::vector<std::string> undefined;
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        out.abilities[i].bca = correctedInterval(
+            resampled[i], estimates[i], bootstrapAcceleration((*of_participants)[i]), allowance, level);
+        if (!out.abilities[i].bca) undefined.push_back(out.abilities[i].system);
+    }
+    if (!undefined.empty())
+        addNote(out, fmt::format("the resampled abilities of {} lie on one side of the estimate: their BCa "
+                                 "intervals are not defined, percentiles stand alone",
+                                 fmt::join(undefined, ", ")));
+}
+
 /// Fills in intervals and what was left out.
 void resampleParticipants(const std::vector<WinMatrix>& by_participant, const std::vector<double>& estimates,
                           const BootstrapOptions& options, BradleyTerry& out) {
@@ -99,16 +148,18 @@ void resampleParticipants(const std::vector<WinMatrix>& by_participant, const st
         }
         for (std::size_t i = 0; i < systems; ++i) resampled[i].push_back((*abilities)[i]);
     }
-    const double tail = 0.5 * (1.0 - options.level);
-    if (out.resamples_left_out < options.resamples)
-        for (std::size_t i = 0; i < systems; ++i)
-            out.abilities[i].interval =
-                BootstrapInterval{quantile(resampled[i], tail), quantile(resampled[i], 1.0 - tail)};
     if (out.resamples_left_out > 0)
-        out.note = fmt::format(
-            "{} of {} resamples have no finite abilities and are passed over: the "
-            "intervals are too narrow",
-            out.resamples_left_out, options.resamples);
+        addNote(out, fmt::format("{} of {} resamples have no finite abilities and are passed over: the "
+                                 "intervals are too narrow",
+                                 out.resamples_left_out, options.resamples));
+    if (out.resamples_left_out == options.resamples) return;
+    const double tail = 0.5 * (1.0 - options.level);
+    for (std::size_t i = 0; i < systems; ++i) {
+        std::sort(resampled[i].begin(), resampled[i].end());
+        out.abilities[i].percentile =
+            BootstrapInterval{quantile(resampled[i], tail), quantile(resampled[i], 1.0 - tail)};
+    }
+    addCorrectedIntervals(resampled, by_participant, estimates, options.level, out);
 }
 
 }  // namespace

@@ -2,22 +2,25 @@
 
 #include <fmt/format.h>
 
+#include "json_values.hpp"
+#include "report_tables.hpp"
+
 namespace deixis::results {
 
 namespace {
 
 using AbilityJson = nlohmann::ordered_json;
 
-AbilityJson numberOrNull(const std::optional<double>& value) {
-    return value ? AbilityJson(*value) : AbilityJson();
+AbilityJson endsJson(const std::optional<BootstrapInterval>& interval) {
+    return interval ? AbilityJson{{"lower", interval->lower}, {"upper", interval->upper}} : AbilityJson();
 }
 
-std::optional<double> lowerOf(const Ability& one) {
-    return one.interval ? std::optional<double>(one.interval->lower) : std::nullopt;
+PlainCell lowerCell(const std::optional<BootstrapInterval>& interval) {
+    return interval ? PlainCell(interval->lower) : PlainCell();
 }
 
-std::optional<double> upperOf(const Ability& one) {
-    return one.interval ? std::optional<double>(one.interval->upper) : std::nullopt;
+PlainCell upperCell(const std::optional<BootstrapInterval>& interval) {
+    return interval ? PlainCell(interval->upper) : PlainCell();
 }
 
 }  // namespace
@@ -32,8 +35,8 @@ AbilityJson bradleyTerryJson(const AnalysisResult& result) {
     for (const Ability& one : fit.abilities)
         out["abilities"].push_back({{"system", one.system},
                                     {"ability", numberOrNull(one.estimate)},
-                                    {"lower", numberOrNull(lowerOf(one))},
-                                    {"upper", numberOrNull(upperOf(one))},
+                                    {"bca", endsJson(one.bca)},
+                                    {"percentile", endsJson(one.percentile)},
                                     {"wins", one.wins},
                                     {"ties", one.ties},
                                     {"losses", one.losses}});
@@ -54,15 +57,18 @@ PlainTable bradleyTerryTable(const AnalysisResult& result) {
                    "Abilities from preferences (Bradley and Terry); log odds, mean 0",
                    {{"system", ColumnType::text, Print::plain},
                     {"ability", ColumnType::number, Print::plain},
-                    {"lower", ColumnType::number, Print::plain},
-                    {"upper", ColumnType::number, Print::plain},
+                    {"bca_lower", ColumnType::number, Print::plain, "BCa from"},
+                    {"bca_upper", ColumnType::number, Print::plain, "to"},
+                    {"percentile_lower", ColumnType::number, Print::plain, "percentile from"},
+                    {"percentile_upper", ColumnType::number, Print::plain, "to"},
                     {"wins", ColumnType::whole, Print::plain},
                     {"ties", ColumnType::whole, Print::plain},
                     {"losses", ColumnType::whole, Print::plain}}};
     const auto whole = [](int count) { return PlainCell(static_cast<long long>(count)); };
     for (const Ability& one : result.bradley_terry.abilities)
-        out.rows.push_back({one.system, plainCell(one.estimate), plainCell(lowerOf(one)),
-                            plainCell(upperOf(one)), whole(one.wins), whole(one.ties), whole(one.losses)});
+        out.rows.push_back({one.system, plainCell(one.estimate), lowerCell(one.bca), upperCell(one.bca),
+                            lowerCell(one.percentile), upperCell(one.percentile), whole(one.wins),
+                            whole(one.ties), whole(one.losses)});
     return out;
 }
 
@@ -72,19 +78,23 @@ std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering)
     const Measure points{"ability", MeasureKind::preference, 0.0, 0.0, 0, 0};  // two decimals
     std::string against;
     for (const Ability& one : fit.abilities) against += fmt::format("<th>to {}</th>", escapeHtml(one.system));
-    std::string out = fmt::format(
-        "<h2>Abilities from preferences</h2><div class=\"scroll\"><table><caption>{} Bradley and Terry's "
-        "model: "
-        "the log odds with which one system is preferred to another are the difference of their abilities, "
-        "whose mean is 0; ties are half a win each. {:.4g}&#160;% intervals from resampled participants. "
-        "Right: wins, ties and losses against each other system.</caption><thead><tr><th>System</th>"
-        "<th>Ability</th><th>Interval</th>{}</tr></thead><tbody>",
-        numbering.next(), 100.0 * result.options.level, against);
+    std::string out =
+        "<h2>Abilities from preferences</h2>" +
+        openTable(fmt::format(
+                      "Bradley and Terry's model: the log odds with which one system is preferred to another "
+                      "are the difference of their abilities, whose mean is 0; ties are half a win each. "
+                      "{:.4g}&#160;% intervals from resampled participants: bias-corrected and accelerated "
+                      "(BCa), and percentiles. Right: wins, ties and losses against each other system.",
+                      100.0 * result.options.level),
+                  "<th>System</th><th>Ability</th><th>BCa</th><th>Percentiles</th>" + against, numbering,
+                  TableWidth::dense);
+    const auto ends = [&](const std::optional<BootstrapInterval>& interval) {
+        return interval ? intervalText(points, interval->lower, interval->upper) : dash;
+    };
     for (const Ability& one : fit.abilities) {
-        out +=
-            fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td>", escapeHtml(one.system),
-                        one.estimate ? scoreText(points, *one.estimate) : dash,
-                        one.interval ? intervalText(points, one.interval->lower, one.interval->upper) : dash);
+        out += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td>",
+                           escapeHtml(one.system), one.estimate ? scoreText(points, *one.estimate) : dash,
+                           ends(one.bca), ends(one.percentile));
         for (const Ability& other : fit.abilities) {
             std::string cell = dash;
             for (const PairCount& pair : fit.pairs)
@@ -96,7 +106,7 @@ std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering)
         }
         out += "</tr>";
     }
-    out += "</tbody></table></div>";
+    out += close_table;
     if (!fit.note.empty())
         out +=
             fmt::format("<p class=\"small\">{}: {}.</p>",

@@ -9,6 +9,8 @@
 #include <set>
 #include <tuple>
 
+#include "analysis_tests.hpp"
+#include "preference_estimates.hpp"
 #include "results/descriptive.hpp"
 #include "studies/answer_curve.hpp"
 
@@ -139,15 +141,16 @@ double sdOverSystems(const std::vector<double>& means, const AnswerCurve& curve,
 }
 
 /// Shifts of a factor's levels: how far their locations lie from the mean of all levels'.
+template <typename LevelOf>
 studies::ByName levelShifts(const std::vector<Residual>& residuals, const std::vector<std::string>& levels,
-                            Name ResponseRow::*level, const AnswerCurve& curve, double sd) {
+                            LevelOf level_of, const AnswerCurve& curve, double sd) {
     constexpr std::array<double, 1> unshifted{0.0};
     studies::ByName out;
     double sum = 0.0;
     for (const std::string& name : levels) {
         std::vector<double> answers;
         for (const Residual& one : residuals)
-            if (one.row->*level == name) answers.push_back(one.row->value);
+            if (level_of(*one.row) == name) answers.push_back(one.row->value);
         const auto location = curve.location(mean(answers), sd, unshifted);
         if (!location) return {};
         out[name] = *location;
@@ -158,13 +161,43 @@ studies::ByName levelShifts(const std::vector<Residual>& residuals, const std::v
     return out;
 }
 
+/// Of those factors of the study of which two levels or more have answers.
+studies::GroupShifts shiftsOfGroups(const std::vector<Residual>& residuals, const ResponseTable& table,
+                                    const studies::Study& study, const AnswerCurve& curve, double sd) {
+    studies::GroupShifts out;
+    for (const studies::BetweenFactor& factor : study.between) {
+        const auto level_of = [&](const ResponseRow& row) {
+            return levelOfParticipant(table, row.participant, factor.name);
+        };
+        std::vector<std::string> levels;
+        for (const std::string& level : factor.levels)
+            if (std::any_of(residuals.begin(), residuals.end(),
+                            [&](const Residual& one) { return level_of(*one.row) == level; }))
+                levels.push_back(level);
+        auto shifts = levelShifts(residuals, levels, level_of, curve, sd);
+        if (!shifts.empty()) out[factor.name] = std::move(shifts);
+    }
+    return out;
+}
+
+/// Takes the groups' own means out of what is left of the answers: they are no spread of participants.
+void centreGroups(std::vector<Residual>& residuals, const ResponseTable& table, const studies::Study& study) {
+    for (const studies::BetweenFactor& factor : study.between) {
+        std::map<std::string, std::vector<double>> by_level;
+        for (const Residual& one : residuals)
+            by_level[levelOfParticipant(table, one.row->participant, factor.name)].push_back(one.off);
+        for (Residual& one : residuals)
+            one.off -= mean(by_level[levelOfParticipant(table, one.row->participant, factor.name)]);
+    }
+}
+
 struct MeasureAnswers {
     std::vector<Residual> residuals;
     studies::ByName means;  ///< by system
 };
 
-Result<MeasureAnswers> answersOf(const ResponseTable& table, const AskedMeasure& measure,
-                                 const std::set<std::string>& systems) {
+Result<MeasureAnswers> answersOf(const ResponseTable& table, const studies::Study& study,
+                                 const AskedMeasure& measure, const std::set<std::string>& systems) {
     MeasureAnswers out;
     std::map<std::string, std::vector<double>> values;
     for (const ResponseRow& row : table.rows)
@@ -187,19 +220,32 @@ Result<MeasureAnswers> answersOf(const ResponseTable& table, const AskedMeasure&
     for (const ResponseRow& row : table.rows)
         if (row.measure == measure.name && systems.contains(row.system))
             out.residuals.push_back({&row, row.value - out.means[row.system]});
+    centreGroups(out.residuals, table, study);
     return out;
 }
 
 std::set<std::string> systemsAsked(const studies::Study& study, const AskedMeasure& measure) {
     std::set<std::string> out;
     for (const studies::Stage& stage : study.stages) {
-        if (!stage.scored() || stage.kind == studies::StageKind::pairwise) continue;
+        if (!stage.scored()) continue;
         const bool game = stage.kind == studies::StageKind::game;
-        if (game ? measure.name == "accuracy" || (measure.name == "confidence" && stage.confidence)
-                 : measure.name == stage.measure)
+        const bool pairs = stage.kind == studies::StageKind::pairwise;
+        if (pairs  ? measure.kind == AskedKind::preference
+            : game ? measure.name == "accuracy" || (measure.name == "confidence" && stage.confidence)
+                   : measure.name == stage.measure)
             out.insert(stage.design.systems.begin(), stage.design.systems.end());
     }
     return out;
+}
+
+void addPreference(const ResponseTable& table, const std::set<std::string>& systems, EffectEstimates& out) {
+    auto estimated = estimatePreference(table, {systems.begin(), systems.end()});
+    if (const auto* why = std::get_if<std::string>(&estimated)) {
+        out.notes.push_back(fmt::format("preference: not estimated, {}", *why));
+        return;
+    }
+    out.effects.preference = std::get<studies::AssumedPreference>(std::move(estimated));
+    out.notes.push_back("preference: noise_sd is taken as 1, for only ratios to it are in the answers");
 }
 
 }  // namespace
@@ -210,12 +256,15 @@ Result<EffectEstimates> estimateEffects(const ResponseTable& table, const studie
         const bool answered = std::any_of(table.rows.begin(), table.rows.end(), [&](const ResponseRow& row) {
             return row.measure == measure.name;
         });
-        if (measure.kind == AskedKind::preference || !answered) {
-            out.notes.push_back(fmt::format("{}: not estimated{}", measure.name,
-                                            answered ? ", preferences never are" : ", there are no answers"));
+        if (!answered) {
+            out.notes.push_back(fmt::format("{}: not estimated, there are no answers", measure.name));
             continue;
         }
-        const auto answers = answersOf(table, measure, systemsAsked(study, measure));
+        if (measure.kind == AskedKind::preference) {
+            addPreference(table, systemsAsked(study, measure), out);
+            continue;
+        }
+        const auto answers = answersOf(table, study, measure, systemsAsked(study, measure));
         if (!answers) return tl::unexpected(answers.error());
         const bool rating = measure.kind == AskedKind::rating;
         const AnswerCurve curve =
@@ -223,20 +272,29 @@ Result<EffectEstimates> estimateEffects(const ResponseTable& table, const studie
         std::vector<double> means;
         for (const auto& [system, of_system] : answers->means) means.push_back(of_system);
         const Behind behind = fitBehind(sharedParts(answers->residuals), means, curve, rating);
+        const double sd = sdOverSystems(means, curve, behind.total());
+        auto groups = shiftsOfGroups(answers->residuals, table, study, curve, sd);
         if (rating) {
-            out.effects.ratings[measure.name] = {answers->means, behind.spread, behind.noise_sd};
+            out.effects.ratings[measure.name] = {answers->means, behind.spread, behind.noise_sd,
+                                                 std::move(groups)};
             continue;
         }
         studies::AssumedAccuracy accuracy{answers->means, behind.spread};
-        const double sd = sdOverSystems(means, curve, behind.total());
-        accuracy.layouts = levelShifts(answers->residuals, table.layouts, &ResponseRow::layout, curve, sd);
-        accuracy.distances =
-            levelShifts(answers->residuals, table.distances, &ResponseRow::distance, curve, sd);
+        const auto layout = [](const ResponseRow& row) { return row.layout; };
+        const auto distance = [](const ResponseRow& row) { return row.distance; };
+        accuracy.layouts = levelShifts(answers->residuals, table.layouts, layout, curve, sd);
+        accuracy.distances = levelShifts(answers->residuals, table.distances, distance, curve, sd);
+        accuracy.groups = std::move(groups);
         out.effects.accuracy = std::move(accuracy);
+        out.notes.push_back(
+            "accuracy: lapse_rate is left at 0, for lapses cannot be told from the spread of choices; what "
+            "they "
+            "cost stands in the shares of right choices");
     }
-    if (!out.effects.accuracy && out.effects.ratings.empty())
-        return fail(table.database, fmt::format("holds no answers on what {} measures", study.name),
-                    "Only ratings, choices and confidence can be estimated");
+    if (!out.effects.accuracy && out.effects.ratings.empty() && !out.effects.preference)
+        return fail(table.database,
+                    fmt::format("holds no answers on what {} measures that can be estimated", study.name),
+                    "Write a file of assumed effects and name it with --effect");
     if (!table.study_hash.empty() && table.study_hash != study.hash)
         out.notes.push_back("the answers are those of another study file");
     std::set<std::string> participants;

@@ -41,30 +41,55 @@ struct PowerCounts {
     }
 };
 
-/// Calls visit(test, measure, system, a, b) for each test of the analysis, families one after another.
+/// One test of an analysis. Those of groups without answers have no p, and are none.
+struct PowerTest {
+    std::string family, measure, system, a, b;
+    bool significant = false;
+    bool a_higher = false;
+};
+
+/// Calls visit(PowerTest) for each test of the analysis, families one after another.
 template <typename Visit>
 void eachTest(const AnalysisResult& analysis, Visit visit) {
-    for (const Comparison& one : analysis.pairwise) visit(one, one.measure, one.system, one.a, one.b);
-    for (const Comparison& one : analysis.level_tests) visit(one, one.measure, one.system, one.a, one.b);
-    for (const PreferenceResult& one : analysis.preferences)
-        visit(one, std::string("preference"), std::string(), one.a, one.b);
+    const auto paired = [&](const AdjustedTest& one, const std::string& measure, const std::string& system,
+                            const std::string& a, const std::string& b) {
+        visit(PowerTest{one.family, measure, system, a, b, one.significant,
+                        one.test.w_plus > one.test.w_minus});
+    };
+    const auto of_groups = [&](const GroupTest& one, const std::string& measure, const std::string& system) {
+        if (one.test.p_two_sided)
+            visit(PowerTest{one.family, measure, system, one.a, one.b, one.significant,
+                            one.test.cliffs_delta > 0.0});
+    };
+    for (const Comparison& one : analysis.pairwise) paired(one, one.measure, one.system, one.a, one.b);
+    for (const Comparison& one : analysis.level_tests) paired(one, one.measure, one.system, one.a, one.b);
+    for (const PreferenceResult& one : analysis.preferences) paired(one, "preference", "", one.a, one.b);
+    for (const BetweenResult& one : analysis.between) of_groups(one, one.measure, one.system);
+    for (const PreferenceBetweenResult& one : analysis.preferences_between)
+        of_groups(one, "preference", fmt::format("{} against {}", one.system, one.other_system));
 }
 
 void countFound(const AnalysisResult& analysis, PowerCounts& counts) {
     std::map<std::string, std::pair<int, int>> families;  // significant, tests
-    eachTest(analysis, [&](const AdjustedTest& test, const std::string&, const std::string& system,
-                           const std::string& a, const std::string& b) {
+    eachTest(analysis, [&](const PowerTest& test) {
         auto& [significant, tests] = families[test.family];
         ++tests;
         if (!test.significant) return;
         ++significant;
-        Found& found = counts.found[{test.family, system, a, b}];
-        ++(test.test.w_plus > test.test.w_minus ? found.a_higher : found.b_higher);
+        Found& found = counts.found[{test.family, test.system, test.a, test.b}];
+        ++(test.a_higher ? found.a_higher : found.b_higher);
     });
     for (const auto& [name, family] : families) {
         counts.families[name].first += family.first > 0 ? 1 : 0;
         counts.families[name].second += family.first == family.second ? 1 : 0;
     }
+}
+
+/// The system's levels of the factors that are nested in systems.
+const std::map<std::string, std::string>& levelsOf(const studies::Study& study, const std::string& system) {
+    return std::find_if(study.systems.begin(), study.systems.end(),
+                        [&](const studies::SystemSource& one) { return one.name == system; })
+        ->levels;
 }
 
 /// All of the table but the rows: what the store reads from a database of the study.
@@ -82,7 +107,10 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::As
         distances.insert(answer.trial->distance);
     }
     for (const auto& system : study.systems)
-        if (systems.contains(system.name)) table.systems.push_back(system.name);
+        if (systems.contains(system.name)) {
+            table.systems.push_back(system.name);
+            for (const auto& [factor, level] : system.levels) addLevel(table.within, factor, level);
+        }
     for (const auto& layout : study.layouts)
         if (layouts.contains(layout.name)) table.layouts.push_back(layout.name);
     for (const auto& distance : study.distances)
@@ -98,7 +126,7 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::As
 }
 
 ResponseRow rowOf(const studies::PlannedAnswer& answer, const std::vector<studies::AskedMeasure>& measures,
-                  const std::string& participant) {
+                  const std::string& participant, const studies::Study& study, const ResponseTable& table) {
     const studies::Trial& trial = *answer.trial;
     const studies::AskedMeasure& measure = measures[answer.measure];
     ResponseRow row;
@@ -110,6 +138,11 @@ ResponseRow rowOf(const studies::PlannedAnswer& answer, const std::vector<studie
     row.target_id = trial.stimuli[answer.stimulus].item;
     row.trial = trial.index;
     if (measure.kind == studies::AskedKind::preference) row.other_system = trial.stimuli[1].system;
+    const auto& levels = levelsOf(study, row.system);
+    for (const Factor& factor : table.within) {
+        const auto level = levels.find(factor.name);
+        row.within.push_back(level == levels.end() ? "" : level->second);
+    }
     row.synthetic = true;
     return row;
 }
@@ -146,10 +179,9 @@ struct PowerAnalysis::Impl {
     void listContrasts() {
         AnalysisResult all = analysisOf(static_cast<int>(plans.size()));
         runTests(all);
-        eachTest(all, [&](const AdjustedTest& test, const std::string& measure, const std::string& system,
-                          const std::string& a, const std::string& b) {
-            contrasts[{test.family, system, a, b}] = result.contrasts.size();
-            result.contrasts.push_back({test.family, measure, system, a, b});
+        eachTest(all, [&](const PowerTest& test) {
+            contrasts[{test.family, test.system, test.a, test.b}] = result.contrasts.size();
+            result.contrasts.push_back({test.family, test.measure, test.system, test.a, test.b});
             auto family = std::find_if(result.families.begin(), result.families.end(),
                                        [&](const FamilyPower& one) { return one.name == test.family; });
             if (family == result.families.end())
@@ -209,8 +241,12 @@ Result<PowerAnalysis> PowerAnalysis::make(const studies::Study& study,
     impl->answers.emplace(impl->study, effects, impl->plans);
     const auto& measures = impl->answers->measures();
     impl->table = tableOf(study, measures, impl->answers->planned());
+    for (const studies::BetweenFactor& factor : study.between)
+        impl->table.between.push_back({factor.name, factor.levels});
+    for (const studies::StudyPlan& plan : impl->plans) impl->table.groups[plan.participant] = plan.groups;
     for (const studies::PlannedAnswer& answer : impl->answers->planned())
-        impl->rows.push_back(rowOf(answer, measures, impl->plans[answer.participant].participant));
+        impl->rows.push_back(
+            rowOf(answer, measures, impl->plans[answer.participant].participant, study, impl->table));
     PowerResult& result = impl->result;
     result.study_name = study.name;
     result.study_hash = study.hash;

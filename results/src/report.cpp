@@ -35,21 +35,20 @@ std::string cells(const Summary& summary, const Measure& measure, bool with_medi
 std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.measures.empty()) return "";
     const bool with_median = std::any_of(result.measures.begin(), result.measures.end(), hasManySteps);
-    std::string out = fmt::format(
-        "<div class=\"scroll\"><table><caption>{} Means of each system, over participants{}. Interval: "
-        "{:g}&#160;%, bootstrap "
-        "over "
-        "participants. n counts answers.</caption><thead><tr><th>Measure</th><th class=\"text\">System</th>"
-        "<th>Mean</th>{}<th>Interval</th><th>SD participants</th><th>SD "
-        "trials</th><th>n</th></tr></thead><tbody>",
-        numbering.next(), with_median ? ", and medians" : "", 100.0 * result.options.level,
-        with_median ? "<th>Median</th>" : "");
+    std::string out = openTable(
+        fmt::format("Means of each system, over participants{}. Interval: {:g}&#160;%, bootstrap over "
+                    "participants. n counts answers.",
+                    with_median ? ", and medians" : "", 100.0 * result.options.level),
+        fmt::format("<th>Measure</th><th class=\"text\">System</th><th>Mean</th>{}<th>Interval</th>"
+                    "<th>SD participants</th><th>SD trials</th><th>n</th>",
+                    with_median ? "<th>Median</th>" : ""),
+        numbering);
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         for (const auto& system : result.systems)
             out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
                                escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
                                cells(system.measures[i], result.measures[i], with_median));
-    return out + "</tbody></table></div>";
+    return out + close_table;
 }
 
 /// A row for each system, and one for all; only that one where each system has one level. Empty without
@@ -100,18 +99,14 @@ std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering)
     if (table.checks.empty() && table.left_out.empty()) return "";
     std::string out = "<h2>Attention checks and exclusions</h2>";
     if (!table.checks.empty()) {
-        out += fmt::format(
-            "<div class=\"scroll\"><table><caption>{} Attention checks of all participants, the excluded "
-            "ones "
-            "too.</caption><thead><tr><th>Stage</th><th "
-            "class=\"text\">Kind</th><th>passed</th><th>failed</th></tr>"
-            "</thead><tbody>",
-            numbering.next());
+        out +=
+            openTable("Attention checks of all participants, the excluded ones too.",
+                      "<th>Stage</th><th class=\"text\">Kind</th><th>passed</th><th>failed</th>", numbering);
         for (const auto& check : table.checks)
             out += fmt::format(
                 "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td></tr>",
                 escapeHtml(check.stage), escapeHtml(check.kind), check.passed, check.failed);
-        out += "</tbody></table></div>";
+        out += close_table;
     }
     if (table.left_out.empty()) return out + "<p>Nobody is left out.</p>";
     out += "<p>The answers of these participants are left out:</p><ul>";

@@ -124,12 +124,11 @@ std::string presenceHtml(const AnalysisResult& result, Numbering& numbering) {
         for (const SystemResult& system : result.systems)
             names += fmt::format("<th>{}</th>", escapeHtml(system.system));
     }
+    const std::string number = numbering.next();
     std::string out = fmt::format(
-        "<h2>Who answered what</h2><div class=\"scroll\"><table><caption>{} Answers of each participant on "
-        "each "
-        "system.</caption><thead><tr "
-        "class=\"over\"><th></th>{}</tr><tr><th>Participant</th>{}</tr></thead><tbody>",
-        numbering.next(), over, names);
+        "<h2>Who answered what</h2>{}<table><caption>{} Answers of each participant on each system.</caption>"
+        "<thead><tr class=\"over\"><th></th>{}</tr><tr><th>Participant</th>{}</tr></thead><tbody>",
+        openScroll(numbering.name()), number, over, names);
     for (const PresenceRow& row : result.presence) {
         out += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(row.participant));
         for (const auto& of_measure : row.answers)

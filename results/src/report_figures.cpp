@@ -1,6 +1,8 @@
 // Which figures stand at the report's head, and the tables of what only they draw.
 #include "report_figures.hpp"
 
+#include "report_tables.hpp"
+
 #include <fmt/core.h>
 
 #include "report_tables.hpp"

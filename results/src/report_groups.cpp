@@ -8,59 +8,121 @@ namespace deixis::results {
 
 namespace {
 
-std::string betweenRow(const BetweenResult& one, const Measure& measure) {
+/// A group's mean, or a dash.
+std::string groupMean(const Measure& measure, int n, double mean) {
+    return n > 0 ? scoreText(measure, mean) : dash;
+}
+
+/// Shift, effect sizes and p of a row.
+std::string groupTestCells(const GroupTest& one, const Measure& measure) {
     const RankSumTest& test = one.test;
     const HodgesLehmann& shift = test.hodges_lehmann;
     const auto effect = [](const std::optional<double>& value) {
         return value ? signedText(fmt::format("{:.2f}", *value)) : std::string(dash);
     };
-    return fmt::format(
-        "<tr{}><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}, "
-        "{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td>"
-        "</tr>",
-        one.system == "all" ? " class=\"all\"" : "", escapeHtml(one.system), escapeHtml(one.a),
-        escapeHtml(one.b), test.n_a, test.n_b, test.n_a > 0 ? scoreText(measure, one.mean_a) : dash,
-        test.n_b > 0 ? scoreText(measure, one.mean_b) : dash,
-        shift.estimate ? fmt::format("{} {}", scoreText(measure, *shift.estimate),
-                                     intervalText(measure, *shift.lower, *shift.upper))
-                       : std::string(dash),
-        effect(test.cliffs_delta), test.a12 ? fmt::format("{:.2f}", *test.a12) : std::string(dash),
-        pText(test.p_two_sided), one.significant ? "sig" : "not", pText(one.p_holm));
+    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td>",
+                       shift.estimate ? fmt::format("{} {}", scoreText(measure, *shift.estimate),
+                                                    intervalText(measure, *shift.lower, *shift.upper))
+                                      : std::string(dash),
+                       effect(test.cliffs_delta),
+                       test.a12 ? fmt::format("{:.2f}", *test.a12) : std::string(dash),
+                       pText(test.p_two_sided), one.significant ? "sig" : "not", pText(one.p_holm));
+}
+
+constexpr const char* group_test_columns =
+    "<th>Shift</th><th>&#948;</th><th>A<sub>12</sub></th><th>p</th><th>p (Holm)</th>";
+
+/// A table of the tests that `takes` accepts; empty where none of them has a p. `first_cells`: what
+/// stands before a row's test.
+template <typename Test, typename Takes, typename FirstCells>
+std::string groupTable(const std::vector<Test>& tests, const Takes& takes, const std::string& caption,
+                       const std::string& first_columns, const FirstCells& first_cells,
+                       const Measure& measure, const AnalysisResult& result, Numbering& numbering) {
+    std::string rows;
+    bool tested = false;
+    int family = 0;
+    for (const Test& one : tests) {
+        if (!takes(one)) continue;
+        rows += first_cells(one) + groupTestCells(one, measure) + "</tr>";
+        tested = tested || one.test.p_two_sided;
+        family = one.family_size;
+    }
+    if (!tested) return "";
+    return openTable(
+               fmt::format("{} &#948;: Cliff's delta; A<sub>12</sub>: the probability that A is above B, "
+                           "ties counting half.",
+                           caption),
+               first_columns + group_test_columns, numbering, TableWidth::dense) +
+           rows + close_table +
+           fmt::format(
+               "<p class=\"small\">Holm's family: {} tests, &#945;&#160;=&#160;{}; bold: "
+               "significant. Shift: "
+               "Hodges&#8211;Lehmann with its closed interval (asked for: {:g}&#160;%).</p>",
+               family, result.alpha, 100.0 * result.options.level);
+}
+
+std::string meansOfGroups(const AnalysisResult& result, const Factor& factor, const Measure& measure,
+                          Numbering& numbering) {
+    return groupTable(
+        result.between,
+        [&](const BetweenResult& one) { return one.factor == factor.name && one.measure == measure.name; },
+        fmt::format(
+            "{} by {}: participants' means, rank-sum test (exact up to 400 participants). \"all\": the "
+            "mean of a participant's means under each system.",
+            escapeHtml(capitalised(measure.name)), escapeHtml(factor.name)),
+        "<th>System</th><th class=\"text\">A</th><th class=\"text\">B</th><th>n</th><th>Mean A</th><th>Mean "
+        "B</th>",
+        [&](const BetweenResult& one) {
+            return fmt::format(
+                "<tr{}><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}, "
+                "{}</td><td>{}</td><td>{}</td>",
+                one.system == "all" ? " class=\"all\"" : "", escapeHtml(one.system), escapeHtml(one.a),
+                escapeHtml(one.b), one.test.n_a, one.test.n_b, groupMean(measure, one.test.n_a, one.mean_a),
+                groupMean(measure, one.test.n_b, one.mean_b));
+        },
+        measure, result, numbering);
+}
+
+/// "62 / 10 / 28 %"
+std::string sharesText(const PreferenceCounts& counts) {
+    if (counts.answers() == 0) return dash;
+    const auto percent = [&](int of) { return 100.0 * *counts.share(of); };
+    return fmt::format("{:.0f} / {:.0f} / {:.0f}&#160;%", percent(counts.wins), percent(counts.ties),
+                       percent(counts.losses));
+}
+
+std::string preferencesOfGroups(const AnalysisResult& result, const Factor& factor, Numbering& numbering) {
+    const Measure preference = measureOf(result, "preference");
+    return groupTable(
+        result.preferences_between,
+        [&](const PreferenceBetweenResult& one) { return one.factor == factor.name; },
+        fmt::format("Preferences by {}; first line: group A, second: B. Answers for the first system / for "
+                    "neither / for the other; mean of the participants' net preferences (from 2, clearly the "
+                    "first, to &#8722;2), and their rank-sum test (exact up to 400 participants).",
+                    escapeHtml(factor.name)),
+        "<th>Systems</th><th class=\"text\">Groups</th><th>n</th><th>Answers</th><th>Mean</th>",
+        [&](const PreferenceBetweenResult& one) {
+            return fmt::format(
+                "<tr><th scope=\"row\">{}<br/>against {}</th><td "
+                "class=\"text\">{}<br/>{}</td><td>{}<br/>{}</td>"
+                "<td>{}<br/>{}</td><td>{}<br/>{}</td>",
+                escapeHtml(one.system), escapeHtml(one.other_system), escapeHtml(one.a), escapeHtml(one.b),
+                one.test.n_a, one.test.n_b, sharesText(one.answers_a), sharesText(one.answers_b),
+                groupMean(preference, one.test.n_a, one.mean_a),
+                groupMean(preference, one.test.n_b, one.mean_b));
+        },
+        preference, result, numbering);
 }
 
 }  // namespace
 
 std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
     std::string out;
-    for (const Factor& factor : result.table.between)
-        for (const Measure& measure : result.measures) {
-            std::string rows;
-            bool tested = false;
-            int family = 0;
-            for (const BetweenResult& one : result.between) {
-                if (one.factor != factor.name || one.measure != measure.name) continue;
-                rows += betweenRow(one, measure);
-                tested = tested || one.test.p_two_sided;
-                family = one.family_size;
-            }
-            if (!tested) continue;
-            out += openTable(
-                       fmt::format("{} by {}: participants' means, rank-sum test (exact up to 400 "
-                                   "participants). \"all\": the mean of a participant's means under each "
-                                   "system. &#948;: Cliff's delta; A<sub>12</sub>: the probability that A is "
-                                   "above B, ties counting half.",
-                                   escapeHtml(capitalised(measure.name)), escapeHtml(factor.name)),
-                       "<th>System</th><th class=\"text\">A</th><th class=\"text\">B</th><th>n</th>"
-                       "<th>Mean A</th><th>Mean B</th><th>Shift</th><th>&#948;</th><th>A<sub>12</sub></th>"
-                       "<th>p</th><th>p (Holm)</th>",
-                       numbering, TableWidth::dense) +
-                   rows + close_table +
-                   fmt::format(
-                       "<p class=\"small\">Holm's family: {} tests, &#945;&#160;=&#160;{}; bold: "
-                       "significant. Shift: "
-                       "Hodges&#8211;Lehmann with its closed interval (asked for: {:g}&#160;%).</p>",
-                       family, result.alpha, 100.0 * result.options.level);
-        }
+    for (const Factor& factor : result.table.between) {
+        for (const Measure& measure : result.measures)
+            out += meansOfGroups(result, factor, measure, numbering);
+        if (!result.preferences_between.empty()) out += preferencesOfGroups(result, factor, numbering);
+    }
     return out.empty() ? "" : "<h2>Groups of participants</h2>" + out;
 }
 

@@ -6,12 +6,16 @@
 
 namespace deixis::results {
 
+std::string openScroll(const std::string& label) {
+    return fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">", label);
+}
+
 std::string openTable(const std::string& caption, const std::string& columns, Numbering& numbering,
                       TableWidth width) {
-    return fmt::format(
-        "<div class=\"scroll\"><table{}><caption><span>{} "
-        "{}</span></caption><thead><tr>{}</tr></thead><tbody>",
-        width == TableWidth::dense ? " class=\"dense\"" : "", numbering.next(), caption, columns);
+    const std::string number = numbering.next();
+    return fmt::format("{}<table{}><caption><span>{} {}</span></caption><thead><tr>{}</tr></thead><tbody>",
+                       openScroll(numbering.name()), width == TableWidth::dense ? " class=\"dense\"" : "",
+                       number, caption, columns);
 }
 
 const char* const box_columns =

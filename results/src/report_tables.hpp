@@ -14,6 +14,9 @@ enum class TableWidth : unsigned char {
     dense  ///< smaller, for many columns
 };
 
+/// What a wide table is scrolled in, by keyboard too; `label` names it to who does not see it.
+[[nodiscard]] std::string openScroll(const std::string& label);
+
 [[nodiscard]] std::string openTable(const std::string& caption, const std::string& columns,
                                     Numbering& numbering, TableWidth width = TableWidth::normal);
 

@@ -50,18 +50,16 @@ std::string rankCells(const AdjustedTest& tested) {
         pText(tested.normality.p), test.method);
 }
 
-/// The ranks behind a table, folded away. `first_cells`: what names each row.
+/// The ranks behind the table called `name`, folded away. `first_cells`: what names each row.
 template <typename Tests>
-std::string rankDetails(const Tests& tests, const std::string& first_columns,
+std::string rankDetails(const Tests& tests, const std::string& name, const std::string& first_columns,
                         const std::vector<std::string>& first_cells) {
     std::string out = fmt::format(
-        "<details><summary>Ranks, zeros and normality</summary><div "
-        "class=\"scroll\"><table><thead><tr>{}{}</tr>"
-        "</thead><tbody>",
-        first_columns, rank_columns);
+        "<details><summary>Ranks, zeros and normality</summary>{}<table><thead><tr>{}{}</tr></thead><tbody>",
+        openScroll(name + ": ranks, zeros and normality"), first_columns, rank_columns);
     for (std::size_t i = 0; i < tests.size(); ++i)
         out += fmt::format("<tr>{}{}</tr>", first_cells[i], rankCells(*tests[i]));
-    return out + "</tbody></table></div></details>";
+    return out + close_table + "</details>";
 }
 
 /// What the marks in a table's last column mean, and its family.
@@ -123,7 +121,7 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
                            one->test.n_pairs > 0 ? scoreText(measure, one->mean_difference) : dash,
                            effectCells(*one, measure));
     }
-    return out + "</tbody></table></div>" + tableFoot(rows, result) + rankDetails(rows, first, names);
+    return out + close_table + tableFoot(rows, result) + rankDetails(rows, numbering.name(), first, names);
 }
 
 std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) {
@@ -145,7 +143,7 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
                            pair->prefers_a, pair->ties, pair->prefers_b, scoreText(scale, pair->mean),
                            effectCells(*pair, scale));
     }
-    return out + "</tbody></table></div>" + tableFoot(rows, result) + rankDetails(rows, first, names);
+    return out + close_table + tableFoot(rows, result) + rankDetails(rows, numbering.name(), first, names);
 }
 
 std::string omnibusTable(const AnalysisResult& result, Numbering& numbering) {
@@ -169,7 +167,7 @@ std::string omnibusTable(const AnalysisResult& result, Numbering& numbering) {
                "<th>Measure</th><th>n</th><th>&#967;&#178;</th><th>df</th><th>p</th><th>Kendall's W</th>"
                "<th>F (Iman&#8211;Davenport)</th><th>df</th><th>p</th>",
                numbering) +
-           rows + "</tbody></table></div>";
+           rows + close_table;
 }
 
 }  // namespace

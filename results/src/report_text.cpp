@@ -158,6 +158,23 @@ std::string groupSentence(const AnalysisResult& result, const std::string& measu
                                        escapeHtml(factor), escapeHtml(measure), names);
 }
 
+std::string groupPreferenceSentence(const AnalysisResult& result, const std::string& factor) {
+    bool tested = false;
+    std::string names;
+    for (const PreferenceBetweenResult& one : result.preferences_between) {
+        if (one.factor != factor) continue;
+        tested = tested || one.test.p_two_sided;
+        if (one.significant)
+            names += fmt::format("{}{} and {} ({} and {})", names.empty() ? "" : ", ", escapeHtml(one.a),
+                                 escapeHtml(one.b), escapeHtml(one.system), escapeHtml(one.other_system));
+    }
+    if (!tested) return "";
+    return names.empty() ? fmt::format("The groups by {} do not differ significantly in their preferences.",
+                                       escapeHtml(factor))
+                         : fmt::format("Groups by {} that differ significantly in their preferences: {}.",
+                                       escapeHtml(factor), names);
+}
+
 std::string preferenceSentence(const AnalysisResult& result) {
     if (result.preferences.empty()) return "";
     std::string out;
@@ -188,6 +205,8 @@ std::string findingsHtml(const AnalysisResult& result) {
                 items.push_back(groupSentence(result, measure.name, factor.name));
         }
         items.push_back(preferenceSentence(result));
+        for (const Factor& factor : result.table.between)
+            items.push_back(groupPreferenceSentence(result, factor.name));
         for (const auto& item : items)
             if (!item.empty()) out += "<li>" + item + "</li>";
     }
@@ -197,7 +216,7 @@ std::string findingsHtml(const AnalysisResult& result) {
         out += fmt::format(
             "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "
             "tests over participants{}, after Holm's correction.</p>",
-            result.alpha, result.between.empty() ? "" : " (groups: rank-sum tests)");
+            result.alpha, result.table.between.empty() ? "" : " (groups: rank-sum tests)");
     return out;
 }
 
@@ -285,13 +304,16 @@ std::string methodsHtml(const AnalysisResult& result) {
         result.preferences.empty() ? ""
                                    : " Preferences: the same test of the participants' mean preferences "
                                      "against none, Holm over all pairs.");
-    if (!result.between.empty())
+    if (!table.between.empty())
         out +=
             "<p><b>Groups.</b> Participants of two groups are compared by the two-sided Wilcoxon rank-sum "
             "test "
             "of their means, exact with ties too for up to 400 participants: for each system, and over all, "
             "where a participant's score is the mean of that participant's means under each system. Holm's "
-            "correction covers all of these tests of one factor in one measure.</p>";
+            "correction covers all of these tests of one factor in one measure. In preferences the same test "
+            "compares, for each pair of systems, the participants' net preferences, the means of their "
+            "answers; "
+            "Holm's correction covers all pairs of systems and of groups of one factor.</p>";
     out +=
         "<p><b>Other choices.</b> The pairs of systems are tested again with the participants who are left "
         "out "

@@ -5,11 +5,6 @@
 
 namespace deixis::results {
 
-namespace {
-
-using nlohmann::json;
-using SQLite::Statement;
-
 void addLevel(std::vector<Factor>& factors, const std::string& name, const std::string& level) {
     auto factor =
         std::find_if(factors.begin(), factors.end(), [&](const Factor& known) { return known.name == name; });
@@ -17,6 +12,11 @@ void addLevel(std::vector<Factor>& factors, const std::string& name, const std::
     if (std::find(factor->levels.begin(), factor->levels.end(), level) == factor->levels.end())
         factor->levels.push_back(level);
 }
+
+namespace {
+
+using nlohmann::json;
+using SQLite::Statement;
 
 void readGroups(SQLite::Database& database, ResponseTable& table) {
     Statement groups(database, "SELECT participant, factor, level FROM participant_groups ORDER BY 2, 3, 1");

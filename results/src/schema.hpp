@@ -7,7 +7,8 @@ namespace deixis::results {
 /// "DXIS" in ASCII, as SQLite's application_id.
 inline constexpr int application_id = 0x44584953;
 
-/// SQLite's user_version. Raise it with every change of the tables, and add the step to migrate().
+/// SQLite's user_version. Raise it with every change of the tables, and add the step to migrate() and
+/// to server_schema.cpp.
 inline constexpr int schema_version = 4;
 
 extern const char* const schema_2_from_1;  ///< brings version 1 to version 2

@@ -45,10 +45,11 @@ class StudyPush {
         outcome_.study = study.getColumn(0).getString();
         study_hash_ = study.getColumn(1).getString();
         outcome_.schema = schemaOf(outcome_.study, study_hash_);
-        const auto made = enterSchema(server_, address_, {outcome_.schema, outcome_.study, study_hash_});
-        if (!made) return tl::unexpected(made.error());
+        const auto entered = enterSchema(server_, address_, {outcome_.schema, outcome_.study, study_hash_});
+        if (!entered) return tl::unexpected(entered.error());
+        outcome_.upgraded_from = entered->upgraded_from;
         PeoplePush people(file_, path_, server_, address_, outcome_);
-        if (*made)
+        if (entered->made)
             for (const char* table : study_tables) people.pushWhole(table);
         pushWithdrawals();
         eraseWithdrawn();

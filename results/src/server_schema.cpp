@@ -21,16 +21,62 @@ constexpr const char* postgres_moment =
 /// A table of the schema, by which it is known to be ours.
 constexpr const char* version_table = "deixis_schema";
 
-}  // namespace
-
-std::string postgresTables() {
-    std::string sql = newest_tables;
+std::string inPostgresWords(std::string sql) {
     for (const auto& [from, to] : {std::pair{R"(\) STRICT(, WITHOUT ROWID)?;)", ");"},
                                    {R"(\bINTEGER\b)", "BIGINT"},
                                    {R"(\bREAL\b)", "DOUBLE PRECISION"},
                                    {R"(\bBLOB\b)", "BYTEA"}})
         sql = std::regex_replace(sql, std::regex(from), to);
     return sql;
+}
+
+/// What brings tables of a version to the next; null where there is no way. Servers came with version 4, and
+/// with tables of version 3 before it.
+const char* stepFrom(long long version) {
+    return version == 3 ? schema_4_from_3 : nullptr;
+}
+
+Result<long long> versionOf(ServerTransaction& server, const ServerAddress& address,
+                            const std::string& schema) {
+    const auto found = server.value(fmt::format("SELECT version FROM {}.{}", schema, version_table));
+    if (!found)
+        return fail(address.shown, fmt::format("the schema {} does not tell its version", schema),
+                    "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
+    const long long version = std::stoll(*found);
+    if (version > schema_version)
+        return fail(address.shown,
+                    fmt::format("the schema {} has version {}, this program's is {}", schema, version,
+                                schema_version),
+                    "Use the newer deixis that made it");
+    return version;
+}
+
+/// Step by step to this program's version; needs the schema as search path.
+Result<void> upgrade(ServerTransaction& server, const ServerAddress& address, const std::string& schema,
+                     long long from) {
+    for (long long version = from; version < schema_version; ++version) {
+        const char* step = stepFrom(version);
+        if (step == nullptr)
+            return fail(
+                address.shown,
+                fmt::format("the schema {} has version {}, from which no way leads to this program's, {}",
+                            schema, version, schema_version),
+                "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
+        server.run(inPostgresWords(step));
+    }
+    server.run(postgresViews());
+    server.run(fmt::format("UPDATE {} SET version = {}", version_table, schema_version));
+    return {};
+}
+
+void seeSchema(ServerTransaction& server, const std::string& schema) {
+    server.run(fmt::format("SET LOCAL search_path = {}", schema));
+}
+
+}  // namespace
+
+std::string postgresTables() {
+    return inPostgresWords(newest_tables);
 }
 
 std::string postgresViews() {
@@ -51,18 +97,20 @@ std::string schemaOf(const std::string& study, const std::string& hash) {
     return out + "_" + hash.substr(0, 12);
 }
 
-Result<bool> enterSchema(ServerTransaction& server, const ServerAddress& address, const ServerStudy& study) {
+Result<SchemaEntry> enterSchema(ServerTransaction& server, const ServerAddress& address,
+                                const ServerStudy& study) {
     const bool there =
         server
             .value(fmt::format("SELECT 1 FROM pg_namespace WHERE nspname = {}", server.quoted(study.schema)))
             .has_value();
     if (!there) {
-        server.run(fmt::format("CREATE SCHEMA {0}; SET LOCAL search_path = {0}", study.schema));
+        server.run(fmt::format("CREATE SCHEMA {}", study.schema));
+        seeSchema(server, study.schema);
         server.run(postgresTables());
         server.run(postgresViews());
         server.run(fmt::format("CREATE TABLE {0} (version BIGINT NOT NULL); INSERT INTO {0} VALUES ({1})",
                                version_table, schema_version));
-        return true;
+        return SchemaEntry{true, {}};
     }
     const bool ours =
         server.value(fmt::format("SELECT to_regclass({})", server.quoted(study.schema + "." + version_table)))
@@ -71,27 +119,30 @@ Result<bool> enterSchema(ServerTransaction& server, const ServerAddress& address
         return fail(address.shown,
                     fmt::format("the schema {} is there, but was not made by deixis", study.schema),
                     "Rename it, or push to another database");
-    if (auto used = useSchema(server, address, study.schema); !used) return tl::unexpected(used.error());
+    const auto version = versionOf(server, address, study.schema);
+    if (!version) return tl::unexpected(version.error());
+    seeSchema(server, study.schema);
     const auto hash = server.value("SELECT hash FROM study");
     if (hash != study.hash)
         return fail(
             address.shown,
             fmt::format("the schema {} holds another study ({:.12})", study.schema, hash.value_or("none")),
             "Rename it, or push to another database");
-    return false;
+    if (*version == schema_version) return SchemaEntry{};
+    if (auto done = upgrade(server, address, study.schema, *version); !done)
+        return tl::unexpected(done.error());
+    return SchemaEntry{false, *version};
 }
 
 Result<void> useSchema(ServerTransaction& server, const ServerAddress& address, const std::string& schema) {
-    const auto there = server.value(fmt::format("SELECT version FROM {}.{}", schema, version_table));
-    const std::string found = there.value_or("none");
-    if (found != std::to_string(schema_version))
-        return fail(
-            address.shown,
-            fmt::format("the schema {} has version {}, this program's is {}", schema, found, schema_version),
-            there && std::stoll(found) > schema_version
-                ? "Use the newer deixis that made it"
-                : "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
-    server.run(fmt::format("SET LOCAL search_path = {}", schema));
+    const auto version = versionOf(server, address, schema);
+    if (!version) return tl::unexpected(version.error());
+    if (*version != schema_version)
+        return fail(address.shown,
+                    fmt::format("the schema {} has version {}, this program's is {}", schema, *version,
+                                schema_version),
+                    "Push a station's file with this program: that brings the tables up to date");
+    seeSchema(server, schema);
     return {};
 }
 

@@ -24,10 +24,16 @@ struct ServerStudy {
 /// "deixis_", the study's name in small letters, digits and "_", and the first 12 digits of its hash.
 [[nodiscard]] std::string schemaOf(const std::string& study, const std::string& hash);
 
-/// Makes the study's schema where it is not there, and uses it. True where it was made.
-/// Errors: a schema of that name that is not ours, or of another version.
-[[nodiscard]] Result<bool> enterSchema(ServerTransaction& server, const ServerAddress& address,
-                                       const ServerStudy& study);
+struct SchemaEntry {
+    bool made = false;                         ///< it was not there
+    std::optional<long long> upgraded_from{};  ///< the version that it had
+};
+
+/// Makes the study's schema where it is not there, brings one of an older version up to date, and uses it.
+/// Errors: a schema of that name that is not ours or another study's, a newer version, or one from which no
+/// way leads here.
+[[nodiscard]] Result<SchemaEntry> enterSchema(ServerTransaction& server, const ServerAddress& address,
+                                              const ServerStudy& study);
 
 /// Has the transaction see the study's tables. Errors: of another version.
 [[nodiscard]] Result<void> useSchema(ServerTransaction& server, const ServerAddress& address,

@@ -91,4 +91,36 @@ std::optional<double> AnswerCurve::location(double expected, double sd,
     return 0.5 * (below + above);
 }
 
+double PreferenceCurve::answer(double behind) const {
+    const double size = std::abs(behind);
+    const double clear = size <= tie_zone ? 0.0 : size <= clear_zone ? 1.0 : 2.0;
+    return behind < 0.0 ? -clear : clear;
+}
+
+double PreferenceCurve::probability(int answer, double location, double sd) const {
+    if (answer < 0) return probability(-answer, -location, sd);
+    if (answer == 2) return normalBelow((location - clear_zone) / sd);
+    const double above_tie = normalBelow((location - tie_zone) / sd);
+    if (answer == 1) return above_tie - normalBelow((location - clear_zone) / sd);
+    return normalBelow((location + tie_zone) / sd) - above_tie;
+}
+
+double PreferenceCurve::mean(double location, double sd) const {
+    double out = -2.0;
+    for (const double cut : {-clear_zone, -tie_zone, tie_zone, clear_zone})
+        out += normalBelow((location - cut) / sd);
+    return out;
+}
+
+double PreferenceCurve::covariance(double first_location, double second_location, double sd,
+                                   double shared) const {
+    const double rest = std::sqrt(std::max(0.0, sd * sd - shared * shared));
+    const double first = mean(first_location, sd);
+    const double second = mean(second_location, sd);
+    return overNormal([&](double z) {
+        return (mean(first_location + shared * z, rest) - first) *
+               (mean(second_location + shared * z, rest) - second);
+    });
+}
+
 }  // namespace deixis::studies

@@ -43,6 +43,14 @@ double shiftOf(const ByName& shifts, const std::string& level) {
     return found == shifts.end() ? 0.0 : found->second;
 }
 
+double shiftOfGroups(const GroupShifts& shifts, const Groups& groups) {
+    double sum = 0.0;
+    for (const auto& [factor, levels] : shifts)
+        if (const auto level = groups.find(factor); level != groups.end())
+            sum += shiftOf(levels, level->second);
+    return sum;
+}
+
 /// Locations at which the systems' expected answers are those assumed; 0 for systems that are not named,
 /// which the measure does not ask about.
 std::vector<double> locationsFor(const Study& study, const ByName& expected, const AnswerCurve& curve,
@@ -79,6 +87,7 @@ void AssumedAnswers::addModel(const Study& study, const AskedMeasure& measure,
     model.kind = measure.kind;
     if (measure.kind == AskedKind::accuracy) {
         if (!effects.accuracy) return;
+        model.groups = effects.accuracy->groups;
         model.spread = effects.accuracy->spread;
         model.lapse_rate = effects.accuracy->lapse_rate;
         model.locations = locationsFor(study, effects.accuracy->systems,
@@ -87,12 +96,12 @@ void AssumedAnswers::addModel(const Study& study, const AskedMeasure& measure,
     } else if (measure.kind == AskedKind::rating) {
         const auto found = effects.ratings.find(measure.name);
         if (found == effects.ratings.end()) return;
-        constexpr double none[] = {0.0};
+        model.groups = found->second.groups;
         model.spread = found->second.spread;
         model.noise_sd = found->second.noise_sd;
         model.locations =
             locationsFor(study, found->second.systems, AnswerCurve::scale(measure.low, measure.high),
-                         totalSd(model.spread, model.noise_sd), none);
+                         totalSd(model.spread, model.noise_sd), groupShifts(study, model.groups));
     } else {
         if (!effects.preference) return;
         model.spread.participant_system_sd = effects.preference->participant_system_sd;
@@ -127,9 +136,10 @@ AssumedAnswers::AssumedAnswers(const Study& study, const AssumedEffects& effects
         const bool choice = asked.kind == AskedKind::accuracy;
         draws_.push_back({participant, place, systemOf(shown.system), systemOf(trial.stimuli.back().system),
                           items.emplace(shown.item, items.size()).first->second,
-                          choice ? shiftOf(effects.accuracy->layouts, trial.layout) +
-                                       shiftOf(effects.accuracy->distances, trial.distance)
-                                 : 0.0,
+                          shiftOfGroups(models_[place].groups, plans[participant].groups) +
+                              (choice ? shiftOf(effects.accuracy->layouts, trial.layout) +
+                                            shiftOf(effects.accuracy->distances, trial.distance)
+                                      : 0.0),
                           choice ? AnswerCurve::choice(models_[place].lapse_rate,
                                                        static_cast<int>(trial.ball_order.size()))
                                  : AnswerCurve::scale(asked.low, asked.high)});
@@ -161,9 +171,7 @@ double AssumedAnswers::drawOne(const Draw& draw, AssumedParticipant& participant
         };
         const double left_better = strength(draw.system) - strength(draw.other_system) +
                                    model.noise_sd * participant.random.normal();
-        const double size = std::abs(left_better);
-        const double clear = size <= model.tie_zone ? 0.0 : size <= model.clear_zone ? 1.0 : 2.0;
-        return left_better > 0.0 ? -clear : clear;
+        return PreferenceCurve{model.tie_zone, model.clear_zone}.answer(-left_better);
     }
     const double behind = model.locations[draw.system] + draw.shift +
                           participant.part(draw.measure, draw.system, model.spread) +

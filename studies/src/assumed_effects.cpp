@@ -18,10 +18,11 @@ namespace {
 constexpr double largest_sd = 100.0;
 constexpr double largest_shift = 20.0;
 constexpr std::array<std::string_view, 3> effect_sections{"accuracy", "rating", "preference"};
-constexpr std::array<std::string_view, 7> accuracy_keys{
-    "systems", "participant_sd", "participant_system_sd", "item_sd", "lapse_rate", "layouts", "distances"};
-constexpr std::array<std::string_view, 5> assumed_rating_keys{"systems", "participant_sd",
-                                                              "participant_system_sd", "item_sd", "noise_sd"};
+constexpr std::array<std::string_view, 8> accuracy_keys{
+    "systems",   "participant_sd", "participant_system_sd", "item_sd", "lapse_rate", "layouts",
+    "distances", "groups"};
+constexpr std::array<std::string_view, 6> assumed_rating_keys{
+    "systems", "participant_sd", "participant_system_sd", "item_sd", "noise_sd", "groups"};
 constexpr std::array<std::string_view, 5> assumed_preference_keys{"systems", "participant_system_sd",
                                                                   "noise_sd", "tie_zone", "clear_zone"};
 
@@ -66,6 +67,19 @@ AssumedSpread readSpread(TomlTable& table) {
             table.number("participant_system_sd", 0.0, largest_sd), table.number("item_sd", 0.0, largest_sd)};
 }
 
+GroupShifts readGroups(TomlTable& table, const Study& study) {
+    std::vector<std::string_view> factors;
+    for (const BetweenFactor& factor : study.between) factors.push_back(factor.name);
+    GroupShifts out;
+    if (!table.has("groups")) return out;
+    TomlTable groups = table.below("groups", table.section("groups", true), factors);
+    for (const BetweenFactor& factor : study.between)
+        if (groups.has(factor.name))
+            out[factor.name] = readByName(groups, factor.name, {factor.levels.begin(), factor.levels.end()},
+                                          -largest_shift, largest_shift, false);
+    return out;
+}
+
 AssumedAccuracy readAccuracy(TomlTable table, const Study& study, const AskedMeasure& measure) {
     AssumedAccuracy read;
     read.spread = readSpread(table);
@@ -76,6 +90,7 @@ AssumedAccuracy readAccuracy(TomlTable table, const Study& study, const AskedMea
         readByName(table, "layouts", names(NamedFactor::layout), -largest_shift, largest_shift, false);
     read.distances =
         readByName(table, "distances", names(NamedFactor::distance), -largest_shift, largest_shift, false);
+    read.groups = readGroups(table, study);
     const AnswerCurve curve = AnswerCurve::choice(read.lapse_rate, measure.balls);
     for (const auto& [name, share] : read.systems)
         if (!table.faulty("systems") && !table.faulty("lapse_rate") &&
@@ -91,6 +106,7 @@ AssumedRating readAssumedRating(TomlTable table, const Study& study, const Asked
     AssumedRating read;
     read.spread = readSpread(table);
     read.noise_sd = table.number("noise_sd", 0.01, largest_sd);
+    read.groups = readGroups(table, study);
     read.systems =
         readByName(table, "systems", namesUsed(study, AskedKind::rating, measure.name, NamedFactor::system),
                    measure.low, measure.high, true);
@@ -122,6 +138,13 @@ std::string tableToml(const std::string& name, const ByName& numbers) {
     if (numbers.empty()) return "";
     std::string out = fmt::format("\n[{}]\n", name);
     for (const auto& [key, value] : numbers) out += fmt::format("{} = {}\n", key, value);
+    return out;
+}
+
+std::string groupsToml(const std::string& name, const GroupShifts& groups) {
+    std::string out;
+    for (const auto& [factor, shifts] : groups)
+        out += tableToml(fmt::format("{}.groups.{}", name, factor), shifts);
     return out;
 }
 
@@ -212,11 +235,13 @@ std::string assumedEffectsToml(const AssumedEffects& effects) {
         out += tableToml("accuracy.systems", accuracy.systems);
         out += tableToml("accuracy.layouts", accuracy.layouts);
         out += tableToml("accuracy.distances", accuracy.distances);
+        out += groupsToml("accuracy", accuracy.groups);
     }
     for (const auto& [measure, rating] : effects.ratings) {
         out += fmt::format("\n[rating.{}]\n{}noise_sd = {}\n", measure, spreadToml(rating.spread),
                            rating.noise_sd);
         out += tableToml(fmt::format("rating.{}.systems", measure), rating.systems);
+        out += groupsToml(fmt::format("rating.{}", measure), rating.groups);
     }
     if (effects.preference) {
         const AssumedPreference& preference = *effects.preference;
@@ -225,6 +250,22 @@ std::string assumedEffectsToml(const AssumedEffects& effects) {
             preference.participant_system_sd, preference.noise_sd, preference.tie_zone,
             preference.clear_zone);
         out += tableToml("preference.systems", preference.systems);
+    }
+    return out;
+}
+
+std::vector<double> groupShifts(const Study& study, const GroupShifts& groups) {
+    std::vector<double> out{0.0};
+    for (const BetweenFactor& factor : study.between) {
+        const auto shifts = groups.find(factor.name);
+        if (shifts == groups.end()) continue;
+        std::vector<double> sums;
+        for (const double sum : out)
+            for (const std::string& level : factor.levels) {
+                const auto found = shifts->second.find(level);
+                sums.push_back(sum + (found == shifts->second.end() ? 0.0 : found->second));
+            }
+        out = std::move(sums);
     }
     return out;
 }
@@ -244,8 +285,9 @@ std::vector<double> gameShifts(const Study& study, const AssumedAccuracy& accura
     const auto distances =
         shiftsOf(namesUsed(study, AskedKind::accuracy, "", NamedFactor::distance), accuracy.distances);
     std::vector<double> out;
-    for (const double layout : layouts)
-        for (const double distance : distances) out.push_back(layout + distance);
+    for (const double group : groupShifts(study, accuracy.groups))
+        for (const double layout : layouts)
+            for (const double distance : distances) out.push_back(group + layout + distance);
     return out;
 }
 

@@ -68,6 +68,44 @@ TEST_SUITE("app/power") {
         INFO(again.err);
         REQUIRE(again.status == 0);
         CHECK(slurp(scratch / "from.json") == slurp(scratch / "again.json"));
+        CHECK(from.out.find("lapse_rate is left at 0") != std::string::npos);
+
+        REQUIRE(
+            program("simulate genea-pairwise --participants 14 --db " + (scratch / "pairs.sqlite")).status ==
+            0);
+        const auto pairs =
+            program("power genea-pairwise --from " + (scratch / "pairs.sqlite") +
+                    " --participants 14 --studies 40 --save-effects " + (scratch / "pairs.toml"));
+        INFO(pairs.err);
+        REQUIRE(pairs.status == 0);
+        CHECK(pairs.out.find("preference: noise_sd is taken as 1") != std::string::npos);
+        CHECK(pairs.out.find("preference: pairs of systems (6 tests)") != std::string::npos);
+        CHECK(slurp(scratch / "pairs.toml").find("[preference.systems]") != std::string::npos);
+        const auto same = program("power genea-pairwise --effect " + (scratch / "pairs.toml") +
+                                  " --participants 14 --studies 40");
+        REQUIRE(same.status == 0);
+        CHECK(pairs.out.ends_with(same.out));
+    }
+
+    TEST_CASE("Groups of a pilot are estimated and tested, and a level that the study lacks is named.") {
+        const Scratch scratch;
+        REQUIRE(program("simulate distractor-distance --participants 8 --db " + (scratch / "pilot.sqlite"))
+                    .status == 0);
+        const std::string rest = " --participants 8 --studies 20 --json ";
+        const auto from = program("power distractor-distance --from " + (scratch / "pilot.sqlite") + rest +
+                                  (scratch / "from.json") + " --save-effects " + (scratch / "effects.toml"));
+        INFO(from.err);
+        REQUIRE(from.status == 0);
+        CHECK(from.out.find("accuracy: training (5 tests)") != std::string::npos);
+        const std::string effects = slurp(scratch / "effects.toml");
+        CHECK(effects.find("[accuracy.groups.training]") != std::string::npos);
+        REQUIRE(program("power distractor-distance --effect " + (scratch / "effects.toml") + rest +
+                        (scratch / "again.json"))
+                    .status == 0);
+        CHECK(slurp(scratch / "from.json") == slurp(scratch / "again.json"));
+        spill(scratch / "effects.toml", replaced(effects, "no-feedback", "never"));
+        CHECK_FAILS_SAYING(program("power distractor-distance --effect " + (scratch / "effects.toml")),
+                           "accuracy.groups.training.never: unknown key", "feedback, no-feedback");
     }
 
     TEST_CASE("What is wrong with the effects or the options is told in one line.") {

@@ -360,6 +360,51 @@ TEST_SUITE("app/push") {
         CHECK_FAILS_SAYING(program("report " + stations().a + " --study another"), "--study");
     }
 
+    TEST_CASE("Tables of an older version are brought up to date by a push, whole or not at all") {
+        PostgresServer* server = PostgresServer::get();
+        if (server == nullptr) return;
+        const Scratch scratch;
+        const Stations& files = stations();
+        const std::string name = server->database();
+        const std::string url = server->url(name);
+        pushed(files.a, url);
+        const std::string schema = schemaIn(*server, name);
+        const std::string version = "SELECT version FROM " + schema + ".deixis_schema";
+        const std::string newest = server->sql(name, version);
+        // Version 3 lacked this column.
+        server->sql(name, "ALTER TABLE " + schema + ".withdrawals DROP COLUMN participant_hash; UPDATE " +
+                              schema + ".deixis_schema SET version = 3");
+        const std::string report = "report '" + url + "' --resamples 200 -o " + (scratch / "r.html");
+        CHECK_FAILS_SAYING(program(report), "has version 3", "Push a station's file");
+
+        // A push that is refused further on leaves them as they were.
+        const std::string clash = scratch / "clash.sqlite";
+        fs::copy_file(files.b, clash);
+        change(clash, "UPDATE participants SET number = 2 WHERE id = 'S005'");
+        CHECK_FAILS_SAYING(push(clash, url), "has the number 2");
+        CHECK(server->sql(name, version) == "3\n");
+
+        const auto done = push(files.b, url);
+        INFO(done.err);
+        REQUIRE(done.status == 0);
+        CHECK(
+            done.out.find("brought up to date: the server's tables of the study, which were of version 3") !=
+            std::string::npos);
+        CHECK(server->sql(name, version) == newest);
+        checkCounts(*server, name, files.both);
+        CHECK(onServer(*server, name, answers_sql) == inFile(files.both, answers_sql));
+        CHECK(push(files.b, url).out.find("brought up to date") == std::string::npos);
+        CHECK(program(report).status == 0);
+        fs::copy_file(files.a, scratch / "withdrawn.sqlite");
+        REQUIRE(program("participants withdraw " + (scratch / "withdrawn.sqlite") + " S001 --yes").status ==
+                0);
+        CHECK(push(scratch / "withdrawn.sqlite", url).out.find("erased, since withdrawn: S001") !=
+              std::string::npos);
+
+        server->sql(name, "UPDATE " + schema + ".deixis_schema SET version = 2");
+        CHECK_FAILS_SAYING(push(files.a, url), schema, "has version 2", "no way leads", "Rename it");
+    }
+
     TEST_CASE("What is wrong with server, user or schema is told in one line, and passwords appear nowhere") {
         PostgresServer* server = PostgresServer::get();
         if (server == nullptr) return;

@@ -41,6 +41,28 @@ std::string unevenAnswers() {
     return out;
 }
 
+/// Ratings from 0 to 100 of two measures by 14 people, all of them there. In "smoothness" all people have the
+/// same mean.
+std::string manySteps() {
+    deixis::Random random(12);
+    std::string out = "participant,measure,system,item,rating\n";
+    for (int p = 0; p < 14; ++p) {
+        const double own = random.uniform(-15.0, 15.0);
+        int place = 0;
+        for (const std::string system : {"stiff", "fluent", "sudden"})
+            for (int item = 1; item <= 5; ++item) {
+                const auto add = [&](const std::string& measure, int rating) {
+                    out += "P" + std::to_string(10 + p) + "," + measure + "," + system + ",T" +
+                           std::to_string(item) + "," + std::to_string(rating) + "\n";
+                };
+                add("naturalness", 50 + (system == "fluent" ? 12 : 0) + 5 * item + static_cast<int>(own) +
+                                       static_cast<int>(random.uniform(-20.0, 20.0)));
+                add("smoothness", 30 + 3 * ((place++ + 2 * p) % 15));
+            }
+    }
+    return out;
+}
+
 /// What stands in front of " numbers compared".
 int compared(const std::string& said) {
     const auto end = said.find(" numbers compared");
@@ -122,10 +144,52 @@ TEST_SUITE("app/report_r") {
                            "\"naturalness\",\"cumulative link mixed model\",\"stiff\",\"fluent\""));
     }
 
+    TEST_CASE("Ratings with many steps get a linear mixed model, and what R says of it is told") {
+        if (!hasR()) return;
+        const Scratch scratch;
+        spill(scratch / "lab.csv", manySteps());
+        REQUIRE(program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") + " --r " +
+                        (scratch / "r"))
+                    .status == 0);
+        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        INFO(done.out, done.err);
+        CHECK(done.status == 0);
+        if (contains(done.out, "not installed")) {
+            MESSAGE("skipped: the mixed models; ", done.out);
+            return;
+        }
+        // Nothing is missing: a contrast is the difference of the means, which the program tells.
+        const auto field = [](const std::string& table, const std::string& start, int column) {
+            auto at = table.find("\n" + start);
+            REQUIRE_MESSAGE(at != std::string::npos, table);
+            ++at;
+            for (int k = 0; k < column; ++k) at = table.find(',', at) + 1;
+            return table.substr(at, table.find_first_of(",\n", at) - at);
+        };
+        const std::string models = slurp(scratch / "r/mixed_models.csv");
+        const std::string pairs = slurp(scratch / "r/pairwise.csv");
+        const std::string natural = "\"naturalness\",\"linear mixed model\",\"stiff\",\"fluent\"";
+        CHECK(std::stod(field(models, natural, 4)) ==
+              doctest::Approx(std::stod(field(pairs, "naturalness,stiff,fluent", 3))));
+        CHECK(std::stod(field(models, natural, 7)) < 0.01);
+        CHECK(field(models, natural, 9) == "\"\"");
+        // No participant is above another.
+        const std::string smooth = "\"smoothness\",\"linear mixed model\",\"stiff\",\"fluent\"";
+        CHECK(contains(field(models, smooth, 9), "singular"));
+        CHECK(contains(done.out, "smoothness : boundary (singular) fit"));
+    }
+
     TEST_CASE("R finds the same numbers in preferences, and in groups without who is excluded") {
         if (!hasR()) return;
-        const std::vector<std::pair<std::string, std::string>> cases{{"genea-pairwise", "preferences"},
-                                                                     {"distractor-distance", "between"}};
+        const Scratch folder;
+        spill(folder / "groups.toml",
+              replaced(slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies/genea-pairwise.toml"),
+                       "[[systems]]",
+                       "[[between]]\nname = \"age\"\nlevels = [\"old\", \"young\"]\n\n[[systems]]"));
+        const std::vector<std::pair<std::string, std::string>> cases{
+            {"genea-pairwise", "preferences"},
+            {folder / "groups.toml", "preferences_between"},
+            {"distractor-distance", "between"}};
         for (const auto& one : cases) {
             const std::string& study = one.first;
             const std::string& table = one.second;

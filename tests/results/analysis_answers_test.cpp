@@ -113,6 +113,71 @@ TEST_SUITE("results/analysis_answers") {
         }
     }
 
+    TEST_CASE("Groups' preferences are compared in each pair of systems, whichever stood left") {
+        // Net preferences for x over y: 2, 1.5, 1 of the old, -1, 0, 0.5 of the young; z was compared by two.
+        ResponseTable table;
+        table.systems = {"x", "y", "z"};
+        table.measures = {{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0}};
+        table.between = {{"age", {"old", "young"}}, {"hand", {"left", "right"}}};
+        const auto answer = [&](const std::string& who, const std::string& left, const std::string& right,
+                                double value) {
+            ResponseRow row{who, "preference", left};
+            row.other_system = right;
+            row.value = value;
+            table.rows.push_back(row);
+        };
+        answer("A", "x", "y", -2.0);
+        answer("B", "y", "x", 2.0);
+        answer("B", "x", "y", -1.0);
+        answer("C", "x", "y", -1.0);
+        answer("D", "y", "x", -1.0);
+        answer("E", "x", "y", 0.0);
+        answer("F", "x", "y", 0.0);
+        answer("F", "y", "x", 1.0);
+        answer("A", "z", "y", 1.0);
+        answer("D", "y", "z", 1.0);
+        for (const char* who : {"A", "B", "C"}) table.groups[who]["age"] = "old";
+        for (const char* who : {"D", "E", "F"}) table.groups[who]["age"] = "young";
+        const AnalysisResult result = analyse(table);
+        REQUIRE(result.preferences_between.size() == 4);  // two pairs, of each factor
+        const PreferenceBetweenResult& one = result.preferences_between[0];
+        CHECK(one.system == "x");
+        CHECK(one.other_system == "y");
+        CHECK(one.a == "old");
+        CHECK(one.mean_a == 1.5);
+        CHECK(one.mean_b == doctest::Approx(-1.0 / 6.0));
+        CHECK(one.test.u == 9.0);                                     // all old ones above all young ones
+        CHECK(one.test.p_two_sided.value() == doctest::Approx(0.1));  // 2 of 20 ways to take three of six
+        CHECK(one.test.hodges_lehmann.estimate.value() == 1.5);
+        CHECK(one.answers_a.wins == 4);
+        CHECK(one.answers_b.wins == 1);
+        CHECK(one.answers_b.ties == 2);
+        CHECK(one.answers_b.losses == 1);
+        CHECK(one.family == "preference: age");
+        CHECK(one.family_size == 2);
+        CHECK(one.p_holm.value() == doctest::Approx(0.2));
+        const PreferenceBetweenResult& other = result.preferences_between[1];
+        CHECK(other.system == "y");
+        CHECK(other.mean_a == 1.0);  // y stood right of z
+        CHECK(other.mean_b == -1.0);
+        CHECK(other.p_holm == 1.0);
+        CHECK_FALSE(result.preferences_between[2].p_holm.has_value());  // nobody's hand is known
+
+        const json row = json::parse(analysisJson(result))["preferences_between"][0];
+        CHECK(row["answers_b"] == json{{"n", 4}, {"wins", 0.25}, {"ties", 0.5}, {"losses", 0.25}});
+        CHECK(row["u"] == 9.0);
+        const std::string page = renderReport(result);
+        CHECK(contains(page, "Preferences by age"));
+        CHECK(contains(page, "25 / 50 / 25&#160;%"));
+        CHECK_FALSE(contains(page, "Preferences by hand"));
+        CHECK(contains(page, "The groups by age do not differ significantly in their preferences."));
+        bool in_csv = false;
+        for (const auto& [name, bytes] : analysisTables(result, TableFormat::csv))
+            if (name == "preferences_between.csv")
+                in_csv = contains(bytes, "\nage,x,y,old,young,4,1,0,0,4,0.25,0.5,0.25,3,3,1.5,");
+        CHECK(in_csv);
+    }
+
     TEST_CASE("Ratings one by one, and the median of participants, are as NumPy has them") {
         const json expected = tests::oracles("analysis")[0]["pooled"];
         const AnalysisResult result = analyseOracle();

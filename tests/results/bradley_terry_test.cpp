@@ -82,18 +82,55 @@ TEST_SUITE("results/bradley_terry") {
             }
             return bradleyTerry(answers.table, {500, seed, 0.95});
         };
-        const auto width = [](const Ability& one) { return one.interval->upper - one.interval->lower; };
+        const auto width = [](const Ability& one) { return one.percentile->upper - one.percentile->lower; };
         const BradleyTerry small = fitOf(60, 3);
         const BradleyTerry large = fitOf(240, 3);
         const BradleyTerry again = fitOf(60, 3);
         const BradleyTerry other = fitOf(60, 4);
         for (std::size_t i = 0; i < 3; ++i) {
-            CHECK(small.abilities[i].interval->lower < *small.abilities[i].estimate);
-            CHECK(small.abilities[i].interval->upper > *small.abilities[i].estimate);
+            CHECK(small.abilities[i].bca->lower < *small.abilities[i].estimate);
+            CHECK(small.abilities[i].bca->upper > *small.abilities[i].estimate);
             CHECK(width(large.abilities[i]) / width(small.abilities[i]) == doctest::Approx(0.5).epsilon(0.2));
-            CHECK(small.abilities[i].interval->lower == again.abilities[i].interval->lower);
-            CHECK(small.abilities[i].interval->lower != other.abilities[i].interval->lower);
+            CHECK(small.abilities[i].bca->lower == again.abilities[i].bca->lower);
+            CHECK(small.abilities[i].bca->lower != other.abilities[i].bca->lower);
         }
+    }
+
+    TEST_CASE("Intervals are those of every way to draw the participants, which R has gone through") {
+        const auto right = tests::oracles("bradley_terry_bootstrap")[0];
+        const std::vector<std::string> names{"x", "y", "z"};
+        Preferences answers(names);
+        for (std::size_t p = 0; p < right["people"].size(); ++p) {
+            const auto wins = right["people"][p].get<WinMatrix>();
+            const std::string who = "P" + std::to_string(p);
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t j = i + 1; j < 3; ++j) {
+                    const double tied = 2.0 * (wins[i][j] - std::floor(wins[i][j]));
+                    const auto add = [&](double value, double times) {
+                        answers.add(who.c_str(), names[i].c_str(), names[j].c_str(), value,
+                                    static_cast<int>(times));
+                    };
+                    add(0.0, tied);
+                    add(-1.0, wins[i][j] - tied / 2.0);
+                    add(2.0, wins[j][i] - tied / 2.0);
+                }
+        }
+        const BradleyTerry fit = bradleyTerry(answers.table, {40'000, 5, 0.95});
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Ability& one = fit.abilities[i];
+            const auto& expected = right["systems"][i];
+            CAPTURE(one.system);
+            CHECK(tests::close(one.estimate, expected["ability"], 1e-8));
+            // Ends lie at single resamples, and 40,000 drawn ones are not all.
+            const auto near = [](double found, const nlohmann::json& end) {
+                return std::abs(found - end.get<double>()) < 0.02;
+            };
+            CHECK(near(one.percentile->lower, expected["percentile"][0]));
+            CHECK(near(one.percentile->upper, expected["percentile"][1]));
+            CHECK(near(one.bca->lower, expected["bca"][0]));
+            CHECK(near(one.bca->upper, expected["bca"][1]));
+        }
+        CHECK(fit.abilities[1].percentile->upper - fit.abilities[1].bca->upper > 0.08);
     }
 
     TEST_CASE(
@@ -135,6 +172,15 @@ TEST_SUITE("results/bradley_terry") {
         // All of P1 and P2, or all of P3.
         CHECK(fit.resamples_left_out / 3000.0 == doctest::Approx(8.0 / 27.0 + 1.0 / 27.0).epsilon(0.1));
         CHECK(fit.note.find("resamples have no finite abilities") != std::string::npos);
+        // Without P3 nobody ever preferred y.
+        CHECK(fit.note.find("BCa intervals are not defined, percentiles stand alone") != std::string::npos);
+        CHECK_FALSE(fit.abilities[0].bca.has_value());
+        CHECK(fit.abilities[0].percentile.has_value());
+        const AnalysisResult result = analyse(answers.table);
+        const auto json = nlohmann::json::parse(analysisJson(result))["bradley_terry"]["abilities"][0];
+        CHECK(json["bca"].is_null());
+        CHECK(json["percentile"]["lower"].is_number());
+        CHECK(renderReport(result).find("percentiles stand alone") != std::string::npos);
         CHECK(bradleyTerry(ResponseTable{}, few).abilities.empty());
     }
 }

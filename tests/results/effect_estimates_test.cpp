@@ -15,8 +15,12 @@ namespace {
 /// A large study's answers under the effects.
 ResponseTable drawn(const Study& study, const AssumedEffects& effects, int participants) {
     std::vector<StudyPlan> plans;
-    for (int number = 1; number <= participants; ++number)
-        plans.push_back(buildPlan(study, plan_fixture::targetsFor(study, 100), "S1", number, {}).value());
+    std::vector<Groups> taken;
+    for (int number = 1; number <= participants; ++number) {
+        taken.push_back(assignGroups(study, taken, number));
+        plans.push_back(
+            buildPlan(study, plan_fixture::targetsFor(study, 100), "S1", number, taken.back()).value());
+    }
     const AssumedAnswers answers(study, effects, plans);
     std::vector<double> values(answers.planned().size());
     answers.draw(7, values);
@@ -28,11 +32,13 @@ ResponseTable drawn(const Study& study, const AssumedEffects& effects, int parti
         const PlannedAnswer& planned = answers.planned()[i];
         ResponseRow row;
         row.participant = std::to_string(planned.participant);
+        table.groups[row.participant] = taken[planned.participant];
         row.measure = answers.measures()[planned.measure].name;
         row.system = planned.trial->stimuli[0].system;
         row.layout = planned.trial->layout;
         row.distance = planned.trial->distance;
         row.target_id = planned.trial->stimuli[0].item;
+        if (planned.trial->stimuli.size() > 1) row.other_system = planned.trial->stimuli[1].system;
         row.value = values[i];
         table.rows.push_back(row);
     }
@@ -43,9 +49,11 @@ ResponseTable drawn(const Study& study, const AssumedEffects& effects, int parti
 
 TEST_SUITE("results/effect_estimates") {
     TEST_CASE("From many answers the effects come back that they were drawn from.") {
-        const Study study = plan_fixture::pointing();
+        Study study = plan_fixture::pointing();
+        study.between = {{"training", {"none", "long"}}};
         AssumedEffects effects;
         effects.accuracy.emplace();
+        effects.accuracy->groups["training"] = {{"none", -0.4}, {"long", 0.4}};
         effects.accuracy->systems = {
             {"demonstration-nn", 0.85}, {"direct", 0.95}, {"stiff", 0.8}, {"drifting", 0.45}};
         effects.accuracy->spread = {0.7, 0.6, 0.5};
@@ -54,6 +62,7 @@ TEST_SUITE("results/effect_estimates") {
             {"demonstration-nn", 4.1}, {"direct", 3.6}, {"stiff", 2.9}, {"drifting", 2.4}};
         effects.ratings["naturalness"].spread = {0.6, 0.5, 0.3};
         effects.ratings["naturalness"].noise_sd = 0.8;
+        effects.ratings["naturalness"].groups["training"] = {{"none", 0.3}, {"long", -0.3}};
         const auto found = estimateEffects(drawn(study, effects, 500), study);
         REQUIRE(found.has_value());
         const AssumedAccuracy& accuracy = *found->effects.accuracy;
@@ -70,6 +79,34 @@ TEST_SUITE("results/effect_estimates") {
         CHECK(rating.spread.participant_system_sd == doctest::Approx(0.5).epsilon(0.1));
         CHECK(rating.spread.item_sd == doctest::Approx(0.3).epsilon(0.25));
         CHECK(rating.noise_sd == doctest::Approx(0.8).epsilon(0.05));
+        CHECK(accuracy.groups.at("training").at("long") == doctest::Approx(0.4).epsilon(0.25));
+        CHECK(rating.groups.at("training").at("long") == doctest::Approx(-0.3).epsilon(0.25));
+    }
+
+    TEST_CASE("From many preferences strengths, zones and spread come back, as ratios to the noise.") {
+        Study study = plan_fixture::studyOf({"x", "y", "z"});
+        study.stages = {plan_fixture::trials(study, "pairs", StageKind::pairwise, 4)};
+        AssumedEffects effects;
+        effects.preference = {{{"x", 2.0}, {"y", 0.4}, {"z", -1.2}}, 1.0, 2.0, 0.6, 2.4};
+        const ResponseTable table = drawn(study, effects, 800);
+        const auto found = estimateEffects(table, study);
+        REQUIRE(found.has_value());
+        const AssumedPreference& preference = found->effects.preference.value();
+        CHECK(preference.noise_sd == 1.0);
+        CHECK(preference.systems.at("x") - preference.systems.at("y") == doctest::Approx(0.8).epsilon(0.06));
+        CHECK(preference.systems.at("y") - preference.systems.at("z") == doctest::Approx(0.8).epsilon(0.06));
+        CHECK(preference.participant_system_sd == doctest::Approx(0.5).epsilon(0.06));
+        CHECK(preference.tie_zone == doctest::Approx(0.3).epsilon(0.06));
+        CHECK(preference.clear_zone == doctest::Approx(1.2).epsilon(0.04));
+
+        // Where z never wins, its strength has no end.
+        ResponseTable won = table;
+        std::erase_if(won.rows, [](const ResponseRow& row) {
+            return row.value == 0.0 || (row.value < 0.0 ? row.system : row.other_system) == "z";
+        });
+        const auto none = estimateEffects(won, study);
+        REQUIRE_FALSE(none.has_value());
+        CHECK(none.error().text().find("that can be estimated") != std::string::npos);
     }
 
     TEST_CASE("Answers that lack a system, or are all alike, are refused by name.") {

@@ -184,6 +184,34 @@ TEST_SUITE("results/power") {
         CHECK(preferred.contrasts[0].found.at(20).a_higher > 90);  // x against y
         CHECK(preferred.contrasts[2].found.at(20).either() < 15);  // y against z
 
+        // Factors that are nested in the systems are compared over them, as in the report.
+        Study nested = oneStage(StageKind::rating, 3, {"x", "y", "z"});
+        for (SystemSource& system : nested.systems)
+            system.levels = {{"hold", system.name == "x" ? "long" : "short"}};
+        AssumedEffects higher;
+        higher.ratings["naturalness"].systems = {{"x", 4.0}, {"y", 2.5}, {"z", 2.5}};
+        const PowerResult by_level = powerOf(nested, higher, {20}, manyStudies(50));
+        REQUIRE(by_level.families.size() == 2);
+        CHECK(by_level.families[1].name == "naturalness: hold over systems");
+        const ContrastPower& hold = by_level.contrasts.back();
+        CHECK(hold.a == "long");
+        CHECK(hold.found.at(20).a_higher > 45);
+
+        // Groups differ where they are assumed to, and by no more than the error where they are not.
+        Study grouped = oneStage(StageKind::rating, 4);
+        grouped.between = {{"training", {"none", "long"}}, {"hand", {"left", "right"}}};
+        AssumedEffects trained;
+        trained.ratings["naturalness"].systems = {{"x", 3.0}, {"y", 3.0}};
+        trained.ratings["naturalness"].spread = {0.5, 0.2, 0.2};
+        trained.ratings["naturalness"].groups["training"] = {{"none", -0.6}, {"long", 0.6}};
+        const PowerResult of_groups = powerOf(grouped, trained, {40}, manyStudies(200));
+        REQUIRE(of_groups.families.size() == 3);  // of systems, and of either factor: all, x, y
+        CHECK(of_groups.families[1].name == "naturalness: training");
+        CHECK(of_groups.families[1].tests == 3);
+        CHECK(of_groups.contrasts[1].system == "all");
+        CHECK(of_groups.contrasts[1].found.at(40).b_higher > 180);
+        CHECK(*of_groups.share(of_groups.families[2].any.at(40)).lower <= grouped.alpha);
+
         const Study groups = plan_fixture::rating();
         AssumedEffects one;
         for (const SystemSource& system : groups.systems)

@@ -43,6 +43,9 @@ Page pageOf(const std::filesystem::path& database, const char* name) {
     REQUIRE(writeFile(file, html));
     CHECK(xpath(file, "count(//*[local-name()='link' or local-name()='img']) + count(//@src | //@href)") ==
           "0\n");
+    CHECK(xpath(file,
+                "count(//*[local-name()='table'][not(parent::*[@tabindex='0' and @role='region' and "
+                "@aria-label != ''])])") == "0\n");
     return {html, xpath(file, "string(/)")};
 }
 

@@ -124,19 +124,44 @@ struct AnswerCounts {
     int answers = 0;
 };
 
-/// Two groups of participants, by the rank-sum test of participants' means.
-struct BetweenResult {
-    std::string measure;
+/// Two groups of participants, by the rank-sum test of a score of each participant.
+struct GroupTest {
     std::string factor;
-    std::string system;   ///< "all": of each participant, the mean of the means under each system
     std::string a, b;     ///< levels
-    double mean_a = 0.0;  ///< of participants' means; 0 where there are none
+    double mean_a = 0.0;  ///< of participants' scores; 0 where there are none
     double mean_b = 0.0;
     RankSumTest test{};
-    std::string family{};  ///< all pairs of levels, over all and within each system
-    int family_size = 0;   ///< tests of it that have a p
+    std::string family{};
+    int family_size = 0;  ///< tests of it that have a p
     std::optional<double> p_holm{};
     bool significant = false;
+};
+
+/// Of participants' means. The family: all pairs of levels, over all and within each system.
+struct BetweenResult : GroupTest {
+    std::string measure;
+    std::string system;  ///< "all": of each participant, the mean of the means under each system
+};
+
+/// A group's answers to one pair of systems.
+struct PreferenceCounts {
+    int wins = 0;  ///< for the first of the pair
+    int ties = 0;
+    int losses = 0;
+
+    [[nodiscard]] int answers() const { return wins + ties + losses; }
+    /// None without answers.
+    [[nodiscard]] std::optional<double> share(int of) const {
+        return answers() > 0 ? std::optional<double>(static_cast<double>(of) / answers()) : std::nullopt;
+    }
+};
+
+/// How two groups differ in one pair of systems. A participant's score is the net preference: the mean of the
+/// answers, positive for `system`, from -2 to 2. The family: all pairs of systems and of levels.
+struct PreferenceBetweenResult : GroupTest {
+    std::string system;
+    std::string other_system;
+    PreferenceCounts answers_a, answers_b;
 };
 
 /// How often balls of one role were chosen in a system's trials of the game.
@@ -225,6 +250,7 @@ struct AnalysisResult {
     std::vector<SensitivityResult> sensitivity;
     AnswerCounts headline_answers, answers_with_left_out, answers_without_doubtful;
     std::vector<BetweenResult> between;
+    std::vector<PreferenceBetweenResult> preferences_between;
     std::vector<ConfusionResult> confusion;  ///< where the balls' positions are known
     std::vector<TargetPlace> target_space;   ///< likewise; of each system by target
     std::vector<PooledResult> pooled;        ///< of ratings
@@ -239,12 +265,13 @@ struct AnalysisResult {
 
 /// Participants' means are compared, as in the paper; a participant without answers under one of the two
 /// conditions is left out of that comparison. Holm's families: all pairs of systems in one measure, all pairs
-/// of levels of one factor over the systems in one measure, all pairs in preference, and all pairs of groups
-/// of one factor, over all and within each system, in one measure.
+/// of levels of one factor over the systems in one measure, all pairs in preference, all pairs of groups of
+/// one factor, over all and within each system, in one measure, and all pairs of groups of one factor in each
+/// pair of systems in preference.
 [[nodiscard]] AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options = {});
 /// The tests of analyse() alone, without bootstraps and descriptions, for who asks very often: fills in
-/// alpha, measures, omnibus, pairwise, levels, level_tests and preferences from the result's table and
-/// options.
+/// alpha, measures, omnibus, pairwise, levels, level_tests, preferences, between and preferences_between from
+/// the result's table and options.
 void runTests(AnalysisResult& result);
 /// One JSON object; its keys stand in docs/analysis.md. Numbers in full precision, fixed order: the same
 /// table gives the same bytes. What is not defined is null.

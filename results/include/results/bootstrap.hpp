@@ -1,4 +1,4 @@
-// Bootstrap intervals of means, resampling whole participants.
+// Bootstrap intervals, resampling whole participants: of means, and what those of other estimates need.
 #pragma once
 
 #include <cstdint>
@@ -37,5 +37,15 @@ struct BootstrapMean {
 /// machine.
 [[nodiscard]] std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> rows,
                                                         const BootstrapOptions& options);
+
+/// The acceleration of BCa intervals from the jackknife. `influences`: of each participant, the mean of the
+/// estimates that leave out one participant less the one that leaves out this one.
+[[nodiscard]] double bootstrapAcceleration(std::span<const double> influences);
+
+/// The BCa interval of an estimate; see BootstrapMean::bca. `sorted`: the resampled estimates, at least one;
+/// those within `allowance` of the estimate count as equal to it.
+[[nodiscard]] std::optional<BootstrapInterval> correctedInterval(const std::vector<double>& sorted,
+                                                                 double estimate, double acceleration,
+                                                                 double allowance, double level);
 
 }  // namespace deixis::results

@@ -22,8 +22,12 @@ using WinMatrix = std::vector<std::vector<double>>;
 
 struct Ability {
     std::string system;
-    std::optional<double> estimate{};             ///< log odds scale; the mean of all is 0
-    std::optional<BootstrapInterval> interval{};  ///< percentile; participants are resampled
+    std::optional<double> estimate{};               ///< log odds scale; the mean of all is 0
+    std::optional<BootstrapInterval> percentile{};  ///< participants are resampled
+    /// Bias-corrected and accelerated. None where there are no finite abilities without one of the
+    /// participants, or where all or none of the resampled abilities lie below the estimate; the note says
+    /// so.
+    std::optional<BootstrapInterval> bca{};
     int wins = 0, ties = 0, losses = 0;
 };
 

@@ -130,6 +130,9 @@ struct ResponseTable {
 /// The factors within participants that the rows differ in: "layout", "distance", then ResponseTable::within.
 [[nodiscard]] std::vector<Factor> withinFactors(const ResponseTable& table);
 
+/// Adds a level that a factor does not have yet, and a factor that is not there yet.
+void addLevel(std::vector<Factor>& factors, const std::string& name, const std::string& level);
+
 /// A row's level of one of them; empty where it has none.
 [[nodiscard]] Name levelOf(const ResponseTable& table, const ResponseRow& row, const std::string& factor);
 

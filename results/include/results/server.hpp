@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@
 namespace deixis::results {
 
 struct PushOutcome {
-    std::string study;           ///< its name
-    std::string schema;          ///< the schema that holds it on the server
-    long long participants = 0;  ///< new on the server; so are the next three
+    std::string study;                         ///< its name
+    std::string schema;                        ///< the schema that holds it on the server
+    std::optional<long long> upgraded_from{};  ///< the version of the schema before, where it was older
+    long long participants = 0;                ///< new on the server; so are the next three
     long long sessions = 0;
     long long responses = 0;
     long long rows = 0;               ///< of all tables, those of the three included
@@ -31,7 +33,8 @@ struct PushOutcome {
 /// sessions, answers superseded) is brought up to date. `address` is a libpq URL; what it leaves out come
 /// from PGHOST, PGUSER, PGPASSWORD, ... or ~/.pgpass. Pushes wait for each other. Errors: of the file, as of
 /// a report; server not reached, user or password refused, no such database; the study's schema is another
-/// program's or of another version; a row differs; an id or number is another person's there.
+/// program's or of a newer version, while an older one is brought up to date first; a row differs; an id or
+/// number is another person's there.
 [[nodiscard]] Result<PushOutcome> pushDatabase(const std::filesystem::path& database,
                                                const std::string& address);
 

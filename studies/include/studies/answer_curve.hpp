@@ -43,4 +43,20 @@ class AnswerCurve {
     double high_;
 };
 
+/// From the difference of two strengths to the answer to a pair, 2 (clearly the first) to -2: what lies
+/// behind is normal with a location and an SD above 0, and cut at the zones.
+struct PreferenceCurve {
+    double tie_zone = 0.0;    ///< a difference no larger is no preference
+    double clear_zone = 0.0;  ///< one no larger is a slight one; at least tie_zone
+
+    [[nodiscard]] double answer(double behind) const;
+    /// The probability of an answer from -2 to 2.
+    [[nodiscard]] double probability(int answer, double location, double sd) const;
+    [[nodiscard]] double mean(double location, double sd) const;
+    /// The covariance of two answers at these locations that share a part of what lies behind them, of SD
+    /// `shared`, out of `sd`.
+    [[nodiscard]] double covariance(double first_location, double second_location, double sd,
+                                    double shared) const;
+};
+
 }  // namespace deixis::studies

@@ -42,6 +42,7 @@ class AssumedAnswers {
     struct Model {
         AskedKind kind = AskedKind::rating;
         std::vector<double> locations;  ///< by system; of a preference the strengths
+        GroupShifts groups{};
         AssumedSpread spread{};
         double noise_sd = 0.0;
         double lapse_rate = 0.0;

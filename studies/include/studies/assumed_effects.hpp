@@ -30,6 +30,9 @@ struct AskedMeasure {
 /// By name of a system, a layout or a distance.
 using ByName = std::map<std::string, double>;
 
+/// By factor between participants: a shift of each of its levels; 0 where one is not named.
+using GroupShifts = std::map<std::string, ByName>;
+
 /// SDs over participants, over participants for each system of its own, and over items. Independent of one
 /// another and normal.
 struct AssumedSpread {
@@ -45,6 +48,7 @@ struct AssumedAccuracy {
     double lapse_rate = 0.0;  ///< of choices that fall on any ball
     ByName layouts{};         ///< shift of each; 0 where it is not named
     ByName distances{};
+    GroupShifts groups{};
 };
 
 /// A rating, or the game's confidence. SDs are in steps of the scale, before rounding to a step.
@@ -52,6 +56,7 @@ struct AssumedRating {
     ByName systems;  ///< expected answer on the measure's scale
     AssumedSpread spread{};
     double noise_sd = 1.0;  ///< of one answer; above 0
+    GroupShifts groups{};   ///< in steps of the scale, before rounding
 };
 
 /// Preferences: the difference of two strengths with noise, cut into five answers.
@@ -76,8 +81,9 @@ struct AssumedEffects {
 /// The same as a file, which reads back as the same numbers.
 [[nodiscard]] std::string assumedEffectsToml(const AssumedEffects& effects);
 
-/// All sums of one shift of a layout and one of a distance that the games of the study have; {0} where there
-/// is none.
+/// All sums of one shift of each factor between participants; {0} where there is none.
+[[nodiscard]] std::vector<double> groupShifts(const Study& study, const GroupShifts& groups);
+/// All sums of one of these, one shift of a layout and one of a distance that the games of the study have.
 [[nodiscard]] std::vector<double> gameShifts(const Study& study, const AssumedAccuracy& accuracy);
 
 }  // namespace deixis::studies

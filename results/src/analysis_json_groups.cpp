@@ -1,0 +1,77 @@
+#include "analysis_json_groups.hpp"
+
+#include "json_values.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+using GroupJson = nlohmann::ordered_json;
+
+void addGroupTest(GroupJson& out, const GroupTest& one, double alpha) {
+    const RankSumTest& test = one.test;
+    const HodgesLehmann& shift = test.hodges_lehmann;
+    out["n_a"] = test.n_a;
+    out["n_b"] = test.n_b;
+    out["mean_a"] = numberOrNull(test.n_a > 0, one.mean_a);
+    out["mean_b"] = numberOrNull(test.n_b > 0, one.mean_b);
+    out["u"] = numberOrNull(test.p_two_sided.has_value(), test.u);
+    out["ties"] = test.ties;
+    out["z"] = numberOrNull(test.z);
+    out["p"] = numberOrNull(test.p_two_sided);
+    out["p_holm"] = numberOrNull(one.p_holm);
+    out["significant"] = one.significant;
+    out["method"] = test.method;
+    out["family"] = one.family;
+    out["family_size"] = one.family_size;
+    out["alpha"] = alpha;
+    out["p_normal"] = numberOrNull(test.normal_p_two_sided);
+    out["a12"] = numberOrNull(test.a12);
+    out["cliffs_delta"] = numberOrNull(test.cliffs_delta);
+    out["hodges_lehmann"] = {{"estimate", numberOrNull(shift.estimate)},
+                             {"lower", numberOrNull(shift.lower)},
+                             {"upper", numberOrNull(shift.upper)},
+                             {"level", numberOrNull(shift.level)}};
+}
+
+GroupJson answersJson(const PreferenceCounts& counts) {
+    const auto share = [&](int of) { return numberOrNull(counts.share(of)); };
+    return {{"n", counts.answers()},
+            {"wins", share(counts.wins)},
+            {"ties", share(counts.ties)},
+            {"losses", share(counts.losses)}};
+}
+
+}  // namespace
+
+GroupJson betweenJson(const AnalysisResult& result) {
+    GroupJson out = GroupJson::array();
+    for (const BetweenResult& one : result.between) {
+        GroupJson row{{"measure", one.measure},
+                      {"factor", one.factor},
+                      {"system", one.system},
+                      {"a", one.a},
+                      {"b", one.b}};
+        addGroupTest(row, one, result.alpha);
+        out.push_back(std::move(row));
+    }
+    return out;
+}
+
+GroupJson preferencesBetweenJson(const AnalysisResult& result) {
+    GroupJson out = GroupJson::array();
+    for (const PreferenceBetweenResult& one : result.preferences_between) {
+        GroupJson row{{"factor", one.factor},
+                      {"system", one.system},
+                      {"other_system", one.other_system},
+                      {"a", one.a},
+                      {"b", one.b},
+                      {"answers_a", answersJson(one.answers_a)},
+                      {"answers_b", answersJson(one.answers_b)}};
+        addGroupTest(row, one, result.alpha);
+        out.push_back(std::move(row));
+    }
+    return out;
+}
+
+}  // namespace deixis::results

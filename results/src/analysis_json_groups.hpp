@@ -1,0 +1,13 @@
+// Groups of participants in the analysis' JSON; private to it.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "results/analysis.hpp"
+
+namespace deixis::results {
+
+[[nodiscard]] nlohmann::ordered_json betweenJson(const AnalysisResult& result);
+[[nodiscard]] nlohmann::ordered_json preferencesBetweenJson(const AnalysisResult& result);
+
+}  // namespace deixis::results
