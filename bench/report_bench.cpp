@@ -1,10 +1,16 @@
 // From the database to the report: a study of 39 participants with 60 answers each, made up, and one of ten
-// times as many. Limits: a second each for who waits for the first, 150 ms for its page with all figures.
+// times as many; and a million answers in a CSV file. Limits: a second each for who waits for the first and
+// the last, 150 ms for the page of one study with all figures.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
+#include "core/files.hpp"
+#include "core/random.hpp"
 #include "inputs.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_tables.hpp"
 #include "results/fixtures.hpp"
+#include "results/long_table.hpp"
 #include "results/response_table.hpp"
 
 namespace {
@@ -51,5 +57,42 @@ BENCHMARK_CAPTURE(analyseAndRender, study, 39, most_seconds_for_a_page)
 BENCHMARK_CAPTURE(analyseAndRender, ten_studies, 390, most_seconds_for_a_report)
     ->Name("report/analyse_and_render_23400_answers")
     ->Unit(benchmark::kMillisecond);
+
+/// Of 1,000 participants: an accuracy and a rating of four systems in two layouts.
+std::string millionAnswers() {
+    std::string text = "participant,measure,system,layout,item,order,correct,rating,rt\n";
+    Random random(39, "answers");
+    for (int p = 0; p < 1000; ++p)
+        for (int i = 0; i < 1000; ++i) {
+            const bool choice = i % 2 == 0;
+            const int system = i / 2 % 4;
+            const auto steps = static_cast<int>(random.below(5));
+            text += fmt::format("P{:04},{},{},{},T{:03},{},{},{},{:.3f}\n", p,
+                                choice ? "accuracy" : "naturalness", "abcd"[system],
+                                i / 8 % 2 == 0 ? "across" : "side", i % 125, i,
+                                choice ? (steps >= system ? "1" : "0") : "",
+                                choice ? "" : fmt::format("{}", 1 + steps), 0.5 + 0.001 * (i * 7 % 3000));
+        }
+    return text;
+}
+
+/// From the file to every table, the answers among them, and the page.
+void analyseMillion(benchmark::State& state) {
+    const fixtures::Folder folder;
+    const auto file = folder / "answers.csv";
+    if (!writeFile(file, millionAnswers())) throw std::runtime_error("no place for the answers");
+    for (auto _ : state) {
+        const auto result = results::analyse(bench::valueOf(results::loadLongTable(file)));
+        if (result.table.rows.size() != 1000000) throw std::runtime_error("some answers were not read");
+        benchmark::DoNotOptimize(results::renderReport(result).data());
+        benchmark::DoNotOptimize(results::analysisTables(result, results::TableFormat::csv).data());
+    }
+    state.counters["limit_s"] = most_seconds_for_a_report;
+}
+BENCHMARK(analyseMillion)
+    ->Name("report/million_answers_to_all_tables")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Iterations(1);
 
 }  // namespace

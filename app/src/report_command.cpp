@@ -67,7 +67,9 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
         return fail(files.page, "was named for both the page and the JSON");
     auto table = loadAll(data, choice);
     if (!table) return tl::unexpected(table.error());
-    const auto analysis = results::analyse(std::move(*table), options);
+    results::AnalysisOptions named = options;
+    named.program = programVersion();
+    const auto analysis = results::analyse(std::move(*table), named);
     if (!files.page.empty())
         if (auto written = writeFile(files.page, results::renderReport(analysis)); !written) return written;
     if (!files.json.empty())

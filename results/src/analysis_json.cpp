@@ -301,7 +301,8 @@ std::string analysisJson(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     Json out;
     out["schema"] = {{"name", "deixis-analysis"}, {"version", 3}};
-    out["program"] = {{"name", "deixis"}, {"recorded_by", table.program_versions}};
+    out["program"] = {
+        {"name", "deixis"}, {"analysed_by", result.options.program}, {"recorded_by", table.program_versions}};
     out["study"] = {{"name", table.study_name},
                     {"title", table.study_title},
                     {"hash", table.study_hash},

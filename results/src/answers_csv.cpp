@@ -50,11 +50,14 @@ void addAnswer(const ResponseTable& table, const ResponseRow& row, bool is_choic
 
 std::string answersCsv(const ResponseTable& table) {
     constexpr std::size_t rows_worth_a_thread = 50000;
+    constexpr std::size_t usual_row_bytes = 64;
     std::string out;
     for (const auto* rows : {&table.rows, &table.left_out_rows}) {
         auto parts = mapRanges(rows->size(), rows_worth_a_thread, [&](std::size_t from, std::size_t to) {
             CsvTable csv(answerColumns(table));
             if (from > 0 || rows != &table.rows) (void)csv.take();  // the columns' names stand once
+            // The first part takes the others'.
+            csv.expect((from == 0 ? rows->size() : to - from) * usual_row_bytes);
             ByName<bool> is_choice;
             for (const Measure& measure : table.measures)
                 is_choice[measure.name] = measure.kind == MeasureKind::accuracy;

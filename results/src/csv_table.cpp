@@ -25,6 +25,16 @@ std::string safeText(std::string_view text) {
     return (looksLikeFormula(text) ? "'" : "") + std::string(text);
 }
 
+void appendNumber(std::string& out, double value) {
+    constexpr double exact = 1e15;
+    if (value == std::floor(value) && std::abs(value) < exact && !std::signbit(value)) {
+        const fmt::format_int digits(static_cast<long long>(value));  // the same digits, sooner
+        out.append(digits.data(), digits.size());
+    } else {
+        fmt::format_to(std::back_inserter(out), "{}", value);
+    }
+}
+
 CsvTable::CsvTable(std::vector<ColumnSpec> columns) : columns_(std::move(columns)) {
     for (std::size_t i = 0; i < columns_.size(); ++i) bytes_ += (i > 0 ? "," : "") + columns_[i].name;
     bytes_ += "\r\n";
@@ -43,11 +53,8 @@ void CsvTable::text(std::string_view value) {
 }
 
 void CsvTable::number(double value) {
-    constexpr double exact = 1e15;
-    if (value == std::floor(value) && std::abs(value) < exact && !std::signbit(value))
-        return whole(static_cast<long long>(value));  // the same digits, sooner
     separate();
-    fmt::format_to(std::back_inserter(bytes_), "{}", value);
+    appendNumber(bytes_, value);
 }
 
 void CsvTable::whole(long long value) {

@@ -24,6 +24,9 @@ struct ColumnSpec {
 /// @, a tab or a carriage return) gets an apostrophe before it.
 [[nodiscard]] std::string safeText(std::string_view text);
 
+/// As few digits as bring the same number back, behind what stands in `out`.
+void appendNumber(std::string& out, double value);
+
 /// Rows are built cell by cell, in the order of the columns.
 class CsvTable {
   public:
@@ -38,6 +41,8 @@ class CsvTable {
     /// Throws std::logic_error where the row has not as many cells as there are columns.
     void endRow();
 
+    /// Memory for so many bytes, so that they need not be moved while the table grows.
+    void expect(std::size_t bytes) { bytes_.reserve(bytes); }
     [[nodiscard]] const std::vector<ColumnSpec>& columns() const { return columns_; }
     [[nodiscard]] long long rows() const { return rows_; }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }  ///< header and rows, CRLF

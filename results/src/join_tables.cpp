@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/hash.hpp"
+#include "csv_table.hpp"
 #include "results/response_table.hpp"
 
 namespace deixis::results {
@@ -149,14 +150,17 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
 }
 
 std::string answersHash(const ResponseTable& table) {
+    constexpr std::size_t usual_row_bytes = 64;
     std::string text;
+    text.reserve(table.rows.size() * usual_row_bytes);
     for (const ResponseRow& row : table.rows) {
         for (const Name one : {row.participant, row.measure, row.system, row.other_system, row.layout,
                                row.distance, row.target_id}) {
             text += one.text();
             text += '\t';
         }
-        fmt::format_to(std::back_inserter(text), "{}\n", row.value);
+        appendNumber(text, row.value);
+        text += '\n';
     }
     return sha256Hex(text);
 }

@@ -8,6 +8,7 @@
 #include "page.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
+#include "report_paper.hpp"
 #include "report_tables.hpp"
 #include "report_tests.hpp"
 #include "report_text.hpp"
@@ -136,6 +137,7 @@ std::string provenance(const AnalysisResult& result) {
         entry("Recorded by", joined(table.program_versions));
         entry("Avatar (SHA-256)", joined(table.avatar_hashes));
     }
+    if (!result.options.program.empty()) entry("Analysed by", escapeHtml(result.options.program));
     entry("Settings",
           fmt::format("&#945; = {}, intervals at {:g}&#160;%, {} bootstrap resamples, seed {}", result.alpha,
                       100.0 * result.options.level, result.options.resamples, result.options.seed));
@@ -175,6 +177,7 @@ std::string renderReport(const AnalysisResult& result) {
             "no evidence "
             "about people.</p>\n";
     out += findingsHtml(result);
+    out += designHtml(result);
     Numbering figures("Figure");
     out += figuresHtml(result, figures);
     Numbering numbering;
@@ -198,7 +201,8 @@ std::string renderReport(const AnalysisResult& result) {
     out += "\n" + checksAndLeftOut(result, numbering);
     out += "\n" + presenceHtml(result, numbering);
     out += remarksHtml(result.remarks);
-    out += "\n<h2>Methods</h2>" + methodsHtml(result) + "\n" + provenance(result);
+    out += paperHtml(result);
+    out += "\n<h2>Methods in full</h2>" + methodsHtml(result) + "\n" + provenance(result);
     return out + pageEnd("The tables hold all their numbers.");
 }
 

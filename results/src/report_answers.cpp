@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "by_name.hpp"
 #include "report_figures.hpp"
 
 namespace deixis::results {
@@ -156,12 +157,13 @@ std::optional<StepCounts> stepCounts(const AnalysisResult& result, std::size_t i
     for (int step = static_cast<int>(measure.low); step <= static_cast<int>(measure.high); ++step)
         out.steps.push_back(step);
     out.counts.assign(result.systems.size(), std::vector<int>(out.steps.size(), 0));
+    const Name name(measure.name);
+    ByName<std::size_t> systems;
+    for (std::size_t i = 0; i < result.table.systems.size(); ++i) systems[result.table.systems[i]] = i;
     for (const ResponseRow& row : result.table.rows) {
-        if (row.measure != measure.name) continue;
+        if (row.measure != name) continue;
         if (!whole(row.value) || row.value < measure.low || row.value > measure.high) return std::nullopt;
-        const auto system = std::find(result.table.systems.begin(), result.table.systems.end(), row.system);
-        ++out.counts[static_cast<std::size_t>(system - result.table.systems.begin())]
-                    [static_cast<std::size_t>(row.value - measure.low)];
+        ++out.counts[systems[row.system]][static_cast<std::size_t>(row.value - measure.low)];
     }
     return out;
 }

@@ -80,6 +80,38 @@ TEST_SUITE("results/report") {
         CHECK_FALSE(contains(text, "Remarks"));
     }
 
+    TEST_CASE("Design, a paragraph on methods and the limitations are told of each study as it is") {
+        const fixtures::Folder folder;
+        fixtures::fill(folder / "a.sqlite", fixtures::study(systems), 12, 5, true, {0.86, 0.95, 0.83, 0.46},
+                       {3.9, 4.6, 2.9, 4.3}, fixtures::everything);
+        const Page page = pageOf(folder / "a.sqlite", "for-the-paper");
+        CHECK(contains(page.text, "4: demonstration-nn, direct, stiff and drifting (within participants)"));
+        CHECK(contains(page.text, "12 of 12 planned have answered"));
+        CHECK(contains(page.text, "720 in all, 60 of each participant"));
+        CHECK(contains(page.text,
+                       "no people, stand here for a sample of 12 participants, who gave 60 answers each"));
+        CHECK(contains(page.text, "Holm's correction over the 6 pairs of each measure"));
+        CHECK(contains(page.text, "nothing about people"));
+        CHECK(contains(page.text, "families of tests of this page"));
+
+        ResponseTable preferred;
+        preferred.systems = {"a", "b"};
+        preferred.measures = {{"preference", MeasureKind::preference, -2.0, 2.0, 0, 2}};
+        for (const std::string participant : {"P1", "P2"}) {
+            ResponseRow row;
+            row.participant = participant;
+            row.measure = "preference";
+            row.system = "a";
+            row.other_system = "b";
+            row.value = 1.0;
+            preferred.rows.push_back(row);
+        }
+        const std::string html = renderReport(analyse(preferred));
+        CHECK(contains(html, "preference (between two systems, side by side)"));
+        CHECK_FALSE(contains(html, "Means take a rating"));
+        CHECK_FALSE(contains(html, "simulated participants: they show"));
+    }
+
     TEST_CASE("One participant gives a report without tests that says so") {
         const fixtures::Folder folder;
         fixtures::fill(folder / "a.sqlite", fixtures::study(systems), 1, 5, false, {0.9, 0.9, 0.8, 0.4},

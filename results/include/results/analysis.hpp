@@ -22,6 +22,7 @@ struct AnalysisOptions {
     double level = 0.95;            ///< of intervals, in (0, 1)
     int resamples = 10000;          ///< of bootstraps, at least 1
     std::uint64_t seed = 1;         ///< of bootstraps
+    std::string program{};          ///< that analyses, and its version; for provenance
 };
 
 struct Summary {
