@@ -4,10 +4,26 @@
 
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "core/server_address.hpp"
+
+namespace {
+
+/// A server's address given to a command that works on files, by itself or as --option=ADDRESS.
+std::optional<std::string> misplacedServer(const std::vector<std::string>& arguments) {
+    if (arguments.empty() || arguments[0] == "report" || arguments[0] == "push") return std::nullopt;
+    for (const std::string& one : arguments)
+        for (const std::string& text : {one, one.substr(one.find('=') + 1)})
+            if (deixis::isServerAddress(text)) return text;
+    return std::nullopt;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     using namespace deixis::app;
@@ -36,6 +52,14 @@ int main(int argc, char** argv) {
     addClipsCommand(cli, chosen);
     addViewCommand(cli, chosen);
 
+    if (const auto address = misplacedServer({argv + 1, argv + argc})) {
+        fmt::print(
+            stderr,
+            "deixis: error: {}: is a server's address; only report and push take one, all else works on "
+            "files. Run it with --help for more information.\n",
+            deixis::withoutPasswords(*address));
+        return 2;
+    }
     try {
         cli.parse(argc, argv);
         const auto done = chosen();

@@ -95,9 +95,34 @@ std::string levelTable(const AnalysisResult& result, const Measure& measure, con
     return out + close_table;
 }
 
+std::string joined(const std::vector<std::string>& items) {
+    std::string out;
+    for (const auto& item : items) out += (out.empty() ? "" : ", ") + escapeHtml(item);
+    return out;
+}
+
+/// Answers in marked trials and participants who failed a check: in the headline, and not in one of the other
+/// choices.
+std::string doubtfulButKept(const ResponseTable& table) {
+    std::map<std::string, int> marks;
+    for (const ResponseRow& row : table.rows)
+        if (!row.marked.empty()) ++marks[row.marked];
+    std::string out;
+    for (const auto& [why, n] : marks)
+        out += fmt::format("{}{} ({} {})", out.empty() ? "Marked trials: " : ", ", escapeHtml(why), n,
+                           n == 1 ? "answer" : "answers");
+    if (!out.empty()) out += ".";
+    if (!table.failed_checks.empty())
+        out += fmt::format("{}Failed a check: {}.", out.empty() ? "" : " ",
+                           joined({table.failed_checks.begin(), table.failed_checks.end()}));
+    if (out.empty()) return "";
+    return "<p>" + out + " Their answers count in the headline; what changes without them stands above.</p>";
+}
+
 std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering) {
     const ResponseTable& table = result.table;
-    if (table.checks.empty() && table.left_out.empty()) return "";
+    const std::string kept = doubtfulButKept(table);
+    if (table.checks.empty() && table.left_out.empty() && table.withdrawn == 0 && kept.empty()) return "";
     std::string out = "<h2>Attention checks and exclusions</h2>";
     if (!table.checks.empty()) {
         out +=
@@ -109,18 +134,19 @@ std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering)
                 escapeHtml(check.stage), escapeHtml(check.kind), check.passed, check.failed);
         out += close_table;
     }
-    if (table.left_out.empty()) return out + "<p>Nobody is left out.</p>";
+    out += kept;
+    if (table.withdrawn > 0)
+        out += fmt::format(
+            "<p>{} withdrew; nothing of theirs is kept.</p>",
+            table.withdrawn == 1 ? "1 participant" : fmt::format("{} participants", table.withdrawn));
+    if (table.left_out.empty())
+        return table.withdrawn > 0 ? out + "<p>Nobody else is left out.</p>"
+                                   : out + "<p>Nobody is left out.</p>";
     out += "<p>The answers of these participants are left out:</p><ul>";
     for (const auto& one : table.left_out)
         out += fmt::format("<li>{}: {} ({})</li>", escapeHtml(one.participant),
                            one.dropped ? "dropped out" : "excluded", escapeHtml(one.reason));
     return out + "</ul>";
-}
-
-std::string joined(const std::vector<std::string>& items) {
-    std::string out;
-    for (const auto& item : items) out += (out.empty() ? "" : ", ") + escapeHtml(item);
-    return out;
 }
 
 std::string provenance(const AnalysisResult& result) {

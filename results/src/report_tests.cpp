@@ -55,7 +55,8 @@ template <typename Tests>
 std::string rankDetails(const Tests& tests, const std::string& name, const std::string& first_columns,
                         const std::vector<std::string>& first_cells) {
     std::string out = fmt::format(
-        "<details><summary>Ranks, zeros and normality</summary>{}<table><thead><tr>{}{}</tr></thead><tbody>",
+        "<details><summary>Ranks, zeros and normality</summary>{}<table "
+        "class=\"dense\"><thead><tr>{}{}</tr></thead><tbody>",
         openScroll(name + ": ranks, zeros and normality"), first_columns, rank_columns);
     for (std::size_t i = 0; i < tests.size(); ++i)
         out += fmt::format("<tr>{}{}</tr>", first_cells[i], rankCells(*tests[i]));

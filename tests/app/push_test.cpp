@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "postgres_server.hpp"
+#include "text.hpp"
 
 using namespace deixis::tests;
 
@@ -432,8 +433,14 @@ TEST_SUITE("app/push") {
         CHECK_FAILS_SAYING(run(to + "postgresql://lab:" + secret + "@x@127.0.0.1:1/x"), "without doubt");
         CHECK_FAILS_SAYING(run(to + (scratch / "x")), "not the address of a PostgreSQL server");
         CHECK(run(to + "b.sqlite " + right).status == 2);
-        CHECK(run("merge " + right + " " + right + " -o " + (scratch / "m.sqlite")).status == 1);
-        CHECK(run("export " + right).status == 1);
+        // Taken for a file, an address would leave its password in a folder's name.
+        for (const std::string& command : {"merge " + right + " " + right + " -o " + (scratch / "m.sqlite"),
+                                           "export " + right, "simulate genea-pairwise --db=" + right}) {
+            const auto refused = run(command);
+            CHECK(refused.status == 2);
+            CHECK(contains(refused.err, "only report and push take one"));
+        }
+        CHECK_FALSE(std::filesystem::exists("postgresql:"));
 
         // The password in the address, in the environment, and in the file: all the ways in.
         CHECK(run(to + right).status == 0);
