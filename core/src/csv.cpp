@@ -43,6 +43,7 @@ Result<void> CsvReader::readField(std::string& field) {
     const std::size_t begin = at_;
     for (; at_ < text_.size(); ++at_) {
         const char c = text_[at_];
+        if (static_cast<unsigned char>(c) > ',') continue;  // what ends a field comes before in ASCII
         if (c == ',' || c == '\n' || (c == '\r' && atLineEnd())) break;
         if (c == '"')
             return fail(fmt::format("{}:{}", name_, line_), "a quote stands inside an unquoted field",

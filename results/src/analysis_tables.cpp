@@ -5,11 +5,9 @@
 #include <map>
 
 #include "analysis_tables_further.hpp"
-#include "analysis_tests.hpp"
 #include "answers_csv.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "plain_table.hpp"
-#include "results/descriptive.hpp"
 
 namespace deixis::results {
 
@@ -293,20 +291,15 @@ PlainTable participantsTable(const AnalysisResult& result) {
         "participant_means",
         "Participants' means",
         {{"participant", text}, {"measure", text}, {"system", text}, {"mean", number}, {"answers", whole}}};
-    const CellsByMeasure cells = cellsOf(pointersTo(result.table.rows));
-    for (const Measure& measure : result.measures) {
-        const auto of_measure = cells.find(measure.name);
-        if (of_measure == cells.end()) continue;
+    for (std::size_t m = 0; m < result.measures.size(); ++m) {
+        // Of each system, which participant with answers is next.
+        std::vector<std::size_t> next(result.systems.size(), 0);
         for (const PresenceRow& row : result.presence)
-            for (const std::string& system : result.table.systems) {
-                const auto of_system = of_measure->second.find(system);
-                if (of_system == of_measure->second.end()) continue;
-                if (const auto scores = of_system->second.find(row.participant);
-                    scores != of_system->second.end())
-                    out.rows.push_back({row.participant, measure.name, system,
-                                        PlainCell(mean(scores->second)),
-                                        count(static_cast<int>(scores->second.size()))});
-            }
+            for (std::size_t s = 0; s < result.systems.size(); ++s)
+                if (const int answers = row.answers[m][s]; answers > 0)
+                    out.rows.push_back({row.participant, result.measures[m].name, result.systems[s].system,
+                                        PlainCell(result.systems[s].measures[m].by_participant[next[s]++]),
+                                        count(answers)});
     }
     return out;
 }

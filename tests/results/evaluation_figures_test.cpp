@@ -65,7 +65,9 @@ bool near(double a, double b) {
 
 TEST_SUITE("results/evaluation_figures") {
     TEST_CASE("Boxes draw the quantiles of all clips, and points of all, or of a hundred with both ends") {
-        for (const auto& [sides, points] : {std::pair{3, 27}, std::pair{6, 100}}) {
+        for (const auto& grid : {std::pair{3, 27}, std::pair{6, 100}}) {
+            const int sides = grid.first;
+            const int points = grid.second;
             CAPTURE(sides);
             const Evaluation evaluation = ofGrid(sides);
             const std::string page = renderEvaluation(evaluation);
@@ -210,7 +212,10 @@ TEST_SUITE("results/evaluation_figures") {
             {0.5, 0.43, 0.41},   // right, near
             {1.08, 0.0, 0.522},  // left, up: 0.4 + 0.1 + 0.02 + 0.004/2
             {1.08, 0.43, 0.502}, {1.58, 0.0, 0.422}, {1.58, 0.43, 0.402}};
-        for (const auto& [x, y, value] : wanted) {
+        for (const auto& one : wanted) {
+            const double x = std::get<0>(one);
+            const double y = std::get<1>(one);
+            const double value = std::get<2>(one);
             CAPTURE(value);
             const auto found = std::find_if(cells.begin(), cells.end(), [&](const json& cell) {
                 return std::abs(cell["mean"].get<double>() - value) < 1e-6;
