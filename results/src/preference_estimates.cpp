@@ -65,9 +65,11 @@ double logLikelihood(const std::vector<PairAnswers>& pairs, const Cuts& cuts) {
     const PreferenceCurve curve = cuts.curve();
     double sum = 0.0;
     for (const PairAnswers& pair : pairs)
-        for (int answer = -2; answer <= 2; ++answer)
-            if (const double count = pair.counts.at(static_cast<std::size_t>(answer + 2)); count > 0.0)
+        for (std::size_t place = 0; place < pair.counts.size(); ++place)
+            if (const double count = pair.counts[place]; count > 0.0) {
+                const int answer = static_cast<int>(place) - 2;
                 sum += count * std::log(std::max(1e-15, curve.probability(answer, cuts.between(pair), 1.0)));
+            }
     return sum;
 }
 
