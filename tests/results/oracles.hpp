@@ -60,4 +60,27 @@ bool close(const std::optional<double>& found, const Expected& expected, double 
     }
 }
 
+/// Of at least 30 cases each: p by the normal approximation, and exact p where SciPy has one, without ties.
+/// test(case) gives a result of rankSumTest() or signedRankTest().
+template <typename Test>
+void checkAgainstScipy(const std::string& name, const Test& test) {
+    int exact = 0;
+    int normal = 0;
+    for (const auto& expected : oracles(name)) {
+        if (!expected.contains("scipy")) continue;
+        CAPTURE(expected["name"].get<std::string>());
+        const auto& scipy = expected["scipy"];
+        const auto found = test(expected);
+        CHECK(close(found.normal_p_two_sided, scipy["normal_p"], 1e-12));
+        ++normal;
+        if (!scipy.contains("less")) continue;
+        CHECK(close(found.p_two_sided, scipy["two-sided"], 1e-12));
+        CHECK(close(found.p_greater, scipy["greater"], 1e-12));
+        CHECK(close(found.p_less, scipy["less"], 1e-12));
+        ++exact;
+    }
+    CHECK(exact >= 30);
+    CHECK(normal >= 30);
+}
+
 }  // namespace deixis::tests
