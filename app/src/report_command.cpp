@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <utility>
 
@@ -27,6 +28,19 @@ struct ReportArguments {
     results::AnalysisOptions analysis;
     DataChoice choice;
 };
+
+using Tables = std::vector<std::pair<std::string, std::string>>;  ///< file names and their bytes
+
+/// Nothing where no folder is named.
+Result<void> writeTables(const std::string& folder, const Tables& tables) {
+    if (folder.empty()) return {};
+    std::error_code code;
+    std::filesystem::create_directories(folder, code);
+    if (code) return fail(folder, "cannot be made: " + code.message());
+    for (const auto& [name, bytes] : tables)
+        if (auto written = writeFile(std::filesystem::path(folder) / name, bytes); !written) return written;
+    return {};
+}
 
 /// One of the data: a database, a long table, or a study on a server.
 Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice& choice) {
@@ -70,20 +84,21 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
     results::AnalysisOptions named = options;
     named.program = programVersion();
     const auto analysis = results::analyse(std::move(*table), named);
+    // Tables may hold millions of answers: they are made beside the page.
+    const bool wants_csv = !files.csv.empty() || !files.r.empty();
+    auto csv = std::async(std::launch::async, [&] {
+        return wants_csv ? results::analysisTables(analysis, results::TableFormat::csv) : Tables{};
+    });
     if (!files.page.empty())
         if (auto written = writeFile(files.page, results::renderReport(analysis)); !written) return written;
     if (!files.json.empty())
         if (auto written = writeFile(files.json, results::analysisJson(analysis)); !written) return written;
-    for (const auto& [folder, kind] : {std::pair{files.csv, results::TableFormat::csv},
-                                       std::pair{files.latex, results::TableFormat::latex},
-                                       std::pair{files.r, results::TableFormat::csv}}) {
-        if (folder.empty()) continue;
-        std::error_code code;
-        std::filesystem::create_directories(folder, code);
-        if (code) return fail(folder, "cannot be made: " + code.message());
-        for (const auto& [name, bytes] : results::analysisTables(analysis, kind))
-            if (auto written = writeFile(std::filesystem::path(folder) / name, bytes); !written)
-                return written;
+    const Tables csv_tables = csv.get();
+    for (const std::string& folder : {files.csv, files.r})
+        if (auto written = writeTables(folder, csv_tables); !written) return written;
+    if (!files.latex.empty()) {
+        const Tables latex = results::analysisTables(analysis, results::TableFormat::latex);
+        if (auto written = writeTables(files.latex, latex); !written) return written;
     }
     if (!files.r.empty()) {
         const auto script = readFile(assets::dataFile("analysis.R"));
