@@ -9,6 +9,7 @@
 
 #include "results/density.hpp"
 #include "results/mean_shift.hpp"
+#include "stats_tests.hpp"
 
 namespace deixis::app {
 
@@ -75,7 +76,9 @@ Result<results::GaussianDensity> fitted(const results::Points& points, const std
 
 Result<Json> statsDensity(const StatsTable& table, const DensityOptions& options) {
     const PointRows rows = pointRows(table);
-    Json out{{"n", rows.points.size()}, {"n_missing", rows.missing()}, {"dimensions", table.columns.size()}};
+    Json out = statsObject(table, "kde");
+    out.update(
+        {{"n", rows.points.size()}, {"n_missing", rows.missing()}, {"dimensions", table.columns.size()}});
     const auto density = fitted(rows.points, options.bandwidth, table.columns.size(), out);
     if (!density)
         return fail(density.error().where.empty() ? table.name : density.error().where,
@@ -117,10 +120,14 @@ Result<Json> statsMeanShift(const StatsTable& table, const ClusterOptions& optio
     if (!found) return fail(table.name, found.error().message, found.error().mend);
     std::vector<int> counts(found->centres.size(), 0);
     for (const int label : found->labels) ++counts[static_cast<std::size_t>(label)];
-    Json out{
-        {"n", rows.points.size()}, {"n_missing", rows.missing()},       {"dimensions", table.columns.size()},
-        {"bandwidth", bandwidth},  {"clusters", found->centres.size()}, {"centres", found->centres},
-        {"counts", counts}};
+    Json out = statsObject(table, "meanshift");
+    out.update({{"n", rows.points.size()},
+                {"n_missing", rows.missing()},
+                {"dimensions", table.columns.size()},
+                {"bandwidth", bandwidth},
+                {"clusters", found->centres.size()},
+                {"centres", found->centres},
+                {"counts", counts}});
     out["labels"] = Json::array();
     for (const int place : rows.place)
         out["labels"].push_back(place < 0 ? Json(nullptr)

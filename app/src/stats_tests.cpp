@@ -65,14 +65,6 @@ Result<void> needPairs(const StatsTable& table, const std::string& test) {
                 "Name the column that tells whose they are: --paired-by participant");
 }
 
-/// The columns' names first.
-Json begin(const StatsTable& table, const std::string& test) {
-    Json out;
-    out["test"] = test;
-    for (const StatsColumn& column : table.columns) out["columns"].push_back(column.name);
-    return out;
-}
-
 int rowsOf(const StatsTable& table) {
     return static_cast<int>(table.columns.front().cells.size());
 }
@@ -95,13 +87,20 @@ Json hodgesLehmannJson(const results::HodgesLehmann& estimate, double level, Not
 
 }  // namespace
 
+Json statsObject(const StatsTable& table, const std::string& test) {
+    Json out;
+    out["test"] = test;
+    for (const StatsColumn& column : table.columns) out["columns"].push_back(column.name);
+    return out;
+}
+
 Result<Json> statsSignedRank(const StatsTable& table, const StatsOptions& options) {
     if (auto good = needColumns(table, 2, 2, "signed-rank"); !good) return tl::unexpected(good.error());
     if (auto good = needPairs(table, "signed-rank"); !good) return tl::unexpected(good.error());
     const auto rows = completeRows(table);
     const auto test = results::signedRankTest(differences(rows), options.level);
     Note note;
-    Json out = begin(table, "signed-rank");
+    Json out = statsObject(table, "signed-rank");
     out["n_pairs"] = test.n_pairs;
     out["n_missing"] = rowsOf(table) - test.n_pairs;
     out["n_zero"] = test.n_zero;
@@ -133,7 +132,7 @@ Result<Json> statsRankSum(const StatsTable& table, const StatsOptions& options) 
     const auto test =
         results::rankSumTest(table.columns[0].values(), table.columns[1].values(), options.level);
     Note note;
-    Json out = begin(table, "rank-sum");
+    Json out = statsObject(table, "rank-sum");
     out["n_a"] = test.n_a;
     out["n_b"] = test.n_b;
     out["n_missing"] = table.columns[0].missing() + table.columns[1].missing();
@@ -162,7 +161,7 @@ Result<Json> statsFriedman(const StatsTable& table, const StatsOptions&) {
     if (auto good = needPairs(table, "friedman"); !good) return tl::unexpected(good.error());
     const auto test = results::friedmanTest(completeRows(table));
     const int k = static_cast<int>(table.columns.size());
-    Json out = begin(table, "friedman");
+    Json out = statsObject(table, "friedman");
     out["n"] = test.n;
     out["k"] = k;
     out["n_missing"] = rowsOf(table) - test.n;
@@ -198,7 +197,7 @@ Result<Json> statsShapiro(const StatsTable& table, const StatsOptions&) {
         missing = rowsOf(table) - static_cast<int>(values.size());
     }
     const auto test = results::shapiroWilk(values);
-    Json out = begin(table, "shapiro");
+    Json out = statsObject(table, "shapiro");
     out["of"] = table.columns.size() == 2 ? "differences" : "values";
     out["n"] = test.n;
     out["n_missing"] = missing;
@@ -224,7 +223,7 @@ Result<Json> statsSpearman(const StatsTable& table, const StatsOptions&) {
     const auto test = results::spearman(x, y);
     const bool defined = test.method != "undefined";
     const auto number = [&](double value) { return defined ? Json(value) : Json(nullptr); };
-    Json out = begin(table, "spearman");
+    Json out = statsObject(table, "spearman");
     out["n"] = test.n;
     out["n_missing"] = rowsOf(table) - test.n;
     out["rho"] = number(test.rho);
@@ -253,7 +252,7 @@ Result<Json> statsHolm(const StatsTable& table, const StatsOptions&) {
         p.push_back(cell ? cell->toDouble() : std::numeric_limits<double>::quiet_NaN());
     }
     const int missing = column.missing();
-    Json out = begin(table, "holm");
+    Json out = statsObject(table, "holm");
     out["n"] = static_cast<int>(p.size()) - missing;
     out["n_missing"] = missing;
     out["p"] = p;
@@ -304,7 +303,7 @@ Result<Json> statsBootstrap(const StatsTable& table, const StatsOptions& options
         out["percentile"] = interval(estimate.percentile);
         out["bca"] = interval(estimate.bca);
     };
-    Json out = begin(table, "bootstrap");
+    Json out = statsObject(table, "bootstrap");
     out["statistic"] = "mean";
     out["participants"] = rows.size();
     out["resamples"] = options.resamples;
@@ -351,7 +350,7 @@ Result<Json> statsProportion(const StatsTable& table, const StatsOptions& option
     std::optional<double> chance;
     if (options.chance) chance = options.chance->toDouble();
     const auto found = results::proportion(successes, n, options.level, chance);
-    Json out = begin(table, "proportion");
+    Json out = statsObject(table, "proportion");
     out["successes"] = successes;
     out["n"] = n;
     out["n_missing"] = column.missing();
@@ -394,7 +393,7 @@ Result<Json> statsDescribe(const StatsTable& table, const StatsOptions&) {
         note.addIf(found.n == 1, "sd and se are undefined for a single value");
         note.write(out);
     };
-    Json out = begin(table, "describe");
+    Json out = statsObject(table, "describe");
     if (table.columns.size() == 1) {
         write(out, table.columns[0]);
         return out;

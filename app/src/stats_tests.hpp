@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "core/error.hpp"
 #include "results/rational.hpp"
@@ -17,6 +18,9 @@ struct StatsOptions {
     int resamples = 10000;                      ///< of a bootstrap
     std::uint64_t seed = 1;                     ///< likewise
 };
+
+/// What every test's object begins with: its name and the columns'.
+[[nodiscard]] nlohmann::ordered_json statsObject(const StatsTable& table, const std::string& test);
 
 /// Undefined values are null, and `note` says why. The keys stand in docs/statistics.md. Errors: too few or
 /// too many columns, cells that the test cannot take.

@@ -218,6 +218,8 @@ TEST_SUITE("app/stats") {
 
     TEST_CASE("kde gives the normal kernels' sum, at the rows or elsewhere") {
         const json out = numbers("kde", "x\n0\n\n1\n", "--columns x --bandwidth 1");
+        CHECK(out["test"] == "kde");
+        CHECK(out["columns"] == json({"x"}));
         CHECK(out["n"] == 2);
         CHECK(out["n_missing"] == 1);
         CHECK(out["densities"][0].get<double>() == doctest::Approx(0.5 * (0.3989422804 + 0.2419707245)));
