@@ -11,12 +11,13 @@
 
 namespace deixis::tests {
 
-/// 1280 x 800, without a window manager.
+/// 1280 x 800, without a window manager; one at a time.
 class Display {
   public:
+    // A server that begins anew whenever its last client leaves would refuse the next one meanwhile.
     Display()
-        : server_("Xvfb :" + std::to_string(number()) +
-                  " -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1") {
+        : server_("Xvfb :" + std::to_string(nextNumber()) +
+                  " -screen 0 1280x800x24 -nolisten tcp -noreset >/dev/null 2>&1") {
         REQUIRE(eventually(20.0, [] { return xdotool("getdisplaygeometry").status == 0; }));
     }
     [[nodiscard]] static std::string environment() { return "env DISPLAY=:" + std::to_string(number()); }
@@ -25,10 +26,12 @@ class Display {
     }
 
   private:
-    static int number() {
-        static const int chosen = 100 + static_cast<int>(getpid()) % 800;
+    static int& number() {
+        static int chosen = 100 + 10 * (static_cast<int>(getpid()) % 1000);
         return chosen;
     }
+    /// Not that of a server that is just going.
+    static int nextNumber() { return ++number(); }
     Background server_;
 };
 
