@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "analysis_tests.hpp"
 #include "by_name.hpp"
 #include "core/parallel.hpp"
 #include "csv_table.hpp"
@@ -36,13 +37,8 @@ void addAnswer(const ResponseTable& table, const ResponseRow& row, bool is_choic
     csv.text(row.marked.text());
     csv.text(row.excluded.text());
     for (const Factor& factor : table.within) csv.text(levelOf(table, row, factor.name).text());
-    if (!table.between.empty()) {
-        const auto groups = table.groups.find(row.participant);
-        for (const Factor& factor : table.between) {
-            const bool known = groups != table.groups.end() && groups->second.contains(factor.name);
-            csv.text(known ? groups->second.at(factor.name) : "");
-        }
-    }
+    for (const Factor& factor : table.between)
+        csv.text(levelOfParticipant(table, row.participant, factor.name));
     csv.endRow();
 }
 

@@ -60,13 +60,6 @@ std::vector<std::vector<double>> resample(const Table& table, const BootstrapOpt
     return means;
 }
 
-double typeSeven(const std::vector<double>& sorted, double q) {
-    const double position = q * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(position);
-    const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 /// How much smaller the mean is without each value than the mean of all such means, but for a factor.
 std::vector<double> influencesOnMean(const std::vector<double>& values) {
     const double centre = mean(values);
@@ -106,7 +99,8 @@ std::optional<BootstrapInterval> correctedInterval(const std::vector<double>& so
         return boost::math::cdf(normal, bias + z / (1.0 - acceleration * z));
     };
     const double tail = 0.5 * (1.0 - level);
-    return BootstrapInterval{typeSeven(sorted, moved(tail)), typeSeven(sorted, moved(1.0 - tail))};
+    return BootstrapInterval{quantileOfSorted(sorted, moved(tail)),
+                             quantileOfSorted(sorted, moved(1.0 - tail))};
 }
 
 std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> rows,
@@ -127,7 +121,8 @@ std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> r
         const double tail = 0.5 * (1.0 - options.level);
         out[c].estimate = mean(values);
         out[c].se = sampleSd(sorted);
-        out[c].percentile = BootstrapInterval{typeSeven(sorted, tail), typeSeven(sorted, 1.0 - tail)};
+        out[c].percentile =
+            BootstrapInterval{quantileOfSorted(sorted, tail), quantileOfSorted(sorted, 1.0 - tail)};
         // Means that are equal on paper differ in their last bits.
         const double allowance = 1e-12 * std::max(std::abs(sorted.front()), std::abs(sorted.back()));
         const double accelerated = values.size() > 1 ? bootstrapAcceleration(influencesOnMean(values)) : 0.0;
