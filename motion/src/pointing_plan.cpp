@@ -69,10 +69,6 @@ PointingMotion humanTiming(const Vec3& target, Side hand, const TimingParameters
     return motion;
 }
 
-Side handFor(const Vec3& target) {
-    return target.x > 0.0 ? Side::left : Side::right;
-}
-
 DemonstrationPlan planDemonstration(const PointingBody& body, const Vec3& target, Side hand,
                                     const DemonstrationParameters& parameters, std::uint64_t seed) {
     const PointingLineParameters& line = parameters.line;

@@ -23,9 +23,6 @@ struct DemonstrationPlan {
 [[nodiscard]] PointingMotion humanTiming(const Vec3& target, Side hand, const TimingParameters& timing,
                                          Random& random);
 
-/// The hand on the target's side; the right one straight ahead.
-[[nodiscard]] Side handFor(const Vec3& target);
-
 /// The gesture of the demonstrations' actor at a target: with the actor's and a trial's error.
 [[nodiscard]] DemonstrationPlan planDemonstration(const PointingBody& body, const Vec3& target, Side hand,
                                                   const DemonstrationParameters& parameters,

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "body_noise.hpp"
+#include "motion/stretched_arm.hpp"
 #include "pointing_plan.hpp"
 #include "systems.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "body_noise.hpp"
 #include "motion/clip_edit.hpp"
+#include "motion/stretched_arm.hpp"
 #include "pointing_plan.hpp"
 #include "systems.hpp"
 

@@ -1,6 +1,7 @@
 // `stiff`: an accurate arm and nothing else, every joint at a steady speed.
 #include <utility>
 
+#include "motion/stretched_arm.hpp"
 #include "pointing_plan.hpp"
 #include "systems.hpp"
 

@@ -75,6 +75,7 @@ void SessionRunner::State::enter(const InputFrame& input) {
     view.closePanel();
     view.closeSign();
     view.frame.balls.clear();
+    view.frame.first_look.reset();
     core.share_done = course.share();
     if (item->trial != nullptr) core.trial_index = item->trial->index;
     unit = makeUnit(core, *item);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <vector>
 
 #include "session_clip_trial.hpp"
 #include "session_scale.hpp"
@@ -23,9 +24,15 @@ class GameTrial : public ClipTrial {
     }
 
     void enter(const InputFrame& input, bool moved) override {
-        for (std::size_t place = 0; place < trial_.ball_order.size(); ++place)
-            core_.view.frame.balls.push_back({trial_.ball(static_cast<int>(place)),
-                                              core_.study.targets.ball_diameter_m / 2.0, BallLook::waiting});
+        const double radius_m = core_.study.targets.ball_diameter_m / 2.0;
+        PresentedFrame& frame = core_.view.frame;
+        std::vector<Sphere> balls;
+        for (std::size_t place = 0; place < trial_.ball_order.size(); ++place) {
+            balls.push_back({trial_.ball(static_cast<int>(place)), radius_m});
+            frame.balls.push_back({balls.back().centre, radius_m, BallLook::waiting});
+        }
+        frame.first_look = firstLook(frame.stage_from_viewer, core_.study.eye_height_m,
+                                     pointingScene(balls, core_.avatar, core_.idle));
         ClipTrial::enter(input, moved);
     }
 

@@ -14,6 +14,7 @@
 
 #include "core/error.hpp"
 #include "core/pose.hpp"
+#include "studies/first_look.hpp"
 
 namespace deixis::studies {
 
@@ -176,6 +177,8 @@ struct PresentedFrame {
     /// Pairwise: the other avatar, which stands at the participant's right; empty: there is none.
     std::vector<Pose> right_avatar_joints{};
     std::vector<BallView> balls;
+    /// Game: where a flat screen looks when the trial begins, and how wide; the same until its end.
+    std::optional<FirstLook> first_look{};
     std::optional<RayView> ray;
     std::optional<Panel> panel;
     /// A small board beside the avatar's head, to be read only: the number of an attention check.
