@@ -35,8 +35,8 @@ struct Participant : tests::Driver {
         start();
     }
 
-    [[nodiscard]] static bool showsClip(std::string_view state) {
-        return state.starts_with("playing") || state.starts_with("pointing");
+    [[nodiscard]] static bool showsClip(studies::PresentedState state) {
+        return state == studies::PresentedState::playing || state == studies::PresentedState::pointing;
     }
 
     /// Reads pages and answers, over and over, until a clip plays.

@@ -94,7 +94,7 @@ void OperatorFeedWriter::presented(const studies::InputFrame& input, const studi
     feed.waiting_s = waiting_since_s_ ? now_s - *waiting_since_s_ : 0.0;
     if (due(progress_told_s_, now_s, between_progress_s)) {
         feed.progress = progressOfSitting();
-        pace_.see(feed.progress.stages, now_s, frame.state == "paused");
+        pace_.see(feed.progress.stages, now_s, frame.state == studies::PresentedState::paused);
         feed.left_s = timeLeft_s(feed.progress.stages, history_, pace_);
     }
     if (due(disk_asked_s_, now_s, between_disk_s)) {

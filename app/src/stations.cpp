@@ -100,7 +100,7 @@ class PausingStation : public studies::Station {
         return input;
     }
     studies::FrameReport present(const studies::PresentedFrame& frame) override {
-        pointing_ = frame.state.starts_with("pointing");
+        pointing_ = frame.state == studies::PresentedState::pointing;
         return station_->present(frame);
     }
 

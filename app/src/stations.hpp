@@ -17,7 +17,7 @@
 
 namespace deixis::app {
 
-/// Pictures of states of a session (PresentedFrame::state).
+/// Pictures of states of a session, by name (presentedStateName).
 struct Screenshots {
     std::map<std::string, std::string> wanted;  ///< state -> PNG file; taken ones are removed
     std::set<std::string> met;                  ///< the states that came

@@ -160,7 +160,7 @@ Result<std::ofstream> openTrace(const std::filesystem::path& path) {
 }
 
 bool Trace::changed(const studies::PresentedFrame& frame) const {
-    if (!begun_ || frame.state != state_ || frame.stage != stage_ || frame.viewer_place != place_ ||
+    if (!begun_ || presentedStateName(frame) != state_ || frame.stage != stage_ || frame.viewer_place != place_ ||
         frame.status != status_ || frame.notice != notice_ || signText(frame) != sign_ ||
         frame.panel.has_value() != panel_.has_value())
         return true;
@@ -175,7 +175,7 @@ bool Trace::changed(const studies::PresentedFrame& frame) const {
 
 void Trace::remember(const studies::PresentedFrame& frame) {
     begun_ = true;
-    state_ = frame.state;
+    state_ = presentedStateName(frame);
     stage_ = frame.stage;
     place_ = frame.viewer_place;
     status_ = frame.status;
@@ -195,7 +195,7 @@ void Trace::presented(const studies::InputFrame& input, const studies::Presented
     const Json line{{"time_s", input.time_s},
                     {"utc_s", input.utc_s},
                     {"frame", frame.number},
-                    {"state", frame.state},
+                    {"state", presentedStateName(frame)},
                     {"stage", frame.stage},
                     {"status", frame.status},
                     {"place", frame.viewer_place},

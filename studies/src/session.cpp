@@ -148,7 +148,7 @@ void SessionRunner::State::end(SessionOutcome how, const char* status) {
     core.view.closeSign();
     core.view.frame.balls.clear();
     core.view.frame.status = status;
-    core.view.frame.state = "over";
+    core.view.show(PresentedState::over);
     core.view.frame.stage.clear();
 }
 

@@ -17,7 +17,7 @@ void ClipTrial::enter(const InputFrame& /*input*/, bool moved) {
 void ClipTrial::startLeadIn(double length_s) {
     phase_ = Phase::lead_in;
     playback_.start(length_s, core_.now.time_s);
-    showState("waiting");
+    showState(PresentedState::waiting);
     gate_.close();
     draft_.paused_s = 0.0;
     core_.view.closePanel();
@@ -31,7 +31,7 @@ void ClipTrial::step(const InputFrame& input) {
         case Phase::lead_in:
             if (!playback_.leadIn(core_.now.time_s)) break;
             phase_ = Phase::playing;
-            showState("playing");
+            showState(PresentedState::playing);
             stepPlaying(input);
             break;
         case Phase::playing:
@@ -50,7 +50,7 @@ void ClipTrial::stepPlaying(const InputFrame& input) {
     const bool was_halfway = playback_.halfway();
     if (playback_.play(core_.now.time_s, core_.view.frame.number)) core_.view.frame.key_moment = true;
     if (!playback_.halfway() || was_halfway) return;
-    showState(checked(0) ? "check" : "pointing");
+    showState(checked(0) ? PresentedState::check : PresentedState::pointing);
     if (checked(0)) showSign(input, false);
 }
 
@@ -115,7 +115,7 @@ void ClipTrial::noteEarlySelect(const InputFrame& input) {
     const bool before_answer = phase_ != Phase::answering || (!gate_.accepts() && !committed());
     if (!input.select || !before_answer || early_select_) return;
     early_select_ = true;
-    core_.noteAt(core_.momentAt(selectTime(input)), "early_select", core_.view.frame.state);
+    core_.noteAt(core_.momentAt(selectTime(input)), "early_select", presentedStateName(core_.view.frame));
 }
 
 bool ClipTrial::select(const InputFrame& input) {

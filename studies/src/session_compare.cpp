@@ -81,7 +81,7 @@ void ComparePage::play(std::size_t i) {
     leading_in_ = true;
     draft_.paused_s = 0.0;
     changed_ = true;
-    showState("waiting");
+    showState(PresentedState::waiting);
     playbacks_[i].start(core_.study.inter_trial_s, core_.now.time_s);
 }
 
@@ -90,13 +90,13 @@ void ComparePage::stepPlaying(const InputFrame& input) {
     if (leading_in_) {
         if (!playback.leadIn(core_.now.time_s)) return;
         leading_in_ = false;
-        showState("playing");
+        showState(PresentedState::playing);
     }
     const bool was_halfway = playback.halfway();
     if (playback.play(core_.now.time_s, core_.view.frame.number)) core_.view.frame.key_moment = true;
     if (!playback.halfway() || was_halfway) return;
     const bool number = checked(static_cast<int>(*playing_));
-    showState(number ? "check" : "pointing");
+    showState(number ? PresentedState::check : PresentedState::pointing);
     if (number) showSign(input, &poserOf(*playing_) == &core_.right_poser);
 }
 
@@ -135,7 +135,7 @@ void ComparePage::resume(const InputFrame& input, double away_s) {
     if (playing_) {
         leading_in_ = true;
         playbacks_[*playing_].start(core_.study.inter_trial_s, core_.now.time_s);
-        showState("waiting");
+        showState(PresentedState::waiting);
     } else {
         draft_.paused_s += away_s;
     }
@@ -149,7 +149,7 @@ bool ComparePage::stepDone(const InputFrame& /*input*/, double since_s) {
 }
 
 void ComparePage::resumeDone(const InputFrame& /*input*/) {
-    showState("rated");
+    showState(PresentedState::rated);
 }
 
 }  // namespace deixis::studies

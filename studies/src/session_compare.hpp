@@ -29,7 +29,7 @@ class ComparePage : public TrialUnit {
 
     /// The avatar that shows stimulus `i`.
     [[nodiscard]] virtual AvatarPoser& poserOf(std::size_t i) = 0;
-    [[nodiscard]] virtual const char* openState() const = 0;
+    [[nodiscard]] virtual PresentedState openState() const = 0;
     [[nodiscard]] virtual Panel board() const = 0;
     /// What the ray did on the board beside playing; true where the board has changed.
     virtual bool stepBoard(const InputFrame& input, const Aim& met) = 0;

@@ -36,22 +36,22 @@ std::pair<int, int> placeInStage(const StudyPlan& plan, const Trial& trial) {
 
 }  // namespace
 
-std::string_view pageName(PageKind kind) {
+PresentedState pageState(PageKind kind) {
     switch (kind) {
         case PageKind::instructions:
-            return "instructions";
+            return PresentedState::instructions;
         case PageKind::rest:
-            return "break";
+            return PresentedState::rest;
         case PageKind::welcome_back:
-            return "welcome-back";
+            return PresentedState::welcome_back;
         case PageKind::practice_again:
-            return "practice-again";
+            return PresentedState::practice_again;
         case PageKind::attention:
-            return "attention";
+            return PresentedState::attention;
         case PageKind::closing:
-            return "closing";
+            return PresentedState::closing;
     }
-    return "";
+    throw std::logic_error("a page of no kind");
 }
 
 std::vector<Attempt> practiceAttempts(const StudyPlan& plan, const Stage& stage,
@@ -264,7 +264,7 @@ CoursePage Course::stagePage(const Stage& stage, bool last) const {
 CoursePage Course::welcomeBack(const Trial& trial) const {
     const Stage& stage = *stages_[placeOf(trial.stage)];
     return {PageKind::welcome_back,
-            std::string(pageName(PageKind::welcome_back)),
+            std::string(presentedStateName(PresentedState::welcome_back)),
             study_.words("welcome_back_title"),
             study_.words("welcome_back_text"),
             begun(stage) ? taskOf(study_, stage).question : "",
@@ -275,9 +275,9 @@ CoursePage Course::welcomeBack(const Trial& trial) const {
 CourseItem Course::pageItem(CoursePage page, const Stage* stage, const Trial* next) const {
     CourseItem item;
     item.stage = stage;
-    item.status = stage != nullptr ? stage->name : std::string(pageName(page.kind));
+    item.status = stage != nullptr ? stage->name : std::string(presentedStateName(pageState(page.kind)));
     if (stage != nullptr && page.kind != PageKind::instructions && !isPage(*stage))
-        item.status += fmt::format(", {}", pageName(page.kind));
+        item.status += fmt::format(", {}", presentedStateName(pageState(page.kind)));
     item.page = std::move(page);
     item.layout = &layoutAt(next);
     return item;
@@ -296,7 +296,7 @@ CourseItem Course::trialItem(const Trial& trial) const {
 /// The end's own page: the study's where it has one, else the program's.
 std::optional<CourseItem> Course::closingItem() const {
     const LanguageTable& words = study_.words;
-    const std::string name(pageName(PageKind::closing));
+    const std::string name(presentedStateName(PresentedState::closing));
     if (!closing_) {
         const std::vector<const Stage*> pages = pagesBefore(stages_.size());
         for (const Stage* page : pages)
@@ -324,12 +324,12 @@ std::optional<CourseItem> Course::next() {
         const Stage* stage =
             last_answered_ ? stages_[placeOf(plan_.trials[static_cast<std::size_t>(*last_answered_)].stage)]
                            : nullptr;
-        return pageItem({PageKind::attention, std::string(pageName(PageKind::attention)),
+        return pageItem({PageKind::attention, std::string(presentedStateName(PresentedState::attention)),
                          words("attention_title"), words("attention_text"), "", words("continue"), 0.0},
                         stage, trial);
     }
     if (trial == nullptr) return closingItem();
-    if (welcomes_back_ && unread(std::string(pageName(PageKind::welcome_back))))
+    if (welcomes_back_ && unread(std::string(presentedStateName(PresentedState::welcome_back))))
         return pageItem(welcomeBack(*trial), nullptr, trial);
     for (const Stage* page : pagesFor(*trial))
         if (unread(page->name)) return pageItem(stagePage(*page, false), page, trial);

@@ -19,8 +19,7 @@ namespace deixis::studies {
 
 enum class PageKind : unsigned char { instructions, rest, welcome_back, practice_again, attention, closing };
 
-/// "instructions", "break", "welcome-back", "practice-again", "attention", "closing": as frames name it.
-[[nodiscard]] std::string_view pageName(PageKind kind);
+[[nodiscard]] PresentedState pageState(PageKind kind);
 
 struct CoursePage {
     PageKind kind = PageKind::instructions;

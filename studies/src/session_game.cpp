@@ -77,7 +77,7 @@ class GameTrial : public ClipTrial {
             return;
         }
         aiming_ = false;
-        showState("choosing");
+        showState(PresentedState::choosing);
         if (const auto again = replayButton())
             core_.openPanel(gamePanel(task_.question, again), input, besideBalls());
         else
@@ -99,7 +99,7 @@ class GameTrial : public ClipTrial {
         const Aim met = core_.view.aim(input.pointer, input.stage_from_head, true);
         if ((met.ball >= 0) != aiming_) {
             aiming_ = met.ball >= 0;
-            showState(aiming_ ? "aiming" : "choosing");
+            showState(aiming_ ? PresentedState::aiming : PresentedState::choosing);
         }
         if (!gate_.accepts()) return;
         const bool selected = select(input);
@@ -146,7 +146,7 @@ class GameTrial : public ClipTrial {
     }
 
     void openConfidence(const InputFrame& input) {
-        showState("confidence");
+        showState(PresentedState::confidence);
         core_.view.lookAtBalls(BallLook::waiting, draft_.chosen_place, BallLook::chosen);
         confidence_->open(input, std::nullopt, lecternPose);
         core_.view.aim(input.pointer, input.stage_from_head, false);
@@ -171,7 +171,7 @@ class GameTrial : public ClipTrial {
 
     void showDone() {
         const bool chosen = draft_.chosen_place >= 0;
-        showState(revealed_ ? "feedback" : chosen ? "chosen" : "waiting");
+        showState(revealed_ ? PresentedState::feedback : chosen ? PresentedState::chosen : PresentedState::waiting);
         core_.view.lookAtBalls(chosen ? BallLook::selectable : BallLook::waiting, draft_.chosen_place,
                                BallLook::chosen);
         if (!revealed_) return;

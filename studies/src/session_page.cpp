@@ -40,7 +40,7 @@ class PageUnit : public Unit {
     }
 
     void resume(const InputFrame& input, double /*away_s*/) override {
-        core_.view.frame.state = pageName(page_.kind);
+        core_.view.show(pageState(page_.kind));
         core_.poser.blendTo(core_.idle, core_.now.time_s);
         least_.start(core_.now.time_s);
         shown_left_ = least_.left(core_.now.time_s);
@@ -141,7 +141,7 @@ class ConsentUnit : public TrialUnit {
 
     void open(const InputFrame& input) {
         core_.poser.blendTo(core_.idle, core_.now.time_s);
-        core_.view.frame.state = "consent";
+        core_.view.show(PresentedState::consent);
         least_.start(core_.now.time_s);
         shown_left_ = least_.left(core_.now.time_s);
         opened_ = core_.view.frame.number;

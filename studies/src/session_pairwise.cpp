@@ -25,7 +25,7 @@ class PairwiseTrial : public ComparePage {
     [[nodiscard]] AvatarPoser& poserOf(std::size_t i) override {
         return i == 0 ? core_.poser : core_.right_poser;
     }
-    [[nodiscard]] const char* openState() const override { return "comparing"; }
+    [[nodiscard]] PresentedState openState() const override { return PresentedState::comparing; }
     [[nodiscard]] bool beyondBoard() const override { return asking_; }
 
     [[nodiscard]] Panel board() const override {
@@ -58,13 +58,13 @@ class PairwiseTrial : public ComparePage {
             openReasons(input);
             return;
         }
-        showState("rated");
+        showState(PresentedState::rated);
         core_.view.confirmButton(button_id::first_rating + place);
         complete();
     }
 
     void openReasons(const InputFrame& input) {
-        showState("reasons");
+        showState(PresentedState::reasons);
         reasons_->open(input);
     }
 
@@ -74,7 +74,7 @@ class PairwiseTrial : public ComparePage {
             answer.question = "reasons";
             draft_.answers.push_back(std::move(answer));
         }
-        showState("rated");
+        showState(PresentedState::rated);
         core_.view.confirmButton(button_id::go_on);
         complete();
     }

@@ -16,7 +16,7 @@ class ParallelTrial : public ComparePage {
     std::vector<std::optional<int>> values_;
 
     [[nodiscard]] AvatarPoser& poserOf(std::size_t /*i*/) override { return core_.poser; }
-    [[nodiscard]] const char* openState() const override { return "listening"; }
+    [[nodiscard]] PresentedState openState() const override { return PresentedState::listening; }
 
     [[nodiscard]] bool complete_enough() const override {
         for (const auto& value : values_)
@@ -65,7 +65,7 @@ class ParallelTrial : public ComparePage {
         give(input, at_s, by);
         for (std::size_t i = 0; i < count(); ++i)
             draft_.answers.push_back({"rating", static_cast<int>(i), static_cast<double>(*values_[i]), {}});
-        showState("rated");
+        showState(PresentedState::rated);
         core_.view.confirmButton(button_id::go_on);
         complete();
     }

@@ -29,7 +29,7 @@ void SessionRunner::State::pause(const InputFrame& input) {
     SessionView& view = core.view;
     core.note("pause", reason);
     paused = true;
-    view.frame.state = "paused";
+    view.show(PresentedState::paused);
     paused_since_s = core.now.time_s;
     view.frame.ray.reset();
     view.closeSign();

@@ -30,7 +30,7 @@ class QuestionnaireUnit : public TrialUnit {
     void enter(const InputFrame& input, bool /*moved*/) override {
         core_.standAlone();
         core_.poser.blendTo(core_.idle, core_.now.time_s);
-        core_.view.frame.state = "questionnaire";
+        core_.view.show(PresentedState::questionnaire);
         if (forms_.empty()) {  // only texts, and no keyboard
             give(input, core_.now.time_s, "");
             complete();
@@ -43,7 +43,7 @@ class QuestionnaireUnit : public TrialUnit {
         draft_.paused_s += away_s;
         ++draft_.pauses;
         core_.poser.blendTo(core_.idle, core_.now.time_s);
-        core_.view.frame.state = "questionnaire";
+        core_.view.show(PresentedState::questionnaire);
         open(input);
     }
 

@@ -15,13 +15,13 @@ class RatingTrial : public ClipTrial {
         return draft_.status == ResponseStatus::skipped || since_s >= confirm_s;
     }
 
-    void resumeDone(const InputFrame& /*input*/) override { showState("rated"); }
+    void resumeDone(const InputFrame& /*input*/) override { showState(PresentedState::rated); }
 
   private:
     ScaleAnswer scale_;
 
     void openAnswer(const InputFrame& input) override {
-        showState("rating");
+        showState(PresentedState::rating);
         scale_.open(input, replayButton(), lecternPose);
         core_.view.aim(input.pointer, input.stage_from_head, false);
     }
@@ -37,7 +37,7 @@ class RatingTrial : public ClipTrial {
         if (!given) return;
         give(input, given->at_s, given->by);
         draft_.answers.push_back({"rating", 0, static_cast<double>(given->value), {}});
-        showState("rated");
+        showState(PresentedState::rated);
         scale_.confirm(given->value);
         complete();
     }

@@ -12,9 +12,8 @@ TrialUnit::TrialUnit(SessionCore& core, const CourseItem& item)
     draft_.plays.assign(trial_.stimuli.size(), 0);
 }
 
-void TrialUnit::showState(const char* base) {
-    core_.view.frame.state = base;
-    if (trial_.kind == StageKind::game) core_.view.frame.state += "-" + trial_.layout;
+void TrialUnit::showState(PresentedState state) {
+    core_.view.show(state, trial_.kind == StageKind::game);
 }
 
 bool TrialUnit::checked(int i) const {

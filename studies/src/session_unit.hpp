@@ -61,8 +61,7 @@ class TrialUnit : public Unit {
     Response draft_{};          ///< what is known of the answer by now
     bool onset_known_ = false;  ///< of the draft
 
-    /// "waiting"; in the game the place is part of the name.
-    void showState(const char* base);
+    void showState(PresentedState state);
     /// The number of a check, beside the head of the avatar that shows stimulus `i`.
     [[nodiscard]] bool checked(int i) const;
     void showSign(const InputFrame& input, bool on_right);

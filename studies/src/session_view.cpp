@@ -32,6 +32,11 @@ void SessionView::beginFrame() {
     met_before_ = std::exchange(met_, {});
 }
 
+void SessionView::show(PresentedState state, bool in_game) {
+    frame.state = state;
+    frame.in_game = in_game;
+}
+
 bool SessionView::place(const Layout& layout) {
     if (frame.viewer_place == layout.name) return false;
     frame.viewer_place = layout.name;

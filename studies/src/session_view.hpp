@@ -37,6 +37,7 @@ class SessionView {
     PresentedFrame frame;
 
     void beginFrame();
+    void show(PresentedState state, bool in_game = false);
     /// Moves the viewer; false where the participant stands there already.
     bool place(const Layout& layout);
     void openPanel(Panel panel, double eye_height_m, PanelPlace stand);

@@ -38,7 +38,7 @@ std::string layout(const std::string& state) {
     return state == step(state) ? "" : state.substr(step(state).size() + 1);
 }
 
-/// Which states may follow which within a trial, as PresentedFrame::state documents them.
+/// Which states may follow which within a trial, by their names.
 const std::map<std::string, std::set<std::string>> follows{
     {"waiting", {"playing"}}, {"playing", {"pointing"}},          {"pointing", {"rating", "choosing"}},
     {"rating", {"rated"}},    {"choosing", {"aiming", "chosen"}}, {"aiming", {"choosing", "chosen"}},

@@ -148,14 +148,15 @@ TEST_SUITE("immersive/frame_scene") {
 
     TEST_CASE("The controls are told on the first pages and in a pause, and only where there is a board") {
         studies::PresentedFrame frame;
-        frame.state = "paused";
+        frame.state = studies::PresentedState::paused;
         CHECK_FALSE(explainsControls(frame));
         frame.panel = studies::Panel{};
-        for (const char* state : {"instructions", "consent", "welcome-back", "paused"}) {
+        using State = studies::PresentedState;
+        for (const State state : {State::instructions, State::consent, State::welcome_back, State::paused}) {
             frame.state = state;
             CHECK(explainsControls(frame));
         }
-        for (const char* state : {"questionnaire", "rating", "listening", "over"}) {
+        for (const State state : {State::questionnaire, State::rating, State::listening, State::over}) {
             frame.state = state;
             CHECK_FALSE(explainsControls(frame));
         }

@@ -34,7 +34,8 @@ struct Fixture {
     OperatorFeedWriter writer{feed,     "P07", study, [this] { return progress; }, {{"rating", 10.0}},
                               database, kept};
 
-    void frame(double time_s, bool answers_kept = true, const std::string& state = "rating") {
+    void frame(double time_s, bool answers_kept = true,
+               studies::PresentedState state = studies::PresentedState::rating) {
         studies::InputFrame input;
         input.time_s = time_s;
         input.answers_kept = answers_kept;

@@ -46,7 +46,7 @@ TEST_SUITE("studies/session_checks") {
         double first_s = 0.0;
         while (!answersOpen(driver.frame)) {
             driver.step();
-            CHECK(driver.frame.sign.has_value() == (driver.frame.state == "check"));
+            CHECK(driver.frame.sign.has_value() == (driver.state() == "check"));
             if (!driver.frame.sign || first_s > 0.0) continue;
             first_s = driver.time_s;
             CHECK(driver.frame.key_moment);
@@ -210,7 +210,7 @@ TEST_SUITE("studies/session_checks") {
         rate(driver, 1);
         CHECK(driver.count("warned") == 0);
         rate(driver, 1);
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state == "attention"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() == "attention"; }));
         CHECK(driver.count("warned") == 1);
         CHECK(driver.session->trialUnderWay() == -1);
         rate(driver, 5);
@@ -247,9 +247,9 @@ TEST_SUITE("studies/session_checks") {
         driver.digit(1);
         CHECK(driver.exclusions.size() == 1);
         driver.wait(1.0);
-        CHECK(driver.frame.state == "rated");
+        CHECK(driver.state() == "rated");
         driver.kept = true;
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state == "closing"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() == "closing"; }));
         driver.leavePage();
         CHECK(driver.session->outcome() == SessionOutcome::excluded);
         CHECK(driver.responses.size() == 1);

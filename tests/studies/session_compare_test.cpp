@@ -40,7 +40,7 @@ constexpr int sliderId(int stimulus) {
 TEST_SUITE("studies/session_compare") {
     TEST_CASE("a parallel page is confirmed when every movement was played to its end and rated") {
         Parallel driver(slider(0, 100));
-        CHECK(driver.frame.state == "listening");
+        CHECK(driver.state() == "listening");
         CHECK(driver.session->trialUnderWay() == 0);
         for (const int i : {2, 0}) {
             CHECK_FALSE(sliderOf(driver.frame, sliderId(i))->enabled);
@@ -148,7 +148,7 @@ TEST_SUITE("studies/session_compare") {
         driver.wait(2.0);
         CHECK(driver.count("motion_end") == 1);
         driver.press(button_id::resume);
-        CHECK(driver.frame.state == "waiting");
+        CHECK(driver.state() == "waiting");
         CHECK(sliderOf(driver.frame, sliderId(0))->value == 64);
         REQUIRE(driver.waitUntil([&] { return driver.count("motion_end") == 2; }));
         CHECK(driver.count("stimulus_onset") == 3);
@@ -176,7 +176,7 @@ TEST_SUITE("studies/session_compare") {
     TEST_CASE(
         "a pair stands to either side of the line of sight, and each moves when its button is pressed") {
         Pair driver;
-        CHECK(driver.frame.state == "comparing");
+        CHECK(driver.state() == "comparing");
         REQUIRE(driver.frame.right_avatar_joints.size() == driver.frame.avatar_joints.size());
         const auto hand = static_cast<std::size_t>(driver.avatar.find("rightHand"));
         const auto hips = static_cast<std::size_t>(driver.avatar.find("hips"));
@@ -214,7 +214,7 @@ TEST_SUITE("studies/session_compare") {
             CHECK(answerTo(driver.responses[0], "preference") == (key == 0 ? 1.0 : key - 3.0));
             CHECK(driver.responses[0].input == (key == 0 ? "ray" : "key"));
             CHECK(driver.responses[0].plays == std::vector<int>{1, 1});
-            CHECK(driver.frame.state == "rated");
+            CHECK(driver.state() == "rated");
             CHECK(markedOptions(driver.frame) ==
                   std::vector<int>{button_id::first_rating + (key == 0 ? 3 : key - 1)});
         }
@@ -235,11 +235,11 @@ TEST_SUITE("studies/session_compare") {
                 continue;
             }
             CHECK(driver.responses.empty());
-            CHECK(driver.frame.state == "reasons");
+            CHECK(driver.state() == "reasons");
             driver.step(pauseFor("escape"));
             driver.wait(1.0);
             driver.press(button_id::resume);
-            CHECK(driver.frame.state == "reasons");
+            CHECK(driver.state() == "reasons");
             driver.wait(1.0);
             driver.press(button_id::first_option + 2);
             driver.press(button_id::go_on);
@@ -274,7 +274,7 @@ TEST_SUITE("studies/session_compare") {
 
     TEST_CASE("after a pair one avatar stands at the origin again") {
         Pair driver;
-        REQUIRE(carryOnUntil(driver, [&] { return driver.frame.state == "closing"; }));
+        REQUIRE(carryOnUntil(driver, [&] { return driver.state() == "closing"; }));
         driver.wait(0.5);
         CHECK(driver.frame.right_avatar_joints.empty());
         const auto idle = motion::worldPose(driver.avatar, driver.idle);

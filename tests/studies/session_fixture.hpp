@@ -44,16 +44,16 @@ inline bool hasButton(const PresentedFrame& frame, int id) {
 
 /// Whether a single rating or a choice can be given.
 inline bool answersOpen(const PresentedFrame& frame) {
-    for (const char* open : {"rating", "choosing", "aiming"})
-        if (frame.state == open || frame.state.rfind(std::string(open) + "-", 0) == 0) return true;
-    return false;
+    return frame.state == PresentedState::rating || frame.state == PresentedState::choosing ||
+           frame.state == PresentedState::aiming;
 }
 
 /// Whether a page waits to be read.
 inline bool resting(const PresentedFrame& frame) {
-    static const std::set<std::string> pages{"instructions",   "break",     "welcome-back",
-                                             "practice-again", "attention", "closing"};
-    return frame.panel && pages.count(frame.state) > 0;
+    const bool filled_in = frame.state == PresentedState::consent || frame.state == PresentedState::paused ||
+                           frame.state == PresentedState::questionnaire ||
+                           frame.state == PresentedState::reasons;
+    return frame.panel && isFullPage(frame.state) && !filled_in;
 }
 
 inline std::optional<double> answerTo(const Response& response, const std::string& question,
@@ -170,6 +170,9 @@ struct Driver {
     [[nodiscard]] bool hasQuit() const { return session->outcome() == SessionOutcome::quit; }
     [[nodiscard]] bool running() const { return session->outcome() == SessionOutcome::running; }
 
+    /// Its name, of the frame shown last.
+    [[nodiscard]] std::string state() const { return presentedStateName(frame); }
+
     void step(InputFrame input = {}, bool was_shown = true) {
         time_s += frame_time_s;
         input.time_s = time_s;
@@ -241,10 +244,10 @@ struct Driver {
     }
 
     /// Reads every page until the session is in that state.
-    bool toState(const std::string& state) {
+    bool toState(const std::string& wanted) {
         return waitUntil([&] {
-            if (frame.state != state && resting(frame)) leavePage();
-            return frame.state == state;
+            if (state() != wanted && resting(frame)) leavePage();
+            return state() == wanted;
         });
     }
 

@@ -118,9 +118,9 @@ TEST_SUITE("studies/session_game") {
             choose(driver, rightly);
             REQUIRE(driver.responses.size() == 1);
             CHECK(driver.responses[0].correct == rightly);
-            CHECK(driver.frame.state == "chosen-across");
+            CHECK(driver.state() == "chosen-across");
             for (const BallView& ball : driver.frame.balls) CHECK(ball.look != BallLook::revealed);
-            REQUIRE(driver.waitUntil([&] { return driver.frame.state == "feedback-across"; }));
+            REQUIRE(driver.waitUntil([&] { return driver.state() == "feedback-across"; }));
             const double revealed_s = driver.time_s;
             const auto target = static_cast<std::size_t>(driver.plan.trials[0].targetPlace());
             CHECK(driver.frame.balls[target].look == BallLook::revealed);
@@ -150,7 +150,7 @@ TEST_SUITE("studies/session_game") {
             driver.wait(0.5);
             driver.choose(1);
             const double chosen_s = driver.time_s;
-            CHECK(driver.frame.state == "confidence-across");
+            CHECK(driver.state() == "confidence-across");
             CHECK(driver.frame.balls[1].look == BallLook::chosen);
             CHECK(driver.responses.empty());
             if (!slides) {
@@ -161,7 +161,7 @@ TEST_SUITE("studies/session_game") {
             driver.step(pauseFor("escape"));
             driver.wait(3.0);
             driver.press(button_id::resume);
-            CHECK(driver.frame.state == "confidence-across");
+            CHECK(driver.state() == "confidence-across");
             driver.wait(0.6);
             if (slides) {
                 CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
@@ -178,7 +178,7 @@ TEST_SUITE("studies/session_game") {
             CHECK(response.answered.time_s == chosen_s);
             CHECK(response.response_time_s == doctest::Approx(chosen_s - response.motion_end.time_s));
             CHECK(response.pauses == 1);
-            CHECK(driver.frame.state == "chosen-across");
+            CHECK(driver.state() == "chosen-across");
             CHECK(markedOptions(driver.frame) ==
                   std::vector<int>{slides ? button_id::go_on : button_id::first_rating + 3});
             CHECK(driver.count("early_select") == 0);
@@ -195,7 +195,7 @@ TEST_SUITE("studies/session_game") {
         driver.step(pauseFor("tracking lost"));
         driver.wait(0.5);
         driver.press(button_id::resume);
-        CHECK(driver.frame.state == "confidence-across");
+        CHECK(driver.state() == "confidence-across");
         CHECK(driver.count("trial_repeated") == 0);
     }
 
@@ -231,7 +231,7 @@ TEST_SUITE("studies/session_game") {
         choose(driver, true);
         choose(driver, false);
         CHECK(driver.count("practice_failed") == 1);
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state == "practice-again"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() == "practice-again"; }));
         CHECK(textOf(*driver.frame.panel).find("Look at the finger.") != std::string::npos);
         choose(driver, false);
         CHECK(driver.session->progress().stages[0].done == 3);
@@ -245,7 +245,7 @@ TEST_SUITE("studies/session_game") {
     TEST_CASE("practice that fails at last ends the session where the study wants that") {
         Practising driver(1.0, 2, true);
         for (int i = 0; i < 4; ++i) choose(driver, i % 2 == 0);
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state == "closing"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() == "closing"; }));
         REQUIRE(driver.exclusions.size() == 1);
         CHECK(driver.exclusions[0].reason == "practice failed: game-practice");
         driver.leavePage();
@@ -254,7 +254,7 @@ TEST_SUITE("studies/session_game") {
         // Whoever comes back after all is not let past it.
         driver.restart();
         driver.step();
-        CHECK(driver.frame.state == "closing");
+        CHECK(driver.state() == "closing");
     }
 
     TEST_CASE("a session that breaks off in practice goes on in it, and not before it") {
@@ -264,7 +264,7 @@ TEST_SUITE("studies/session_game") {
         choose(driver, true);
         driver.restart();
         driver.step();
-        CHECK(driver.frame.state == "welcome-back");
+        CHECK(driver.state() == "welcome-back");
         choose(driver, true);
         CHECK(driver.count("practice_met") == 1);
         choose(driver, true);

@@ -29,7 +29,7 @@ std::vector<std::string> course(const Driver& driver, const std::set<std::string
 bool reaches(Driver& driver, const std::string& state) {
     return driver.waitUntil([&] {
         if (resting(driver.frame)) driver.leavePage();
-        return driver.frame.state == state;
+        return driver.state() == state;
     });
 }
 

@@ -72,7 +72,7 @@ TEST_SUITE("studies/session_interruption") {
             const double resumed_s = driver.time_s;
             CHECK(driver.count("trial_repeated") == 1);
             CHECK(driver.last("trial_repeated").trial_index == (game ? 2 : 0));
-            CHECK(driver.frame.state == (game ? "waiting-across" : "waiting"));
+            CHECK(driver.state() == (game ? "waiting-across" : "waiting"));
             CHECK_FALSE(answersOpen(driver.frame));
             REQUIRE(driver.toAnswer());
             CHECK(driver.count("stimulus_onset") == 2);
@@ -98,12 +98,12 @@ TEST_SUITE("studies/session_interruption") {
         driver.start();
         REQUIRE(driver.waitUntil([&] {
             if (resting(driver.frame)) driver.leavePage();
-            return driver.frame.state == "waiting";
+            return driver.state() == "waiting";
         }));
         driver.step(pauseFor("headset taken off"));
         resume(driver);
         CHECK(driver.count("trial_repeated") == 0);
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state == "pointing"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() == "pointing"; }));
         driver.step(pauseFor("headset taken off"));
         resume(driver);
         CHECK(driver.count("trial_repeated") == 1);
@@ -157,7 +157,7 @@ TEST_SUITE("studies/session_interruption") {
         driver.kept = false;
         driver.choose(1);
         driver.wait(3.0);
-        CHECK(driver.frame.state == "chosen-across");
+        CHECK(driver.state() == "chosen-across");
         CHECK(driver.frame.balls[1].look == BallLook::chosen);
         CHECK(driver.session->trialUnderWay() == 2);
         CHECK(driver.frame.notice == "One moment, please: your answer is being saved.");
@@ -176,7 +176,7 @@ TEST_SUITE("studies/session_interruption") {
         driver.kept = false;
         driver.choose(1);
         driver.wait(1.0);
-        CHECK(driver.frame.state == "chosen-side-by-side");
+        CHECK(driver.state() == "chosen-side-by-side");
         driver.kept = true;
         driver.step();
         CHECK(driver.frame.stage == "goodbye");
@@ -192,7 +192,7 @@ TEST_SUITE("studies/session_interruption") {
         REQUIRE(driver.toAnswer());
         driver.digit(3);
         const double answered_s = driver.time_s;
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state != "rated"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() != "rated"; }));
         CHECK(driver.time_s - answered_s == doctest::Approx(0.35).epsilon(0.06));
     }
 
@@ -203,17 +203,17 @@ TEST_SUITE("studies/session_interruption") {
         driver.kept = false;
         driver.choose(1);
         driver.step(pauseFor("operator"));
-        CHECK(driver.frame.state == "paused");
+        CHECK(driver.state() == "paused");
         resume(driver);
         driver.wait(1.0);
-        CHECK(driver.frame.state == "chosen-across");
+        CHECK(driver.state() == "chosen-across");
         CHECK(driver.session->trialUnderWay() == 2);
         CHECK(driver.responses.size() == 1);
         InputFrame quit;
         quit.quit = true;
         driver.step(quit);
         CHECK(driver.hasQuit());
-        CHECK(driver.frame.state == "over");
+        CHECK(driver.state() == "over");
     }
 
     TEST_CASE("why a session was ended stands in its note") {
@@ -243,7 +243,7 @@ TEST_SUITE("studies/session_interruption") {
                 driver.leavePage();
             else
                 driver.step();
-            const std::pair<std::string, int> now{driver.frame.state, driver.session->trialUnderWay()};
+            const std::pair<std::string, int> now{driver.state(), driver.session->trialUnderWay()};
             if (seen.empty() || seen.back() != now) seen.push_back(now);
         }
         const std::vector<std::pair<std::string, int>> rating{

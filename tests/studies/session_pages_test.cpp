@@ -32,7 +32,7 @@ TEST_SUITE("studies/session_pages") {
         driver.add("rating", 0, {"one"});
         driver.start();
         driver.wait(0.6);
-        CHECK(driver.frame.state == "consent");
+        CHECK(driver.state() == "consent");
         CHECK(driver.session->trialUnderWay() == 0);
         InputFrame keys;
         keys.confirm = true;
@@ -57,12 +57,12 @@ TEST_SUITE("studies/session_pages") {
         REQUIRE(driver.responses.size() == 1);
         CHECK(answerTo(driver.responses[0], "consent") == 0.0);
         driver.wait(0.6);
-        CHECK(driver.frame.state == "closing");
+        CHECK(driver.state() == "closing");
         CHECK(textOf(*driver.frame.panel).find("not agreed") != std::string::npos);
         CHECK(driver.running());
         driver.press(button_id::go_on);
         CHECK(driver.session->outcome() == SessionOutcome::declined);
-        CHECK(driver.frame.state == "over");
+        CHECK(driver.state() == "over");
         CHECK(driver.count("stimulus_onset") == 0);
         CHECK(driver.count("finished") == 0);
     }
@@ -86,7 +86,7 @@ TEST_SUITE("studies/session_pages") {
         Driver driver({rest});
         driver.start();
         driver.wait(1.1);
-        CHECK(driver.frame.state == "break");
+        CHECK(driver.state() == "break");
         CHECK(driver.frame.status == "rest, 4 s");
         CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
         InputFrame keys;
@@ -116,7 +116,7 @@ TEST_SUITE("studies/session_pages") {
             driver.stage("later").session = more ? 2 : 1;
             driver.add("later", 1, {"one"});
             driver.start();
-            REQUIRE(carryOnUntil(driver, [&] { return driver.frame.state == "closing"; }));
+            REQUIRE(carryOnUntil(driver, [&] { return driver.state() == "closing"; }));
             CHECK(trialsOf(driver.responses) == (more ? std::vector<int>{0} : std::vector<int>{0, 1}));
             const bool tells = textOf(*driver.frame.panel).find("another session") != std::string::npos;
             CHECK(tells == more);
@@ -125,7 +125,7 @@ TEST_SUITE("studies/session_pages") {
             if (!more) continue;
             driver.restart();
             driver.step();
-            CHECK_MESSAGE(driver.frame.state == "waiting", "nobody is welcomed back into a new sitting");
+            CHECK_MESSAGE(driver.state() == "waiting", "nobody is welcomed back into a new sitting");
             REQUIRE(driver.finish());
             CHECK(trialsOf(driver.responses) == std::vector<int>{0, 1});
         }
@@ -140,7 +140,7 @@ TEST_SUITE("studies/session_pages") {
         std::set<std::string> seen;
         for (int boards = 0; boards < 5 && driver.responses.empty(); ++boards) {
             driver.wait(0.5);
-            CHECK(driver.frame.state == "questionnaire");
+            CHECK(driver.state() == "questionnaire");
             CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
             const std::string text = textOf(*driver.frame.panel);
             int place = 0;
@@ -198,7 +198,7 @@ TEST_SUITE("studies/session_pages") {
         driver.add("questions", 0, {}).page = 0;
         driver.start();
         driver.step();
-        REQUIRE(driver.frame.state == "questionnaire");
+        REQUIRE(driver.state() == "questionnaire");
         type(driver, "2");
         InputFrame more;
         more.typed = "6";
@@ -218,7 +218,7 @@ TEST_SUITE("studies/session_pages") {
         }
         Questioned driver(questions, false, 3);
         std::vector<bool> titled;
-        for (int board = 1; driver.running() && driver.frame.state == "questionnaire"; ++board) {
+        for (int board = 1; driver.running() && driver.state() == "questionnaire"; ++board) {
             const std::string text = textOf(*driver.frame.panel);
             CAPTURE(text);
             CHECK(text.find("Page " + std::to_string(board) + " of 5") != std::string::npos);

@@ -66,7 +66,7 @@ TEST_SUITE("studies/session_pause") {
         REQUIRE(hasButton(driver.frame, button_id::resume));
         driver.wait(1.0);
         driver.press(button_id::resume);
-        CHECK(driver.frame.state == "instructions");
+        CHECK(driver.state() == "instructions");
     }
 
     TEST_CASE("a pause while the answer is open is taken off the response time and shows no clip again") {

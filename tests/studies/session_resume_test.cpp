@@ -145,9 +145,9 @@ TEST_SUITE("studies/session_resume") {
             Everything driver;
             driver.start();
             while (driver.running()) {
-                const std::string before = driver.frame.state;
+                const std::string before = driver.state();
                 carryOn(driver);
-                if (driver.frame.state != before) states.push_back(driver.frame.state);
+                if (driver.state() != before) states.push_back(driver.state());
             }
         }
         CHECK(states.size() > 50);
@@ -160,19 +160,19 @@ TEST_SUITE("studies/session_resume") {
                 driver.start();
                 std::size_t changes = 0;
                 while (changes <= nth) {
-                    const std::string before = driver.frame.state;
+                    const std::string before = driver.state();
                     carryOn(driver);
-                    if (driver.frame.state != before) ++changes;
+                    if (driver.state() != before) ++changes;
                 }
-                CHECK(driver.frame.state == states[nth]);
+                CHECK(driver.state() == states[nth]);
                 const std::size_t kept = driver.left.answered.size();
                 driver.step(pauseFor("escape"));
-                CHECK(driver.frame.state == "paused");
+                CHECK(driver.state() == "paused");
                 CHECK_FALSE(driver.frame.sign.has_value());
                 driver.wait(0.5);
                 CHECK(driver.left.answered.size() == kept);
                 driver.press(button_id::resume);
-                CHECK(driver.frame.state != "paused");
+                CHECK(driver.state() != "paused");
                 REQUIRE(carryOnUntil(driver, [&] { return !driver.running(); }));
                 CHECK(driver.finished());
                 CHECK(trialsOf(driver.responses) == std::vector<int>{0, 1, 2, 5, 6, 7, 8, 9});
@@ -256,22 +256,22 @@ TEST_SUITE("studies/session_resume") {
             }
             const int last = at_end ? 3 : 1;
             if (std::string(when) == "paused") {
-                REQUIRE(driver.waitUntil([&] { return driver.frame.state == "break"; }));
+                REQUIRE(driver.waitUntil([&] { return driver.state() == "break"; }));
                 driver.step(pauseFor("operator"));
             }
-            REQUIRE(driver.waitUntil([&] { return driver.frame.state == when; }));
+            REQUIRE(driver.waitUntil([&] { return driver.state() == when; }));
             driver.order(OperatorAction::repeat_last);
             if (std::string(when) == "paused") {
                 driver.wait(0.5);
-                CHECK(driver.frame.state == "paused");
+                CHECK(driver.state() == "paused");
                 driver.press(button_id::resume);
             }
-            REQUIRE(driver.waitUntil([&] { return driver.frame.state == "waiting"; }));
+            REQUIRE(driver.waitUntil([&] { return driver.state() == "waiting"; }));
             CHECK(driver.session->trialUnderWay() == last);
             REQUIRE(driver.toAnswer());
             driver.digit(3);
             REQUIRE(driver.waitUntil([&] { return resting(driver.frame); }));
-            CHECK(driver.frame.state == (at_end ? "instructions" : "break"));
+            CHECK(driver.state() == (at_end ? "instructions" : "break"));
             REQUIRE(driver.finish());
         }
     }
@@ -317,7 +317,7 @@ TEST_SUITE("studies/session_resume") {
             CHECK(driver.last("operator_skip").detail == "fire alarm");
             if (in_pause) {
                 driver.wait(0.5);
-                CHECK(driver.frame.state == "paused");
+                CHECK(driver.state() == "paused");
                 driver.press(button_id::resume);
             }
             REQUIRE(driver.waitUntil([&] { return driver.session->trialUnderWay() == 1; }));
@@ -335,8 +335,8 @@ TEST_SUITE("studies/session_resume") {
         REQUIRE(driver.toState("consent"));
         driver.order(OperatorAction::skip, "?");
         CHECK(driver.responses.empty());
-        CHECK(driver.frame.state == "consent");
-        REQUIRE(carryOnUntil(driver, [&] { return driver.frame.state == "questionnaire"; }));
+        CHECK(driver.state() == "consent");
+        REQUIRE(carryOnUntil(driver, [&] { return driver.state() == "questionnaire"; }));
         driver.order(OperatorAction::repeat_last);
         CHECK_MESSAGE(driver.superseded.empty(), "a consent is not asked twice");
         driver.order(OperatorAction::skip, "refused");
@@ -353,7 +353,7 @@ TEST_SUITE("studies/session_resume") {
         driver.order(OperatorAction::abort, "unwell");
         CHECK(driver.last("operator_abort").detail == "unwell");
         CHECK(driver.session->outcome() == SessionOutcome::aborted);
-        CHECK(driver.frame.state == "over");
+        CHECK(driver.state() == "over");
         CHECK(driver.session->trialUnderWay() == -1);
         CHECK(driver.responses.empty());
         driver.order(OperatorAction::note, "late");

@@ -120,7 +120,7 @@ TEST_SUITE("studies/session_select") {
         driver.start(ratings_answered);
         toFirstTrial(driver);
         CHECK(driver.count("early_select") == 0);
-        while (driver.frame.state != "playing-across") driver.step();
+        while (driver.state() != "playing-across") driver.step();
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));
         CHECK(driver.count("early_select") == 1);
@@ -132,7 +132,7 @@ TEST_SUITE("studies/session_select") {
         driver.choose(0);
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));  // a double click is not early
         CHECK(driver.count("early_select") == 1);
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state == "waiting-side-by-side"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() == "waiting-side-by-side"; }));
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));
         CHECK(driver.count("early_select") == 2);
         CHECK(driver.last("early_select").trial_index == 3);
@@ -189,7 +189,7 @@ TEST_SUITE("studies/session_select") {
         CHECK(ratingOf(driver.responses[0]) == 3);
 
         driver.looking.reset();
-        REQUIRE(driver.waitUntil([&] { return driver.frame.state == "waiting"; }));
+        REQUIRE(driver.waitUntil([&] { return driver.state() == "waiting"; }));
         InputFrame pause;
         pause.pause = true;
         driver.step(pause);

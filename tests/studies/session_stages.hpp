@@ -158,9 +158,9 @@ inline void carryOn(Driver& driver) {
         driver.step();
         return;
     }
-    if (frame.state == "consent") {
+    if (frame.state == PresentedState::consent) {
         driver.press(button_id::agree);
-    } else if (frame.state == "listening" || frame.state == "comparing") {
+    } else if (frame.state == PresentedState::listening || frame.state == PresentedState::comparing) {
         const std::string again = driver.study.words("play_again");
         for (const PanelButton& button : frame.panel->buttons)
             if (button.role == ButtonRole::play && button.enabled && button.caption != again &&
@@ -176,7 +176,7 @@ inline void carryOn(Driver& driver) {
             }
         if (!hasButton(frame, button_id::go_on) || !pressFirst(button_id::go_on, button_id::go_on + 1))
             pressFirst(button_id::first_rating, button_id::first_rating + 5);
-    } else if (frame.state == "questionnaire" || frame.state == "reasons") {
+    } else if (frame.state == PresentedState::questionnaire || frame.state == PresentedState::reasons) {
         if (hasButton(frame, button_id::go_on)) {
             driver.press(button_id::go_on);
         } else {
@@ -194,7 +194,7 @@ inline void carryOn(Driver& driver) {
                     break;
                 }
         }
-    } else if (frame.state == "rating" || frame.state.rfind("confidence", 0) == 0) {
+    } else if (frame.state == PresentedState::rating || frame.state == PresentedState::confidence) {
         pressFirst(button_id::first_rating, button_id::first_play);
     } else if (answersOpen(frame)) {
         driver.choose(0);

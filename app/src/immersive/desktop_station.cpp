@@ -9,7 +9,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <initializer_list>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -35,20 +34,15 @@ constexpr double farthest_aim_m = 8.0;
 constexpr double settles_after_focus_s = 0.3;
 constexpr double longest_gap_s = 3600.0;  // between frames, for counting those dropped
 
-bool oneOf(const std::string& state, std::initializer_list<const char*> states) {
-    return std::any_of(states.begin(), states.end(), [&](const char* one) { return state == one; });
-}
-
-// Whether a page or the pause panel is there: a board to be read first, not one beside a task.
+// Whether a board stands there to be read first, not one beside a task.
 bool pageOpen(const studies::PresentedFrame& frame) {
-    return frame.panel &&
-           oneOf(frame.state, {"instructions", "consent", "questionnaire", "break", "welcome-back",
-                               "practice-again", "attention", "reasons", "paused", "over"});
+    return frame.panel && isFullPage(frame.state);
 }
 
 // Whether clips are to be played by buttons: the board and who is shown belong together.
 bool playsByButtons(const studies::PresentedFrame& frame) {
-    return oneOf(frame.state, {"listening", "comparing"});
+    return frame.state == studies::PresentedState::listening ||
+           frame.state == studies::PresentedState::comparing;
 }
 
 bool typing(const studies::PresentedFrame& frame) {
@@ -402,7 +396,8 @@ studies::InputFrame DesktopStation::beginFrame() {
 
 studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
     State& s = *state_;
-    const bool new_trial = frame.state.starts_with("waiting") && !s.presented.state.starts_with("waiting");
+    const bool new_trial = frame.state == studies::PresentedState::waiting &&
+                           s.presented.state != studies::PresentedState::waiting;
     const bool new_comparison = playsByButtons(frame) && pageOpen(s.presented);
     const bool new_page = frame.panel && pageOpen(frame) && !pageOpen(s.presented);
     if (frame.viewer_place != s.presented.viewer_place || new_page || new_comparison ||

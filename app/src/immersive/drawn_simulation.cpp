@@ -56,9 +56,10 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
                          [view, view_size, pictured_size, screenshots, next_s = 0.0](
                              const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
                              if (frame.number <= 1) return;  // the participant has not been placed yet
-                             screenshots->met.insert(frame.state);
+                             const std::string state = presentedStateName(frame);
+                             screenshots->met.insert(state);
                              auto& wanted = screenshots->wanted;
-                             const auto picture = wanted.find(frame.state);
+                             const auto picture = wanted.find(state);
                              const bool due = frame.key_moment || input.time_s >= next_s;
                              if (!due && picture == wanted.end()) return;
                              renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);

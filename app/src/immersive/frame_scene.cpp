@@ -152,8 +152,10 @@ void addNotice(renderer::Scene& scene, const std::string& notice) {
 }
 
 bool explainsControls(const studies::PresentedFrame& frame) {
-    return frame.panel && (frame.state == "consent" || frame.state == "instructions" ||
-                           frame.state == "welcome-back" || frame.state == "paused");
+    using studies::PresentedState;
+    return frame.panel &&
+           (frame.state == PresentedState::consent || frame.state == PresentedState::instructions ||
+            frame.state == PresentedState::welcome_back || frame.state == PresentedState::paused);
 }
 
 void addFootLine(renderer::Board& board, const std::string& words) {

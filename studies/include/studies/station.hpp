@@ -15,6 +15,7 @@
 #include "core/error.hpp"
 #include "core/pose.hpp"
 #include "studies/first_look.hpp"
+#include "studies/presented_state.hpp"
 
 namespace deixis::studies {
 
@@ -191,16 +192,13 @@ struct PresentedFrame {
     /// none.
     std::string notice;
     bool tick = false;  ///< the ray has just met a ball or a button: a light haptic tick
-    /// What the session is doing, for screenshots and tests. Pages: "instructions", "consent",
-    /// "questionnaire", "break", "welcome-back", "practice-again", "attention" (a warning), "closing"
-    /// (thanks, or why the session ends). Trials: "waiting", "playing", "pointing" (the clip's second half),
-    /// "check" (a number to be given is shown), then "rating" and "rated"; parallel: "listening" (the page is
-    /// open); pairwise: "comparing", "reasons"; the game, each with "-" and the layout: "waiting-across",
-    /// "playing-...", "pointing-...", "choosing-...", "aiming-..." (the ray is on a ball), "chosen-...",
-    /// "feedback-...", "confidence-...". Also "paused", "over".
-    std::string state;
-    std::string stage;  ///< Stage::name; empty outside stages
+    PresentedState state = PresentedState::starting;
+    bool in_game = false;  ///< the state is one of a trial of the game
+    std::string stage;     ///< Stage::name; empty outside stages
 };
+
+/// The state's name; in the game with "-" and the place behind: "choosing-across".
+[[nodiscard]] std::string presentedStateName(const PresentedFrame& frame);
 
 /// A tracked pose in the stage's frame, with what the device says of it.
 struct TrackedPose {

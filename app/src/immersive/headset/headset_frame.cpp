@@ -232,8 +232,8 @@ OperatorView HeadsetStation::State::operatorView() const {
     if (options.operator_feed) view.feed = *options.operator_feed;
     view.feed.participant = options.participant;
     view.status = presented.status;
-    view.state = presented.state;
-    view.paused = presented.state == "paused";
+    view.doing = stateInWords(presented);
+    view.paused = presented.state == studies::PresentedState::paused;
     view.device_kind = "Headset";
     view.device = deviceWords(runtime);
     view.device_state = headsetInWords(nameOf(session->lifecycle().state()));

@@ -133,8 +133,8 @@ OperatorView DesktopOperator::view(const studies::PresentedFrame& frame, bool in
     OperatorView view;
     if (feed_) view.feed = *feed_;
     view.status = frame.status;
-    view.state = frame.state;
-    view.paused = frame.state == "paused";
+    view.doing = stateInWords(frame);
+    view.paused = frame.state == studies::PresentedState::paused;
     view.device_kind = "Display";
     view.device = fmt::format("{}x{} pixels", shown_.width, shown_.height);
     view.device_state = in_front ? DeviceWords{"In use", true}

@@ -123,7 +123,7 @@ class Panel {
         pen_.write(gui_.bold(), look::text, stage);
         if (!place.empty()) pen_.right(gui_.bold(), look::text, place, PanelPen::widthOf(gui_.bold(), stage));
         pen_.write(gui_.regular(), view_.paused ? look::warning : look::text,
-                   progress.remark.empty() ? stateInWords(view_.state) : progress.remark);
+                   progress.remark.empty() ? view_.doing : progress.remark);
         checks();
         trial();
     }

@@ -20,7 +20,7 @@ struct OperatorView {
 
     // What is presented.
     std::string status;  ///< "game 12/40"; empty: nothing was presented yet
-    std::string state;   ///< PresentedFrame::state
+    std::string doing;   ///< stateInWords()
     bool paused = false;
 
     // The station.

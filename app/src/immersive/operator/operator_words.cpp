@@ -7,44 +7,69 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace deixis::app {
 
 namespace {
 
-using Words = std::pair<std::string_view, std::string_view>;
-
-constexpr std::array<Words, 16> state_words{{
-    {"instructions", "Reads the instructions"},
-    {"consent", "Is asked for consent"},
-    {"questionnaire", "Answers questions"},
-    {"break", "Takes a break"},
-    {"welcome-back", "Reads the welcome back"},
-    {"practice-again", "Reads that there is more practice"},
-    {"attention", "Reads a word about attention"},
-    {"closing", "Reads the closing words"},
-    {"check", "Is shown a number to give"},
-    {"rating", "Rates the clip"},
-    {"rated", "Has rated the clip"},
-    {"listening", "Plays and rates the clips"},
-    {"comparing", "Plays and compares the clips"},
-    {"reasons", "Gives reasons for the preference"},
-    {"paused", "Paused"},
-    {"over", "The session is over"},
-}};
-
-// With a layout behind, in the game.
-constexpr std::array<Words, 8> trial_words{{
-    {"waiting", "Waits for the clip"},
-    {"playing", "Watches the clip"},
-    {"pointing", "Watches the avatar point"},
-    {"choosing", "Chooses a ball"},
-    {"aiming", "Aims at a ball"},
-    {"chosen", "Has chosen a ball"},
-    {"feedback", "Is shown the target"},
-    {"confidence", "Says how sure the choice was"},
-}};
+std::string_view wordsFor(studies::PresentedState state) {
+    using State = studies::PresentedState;
+    switch (state) {
+        case State::starting:
+            return "";
+        case State::instructions:
+            return "Reads the instructions";
+        case State::consent:
+            return "Is asked for consent";
+        case State::questionnaire:
+            return "Answers questions";
+        case State::rest:
+            return "Takes a break";
+        case State::welcome_back:
+            return "Reads the welcome back";
+        case State::practice_again:
+            return "Reads that there is more practice";
+        case State::attention:
+            return "Reads a word about attention";
+        case State::closing:
+            return "Reads the closing words";
+        case State::paused:
+            return "Paused";
+        case State::waiting:
+            return "Waits for the clip";
+        case State::playing:
+            return "Watches the clip";
+        case State::pointing:
+            return "Watches the avatar point";
+        case State::check:
+            return "Is shown a number to give";
+        case State::rating:
+            return "Rates the clip";
+        case State::rated:
+            return "Has rated the clip";
+        case State::listening:
+            return "Plays and rates the clips";
+        case State::comparing:
+            return "Plays and compares the clips";
+        case State::reasons:
+            return "Gives reasons for the preference";
+        case State::choosing:
+            return "Chooses a ball";
+        case State::aiming:
+            return "Aims at a ball";
+        case State::chosen:
+            return "Has chosen a ball";
+        case State::feedback:
+            return "Is shown the target";
+        case State::confidence:
+            return "Says how sure the choice was";
+        case State::over:
+            return "The session is over";
+    }
+    throw std::logic_error("a state without words");
+}
 
 struct EventWords {
     std::string_view kind;
@@ -130,15 +155,9 @@ StudyProgress studyProgress(std::string_view status) {
     return progress;
 }
 
-std::string stateInWords(std::string_view state) {
-    for (const auto& [name, words] : state_words)
-        if (state == name) return std::string(words);
-    for (const auto& [name, words] : trial_words) {
-        if (state == name) return std::string(words);
-        if (state.starts_with(name) && state[name.size()] == '-')
-            return fmt::format("{} ({})", words, state.substr(name.size() + 1));
-    }
-    return std::string(state);
+std::string stateInWords(const studies::PresentedFrame& frame) {
+    const std::string_view words = wordsFor(frame.state);
+    return frame.in_game ? fmt::format("{} ({})", words, frame.viewer_place) : std::string(words);
 }
 
 DeviceWords headsetInWords(std::string_view state) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "operator_feed.hpp"
+#include "studies/station.hpp"
 
 namespace deixis::app {
 
@@ -23,9 +24,9 @@ struct StudyProgress {
 
 [[nodiscard]] StudyProgress studyProgress(std::string_view status);
 
-/// PresentedFrame::state for somebody who knows the study but not the program: "aiming-side-by-side" ->
-/// "Aims at a ball (side-by-side)". An unknown state comes back as it is.
-[[nodiscard]] std::string stateInWords(std::string_view state);
+/// What the participant does in a frame, for somebody who knows the study but not the program: "Aims at a ball
+/// (side-by-side)". Empty before the first.
+[[nodiscard]] std::string stateInWords(const studies::PresentedFrame& frame);
 
 struct DeviceWords {
     std::string words;
