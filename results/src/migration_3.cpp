@@ -1,6 +1,7 @@
 // Version 2 knew one kind of study: naturalness ratings, then the referential game, each after some practice.
 // Its two stages become up to four (practice is a stage of its own), a rating becomes an answer, a clip shown
-// becomes a stimulus, and tracked frames are packed into blocks.
+// becomes a stimulus, and tracked frames are packed into blocks. Only tables of versions 2 and 3 are known
+// here.
 #include "migration_3.hpp"
 
 #include <fmt/core.h>
@@ -9,14 +10,14 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "core/hash.hpp"
 #include "results/tracking_blocks.hpp"
 #include "schema.hpp"
-#include "studies/plan.hpp"
-#include "tracking_writer.hpp"
+#include "studies/station.hpp"
 
 namespace deixis::results {
 
@@ -27,55 +28,15 @@ constexpr std::array old_tables{
     "trials",   "sessions",    "responses",     "events",       "session_properties",
     "tracking", "hand_joints", "trial_tracking"};
 
-constexpr const char* copy_rows = R"sql(
-INSERT INTO study SELECT id, name, title, hash, source, alpha, NULL FROM before_3_study;
-
-INSERT INTO systems SELECT position, name, generator, manifest, '{}' FROM before_3_systems;
-INSERT INTO layouts SELECT * FROM before_3_layouts;
-
-CREATE TEMP TABLE stage_names (position, stage, practice, name, kind, practice_of);
-INSERT INTO stage_names VALUES
-    (0, 'naturalness', 1, 'naturalness-practice', 'rating', 'naturalness'),
-    (1, 'naturalness', 0, 'naturalness', 'rating', NULL),
-    (2, 'game', 1, 'game-practice', 'referential-game', 'game'),
-    (3, 'game', 0, 'game', 'referential-game', NULL);
-
-INSERT INTO stages
-SELECT n.position, n.name, n.kind, 1, n.practice_of, iif(n.kind = 'rating', 'naturalness', NULL),
-       iif(n.kind = 'rating', 1, NULL), iif(n.kind = 'rating', s.rating_steps, NULL), NULL
-  FROM stage_names AS n, before_3_study AS s
- WHERE EXISTS (SELECT 1 FROM before_3_trials AS t WHERE t.stage = n.stage AND t.practice = n.practice);
-INSERT INTO questions
-SELECT name, 'rating', 0, 'scale', '', scale_low, scale_high, NULL FROM stages WHERE kind = 'rating';
-
-INSERT INTO trials
-SELECT t.participant, t.trial_index, n.name, n.kind, t.practice, 0, 0, t.layout, NULL,
-       t.target_id, t.target_x_m, t.target_y_m, t.target_z_m,
-       iif(t.stage = 'game', t.distractors, NULL), t.balls, t.target_place, NULL, NULL, NULL, NULL
-  FROM before_3_trials AS t JOIN stage_names AS n ON n.stage = t.stage AND n.practice = t.practice;
-INSERT INTO trial_stimuli
-SELECT participant, trial_index, 0, system, target_id, NOT practice FROM before_3_trials;
-
-INSERT INTO sessions SELECT * FROM before_3_sessions;
-INSERT INTO session_properties SELECT * FROM before_3_session_properties;
-
-INSERT INTO responses
-SELECT id, participant, trial_index, session, 'answered', chosen_place, correct, NULL,
-       onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, answered_utc_s,
-       response_time_s, paused_s, replays, pauses, 0, NULL, input,
-       head_x_m, head_y_m, head_z_m, head_qw, head_qx, head_qy, head_qz,
-       ray_x_m, ray_y_m, ray_z_m, ray_dx, ray_dy, ray_dz, NULL, NULL
-  FROM before_3_responses;
-INSERT INTO response_stimuli SELECT id, 0, clip_file, clip_hash, replays + 1 FROM before_3_responses;
-INSERT INTO answers
-SELECT id, 0, 'rating', 0, rating, NULL FROM before_3_responses WHERE rating IS NOT NULL;
-
-INSERT INTO events SELECT * FROM before_3_events;
-INSERT INTO hand_joints SELECT * FROM before_3_hand_joints;
-INSERT INTO trial_tracking SELECT * FROM before_3_trial_tracking;
-
-DROP TABLE stage_names;
-)sql";
+/// Up to six digits at the end of an id.
+std::optional<int> numberAtEnd(const std::string& participant) {
+    constexpr std::size_t most_digits = 6;
+    const auto last_other = participant.find_last_not_of("0123456789");
+    const std::string digits = participant.substr(last_other == std::string::npos ? 0 : last_other + 1);
+    if (digits.empty() || digits.size() > most_digits) return std::nullopt;
+    const int number = std::stoi(digits);
+    return number > 0 ? std::optional(number) : std::nullopt;
+}
 
 /// Numbers of the participants, which version 2 did not have: what the id ends in, where nobody else has it.
 std::map<std::string, int> numbers(SQLite::Database& database) {
@@ -85,7 +46,7 @@ std::map<std::string, int> numbers(SQLite::Database& database) {
     SQLite::Statement row(database, "SELECT id FROM before_3_participants ORDER BY id");
     while (row.executeStep()) {
         const std::string id = row.getColumn(0).getString();
-        const auto number = studies::numberOfParticipant(id);
+        const auto number = numberAtEnd(id);
         if (number && taken.insert(*number).second)
             out[id] = *number;
         else
@@ -110,38 +71,54 @@ void insertParticipants(SQLite::Database& database, const std::map<std::string, 
     }
 }
 
-Vec3 vec3(const nlohmann::json& position) {
-    return {position.at(0).get<double>(), position.at(1).get<double>(), position.at(2).get<double>()};
+using Json = nlohmann::ordered_json;
+
+Json position(const Json& old) {
+    return {old.at(0).get<double>(), old.at(1).get<double>(), old.at(2).get<double>()};
 }
 
-/// Throws nlohmann::json::exception where the text is no plan of version 2.
-studies::StudyPlan convertedPlan(const std::string& text, int number) {
-    const auto old = nlohmann::json::parse(text);
-    studies::StudyPlan plan;
-    plan.participant = old.at("participant").get<std::string>();
-    plan.number = number;
-    plan.study_name = old.at("study").get<std::string>();
-    plan.study_hash = old.at("study_hash").get<std::string>();
-    plan.seed = old.at("seed").get<std::uint64_t>();
-    for (const auto& from : old.at("trials")) {
-        const bool game = from.at("stage").get<std::string>() == "game";
-        studies::Trial trial;
-        trial.index = from.at("index").get<int>();
-        trial.kind = game ? studies::StageKind::game : studies::StageKind::rating;
-        trial.practice = from.at("practice").get<bool>();
-        trial.stage = std::string(game ? "game" : "naturalness") + (trial.practice ? "-practice" : "");
-        trial.stimuli = {{from.at("system").get<std::string>(), from.at("target_id").get<std::string>()}};
-        trial.layout = from.at("layout").get<std::string>();
-        trial.target = vec3(from.at("target"));
-        if (game) {
-            for (const auto& distractor : from.at("distractors"))
-                trial.distractors.push_back(vec3(distractor));
-            trial.ball_order = from.at("ball_order").get<std::vector<int>>();
-        }
-        if (plan.stages.empty() || plan.stages.back() != trial.stage) plan.stages.push_back(trial.stage);
-        plan.trials.push_back(std::move(trial));
+Json convertedTrial(const Json& old) {
+    const bool game = old.at("stage").get<std::string>() == "game";
+    const bool practice = old.at("practice").get<bool>();
+    Json distractors = Json::array();
+    Json ball_order = Json::array();
+    if (game) {
+        for (const Json& distractor : old.at("distractors")) distractors.push_back(position(distractor));
+        for (const Json& ball : old.at("ball_order")) ball_order.push_back(ball.get<int>());
     }
-    return plan;
+    const Json stimulus{{"system", old.at("system").get<std::string>()},
+                        {"item", old.at("target_id").get<std::string>()}};
+    return {{"index", old.at("index").get<int>()},
+            {"stage", std::string(game ? "game" : "naturalness") + (practice ? "-practice" : "")},
+            {"kind", game ? "referential-game" : "rating"},
+            {"practice", practice},
+            {"attempt", 0},
+            {"page", 0},
+            {"stimuli", Json::array({stimulus})},
+            {"layout", old.at("layout").get<std::string>()},
+            {"distance", ""},
+            {"target", position(old.at("target"))},
+            {"distractors", distractors},
+            {"ball_order", ball_order},
+            {"check", nullptr}};
+}
+
+/// The plan as version 3 wrote it. Throws nlohmann::json::exception where the text is no plan of version 2.
+std::string convertedPlan(const std::string& text, int number) {
+    const Json old = Json::parse(text);
+    Json stages = Json::array();
+    std::string trials;
+    for (const Json& from : old.at("trials")) {
+        const Json trial = convertedTrial(from);
+        if (stages.empty() || stages.back() != trial.at("stage")) stages.push_back(trial.at("stage"));
+        trials += (trials.empty() ? "\n    " : ",\n    ") + trial.dump();
+    }
+    return fmt::format(
+        "{{\n  \"participant\": {},\n  \"number\": {},\n  \"study\": {},\n  \"study_hash\": {},\n  "
+        "\"seed\": {},\n  \"groups\": {{}},\n  \"stages\": {},\n  \"trials\": [{}\n  ]\n}}\n",
+        Json(old.at("participant").get<std::string>()).dump(), number,
+        Json(old.at("study").get<std::string>()).dump(), Json(old.at("study_hash").get<std::string>()).dump(),
+        old.at("seed").get<std::uint64_t>(), stages.dump(), trials);
 }
 
 Result<void> convertPlans(SQLite::Database& database, const std::map<std::string, int>& number_of,
@@ -153,7 +130,7 @@ Result<void> convertPlans(SQLite::Database& database, const std::map<std::string
         const std::string participant = row.getColumn(0).getString();
         std::string json;
         try {
-            json = studies::planJson(convertedPlan(row.getColumn(2).getString(), number_of.at(participant)));
+            json = convertedPlan(row.getColumn(2).getString(), number_of.at(participant));
         } catch (const nlohmann::json::exception& problem) {
             return fail(path.string(),
                         fmt::format("the stored plan of participant {} cannot be read: {}", participant,
@@ -180,12 +157,10 @@ studies::TrackedPose poseAt(const SQLite::Statement& row, int first) {
             (validity & tracked) != 0};
 }
 
-/// In the order of version 2's columns: see docs of that version, or schema_2.cpp.
-TrackedFrame frameOf(const SQLite::Statement& row) {
+/// In the order of version 2's columns: see results/schema/step_2.sql.
+studies::TrackingSample frameOf(const SQLite::Statement& row) {
     constexpr int head = 9, columns_of_pose = 8;
-    TrackedFrame out;
-    out.trial_index = row.getColumn(2).isNull() ? -1 : row.getColumn(2).getInt();
-    studies::TrackingSample& sample = out.sample;
+    studies::TrackingSample sample;
     sample.frame = static_cast<std::uint64_t>(row.getColumn(1).getInt64());
     sample.display_time_s = row.getColumn(3).getDouble();
     sample.begun_s = row.getColumn(4).getDouble();
@@ -198,26 +173,44 @@ TrackedFrame frameOf(const SQLite::Statement& row) {
     sample.grip = {poseAt(row, head + 3 * columns_of_pose), poseAt(row, head + 4 * columns_of_pose)};
     constexpr int gaze = head + 5 * columns_of_pose;
     if (!row.getColumn(gaze).isNull()) sample.gaze = poseAt(row, gaze);
-    return out;
+    return sample;
 }
 
+/// Blocks of up to 64 frames of one trial, or of none. Which form the bytes have they say
+/// themselves.
 void packFrames(SQLite::Database& database) {
+    constexpr std::size_t most_frames = 64;
     SQLite::Statement row(database, "SELECT * FROM before_3_tracking ORDER BY session, frame");
-    TrackingWriter writer(database);
-    std::vector<TrackedFrame> frames;
+    SQLite::Statement insert(
+        database,
+        "INSERT INTO tracking_blocks (session, trial_index, first_frame, frames, first_display_time_s, "
+        "last_display_time_s, data) VALUES (?, ?, ?, ?, ?, ?, ?)");
+    std::vector<studies::TrackingSample> frames;
     std::int64_t session = 0;
+    std::optional<int> trial;
     const auto write = [&] {
-        writer.insert(session, frames);
+        if (frames.empty()) return;
+        insert.tryReset();
+        insert.clearBindings();
+        insert.bind(1, session);
+        if (trial) insert.bind(2, *trial);
+        insert.bind(3, static_cast<std::int64_t>(frames.front().frame));
+        insert.bind(4, static_cast<std::int64_t>(frames.size()));
+        insert.bind(5, frames.front().display_time_s);
+        insert.bind(6, frames.back().display_time_s);
+        const std::string data = packTracking(frames);
+        insert.bind(7, data.data(), static_cast<int>(data.size()));
+        insert.exec();
         frames.clear();
     };
     while (row.executeStep()) {
-        TrackedFrame frame = frameOf(row);
         const std::int64_t its_session = row.getColumn(0).getInt64();
-        const bool goes_on = its_session == session && frames.size() < most_frames_in_block &&
-                             (frames.empty() || frames.back().trial_index == frame.trial_index);
-        if (!goes_on) write();
+        const auto its_trial =
+            row.getColumn(2).isNull() ? std::nullopt : std::optional(row.getColumn(2).getInt());
+        if (its_session != session || its_trial != trial || frames.size() == most_frames) write();
         session = its_session;
-        frames.push_back(std::move(frame));
+        trial = its_trial;
+        frames.push_back(frameOf(row));
     }
     write();
 }
@@ -227,13 +220,12 @@ void packFrames(SQLite::Database& database) {
 Result<void> migrateTo3(SQLite::Database& database, const std::filesystem::path& path) {
     // Renaming must leave alone what refers to the tables: the new ones take their places.
     database.exec(
-        "PRAGMA legacy_alter_table = ON; DROP VIEW IF EXISTS responses_flat; DROP INDEX events_of_session; "
-        "DROP INDEX tracking_of_trial");
+        "PRAGMA legacy_alter_table = ON; DROP INDEX events_of_session; DROP INDEX tracking_of_trial");
     for (const char* table : old_tables)
         database.exec(fmt::format("ALTER TABLE {} RENAME TO before_3_{}", table, table));
     database.exec("PRAGMA legacy_alter_table = OFF");
-    database.exec(newest_tables);
-    database.exec(copy_rows);
+    database.exec(step_3_tables);
+    database.exec(step_3_rows);
     const auto number_of = numbers(database);
     insertParticipants(database, number_of);
     if (auto done = convertPlans(database, number_of, path); !done) return done;

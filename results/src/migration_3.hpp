@@ -1,5 +1,4 @@
-// The step from schema version 2 to 3, and so to the newest: since then tables have only got columns that may
-// be NULL.
+// The step from schema version 2 to 3.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

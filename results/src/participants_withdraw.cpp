@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 #include <sqlite3.h>
 
-#include "core/hash.hpp"
 #include "database_open.hpp"
 #include "participant_lock.hpp"
 #include "results/participants.hpp"
@@ -21,6 +20,11 @@ bool known(SQLite::Database& database, const std::string& participant) {
 
 void erase(SQLite::Database& database, const std::string& participant, double utc_s) {
     database.exec("BEGIN IMMEDIATE");
+    SQLite::Statement count(
+        database, "INSERT INTO withdrawals (utc_s, token) SELECT ?, token FROM participants WHERE id = ?");
+    count.bind(1, utc_s);
+    count.bind(2, participant);
+    count.exec();
     // What refers to something goes before it.
     for (auto table = people_tables.rbegin(); table != people_tables.rend(); ++table) {
         SQLite::Statement statement(
@@ -28,18 +32,10 @@ void erase(SQLite::Database& database, const std::string& participant, double ut
         statement.bind(1, participant);
         statement.exec();
     }
-    SQLite::Statement count(database, "INSERT INTO withdrawals (utc_s, participant_hash) VALUES (?, ?)");
-    count.bind(1, utc_s);
-    count.bind(2, withdrawalHash(database.execAndGet("SELECT hash FROM study").getString(), participant));
-    count.exec();
     database.exec("COMMIT");
 }
 
 }  // namespace
-
-std::string withdrawalHash(const std::string& study_hash, const std::string& participant) {
-    return sha256Hex(study_hash + "\n" + participant);
-}
 
 Result<void> withdrawParticipant(const std::filesystem::path& database, const std::string& participant,
                                  double utc_s) {
@@ -54,14 +50,14 @@ Result<void> withdrawParticipant(const std::filesystem::path& database, const st
         if (!lock) return tl::unexpected(lock.error());
         // With another program reading, the log could not be emptied: nobody else may have the file open. The
         // first read under this mode takes it; out of WAL the journal leaves no log behind at all.
-        open->exec("PRAGMA secure_delete = ON; PRAGMA wal_checkpoint(TRUNCATE)");
+        open->exec("PRAGMA secure_delete = ON; PRAGMA main.wal_checkpoint(TRUNCATE)");
         if (open->execAndGet("PRAGMA journal_mode = DELETE").getString() != "delete")
             return fail(database.string(), "the database is in use by another program",
                         "Close the program that has it open (another deixis, an SQLite browser), then try "
                         "again: nothing has been erased");
         erase(*open, participant, utc_s);
         open->exec("VACUUM");
-        open->exec("PRAGMA journal_mode = WAL; PRAGMA wal_checkpoint(TRUNCATE)");
+        open->exec("PRAGMA journal_mode = WAL; PRAGMA main.wal_checkpoint(TRUNCATE)");
         std::error_code gone;
         std::filesystem::remove(lockFile(database, participant), gone);
         return {};

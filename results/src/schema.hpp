@@ -9,11 +9,16 @@ inline constexpr int application_id = 0x44584953;
 
 /// SQLite's user_version. Raise it with every change of the tables, and add the step to migrate() and
 /// to server_schema.cpp.
-inline constexpr int schema_version = 4;
+inline constexpr int schema_version = 5;
 
-extern const char* const schema_2_from_1;  ///< brings version 1 to version 2
-extern const char* const schema_4_from_3;  ///< brings version 3 to version 4
-extern const char* const newest_tables;    ///< for an empty database, or beside old tables renamed
-extern const char* const newest_views;     ///< replaces them
+// The files of results/schema. A step, once released, is never changed: it knows only tables as they were in
+// its two versions.
+extern const char* const step_2;         ///< brings version 1 to version 2
+extern const char* const step_3_tables;  ///< of version 3, beside those of version 2 renamed
+extern const char* const step_3_rows;    ///< brings over what migration_3.cpp does not
+extern const char* const step_4;         ///< brings version 3 to version 4
+extern const char* const step_5;         ///< brings version 4 to version 5, but for tokens
+extern const char* const newest_tables;  ///< for an empty database
+extern const char* const newest_views;   ///< replaces them
 
 }  // namespace deixis::results

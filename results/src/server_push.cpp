@@ -21,14 +21,18 @@ constexpr const char* one_push_at_a_time = "SELECT pg_advisory_xact_lock(1146636
 
 struct Withdrawal {
     double utc_s = 0.0;
-    std::optional<std::string> participant_hash;
+    std::optional<std::string> token;  ///< none: withdrawn before version 5
     auto operator<=>(const Withdrawal&) const = default;
 };
 
 struct Person {
     int number = 0;
-    double registered_utc_s = 0.0;
+    std::optional<std::string> token;
 };
+
+std::optional<std::string> textOrNone(const SQLite::Column& value) {
+    return value.isNull() ? std::nullopt : std::optional(value.getString());
+}
 
 /// One push of one file, within one transaction.
 class StudyPush {
@@ -55,7 +59,7 @@ class StudyPush {
         eraseWithdrawn();
         if (auto clash = checkNumbers(); !clash) return tl::unexpected(clash.error());
         for (const auto& [id, person] : inFile()) {
-            if (isWithdrawn(id, person))
+            if (isWithdrawn(person))
                 outcome_.withdrawn.push_back(id);
             else if (auto done = people.push(id); !done)
                 return tl::unexpected(done.error());
@@ -66,48 +70,45 @@ class StudyPush {
   private:
     std::map<std::string, Person> inFile() {
         std::map<std::string, Person> out;
-        Statement rows(file_, "SELECT id, number, registered_utc_s FROM participants");
+        Statement rows(file_, "SELECT id, number, token FROM participants");
         while (rows.executeStep())
-            out[rows.getColumn(0).getString()] = {rows.getColumn(1).getInt(), rows.getColumn(2).getDouble()};
+            out[rows.getColumn(0).getString()] = {rows.getColumn(1).getInt(), textOrNone(rows.getColumn(2))};
         return out;
     }
 
     std::map<std::string, Person> onServer() {
         std::map<std::string, Person> out;
-        const pqxx::result rows = server_.run("SELECT id, number, registered_utc_s FROM participants");
+        const pqxx::result rows = server_.run("SELECT id, number, token FROM participants");
         for (int i = 0; i < static_cast<int>(rows.size()); ++i)
-            out[*textOf(rows, i, 0)] = {std::stoi(*textOf(rows, i, 1)), std::stod(*textOf(rows, i, 2))};
+            out[*textOf(rows, i, 0)] = {std::stoi(*textOf(rows, i, 1)), textOf(rows, i, 2)};
         return out;
     }
 
-    /// Withdrawn, and has not begun anew since.
-    bool isWithdrawn(const std::string& id, const Person& person) const {
-        const std::string hash = withdrawalHash(study_hash_, id);
-        return std::any_of(withdrawals_.begin(), withdrawals_.end(), [&](const Withdrawal& one) {
-            return one.participant_hash == hash && person.registered_utc_s <= one.utc_s;
-        });
+    /// Who begins anew after a withdrawal has another token.
+    bool isWithdrawn(const Person& person) const {
+        return std::any_of(withdrawals_.begin(), withdrawals_.end(),
+                           [&](const Withdrawal& one) { return one.token && one.token == person.token; });
     }
 
     /// Those of all files together.
     void pushWithdrawals() {
-        const pqxx::result there = server_.run("SELECT utc_s, participant_hash FROM withdrawals");
+        const pqxx::result there = server_.run("SELECT utc_s, token FROM withdrawals");
         for (int i = 0; i < static_cast<int>(there.size()); ++i)
             withdrawals_.insert({std::stod(*textOf(there, i, 0)), textOf(there, i, 1)});
-        Statement rows(file_, "SELECT utc_s, participant_hash FROM withdrawals ORDER BY id");
+        Statement rows(file_, "SELECT utc_s, token FROM withdrawals ORDER BY id");
         while (rows.executeStep()) {
-            Withdrawal one{rows.getColumn(0).getDouble(), std::nullopt};
-            if (!rows.getColumn(1).isNull()) one.participant_hash = rows.getColumn(1).getString();
+            const Withdrawal one{rows.getColumn(0).getDouble(), textOrNone(rows.getColumn(1))};
             if (!withdrawals_.insert(one).second) continue;
             server_.run(fmt::format(
                 "INSERT INTO withdrawals SELECT coalesce(max(id), 0) + 1, {}, {} FROM withdrawals", one.utc_s,
-                one.participant_hash ? server_.quoted(*one.participant_hash) : "NULL"));
+                one.token ? server_.quoted(*one.token) : "NULL"));
             ++outcome_.rows;
         }
     }
 
     void eraseWithdrawn() {
         for (const auto& [id, person] : onServer()) {
-            if (!isWithdrawn(id, person)) continue;
+            if (!isWithdrawn(person)) continue;
             // What refers to something goes before it.
             for (auto table = people_tables.rbegin(); table != people_tables.rend(); ++table)
                 server_.run(
@@ -122,7 +123,7 @@ class StudyPush {
         for (const auto& [id, person] : there) taken[person.number] = id;
         for (const auto& [id, person] : inFile()) {
             const auto other = taken.find(person.number);
-            if (there.contains(id) || isWithdrawn(id, person) || other == taken.end()) continue;
+            if (there.contains(id) || isWithdrawn(person) || other == taken.end()) continue;
             return fail(path_.string(),
                         fmt::format("participant {} has the number {}, which {} has on {}", id, person.number,
                                     other->second, address_.shown),

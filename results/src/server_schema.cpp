@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <cctype>
+#include <cstdlib>
+#include <optional>
 #include <regex>
 #include <stdexcept>
 
+#include "migration_5.hpp"
 #include "schema.hpp"
 
 namespace deixis::results {
@@ -30,10 +33,36 @@ std::string inPostgresWords(std::string sql) {
     return sql;
 }
 
-/// What brings tables of a version to the next; null where there is no way. Servers came with version 4, and
-/// with tables of version 3 before it.
-const char* stepFrom(long long version) {
-    return version == 3 ? schema_4_from_3 : nullptr;
+/// Servers came with version 4, and with tables of version 3 before it.
+constexpr long long oldest_version = 3;
+
+void giveTokens(ServerTransaction& server) {
+    const pqxx::result rows = server.run(before_tokens_sql);
+    const auto number = [&](int row, int column) -> std::optional<double> {
+        const auto text = textOf(rows, row, column);
+        return text ? std::optional(std::strtod(text->c_str(), nullptr)) : std::nullopt;
+    };
+    for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
+        const std::string participant = textOf(rows, i, 0).value();
+        const std::string token = tokenFrom({participant, number(i, 1), number(i, 2), number(i, 3)});
+        server.run(fmt::format("UPDATE participants SET token = {} WHERE id = {}", server.quoted(token),
+                               server.quoted(participant)));
+    }
+}
+
+/// From the version before to `version`, as migrate() does it with a file.
+void step(ServerTransaction& server, long long version) {
+    switch (version) {
+        case 4:
+            server.run(inPostgresWords(step_4));
+            return;
+        case 5:
+            server.run(inPostgresWords(step_5));
+            giveTokens(server);
+            return;
+        default:
+            throw std::logic_error(fmt::format("no step leads to version {} of a server's tables", version));
+    }
 }
 
 Result<long long> versionOf(ServerTransaction& server, const ServerAddress& address,
@@ -54,16 +83,13 @@ Result<long long> versionOf(ServerTransaction& server, const ServerAddress& addr
 /// Step by step to this program's version; needs the schema as search path.
 Result<void> upgrade(ServerTransaction& server, const ServerAddress& address, const std::string& schema,
                      long long from) {
-    for (long long version = from; version < schema_version; ++version) {
-        const char* step = stepFrom(version);
-        if (step == nullptr)
-            return fail(
-                address.shown,
-                fmt::format("the schema {} has version {}, from which no way leads to this program's, {}",
-                            schema, version, schema_version),
-                "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
-        server.run(inPostgresWords(step));
-    }
+    if (from < oldest_version)
+        return fail(address.shown,
+                    fmt::format("the schema {} has version {}, from which no way leads to this program's, {}",
+                                schema, from, schema_version),
+                    "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
+    server.run("DROP VIEW IF EXISTS responses_flat");
+    for (long long version = from + 1; version <= schema_version; ++version) step(server, version);
     server.run(postgresViews());
     server.run(fmt::format("UPDATE {} SET version = {}", version_table, schema_version));
     return {};

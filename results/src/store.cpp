@@ -136,7 +136,7 @@ void Store::commit() {
     impl_->database.exec("COMMIT");
     // Written without waiting for the disk so far; now it is waited for, once.
     impl_->database.exec(
-        "PRAGMA synchronous = FULL; PRAGMA wal_checkpoint(TRUNCATE); PRAGMA synchronous = OFF");
+        "PRAGMA synchronous = FULL; PRAGMA main.wal_checkpoint(TRUNCATE); PRAGMA synchronous = OFF");
 }
 
 }  // namespace deixis::results

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/hash.hpp"
+#include "participant_token.hpp"
 #include "store_differences.hpp"
 #include "store_impl.hpp"
 
@@ -139,7 +140,9 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
 }
 
 void Store::Impl::insertStudy(const studies::Study& study) {
-    auto row = query("INSERT INTO study VALUES (1, ?, ?, ?, ?, ?, ?)");
+    auto row = query(
+        "INSERT INTO study (id, name, title, hash, source, alpha, ball_diameter_m) VALUES (1, ?, ?, ?, ?, ?, "
+        "?)");
     row << study.name << study.title << study.hash;
     row.textOrNull(study.source) << study.alpha << study.targets.ball_diameter_m;
     row.run();
@@ -204,8 +207,9 @@ void Store::Impl::insertStage(const studies::Stage& stage, int position) {
 
 void Store::Impl::insertRegistration(const Registration& registration) {
     // The first session says when.
-    auto row = query("INSERT INTO participants VALUES (?, ?, ?, 'active', NULL, 0.0)");
-    row << registration.participant << registration.number << registration.language;
+    auto row = query(
+        "INSERT INTO participants (id, number, language, registered_utc_s, token) VALUES (?, ?, ?, 0.0, ?)");
+    row << registration.participant << registration.number << registration.language << drawToken();
     row.run();
     for (const auto& [factor, level] : registration.groups) {
         auto group = query("INSERT INTO participant_groups VALUES (?, ?, ?)");
@@ -222,8 +226,12 @@ void Store::Impl::insertPlan(const studies::StudyPlan& plan, const std::string& 
 }
 
 void Store::Impl::insertTrial(const std::string& participant, const studies::Trial& trial) {
-    auto row =
-        query("INSERT INTO trials VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    auto row = query(
+        "INSERT INTO trials (participant, trial_index, stage, kind, practice, attempt, page, layout, "
+        "distance, "
+        "target_id, target_x_m, target_y_m, target_z_m, distractors, balls, target_place, check_kind, "
+        "check_stimulus, check_expected, check_of_trial) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     row << participant << trial.index << trial.stage << studies::stageKindName(trial.kind) << trial.practice
         << trial.attempt << trial.page;
     row.textOrNull(trial.layout).textOrNull(trial.distance);

@@ -63,7 +63,4 @@ inline constexpr std::array<PeopleTable, 16> people_tables{{
     return false;
 }
 
-/// What withdrawals keep of a person: enough to erase copies elsewhere, for whoever knows study and id.
-[[nodiscard]] std::string withdrawalHash(const std::string& study_hash, const std::string& participant);
-
 }  // namespace deixis::results

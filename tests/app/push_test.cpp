@@ -69,6 +69,15 @@ struct Stations {
     }
 };
 
+/// Takes away what version 5 added, in a file or on a server.
+constexpr const char* back_to_4 =
+    "DROP VIEW responses_flat; ALTER TABLE study DROP COLUMN locked_hash;"
+    "ALTER TABLE participants DROP COLUMN token; ALTER TABLE trials DROP COLUMN visibility;"
+    "ALTER TABLE responses DROP COLUMN viewer_x_m; ALTER TABLE responses DROP COLUMN viewer_z_m;"
+    "ALTER TABLE responses DROP COLUMN viewer_heading_deg; ALTER TABLE responses DROP COLUMN hash;"
+    "DROP TABLE locked_changes; ALTER TABLE withdrawals DROP COLUMN token;"
+    "ALTER TABLE withdrawals ADD COLUMN participant_hash TEXT;";
+
 const Stations& stations() {
     static const Stations made;
     return made;
@@ -366,37 +375,51 @@ TEST_SUITE("app/push") {
         if (server == nullptr) return;
         const Scratch scratch;
         const Stations& files = stations();
+        // Files of version 4, too: their participants' tokens are made from the same rows as on the server.
+        const std::string a = scratch / "a.sqlite", b = scratch / "b.sqlite";
+        for (const auto& [from, to] : {std::pair{files.a, a}, {files.b, b}}) {
+            fs::copy_file(from, to);
+            change(to, std::string(back_to_4) + "PRAGMA user_version = 4");
+        }
         const std::string name = server->database();
         const std::string url = server->url(name);
-        pushed(files.a, url);
+        pushed(a, url);
         const std::string schema = schemaIn(*server, name);
         const std::string version = "SELECT version FROM " + schema + ".deixis_schema";
         const std::string newest = server->sql(name, version);
-        // Version 3 lacked this column.
-        server->sql(name, "ALTER TABLE " + schema + ".withdrawals DROP COLUMN participant_hash; UPDATE " +
-                              schema + ".deixis_schema SET version = 3");
+        const std::string columns =
+            "SELECT table_name, column_name, data_type FROM information_schema.columns WHERE table_schema = "
+            "'" +
+            schema + "' ORDER BY 1, ordinal_position";
+        const std::string newest_columns = server->sql(name, columns);
+        onServer(
+            *server, name,
+            std::string(back_to_4) +
+                "ALTER TABLE withdrawals DROP COLUMN participant_hash; UPDATE deixis_schema SET version = 3");
+        CHECK(server->sql(name, columns) != newest_columns);
         const std::string report = "report '" + url + "' --resamples 200 -o " + (scratch / "r.html");
         CHECK_FAILS_SAYING(program(report), "has version 3", "Push a station's file");
 
         // A push that is refused further on leaves them as they were.
         const std::string clash = scratch / "clash.sqlite";
-        fs::copy_file(files.b, clash);
+        fs::copy_file(b, clash);
         change(clash, "UPDATE participants SET number = 2 WHERE id = 'S005'");
         CHECK_FAILS_SAYING(push(clash, url), "has the number 2");
         CHECK(server->sql(name, version) == "3\n");
 
-        const auto done = push(files.b, url);
+        const auto done = push(b, url);
         INFO(done.err);
         REQUIRE(done.status == 0);
         CHECK(
             done.out.find("brought up to date: the server's tables of the study, which were of version 3") !=
             std::string::npos);
         CHECK(server->sql(name, version) == newest);
+        CHECK(server->sql(name, columns) == newest_columns);
         checkCounts(*server, name, files.both);
         CHECK(onServer(*server, name, answers_sql) == inFile(files.both, answers_sql));
-        CHECK(push(files.b, url).out.find("brought up to date") == std::string::npos);
+        CHECK(push(b, url).out.find("brought up to date") == std::string::npos);
         CHECK(program(report).status == 0);
-        fs::copy_file(files.a, scratch / "withdrawn.sqlite");
+        fs::copy_file(a, scratch / "withdrawn.sqlite");
         REQUIRE(program("participants withdraw " + (scratch / "withdrawn.sqlite") + " S001 --yes").status ==
                 0);
         CHECK(push(scratch / "withdrawn.sqlite", url).out.find("erased, since withdrawn: S001") !=

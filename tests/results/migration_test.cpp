@@ -3,25 +3,21 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <regex>
 
 #include "core/files.hpp"
+#include "core/hash.hpp"
 #include "fixtures.hpp"
+#include "old_databases.hpp"
 #include "results/participants.hpp"
 #include "results/tracking_blocks.hpp"
 
 using namespace deixis;
+using fixtures::makeVersion;
 using results::Durability;
 using results::Store;
 
 namespace {
-
-/// Made by the program of that time; see the files' heads.
-void makeVersion(int version, const std::filesystem::path& path) {
-    const auto sql = readFile(std::filesystem::path(DEIXIS_SOURCE_DIR) /
-                              fmt::format("tests/results/reference/database_version_{}.sql", version));
-    REQUIRE(sql);
-    SQLite::Database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(*sql);
-}
 
 /// All rows of a query, each value with its type.
 std::string rows(SQLite::Database& database, const std::string& query) {
@@ -46,7 +42,14 @@ std::string schema(const std::filesystem::path& path) {
     return rows(path, "SELECT type, name, sql FROM sqlite_schema ORDER BY type, name");
 }
 
-/// What version 2 (or 1, but for paused_s) says in its words, and version 4 in its own.
+/// The same without comments, quotes and spaces, which tell only by which way the tables came about.
+std::string plainSchema(const std::filesystem::path& path) {
+    std::string out = std::regex_replace(schema(path), std::regex("--[^\n]*|\""), "");
+    out = std::regex_replace(out, std::regex("\\s+"), " ");
+    return std::regex_replace(out, std::regex(" ?([(),]) ?"), "$1");
+}
+
+/// What version 2 (or 1, but for paused_s) says in its words, and the newest version in its own.
 struct Told {
     const char* what;
     const char* old_words;
@@ -104,22 +107,132 @@ void checkTold(const std::filesystem::path& old, const std::filesystem::path& fr
 }  // namespace
 
 TEST_SUITE("results/migration") {
-    TEST_CASE("Databases of versions 1 and 2 are brought to version 4 with all that they hold") {
+    TEST_CASE("From every version the tables become those of a new database") {
+        const fixtures::Folder folder;
+        { Store store = fixtures::open(folder / "new.sqlite"); }
+        const std::string fresh = plainSchema(folder / "new.sqlite");
+        for (const int version : {1, 2, 3, 4}) {
+            INFO("version " << version);
+            const auto path = folder / fmt::format("{}.sqlite", version).c_str();
+            makeVersion(version, path);
+            REQUIRE(rows(path, "PRAGMA user_version") == fmt::format("{}\n", version));
+            CHECK(plainSchema(path) != fresh);
+            { Store store = fixtures::open(path); }
+            CHECK(plainSchema(path) == fresh);
+            for (const char* known : {"PRAGMA user_version", "PRAGMA application_id"})
+                CHECK(rows(path, known) == rows(folder / "new.sqlite", known));
+            CHECK(rows(path, "PRAGMA integrity_check") == "ok\n");
+            CHECK(rows(path, "SELECT count(*) FROM pragma_foreign_key_check") == "0\n");
+        }
+    }
+
+    TEST_CASE("What versions 3 and 4 hold is there afterwards, each value in each column") {
+        for (const int version : {3, 4}) {
+            const fixtures::Folder folder;
+            makeVersion(version, folder / "old.sqlite");
+            makeVersion(version, folder / "a.sqlite");
+            { Store store = fixtures::open(folder / "a.sqlite"); }
+            SQLite::Database old((folder / "old.sqlite").string());
+            SQLite::Database now((folder / "a.sqlite").string());
+            SQLite::Statement table(old, "SELECT name FROM sqlite_schema WHERE type = 'table'");
+            int tables = 0;
+            while (table.executeStep()) {
+                const std::string name = table.getColumn(0).getString();
+                INFO("version " << version << ", table " << name);
+                std::string columns;
+                SQLite::Statement column(old, "SELECT name FROM pragma_table_info(?)");
+                column.bind(1, name);
+                while (column.executeStep())
+                    if (column.getColumn(0).getString() != "participant_hash")
+                        columns += fmt::format("{}quote({})", columns.empty() ? "" : ", ",
+                                               column.getColumn(0).getString());
+                const std::string query = fmt::format("SELECT {0} FROM {1} ORDER BY {0}", columns, name);
+                CHECK_FALSE(rows(old, query).empty());
+                CHECK(rows(now, query) == rows(old, query));
+                ++tables;
+            }
+            CHECK(tables == 24);
+        }
+    }
+
+    TEST_CASE("Plans of versions 1 and 2 become what the program of version 4 made of them, byte by byte") {
+        const fixtures::Folder folder;
+        const char* hashes[]{"1558f17b0555998929736e9ad13cc63e74212e1d182e88b0eafc47c20da01924\n",
+                             "1558f17b0555998929736e9ad13cc63e74212e1d182e88b0eafc47c20da01924\n6843556d24de3"
+                             "7db9a8ba4f568753bda11bb47ae759ae28d8f189fed1579f6de\n"};
+        for (const int version : {1, 2}) {
+            const auto path = folder / fmt::format("{}.sqlite", version).c_str();
+            makeVersion(version, path);
+            { Store store = fixtures::open(path); }
+            CHECK(rows(path, "SELECT hash FROM plans ORDER BY participant") == hashes[version - 1]);
+            SQLite::Database database(path.string());
+            SQLite::Statement plan(database, "SELECT hash, json FROM plans");
+            while (plan.executeStep())
+                CHECK(plan.getColumn(0).getString() == sha256Hex(plan.getColumn(1).getString()));
+        }
+    }
+
+    TEST_CASE("Copies of a database that are brought up to date one by one give a participant one token") {
+        const std::string tokens = "SELECT id, token FROM participants ORDER BY id";
+        for (const int version : {1, 2, 3, 4}) {
+            INFO("version " << version);
+            const fixtures::Folder folder;
+            for (const char* name : {"a.sqlite", "b.sqlite"}) makeVersion(version, folder / name);
+            // A copy made early in everybody's first session.
+            std::string early =
+                "PRAGMA foreign_keys = OFF; DELETE FROM responses; DELETE FROM events WHERE id NOT IN "
+                "(SELECT min(e.id) FROM events AS e JOIN sessions AS s ON s.id = e.session GROUP BY "
+                "participant);"
+                "DELETE FROM sessions WHERE id NOT IN (SELECT min(id) FROM sessions GROUP BY participant);"
+                "UPDATE sessions SET outcome = NULL, ended_utc_s = NULL;";
+            if (version > 1)
+                early +=
+                    "DELETE FROM session_properties; DELETE FROM trial_tracking; DELETE FROM hand_joints;";
+            if (version == 2) early += "DELETE FROM tracking;";
+            if (version > 2)
+                early += "DELETE FROM tracking_blocks; DELETE FROM answers; DELETE FROM response_stimuli;";
+            SQLite::Database((folder / "b.sqlite").string(), SQLite::OPEN_READWRITE).exec(early);
+            for (const char* name : {"a.sqlite", "b.sqlite"}) {
+                Store store = fixtures::open(folder / name);
+            }
+            CHECK(rows(folder / "a.sqlite", tokens) == rows(folder / "b.sqlite", tokens));
+            CHECK(rows(folder / "a.sqlite",
+                       "SELECT count(*), count(DISTINCT token) = count(*), min(length(token)) FROM "
+                       "participants") == (version == 1 ? "1|1|32\n" : "2|1|32\n"));
+        }
+        // Another first moment, another token: the id does not tell it.
+        const fixtures::Folder folder;
+        for (const char* name : {"a.sqlite", "b.sqlite"}) makeVersion(4, folder / name);
+        SQLite::Database((folder / "b.sqlite").string(), SQLite::OPEN_READWRITE)
+            .exec("UPDATE sessions SET started_utc_s = started_utc_s + 0.001");
+        for (const char* name : {"a.sqlite", "b.sqlite"}) {
+            Store store = fixtures::open(folder / name);
+        }
+        CHECK(rows(folder / "a.sqlite", tokens) != rows(folder / "b.sqlite", tokens));
+    }
+
+    TEST_CASE("The hash by which version 4 gave away who withdrew is gone, from the file's bytes too") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        makeVersion(4, path);
+        const std::string hash = "8ba36146fd25ce218d9a79d500c2eb3b39947d7fbce6476fd4af6ec1568e1a25";
+        REQUIRE(readFile(path)->find(hash) != std::string::npos);
+        { Store store = fixtures::open(path); }
+        CHECK(rows(path, "SELECT utc_s > 1.7e9, token IS NULL FROM withdrawals") == "1|1\n");
+        for (const auto& file : std::filesystem::directory_iterator(folder / ""))
+            CHECK(readFile(file.path())->find(hash) == std::string::npos);
+    }
+
+    TEST_CASE("Databases of versions 1 and 2 are brought to the newest one with all that they hold") {
         for (const int version : {1, 2}) {
             INFO("version " << version);
             const fixtures::Folder folder;
             makeVersion(version, folder / "old.sqlite");
             makeVersion(version, folder / "a.sqlite");
-            REQUIRE(rows(folder / "old.sqlite", "PRAGMA user_version") == fmt::format("{}\n", version));
             { Store store = fixtures::open(folder / "a.sqlite"); }
-            { Store fresh = fixtures::open(folder / "b.sqlite"); }
             checkTold(folder / "old.sqlite", folder / "a.sqlite", told);
             if (version == 2) checkTold(folder / "old.sqlite", folder / "a.sqlite", told_of_2);
             const auto path = folder / "a.sqlite";
-            CHECK(rows(path, "PRAGMA user_version") == "4\n");
-            CHECK(rows(path, "PRAGMA application_id") == fmt::format("{}\n", 0x44584953));
-            CHECK(rows(path, "PRAGMA integrity_check") == "ok\n");
-            CHECK(rows(path, "SELECT count(*) FROM pragma_foreign_key_check") == "0\n");
             CHECK(rows(path,
                        "SELECT name, kind, practice_of, measure, scale_low, scale_high FROM stages "
                        "ORDER BY position") ==
@@ -129,27 +242,7 @@ TEST_SUITE("results/migration") {
                   "game|referential-game|NULL|NULL|NULL|NULL\n");
             CHECK(rows(path, "SELECT status, count(*) FROM responses GROUP BY status") ==
                   (version == 1 ? "answered|7\n" : "answered|16\n"));
-            CHECK(schema(path) == schema(folder / "b.sqlite"));
         }
-    }
-
-    TEST_CASE("A database of version 3 keeps its withdrawals, and says of none of them whose it was") {
-        const fixtures::Folder folder;
-        const auto path = folder / "a.sqlite";
-        { Store store = fixtures::open(path); }
-        const std::string columns = "SELECT * FROM pragma_table_info('withdrawals')";
-        const std::string newest = rows(path, columns);
-        SQLite::Database(path, SQLite::OPEN_READWRITE)
-            .exec(
-                "ALTER TABLE withdrawals DROP COLUMN participant_hash; INSERT INTO withdrawals VALUES (1, "
-                "1.7e9);"
-                "PRAGMA user_version = 3");
-        CHECK(results::listParticipants(path)->withdrawn == 1);
-        CHECK(rows(path, "PRAGMA user_version") == "3\n");
-        { Store store = fixtures::open(path); }
-        CHECK(rows(path, "PRAGMA user_version") == "4\n");
-        CHECK(rows(path, columns) == newest);
-        CHECK(rows(path, "SELECT utc_s, participant_hash IS NULL FROM withdrawals") == "1700000000.0|1\n");
     }
 
     TEST_CASE("Every tracked frame of version 2 is there afterwards, in blocks of one trial") {

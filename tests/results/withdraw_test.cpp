@@ -5,10 +5,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <set>
 
 #include "core/files.hpp"
-#include "core/hash.hpp"
 #include "fixtures.hpp"
+#include "old_databases.hpp"
 #include "results/participants.hpp"
 
 using namespace deixis;
@@ -83,6 +84,9 @@ TEST_SUITE("results/withdraw") {
             takePart(store, study, "P03", "nor this");
             store.endSession(SessionOutcome::finished, 1.7e9 + 600.0);
         }
+        const std::string token = SQLite::Database(path.string())
+                                      .execAndGet("SELECT token FROM participants WHERE id = '" + id + "'")
+                                      .getString();
         REQUIRE(traces(path, {id, typed}).size() >= 3);  // both in the database, the id also beside it
         study.stages[1].text = fixtures::wideStudy().stages[1].text;
         // Others agreed to these words too.
@@ -103,8 +107,7 @@ TEST_SUITE("results/withdraw") {
         {
             SQLite::Database database(path.string());
             CHECK(database.execAndGet("SELECT utc_s FROM withdrawals").getDouble() == 1.75e9);
-            CHECK(database.execAndGet("SELECT participant_hash FROM withdrawals").getString() ==
-                  deixis::sha256Hex(database.execAndGet("SELECT hash FROM study").getString() + "\n" + id));
+            CHECK(database.execAndGet("SELECT token FROM withdrawals").getString() == token);
             CHECK(database.execAndGet("SELECT sum(frames) FROM tracking_blocks").getInt() == 1500);
             CHECK(database.execAndGet("SELECT count(*) FROM hand_joints").getInt() == 1500);
             CHECK(database.execAndGet("SELECT count(DISTINCT session) FROM events").getInt() == 3);
@@ -148,6 +151,42 @@ TEST_SUITE("results/withdraw") {
         CHECK(traces(path, {id, typed, note}).empty());
         CHECK(results::listParticipants(path)->withdrawn == 1);
         CHECK(fixtures::open(path).participants().empty());
+    }
+
+    TEST_CASE("Tokens are drawn anew for everybody: an id tells nothing of who withdrew") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::wideStudy();
+        std::set<std::string> tokens;
+        for (const char* name : {"a.sqlite", "b.sqlite"}) {
+            {
+                Store store = fixtures::open(folder / name);
+                for (const char* who : {"P01", "P02"}) {
+                    const auto plan = fixtures::widePlan(study, who);
+                    REQUIRE(store.storePlan(study, fixtures::registration(plan, "sv"), plan));
+                }
+            }
+            SQLite::Database database((folder / name).string());
+            SQLite::Statement row(database, "SELECT token FROM participants");
+            while (row.executeStep()) tokens.insert(row.getColumn(0).getString());
+        }
+        CHECK(tokens.size() == 4);
+        for (const std::string& token : tokens) {
+            CHECK(token.size() == 32);
+            CHECK(token.find_first_not_of("0123456789abcdef") == std::string::npos);
+        }
+    }
+
+    TEST_CASE("A database of an older version is brought up to date by the way") {
+        for (const int version : {1, 2, 3, 4}) {
+            INFO("version " << version);
+            const fixtures::Folder folder;
+            fixtures::makeVersion(version, folder / "a.sqlite");
+            const auto done = results::withdrawParticipant(folder / "a.sqlite", "S001", 1.75e9);
+            REQUIRE_MESSAGE(done, done.error().text());
+            const auto list = results::listParticipants(folder / "a.sqlite");
+            CHECK(list->withdrawn == (version > 2 ? 2 : 1));
+            CHECK(list->rows.size() == (version > 1 ? 1 : 0));
+        }
     }
 
     TEST_CASE("While another program has the database open nothing is erased") {

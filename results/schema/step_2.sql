@@ -1,9 +1,4 @@
-// From the schema versions before the newest one to the next.
-#include "schema.hpp"
-
-namespace deixis::results {
-
-const char* const schema_2_from_1 = R"sql(
+-- From version 1 to 2.
 CREATE TABLE session_properties (
     session INTEGER NOT NULL REFERENCES sessions (id),
     name    TEXT NOT NULL,
@@ -69,8 +64,3 @@ CREATE TABLE trial_tracking (
 ALTER TABLE responses ADD COLUMN paused_s REAL NOT NULL DEFAULT 0.0;
 -- Version 1 kept it only as what the response time lacks.
 UPDATE responses SET paused_s = max(0.0, round(answered_s - motion_end_s - response_time_s, 6));
-)sql";
-
-const char* const schema_4_from_3 = "ALTER TABLE withdrawals ADD COLUMN participant_hash TEXT";
-
-}  // namespace deixis::results

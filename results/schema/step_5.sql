@@ -1,0 +1,27 @@
+-- From version 4 to 5; migration_5.cpp then gives each participant a token. Understood by SQLite and, as
+-- server_schema.cpp rewrites it, by PostgreSQL.
+ALTER TABLE study ADD COLUMN locked_hash TEXT;
+ALTER TABLE participants ADD COLUMN token TEXT;
+ALTER TABLE trials ADD COLUMN visibility TEXT;
+ALTER TABLE responses ADD COLUMN viewer_x_m REAL;
+ALTER TABLE responses ADD COLUMN viewer_z_m REAL;
+ALTER TABLE responses ADD COLUMN viewer_heading_deg REAL;
+ALTER TABLE responses ADD COLUMN hash TEXT;
+
+CREATE TABLE locked_changes (
+    id      INTEGER PRIMARY KEY,
+    utc_s   REAL NOT NULL,
+    session INTEGER REFERENCES sessions (id) ON DELETE SET NULL,
+    what    TEXT NOT NULL,
+    reason  TEXT
+) STRICT;
+
+-- A hash of the id gave the person away to whoever tried ids. Written anew, so that none stays in the old place.
+CREATE TABLE withdrawals_of_5 (
+    id    INTEGER PRIMARY KEY,
+    utc_s REAL NOT NULL,
+    token TEXT
+) STRICT;
+INSERT INTO withdrawals_of_5 (id, utc_s) SELECT id, utc_s FROM withdrawals;
+DROP TABLE withdrawals;
+ALTER TABLE withdrawals_of_5 RENAME TO withdrawals;

@@ -1,0 +1,26 @@
+// What stands for a participant in the table of withdrawals: it tells nobody whose it was, and every copy of
+// the participant's rows carries it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace deixis::results {
+
+/// 128 bits from the operating system's source of random numbers, as 32 hexadecimal digits.
+[[nodiscard]] std::string drawToken();
+
+/// What is known of a participant registered before there were tokens, from the moment on in which the first
+/// session began: copies of a database brought up to date one by one agree on it.
+struct BeforeTokens {
+    std::string participant;
+    std::optional<double> session_started_utc_s{};  ///< of the first session
+    std::optional<double> first_event_time_s{};     ///< of that session's first event
+    std::optional<double> first_event_utc_s{};
+};
+
+/// The same for the same facts. Who has neither these rows nor a copy of them has to guess three clock
+/// readings to find it by the id: see docs/database.md.
+[[nodiscard]] std::string tokenFrom(const BeforeTokens& facts);
+
+}  // namespace deixis::results
