@@ -76,7 +76,10 @@ void describe(const StudySetup& setup, const assets::Avatar& avatar,
         fmt::print("avatar: {}, {} joints\n", study.avatar.string(), avatar.skeleton.size());
         for (const std::string& remark : avatar.remarks) fmt::print("  {}\n", remark);
     }
-    fmt::print("languages: {}\n", fmt::join(study.languages, ", "));
+    for (std::size_t i = 0; i < study.languages.size(); ++i)
+        fmt::print("language {}: the program's words are {}; the study's texts are {}\n", study.languages[i],
+                   studies::textStatusText(study.language_status[i].words),
+                   studies::textStatusText(study.language_status[i].texts));
     for (const auto& plan : plans) {
         std::string cell;
         for (const auto& [factor, level] : plan.groups) cell += fmt::format(" {} = {}", factor, level);

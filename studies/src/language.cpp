@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "language_words.hpp"
 #include "toml_table.hpp"
 
 namespace deixis::studies {
@@ -52,7 +53,7 @@ std::string listed(const std::vector<std::string_view>& placeholders) {
 }
 
 struct Problem {
-    std::uint32_t line = 0;  ///< 0: of the whole file
+    std::uint32_t line = 0;  ///< 0: of the whole table
     std::string_view key;
     std::string message;
     std::string mend{};
@@ -71,6 +72,10 @@ void checkText(std::string_view key, std::string_view english, const toml::node&
         problems.push_back({line, key, fmt::format("the text is empty; in English it is \"{}\"", english)});
         return;
     }
+    if (const auto script = scriptNotDrawn(text->get())) {
+        problems.push_back({line, key, scriptProblem(*script), script_mend});
+        return;
+    }
     const auto found = placeholdersOf(text->get());
     const auto expected = placeholdersOf(english);
     if (found != expected)
@@ -80,13 +85,13 @@ void checkText(std::string_view key, std::string_view english, const toml::node&
 }
 
 /// One error that tells the first problem in full and names the next few.
-Error errorOf(const std::string& file, std::vector<Problem> problems) {
+Error errorOf(const std::string& file, std::string_view prefix, std::vector<Problem> problems) {
     std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
         return (a.line == 0 ? UINT32_MAX : a.line) < (b.line == 0 ? UINT32_MAX : b.line);
     });
-    const auto place = [](const Problem& problem) {
-        return problem.line > 0 ? fmt::format(":{}: {}", problem.line, problem.key)
-                                : fmt::format(": {}", problem.key);
+    const auto place = [&](const Problem& problem) {
+        return problem.line > 0 ? fmt::format(":{}: {}{}", problem.line, prefix, problem.key)
+                                : fmt::format(": {}{}", prefix, problem.key);
     };
     const Problem& first = problems.front();
     Error error{file + place(first), first.message, first.mend};
@@ -102,44 +107,86 @@ Error errorOf(const std::string& file, std::vector<Problem> problems) {
     return error;
 }
 
+constexpr std::string_view status_key = "status";
+
+TextStatus readStatus(const toml::table& table, std::vector<Problem>& problems) {
+    const toml::node* node = table.get(status_key);
+    if (node == nullptr) return TextStatus::unstated;
+    const auto* name = node->as_string();
+    const auto status = name != nullptr ? textStatusFromName(name->get()) : std::nullopt;
+    if (status) return *status;
+    problems.push_back(
+        {node->source().begin.line, status_key,
+         fmt::format("found {}, expected \"written\", \"translated\" or \"reviewed\"", describe(*node))});
+    return TextStatus::unstated;
+}
+
 }  // namespace
+
+std::optional<TextStatus> textStatusFromName(std::string_view name) {
+    if (name == "written") return TextStatus::written;
+    if (name == "translated") return TextStatus::translated;
+    if (name == "reviewed") return TextStatus::reviewed;
+    return std::nullopt;
+}
+
+std::string_view textStatusText(TextStatus status) {
+    switch (status) {
+        case TextStatus::written:
+            return "written in this language";
+        case TextStatus::translated:
+            return "translated, not reviewed by a speaker";
+        case TextStatus::reviewed:
+            return "translated, reviewed by a speaker";
+        case TextStatus::unstated:
+            break;
+    }
+    return "not said to have been reviewed by a speaker";
+}
+
+Result<LanguageTable> readWords(const toml::table& table, const std::string& file, std::string_view prefix,
+                                const std::string& code, const LanguageTable* base) {
+    std::vector<Problem> problems;
+    LanguageTable::Texts texts;
+    std::vector<std::string_view> known{status_key};
+    for (const auto& [key, english] : languageKeys()) {
+        known.push_back(key);
+        const toml::node* node = table.get(key);
+        if (node == nullptr) {
+            if (base != nullptr)
+                texts.emplace_back(key, (*base)(key));
+            else
+                problems.push_back(
+                    {0, key, fmt::format("this key is missing; in English it is \"{}\"", english)});
+            continue;
+        }
+        checkText(key, english, *node, problems);
+        if (const auto* text = node->as_string()) texts.emplace_back(key, text->get());
+    }
+    for (const auto& [key, node] : table)
+        if (std::find(known.begin(), known.end(), key.str()) == known.end())
+            problems.push_back(
+                {key.source().begin.line, key.str(), "unknown key", proposeName(key.str(), known)});
+    TextStatus status = readStatus(table, problems);
+    if (!problems.empty()) return tl::unexpected(errorOf(file, prefix, std::move(problems)));
+    if (base != nullptr && status == TextStatus::unstated) status = base->status();
+    return LanguageTable(code, status, std::move(texts));
+}
+
+LanguageTable::LanguageTable(std::string code, TextStatus status, Texts texts)
+    : code_(std::move(code)), status_(status), texts_(std::move(texts)) {
+    std::sort(texts_.begin(), texts_.end());
+}
 
 Result<LanguageTable> LanguageTable::load(const std::filesystem::path& file) {
     const auto table = readToml(file);
     if (!table) return tl::unexpected(table.error());
-
-    std::vector<Problem> problems;
-    LanguageTable language;
-    language.code_ = file.stem().string();
-    std::vector<std::string_view> known;
-    for (const auto& [key, english] : languageKeys()) {
-        known.push_back(key);
-        const toml::node* node = table->get(key);
-        if (node == nullptr) {
-            problems.push_back(
-                {0, key, fmt::format("this key is missing; in English it is \"{}\"", english)});
-            continue;
-        }
-        checkText(key, english, *node, problems);
-        if (const auto* text = node->as_string()) language.texts_.emplace_back(key, text->get());
-    }
-    for (const auto& [key, node] : *table)
-        if (std::find(known.begin(), known.end(), key.str()) == known.end())
-            problems.push_back(
-                {key.source().begin.line, key.str(), "unknown key", proposeName(key.str(), known)});
-    if (!problems.empty()) return tl::unexpected(errorOf(file.string(), std::move(problems)));
-    std::sort(language.texts_.begin(), language.texts_.end());
-    return language;
+    return readWords(*table, file.string(), "", file.stem().string());
 }
 
 const LanguageTable& LanguageTable::english() {
-    static const LanguageTable table = [] {
-        LanguageTable made;
-        made.code_ = "en";
-        made.texts_.assign(languageKeys().begin(), languageKeys().end());
-        std::sort(made.texts_.begin(), made.texts_.end());
-        return made;
-    }();
+    static const LanguageTable table("en", TextStatus::written,
+                                     Texts(languageKeys().begin(), languageKeys().end()));
     return table;
 }
 

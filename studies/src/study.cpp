@@ -8,6 +8,7 @@
 
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "language_words.hpp"
 #include "study_reading.hpp"
 
 namespace deixis::studies {
@@ -16,24 +17,74 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The program's own words must be there in every language; those of the study's go into it.
-void readWords(TomlTable& table, StudyReader& reader) {
+/// The program's own words in one language: those that ship, those of the study's [words.LANGUAGE], or the
+/// former with some of them replaced by the latter.
+void readWordsOf(const std::string& language, const toml::table* own, TomlTable& table, StudyReader& reader,
+                 LanguageStatus& status) {
+    const fs::path path = reader.folders.languages / (language + ".toml");
+    std::error_code ignored;
+    const bool ships = fs::is_regular_file(path, ignored);
+    if (!ships && own == nullptr) {
+        table.problem(
+            "languages",
+            fmt::format("found \"{}\", a language that the program itself does not speak", language),
+            fmt::format("Bring its words as [words.{}]: all those of {}, translated", language,
+                        (reader.folders.languages / "en.toml").string()));
+        return;
+    }
+    std::optional<LanguageTable> words;
+    if (ships) {
+        Result<LanguageTable> shipped = LanguageTable::load(path);
+        if (!shipped) return reader.problems.add(table.place("languages"), {shipped.error()});
+        words = std::move(*shipped);
+    }
+    if (own != nullptr) {
+        const std::string prefix = fmt::format("words.{}.", language);
+        Result<LanguageTable> read =
+            readWords(*own, reader.study.file.string(), prefix, language, words ? &*words : nullptr);
+        if (!read) return reader.problems.add(own->source().begin, {read.error()});
+        words = std::move(*read);
+    }
+    status.words = words->status();
+    if (language == reader.study.language) reader.study.words = std::move(*words);
+}
+
+/// [words.LANGUAGE] of every language; those of the session's go into the study.
+void readAllWords(TomlTable& table, StudyReader& reader) {
     Study& study = reader.study;
-    for (const std::string& language : study.languages) {
-        const fs::path path = reader.folders.languages / (language + ".toml");
-        std::error_code ignored;
-        if (!fs::is_regular_file(path, ignored)) {
-            table.problem("languages",
-                          fmt::format("found \"{}\", but the program's own words are not there in it "
-                                      "(there is no {})",
-                                      language, path.string()));
-            continue;
-        }
-        Result<LanguageTable> words = LanguageTable::load(path);
-        if (!words)
-            reader.problems.add(table.place("languages"), {words.error()});
-        else if (language == study.language)
-            study.words = std::move(*words);
+    const toml::table* section = reader.root.section("words", false);
+    if (section != nullptr)
+        for (const auto& [code, node] : *section)
+            if (std::find(study.languages.begin(), study.languages.end(), code.str()) ==
+                    study.languages.end() ||
+                !node.is_table())
+                reader.problems.add(
+                    code.source().begin, fmt::format("words.{}", code.str()),
+                    fmt::format("found {}, expected a section [words.LANGUAGE] of one of {}",
+                                node.is_table() ? fmt::format("[words.{}]", code.str()) : describe(node),
+                                fmt::join(study.languages, ", ")));
+    for (std::size_t i = 0; i < study.languages.size(); ++i) {
+        const toml::node* own = section != nullptr ? section->get(study.languages[i]) : nullptr;
+        readWordsOf(study.languages[i], own != nullptr ? own->as_table() : nullptr, table, reader,
+                    study.language_status[i]);
+    }
+}
+
+/// text_status = {de = "translated"}
+void readTextStatus(TomlTable& table, Study& study) {
+    for (const auto& [language, name] : table.levels("text_status")) {
+        const auto known = std::find(study.languages.begin(), study.languages.end(), language);
+        const auto status = textStatusFromName(name);
+        if (known == study.languages.end())
+            table.problemAt("text_status", language,
+                            fmt::format("\"{}\" is not among languages ({})", language,
+                                        fmt::join(study.languages, ", ")));
+        else if (!status)
+            table.problemAt(
+                "text_status", language,
+                fmt::format("found \"{}\", expected \"written\", \"translated\" or \"reviewed\"", name));
+        else
+            study.language_status[static_cast<std::size_t>(known - study.languages.begin())].texts = *status;
     }
 }
 
@@ -49,7 +100,9 @@ void readLanguage(TomlTable& table, StudyReader& reader, TextBook& texts, const 
         study.language = all.front();
     }
     texts.read(reader.file, study.languages, study.language);
-    if (!table.faulty("languages") || table.sound("languages")) readWords(table, reader);
+    study.language_status.resize(study.languages.size());
+    readTextStatus(table, study);
+    if (!table.faulty("languages") || table.sound("languages")) readAllWords(table, reader);
 }
 
 void readHead(TomlTable& table, const fs::path& folder, Study& study) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "language_words.hpp"
+
 namespace deixis::studies {
 
 namespace {
@@ -36,6 +38,8 @@ void TextBook::readLanguage(const std::string& language, const toml::table& tabl
         } else {
             text = unwrapped(node.as_string()->get());
             if (text.empty()) problems_.add(at, dotted, "found an empty text, expected some words");
+            if (const auto script = scriptNotDrawn(text))
+                problems_.add(at, dotted, scriptProblem(*script), script_mend);
         }
         texts_[language].emplace(key.str(), text);
         keys_.emplace(key.str());
@@ -45,7 +49,7 @@ void TextBook::readLanguage(const std::string& language, const toml::table& tabl
 void TextBook::compareLanguages(const toml::table& texts, const toml::table& file) {
     std::set<std::string, std::less<>> used;
     for (const auto& [key, node] : file)
-        if (key.str() != "texts") collectReferences(node, used);
+        if (key.str() != "texts" && key.str() != "words") collectReferences(node, used);
     const std::vector<std::string_view> all = views(keys_);
     std::set<std::string, std::less<>> spared;  // a mistyped reference leaves nothing unused
     for (const std::string& key : used)
@@ -134,7 +138,9 @@ void TextBook::read(const toml::table& file, const std::vector<std::string>& lan
 std::string TextBook::resolve(const std::string& written, toml::source_position at, const std::string& key) {
     if (written.rfind('@', 0) != 0) {
         std::string text = unwrapped(written);
-        if (text.empty()) {
+        if (const auto script = scriptNotDrawn(text)) {
+            problems_.add(at, key, scriptProblem(*script), script_mend);
+        } else if (text.empty()) {
             problems_.add(at, key, "found an empty text, expected some words");
         } else if (languages_.size() > 1) {
             problems_.add(at, key,

@@ -93,6 +93,45 @@ TEST_SUITE("studies/language") {
         }
     }
 
+    TEST_CASE(
+        "each language says how far its words can be trusted, and nothing claims a review that was none") {
+        CHECK(LanguageTable::english().status() == TextStatus::written);
+        const auto english = LanguageTable::load(shipped / "en.toml");
+        REQUIRE(english.has_value());
+        CHECK(english->status() == TextStatus::written);
+        for (const std::string code : {"de", "sv", "ko"}) {
+            const auto table = LanguageTable::load(shipped / (code + ".toml"));
+            REQUIRE(table.has_value());
+            CHECK(table->status() == TextStatus::translated);
+        }
+        CHECK(textStatusText(TextStatus::translated) == "translated, not reviewed by a speaker");
+        const auto reviewed = loadWith("status", "status = \"reviewed\"");
+        REQUIRE(reviewed.has_value());
+        CHECK(reviewed->status() == TextStatus::reviewed);
+        const auto unknown = loadWith("status", "status = \"perfect\"");
+        REQUIRE_FALSE(unknown.has_value());
+        CHECK(contains(unknown.error().where, ": status"));
+        CHECK(contains(unknown.error().message, "\"translated\""));
+    }
+
+    TEST_CASE("words in scripts that boards cannot draw are refused, with the script's name") {
+        struct Case {
+            std::string text;
+            std::string script;
+        };
+        for (const auto& [text, script] :
+             {Case{"استمر", "Arabic"}, Case{"המשך", "Hebrew"}, Case{"जारी रखें", "Devanagari"},
+              Case{"ดำเนินการต่อ", "Thai"}, Case{"Weiter \xF0\x90\xA4\x80", "right-to-left"}}) {
+            const auto table = loadWith("continue", "continue = \"" + text + "\"");
+            REQUIRE_FALSE(table.has_value());
+            CHECK(contains(table.error().where, ": continue"));
+            CHECK(contains(table.error().message, script));
+            CHECK(contains(table.error().mend, "left to right"));
+        }
+        for (const std::string text : {"Συνέχεια", "Продолжить", "계속", "Fortsätt – «später» …"})
+            CHECK(loadWith("continue", "continue = \"" + text + "\"").has_value());
+    }
+
     TEST_CASE("one second is told as one, more by their number") {
         const LanguageTable& words = LanguageTable::english();
         CHECK(words.seconds("notice_time_left", "notice_second_left", 2) == "2 seconds left.");

@@ -85,7 +85,7 @@ TEST_SUITE("studies/session_game") {
         CHECK(late.answers.empty());
         CHECK(late.input.empty());
         CHECK(late.response_time_s == doctest::Approx(12.0));
-        CHECK(driver.frame.notice == "Time is up. The next one follows.");
+        CHECK(driver.frame.notice == LanguageTable::english()("notice_time_up"));
         REQUIRE(driver.toAnswer());
         driver.choose(0);
         CHECK(driver.responses.back().status == ResponseStatus::answered);

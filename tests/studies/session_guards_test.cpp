@@ -8,8 +8,8 @@ using namespace deixis::tests;
 
 namespace {
 
-const std::string step_back = "Please step back onto your place.";
-const std::string pick_up = "Pick up a controller and press any button.";
+const std::string step_back = LanguageTable::english()("notice_place");
+const std::string pick_up = LanguageTable::english()("notice_pointer");
 
 InputFrame withNote(const char* kind, const char* detail, double time_s) {
     InputFrame input;

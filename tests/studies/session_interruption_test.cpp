@@ -127,12 +127,12 @@ TEST_SUITE("studies/session_interruption") {
 
     TEST_CASE("the pause page says calmly why there is a pause, and always offers to go on or to end") {
         const std::vector<std::pair<const char*, std::vector<std::string>>> pages{
-            {"headset taken off", {"Welcome back", "sits well"}},
-            {"tracking lost", {"One moment", "The headset has lost sight of the room."}},
-            {"focus lost", {"Paused", "come to the front"}},
+            {"headset taken off", {"Welcome back", "while the headset was off"}},
+            {"tracking lost", {"One moment", "The headset has lost track of where it is."}},
+            {"focus lost", {"Paused", "Another window or menu was opened."}},
             {"operator", {"Paused", "The experimenter has paused the session."}},
-            {"menu", {"Paused", "Go on when you are ready."}},
-            {"", {"Paused", "Go on when you are ready."}}};
+            {"menu", {"Paused", "Continue when you are ready."}},
+            {"", {"Paused", "Continue when you are ready."}}};
         for (const auto& page : pages) {
             const auto& [reason, words] = page;
             CAPTURE(page.first);
@@ -143,7 +143,7 @@ TEST_SUITE("studies/session_interruption") {
             REQUIRE(driver.frame.panel.has_value());
             const std::string text = textOf(*driver.frame.panel);
             for (const std::string& word : words) CHECK(text.find(word) != std::string::npos);
-            CHECK(text.find("the answers given so far are kept") != std::string::npos);
+            CHECK(text.find("your answers so far are kept") != std::string::npos);
             CHECK(hasButton(driver.frame, button_id::resume));
             CHECK(hasButton(driver.frame, button_id::end_session));
             CHECK(driver.last("pause").detail == (*reason == '\0' ? "paused" : reason));

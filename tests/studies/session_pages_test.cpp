@@ -58,7 +58,8 @@ TEST_SUITE("studies/session_pages") {
         CHECK(answerTo(driver.responses[0], "consent") == 0.0);
         driver.wait(0.6);
         CHECK(driver.state() == "closing");
-        CHECK(textOf(*driver.frame.panel).find("not agreed") != std::string::npos);
+
+        CHECK(textOf(*driver.frame.panel).find("You chose not to take part") != std::string::npos);
         CHECK(driver.running());
         driver.press(button_id::go_on);
         CHECK(driver.session->outcome() == SessionOutcome::declined);
@@ -99,7 +100,7 @@ TEST_SUITE("studies/session_pages") {
         CHECK(driver.frame.status == "rest, 2 s");
         driver.wait(1.5);
         CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
-        CHECK(textOf(*driver.frame.panel).find("go on in 1 second.") != std::string::npos);
+        CHECK(textOf(*driver.frame.panel).find("continue in 1 second.") != std::string::npos);
         driver.wait(0.5);
         CHECK(hasButton(driver.frame, button_id::go_on));
         CHECK(driver.frame.status == "rest");

@@ -2,11 +2,31 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "study_file_fixture.hpp"
 
 namespace fs = std::filesystem;
 using namespace deixis;
 using namespace deixis::studies;
+
+namespace {
+
+// small.toml in French, with the program's words from the English table; each key says itself.
+std::string frenchStudy() {
+    std::string words = "\n[words.fr]\nstatus = \"written\"\n";
+    for (const auto& [key, english] : languageKeys()) {
+        std::string text(english);
+        text += " (fr)";
+        words += fmt::format("{} = \"{}\"\n", key, text);
+    }
+    return replaced(readText(fixtures / "small.toml"), "[study]\n", "[study]\nlanguages = [\"fr\"]\n") +
+           words;
+}
+
+}  // namespace
 
 TEST_SUITE("studies/study_texts") {
     TEST_CASE("Texts: what lacks a language, is used nowhere, is nowhere or stands as written is told.") {
@@ -63,10 +83,11 @@ TEST_SUITE("studies/study_texts") {
         const Folder folder;
         std::string text = replaced(readText(fixtures / "full.toml"), "[\"en\", \"de\"]", "[\"en\", \"fr\"]");
         text = replaced(text, "[texts.de]", "[texts.fr]");
+        text = replaced(text, "de = \"reviewed\"", "fr = \"reviewed\"");
         const std::vector<Error> errors = problemsOf(folder.write(text));
         REQUIRE_MESSAGE(errors.size() == 2, allText(errors));
         CHECK(errors[0].where.find("study.languages") != std::string::npos);
-        CHECK(errors[0].message.find("fr.toml") != std::string::npos);
+        CHECK(errors[0].mend.find("[words.fr]") != std::string::npos);
         CHECK(errors[1].where.find("stages.file") != std::string::npos);
         CHECK(errors[1].message.find("has no texts in \"fr\", only in de, en, sv") != std::string::npos);
 
@@ -94,5 +115,63 @@ TEST_SUITE("studies/study_texts") {
                   fmt::format("{}:{}: per_page", questionnaire.string(), lineOf(comfort, "per_page")),
                   fmt::format("{}:{}: scores.reversed", questionnaire.string(), lineOf(comfort, "tens\"]")),
                   fmt::format("{}:{}: stages.minimum_s", file.string(), lineOf(text, "-30"))});
+    }
+
+    TEST_CASE("A study brings the words of a language that the program lacks.") {
+        const Folder folder;
+        const auto study = loadStudy(folder.write(frenchStudy()), shipped_folders);
+        REQUIRE_MESSAGE(study.has_value(), (study ? "" : study.error().front().text()));
+        CHECK(study->words.code() == "fr");
+        CHECK(study->words("continue") == "Continue (fr)");
+        REQUIRE(study->language_status.size() == 1);
+        CHECK(study->language_status.front().words == TextStatus::written);
+        CHECK(study->language_status.front().texts == TextStatus::unstated);
+
+        const auto lacking =
+            loadStudy(folder.write(replaced(frenchStudy(), "end_yes = ", "end_yse = ")), shipped_folders);
+        REQUIRE_FALSE(lacking.has_value());
+        REQUIRE(lacking.error().size() == 1);
+        CHECK(lacking.error().front().where.find("words.fr.end_yse") != std::string::npos);
+        CHECK(lacking.error().front().message.find("end_yes: this key is missing") != std::string::npos);
+
+        const auto none = loadStudy(folder.write(replaced(readText(fixtures / "small.toml"), "[study]\n",
+                                                          "[study]\nlanguages = [\"fr\"]\n")),
+                                    shipped_folders);
+        REQUIRE_FALSE(none.has_value());
+        CHECK(none.error().front().mend.find("[words.fr]") != std::string::npos);
+    }
+
+    TEST_CASE(
+        "A study replaces single words of a language that the program has, and says how far its own can be "
+        "trusted.") {
+        const Folder folder;
+        const std::string text = replaced(readText(fixtures / "small.toml"), "[study]\n",
+                                          "[study]\ntext_status = {en = \"reviewed\"}\n") +
+                                 "\n[words.en]\nfinish = \"Hand in\"\n";
+        const auto study = loadStudy(folder.write(text), shipped_folders);
+        REQUIRE_MESSAGE(study.has_value(), (study ? "" : study.error().front().text()));
+        CHECK(study->words("finish") == "Hand in");
+        CHECK(study->words("continue") == "Continue");
+        CHECK(study->language_status.front().words == TextStatus::written);
+        CHECK(study->language_status.front().texts == TextStatus::reviewed);
+
+        for (const auto& [from, to, where] : std::vector<std::array<std::string, 3>>{
+                 {"[words.en]", "[words.de]", "words.de"},
+                 {"{en = \"reviewed\"}", "{en = \"fine\"}", "study.text_status.en"},
+                 {"{en = \"reviewed\"}", "{de = \"reviewed\"}", "study.text_status.de"},
+                 {"finish = \"Hand in\"", "finish = \"مر\"", "words.en.finish"}}) {
+            const auto faulty = loadStudy(folder.write(replaced(text, from, to)), shipped_folders);
+            REQUIRE_FALSE(faulty.has_value());
+            CAPTURE(faulty.error().front().text());
+            CHECK(faulty.error().front().where.find(where) != std::string::npos);
+        }
+    }
+
+    TEST_CASE("Texts in scripts that boards cannot draw are refused.") {
+        checkEdits("full.toml", {{"mid = \"mittel\"",
+                                  "mid = \"وسط\"",
+                                  "mid = \"وسط\"",
+                                  "texts.de.mid",
+                                  {"Arabic script", "left to right"}}});
     }
 }

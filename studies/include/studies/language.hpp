@@ -1,8 +1,10 @@
 // The program's own words that a participant reads, in one language: buttons, pause pages, notices. A study's
-// texts are the study file's. Tables ship in assets/data/languages (en, de, sv, ko).
+// texts are the study file's. Tables ship in assets/data/languages (en, de, sv, ko); a study file may bring
+// those of another language, or change single ones ([words.LANGUAGE], docs/study-file.md).
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,10 +14,28 @@
 
 namespace deixis::studies {
 
+/// How far the words of a language can be trusted.
+enum class TextStatus : unsigned char {
+    unstated,
+    written,     ///< in this language by their authors
+    translated,  ///< and not reviewed by a speaker of the language
+    reviewed     ///< translated, and reviewed by a speaker
+};
+/// As in the files: "written", "translated", "reviewed"; none for anything else.
+[[nodiscard]] std::optional<TextStatus> textStatusFromName(std::string_view name);
+/// In words: "translated, not reviewed by a speaker".
+[[nodiscard]] std::string_view textStatusText(TextStatus status);
+
 class LanguageTable {
   public:
-    /// Reads LANGUAGE.toml: a flat table of texts. Every key of languageKeys() must be there with the same
-    /// placeholders ("{number}") as in languageKeys(), and no other key.
+    using Texts = std::vector<std::pair<std::string, std::string>>;
+
+    LanguageTable() = default;
+    /// `texts`: every key of languageKeys() with its text, in any order.
+    LanguageTable(std::string code, TextStatus status, Texts texts);
+
+    /// Reads LANGUAGE.toml: a flat table of texts and its `status`. Every key of languageKeys() must be there
+    /// with the same placeholders ("{number}") as in languageKeys(), and no other key.
     [[nodiscard]] static Result<LanguageTable> load(const std::filesystem::path& file);
     /// The built-in English words, from the same place as the keys. For tests and as the reference.
     [[nodiscard]] static const LanguageTable& english();
@@ -28,10 +48,13 @@ class LanguageTable {
     /// With "{seconds}" replaced; the text of `one` where there is one second alone.
     [[nodiscard]] std::string seconds(std::string_view key, std::string_view one, int seconds) const;
     [[nodiscard]] const std::string& code() const { return code_; }  ///< "en", "de", ...
+    [[nodiscard]] TextStatus status() const { return status_; }
+    [[nodiscard]] const Texts& texts() const { return texts_; }  ///< sorted by key
 
   private:
     std::string code_;
-    std::vector<std::pair<std::string, std::string>> texts_;  ///< sorted by key
+    TextStatus status_ = TextStatus::unstated;
+    Texts texts_;
 };
 
 /// Every key in the order of the files, with its English text.

@@ -188,7 +188,7 @@ struct PresentedFrame {
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
     bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
     std::string status;        ///< one line for the operator, such as "game 12/40"
-    /// One calm sentence to the participant beside all else ("Please step back onto your place."); empty:
+    /// One calm sentence to the participant beside all else ("Please step back to your place."); empty:
     /// none.
     std::string notice;
     bool tick = false;  ///< the ray has just met a ball or a button: a light haptic tick

@@ -205,18 +205,25 @@ struct HeadsetOptions {
     bool record_hands = false;           ///< joints of tracked hands, where the runtime offers them
 };
 
+/// How far what a participant reads in one language can be trusted.
+struct LanguageStatus {
+    TextStatus words = TextStatus::unstated;  ///< the program's
+    TextStatus texts = TextStatus::unstated;  ///< the study's
+};
+
 struct Study {
     std::string name;
     std::string title;
     std::string description{};
     std::string reference{};
     std::uint64_t seed = 1;
-    std::vector<std::string> languages;  ///< codes; the first is the default
-    LanguageTable words;                 ///< the program's, in `language`
-    std::string language;                ///< the one that all texts are in
-    double eye_height_m = 1.65;          ///< standing eye height of a desktop participant
-    std::filesystem::path avatar{};      ///< glTF or VRM file; empty: the product's own
-    double inter_trial_s = 0.6;          ///< pause between an answer and the next clip
+    std::vector<std::string> languages;           ///< codes; the first is the default
+    LanguageTable words;                          ///< the program's, in `language`
+    std::string language;                         ///< the one that all texts are in
+    std::vector<LanguageStatus> language_status;  ///< of `languages`, in their order
+    double eye_height_m = 1.65;                   ///< standing eye height of a desktop participant
+    std::filesystem::path avatar{};               ///< glTF or VRM file; empty: the product's own
+    double inter_trial_s = 0.6;                   ///< pause between an answer and the next clip
     AfterInterruption after_interruption = AfterInterruption::resume;
     double instructions_again_after_s = 3600.0;  ///< who comes back later than this reads them again
     double alpha = 0.01;                         ///< for the report's tests
