@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "motion/retarget.hpp"
+#include "motion/humanoid_mapping.hpp"
 
 namespace deixis::app {
 
@@ -38,6 +38,9 @@ class Inspection {
         findEmptyLimbs();
         findJumps();
         findSunkFeet();
+        findOddSize(imported.unit);
+        for (const std::string& text : motion::mappingDoubts(clip_.skeleton, map_, world_.front()))
+            doubt(text);
         if (clip_.frameCount() == 1) doubt("has one frame: a pose, not a motion");
         for (const std::string& remark : imported.remarks) doubt(remark);
     }
@@ -108,6 +111,25 @@ class Inspection {
                 "feet are up to {:.2f} m below the floor (y = 0) in {} of {} frames; on the avatar "
                 "they are put on it",
                 -lowest, frames, world_.size()));
+    }
+
+    /// A unit that nobody told, and that makes no ordinary person of the figure.
+    void findOddSize(const assets::FoundUnit& unit) {
+        constexpr double leg_of_stature = 0.491;  // thigh and shin (Drillis & Contini 1966)
+        constexpr double smallest_m = 0.8, tallest_m = 2.3;
+        if (unit.origin == assets::Origin::assumed) {
+            doubt(fmt::format("the unit is taken to be the {}: where it is another, give --unit", unit.name));
+            return;
+        }
+        for (const motion::Bone bone : {leftUpperLeg, leftLowerLeg, leftFoot})
+            if (!map_.has(bone)) return;
+        const double leg = glm::length(at(0, leftLowerLeg) - at(0, leftUpperLeg)) +
+                           glm::length(at(0, leftFoot) - at(0, leftLowerLeg));
+        if (const double stature = leg / leg_of_stature; stature < smallest_m || stature > tallest_m)
+            doubt(
+                fmt::format("by its legs the figure is {:.2f} m tall: is its unit really the {}? --unit "
+                            "gives another",
+                            stature, unit.name));
     }
 
     const motion::Clip& clip_;

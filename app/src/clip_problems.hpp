@@ -16,8 +16,8 @@ struct ClipProblem {
 /// Names of the bones without which no clip plays on an avatar and that the map lacks.
 [[nodiscard]] std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map);
 
-/// All at once: missing bones, limbs without length, jumps, feet below the floor, a single frame, and the
-/// importer's remarks. `map`: which joint plays which bone (clip_files.hpp).
+/// All at once: missing bones, limbs without length, jumps, feet below the floor, an unlikely size or
+/// mapping, a single frame, and the importer's remarks. `map`: which joint plays which bone (clip_files.hpp).
 [[nodiscard]] std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported,
                                                     const motion::HumanoidMap& map);
 

@@ -24,7 +24,8 @@ const std::string& jointOf(const motion::HumanoidMapping& mapping, const motion:
     return skeleton.joints[static_cast<std::size_t>(mapping.map[bone])].name;
 }
 
-void printJson(const motion::HumanoidMapping& mapping, const motion::Skeleton& skeleton) {
+void printJson(const motion::HumanoidMapping& mapping, const motion::Skeleton& skeleton,
+               const std::vector<std::string>& doubts) {
     nlohmann::ordered_json out;
     out["scheme"] = mapping.scheme;
     out["joints"] = skeleton.size();
@@ -39,10 +40,12 @@ void printJson(const motion::HumanoidMapping& mapping, const motion::Skeleton& s
     auto& missing = out["missing"] = nlohmann::ordered_json::array();
     for (const motion::Bone bone : mapping.missing()) missing.push_back(std::string(motion::boneName(bone)));
     out["remarks"] = mapping.remarks;
+    out["doubts"] = doubts;
     fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-void printTable(const motion::HumanoidMapping& mapping, const motion::Skeleton& skeleton) {
+void printTable(const motion::HumanoidMapping& mapping, const motion::Skeleton& skeleton,
+                const std::vector<std::string>& doubts) {
     fmt::print("scheme: {}\n", mapping.scheme);
     std::size_t found = 0;
     for (std::size_t b = 0; b < motion::bone_count; ++b) {
@@ -58,6 +61,7 @@ void printTable(const motion::HumanoidMapping& mapping, const motion::Skeleton& 
         missing += fmt::format("{}{}", missing.empty() ? "" : ", ", motion::boneName(bone));
     if (!missing.empty()) fmt::print("missing: {}\n", missing);
     for (const std::string& remark : mapping.remarks) fmt::print("remark: {}\n", remark);
+    for (const std::string& doubt : doubts) fmt::print("doubt: {}\n", doubt);
 }
 
 Result<void> printMap(const ClipsMapArguments& options) {
@@ -66,12 +70,14 @@ Result<void> printMap(const ClipsMapArguments& options) {
     const motion::Skeleton& skeleton = file->clip.skeleton;
     const auto mapping = assets::mapClip(options.file, skeleton, file->humanoid ? &*file->humanoid : nullptr);
     if (!mapping) return tl::unexpected(mapping.error());
+    const auto doubts =
+        motion::mappingDoubts(skeleton, mapping->map, motion::worldPose(skeleton, file->clip.frames.front()));
     if (options.json)
-        printJson(*mapping, skeleton);
+        printJson(*mapping, skeleton, doubts);
     else if (options.toml)
         fmt::print("{}", assets::humanoidToml(*mapping, skeleton));
     else
-        printTable(*mapping, skeleton);
+        printTable(*mapping, skeleton, doubts);
     return {};
 }
 

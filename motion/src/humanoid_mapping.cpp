@@ -12,14 +12,14 @@ namespace {
 
 using enum Bone;
 
-/// The joints between hips and neck, from below, shared out over the three bones of the spine. False where
-/// there are none.
-bool mapSpine(const Skeleton& skeleton, HumanoidMap& map) {
+/// The joints between hips and neck, from below, shared out over the three bones of the spine; in figures
+/// whose hips carry the legs alone, the joints up to where both hang. False where there are none.
+bool mapSpine(const FigureTree& tree, HumanoidMap& map) {
     std::vector<int> chain;
     int joint = map.has(neck) ? map[neck] : map[head];
     if (joint < 0 || !map.has(hips)) return false;
-    for (joint = skeleton.joints[static_cast<std::size_t>(joint)].parent; joint >= 0 && joint != map[hips];
-         joint = skeleton.joints[static_cast<std::size_t>(joint)].parent)
+    for (joint = tree.parent(joint); joint >= 0 && !tree.isAbove(joint, map[hips]);
+         joint = tree.parent(joint))
         chain.push_back(joint);
     if (joint < 0 || chain.empty()) return false;
     std::reverse(chain.begin(), chain.end());
@@ -51,7 +51,8 @@ void dropMisplaced(const FigureTree& tree, HumanoidMap& map, std::vector<std::st
 
 class Mapper {
   public:
-    explicit Mapper(const Skeleton& skeleton) : skeleton_(skeleton), tree_(skeleton) {}
+    explicit Mapper(const Skeleton& skeleton)
+        : skeleton_(skeleton), names_(plainNames(skeleton)), tree_(skeleton, names_) {}
 
     HumanoidMapping run(const HumanoidMap* given) {
         HumanoidMap map;
@@ -67,16 +68,15 @@ class Mapper {
             note(map, FoundBy::scheme);
         }
         if (out_.scheme.empty()) out_.scheme = scheme ? scheme->scheme : "by name and topology";
-        const auto names = plainNames(skeleton_);
-        addByName(names, map);
+        addByName(names_, map);
         if (!isFlat()) dropMisplaced(tree_, map, out_.remarks);
         forgetDropped(map);
         note(map, FoundBy::name);
         addByPlace(tree_, map);
-        if (!hasAll(map, requiredBones())) mapShape(names, map);
+        if (!hasAll(map, requiredBones())) mapShape(map);
         if (!keepsOwnSpine(scheme, given)) {
             const HumanoidMap before = map;
-            if (mapSpine(skeleton_, map))
+            if (mapSpine(tree_, map))
                 for (const Bone bone : {spine, chest, upperChest})
                     if (map[bone] != before[bone])
                         out_.found[static_cast<std::size_t>(bone)] = FoundBy::nothing;
@@ -112,9 +112,9 @@ class Mapper {
             if (map.joint[b] >= 0 && out_.found[b] == FoundBy::nothing) out_.found[b] = by;
     }
 
-    void mapShape(const std::vector<PlainName>& names, HumanoidMap& map) {
+    void mapShape(HumanoidMap& map) {
         bool guessed_front = false;
-        auto shape = mapByShape(tree_, names, guessed_front);
+        auto shape = mapByShape(tree_, guessed_front);
         if (!shape) return;
         addByPlace(tree_, *shape);
         // Where names tell less than half of a humanoid, they are no help; else they fill the shape's gaps.
@@ -148,7 +148,8 @@ class Mapper {
     }
 
     const Skeleton& skeleton_;
-    FigureTree tree_;
+    const std::vector<PlainName> names_;
+    const FigureTree tree_;
     HumanoidMapping out_;
 };
 

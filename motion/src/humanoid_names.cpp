@@ -23,7 +23,7 @@ struct Row {
 constexpr Row rows[] = {
     {hips, "hips hip pelvis root"},
     {head, "head"},
-    {neck, "neck neck01 necktwist01 neck1 necklower lowerneck"},
+    {neck, "neck neck01 necktwist01 neck0 neck1 necklower lowerneck"},
     {jaw, "jaw jawroot"},
     {leftEye, "eye"},
     {leftUpperLeg, "upperleg upperleg01 upleg thigh thighbend hip"},
@@ -52,8 +52,8 @@ constexpr Row rows[] = {
 };
 
 /// Words of rigs' prefixes that say nothing about the bone.
-constexpr std::string_view noise[] = {"cc",     "base", "rl",   "j",   "bip",  "c",    "bip01",
-                                      "bip001", "def",  "skel", "org", "bone", "joint"};
+constexpr std::string_view noise[] = {"cc",     "base", "rl",   "j",   "bip",  "c",     "bip01",
+                                      "bip001", "def",  "skel", "org", "bone", "joint", "b"};
 
 bool isLower(char c) {
     return std::islower(static_cast<unsigned char>(c)) != 0;
@@ -69,6 +69,7 @@ bool takePrefix(std::string& text, std::string_view prefix) {
 }
 
 PlainName plainName(std::string_view name) {
+    const bool leads = leadsToBone(name);
     if (const auto colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
     PlainName plain;
     const bool one_word = name.find_first_of("_ .") == std::string_view::npos;
@@ -112,6 +113,8 @@ PlainName plainName(std::string_view name) {
     if (name.size() > 2 && isLower(name[name.size() - 2]) && name.back() == 'L') takeEnd("l", Side::left);
     if (name.size() > 2 && isLower(name[name.size() - 2]) && name.back() == 'R') takeEnd("r", Side::right);
     takePrefix(plain.core, "hand");  // "LeftHandIndex1"
+    const auto says = [&](std::string_view what) { return plain.core.find(what) != std::string::npos; };
+    plain.helper = leads || (plain.side && (says("twist") || says("roll")));
     return plain;
 }
 
@@ -154,6 +157,11 @@ void countFingersFromOne(std::vector<PlainName>& names, Side side) {
 
 }  // namespace
 
+bool leadsToBone(std::string_view name) {
+    if (const auto colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
+    return name.starts_with("__");
+}
+
 std::vector<PlainName> plainNames(const Skeleton& skeleton) {
     std::vector<PlainName> names;
     names.reserve(skeleton.joints.size());
@@ -179,10 +187,12 @@ void addByName(const std::vector<PlainName>& names, HumanoidMap& map) {
         return key.append(core);
     };
     std::unordered_map<std::string, std::vector<int>> free;  // joints that play no bone yet
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (const int joint = static_cast<int>(i);
-            std::find(map.joint.begin(), map.joint.end(), joint) == map.joint.end())
-            free[keyOf(names[i].side, names[i].core)].push_back(joint);
+    for (const bool helpers : {false, true})
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (const int joint = static_cast<int>(i);
+                names[i].helper == helpers &&
+                std::find(map.joint.begin(), map.joint.end(), joint) == map.joint.end())
+                free[keyOf(names[i].side, names[i].core)].push_back(joint);
     const auto find = [&](std::optional<Side> side, std::string_view alternatives) {
         while (!alternatives.empty()) {
             const auto end = std::min(alternatives.find(' '), alternatives.size());

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "humanoid_names.hpp"
 #include "motion/humanoid_mapping.hpp"
 
 namespace deixis::motion {
@@ -189,10 +190,11 @@ std::optional<SchemeMatch> matchScheme(const Skeleton& skeleton) {
     constexpr std::size_t most_prefixes = 4;
     JointsByName joints;
     std::vector<std::string> names;
-    for (int j = 0; j < skeleton.size(); ++j) {
-        names.push_back(plain(skeleton.joints[static_cast<std::size_t>(j)].name));
-        joints.emplace(names.back(), j);
-    }
+    for (const Joint& joint : skeleton.joints) names.push_back(plain(joint.name));
+    for (const bool leading : {false, true})  // a bone comes before what only leads to it
+        for (std::size_t j = 0; j < names.size(); ++j)
+            if (leadsToBone(skeleton.joints[j].name) == leading)
+                joints.emplace(names[j], static_cast<int>(j));
     std::optional<SchemeMatch> best;
     for (std::size_t s = 0; s < tables.size(); ++s) {
         const std::string& root = tables[s].front().name;  // hips

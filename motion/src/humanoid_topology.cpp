@@ -17,13 +17,20 @@ struct Pair {
     double reach;
 };
 
+std::vector<int> limbChain(const FigureTree& tree, int branch) {
+    return tree.bonesOf(tree.mainChain(branch));
+}
+
+/// Whether a branch has an upper and a lower part and an end, one below the other.
+bool isLimb(const FigureTree& tree, int branch) {
+    return limbChain(tree, branch).size() >= 3;
+}
+
 std::vector<Pair> likeBranches(const FigureTree& tree) {
     constexpr double least_share = 0.15;  // of the figure's own reach: more than fingers or ears
     constexpr std::size_t most_children = 6;
     constexpr std::size_t most_pairs = 100;  // more of them are no person
-    double whole = 0.0;
-    for (int j = 0; j < tree.skeleton().size(); ++j)
-        if (tree.parent(j) < 0) whole = std::max(whole, tree.reach(j));
+    const double whole = tree.wholeReach();
     std::vector<Pair> pairs;
     for (int j = 0; j < tree.skeleton().size(); ++j) {
         std::vector<int> branches = tree.children(j);
@@ -39,8 +46,9 @@ std::vector<Pair> likeBranches(const FigureTree& tree) {
                 const int joints_b = tree.jointsBelow(branches[b]);
                 const bool alike = longer > least_share * whole && shorter > 0.9 * longer && joints_a >= 3 &&
                                    std::abs(joints_a - joints_b) <= 1 + std::max(joints_a, joints_b) / 8;
-                if (alike && glm::length(tree.tip(tree.mainChain(branches[a]).back()) -
-                                         tree.tip(tree.mainChain(branches[b]).back())) > 0.05 * whole)
+                if (alike && isLimb(tree, branches[a]) && isLimb(tree, branches[b]) &&
+                    glm::length(tree.tip(tree.mainChain(branches[a]).back()) -
+                                tree.tip(tree.mainChain(branches[b]).back())) > 0.05 * whole)
                     pairs.push_back({j, branches[a], branches[b], longer + shorter});
                 if (pairs.size() > most_pairs) return {};
             }
@@ -61,13 +69,13 @@ int commonAncestor(const FigureTree& tree, int a, int b) {
     return a;
 }
 
-/// The two longest bones in a row of a chain: where a limb's upper part begins. The chain must have three
-/// joints.
+/// The two longest bones in a row of a limb: where its upper part begins. The chain must have three joints.
 std::size_t limbStart(const FigureTree& tree, const std::vector<int>& chain) {
     std::size_t best = 0;
     double best_length = -1.0;
     for (std::size_t i = 0; i + 2 < chain.size(); ++i) {
-        const double length = std::min(tree.boneLength(chain[i + 1]), tree.boneLength(chain[i + 2]));
+        const double length =
+            std::min(tree.wayTo(chain[i + 1], chain[i]), tree.wayTo(chain[i + 2], chain[i + 1]));
         if (length > 1.1 * best_length) {
             best = i;
             best_length = length;
@@ -87,9 +95,8 @@ LimbBones limbBones(bool arm, Side side) {
             mirroredBone(left.end), mirroredBone(left.further)};
 }
 
-/// Maps a limb along a chain from the trunk outwards.
+/// Maps a limb along a chain of three joints or more, from the trunk outwards.
 void mapLimb(const FigureTree& tree, const std::vector<int>& chain, bool arm, Side side, HumanoidMap& map) {
-    if (chain.size() < 3) return;
     const LimbBones bones = limbBones(arm, side);
     const std::size_t start = limbStart(tree, chain);
     map[bones.upper] = chain[start];
@@ -99,9 +106,9 @@ void mapLimb(const FigureTree& tree, const std::vector<int>& chain, bool arm, Si
     if (!arm && start + 3 < chain.size()) map[bones.further] = chain[start + 3];
 }
 
-std::optional<Side> sideByName(const FigureTree& tree, const std::vector<PlainName>& names, int branch) {
+std::optional<Side> sideByName(const FigureTree& tree, int branch) {
     for (const int joint : tree.mainChain(branch))
-        if (const auto& side = names[static_cast<std::size_t>(joint)].side) return side;
+        if (const auto& side = tree.names()[static_cast<std::size_t>(joint)].side) return side;
     return std::nullopt;
 }
 
@@ -109,8 +116,7 @@ std::optional<Side> sideByName(const FigureTree& tree, const std::vector<PlainNa
 Vec3 front(const FigureTree& tree, const Pair& legs, const Vec3& rise, bool& guessed) {
     Vec3 ahead(0.0);
     for (const int leg : {legs.first, legs.second}) {
-        const std::vector<int> chain = tree.mainChain(leg);
-        if (chain.size() < 3) continue;
+        const std::vector<int> chain = limbChain(tree, leg);
         const std::size_t foot = limbStart(tree, chain) + 2;
         ahead += tree.tip(chain.back()) - tree.position(chain[foot]);
     }
@@ -189,7 +195,7 @@ std::vector<int> chainFromTrunk(const FigureTree& tree, int joint, int other) {
     for (; joint >= 0 && trunk[static_cast<std::size_t>(joint)] == 0; joint = tree.parent(joint))
         chain.push_back(joint);
     std::reverse(chain.begin(), chain.end());
-    return chain;
+    return tree.bonesOf(chain);
 }
 
 void mendLimb(const FigureTree& tree, bool arm, Side side, HumanoidMap& map) {
@@ -206,8 +212,9 @@ void mendLimb(const FigureTree& tree, bool arm, Side side, HumanoidMap& map) {
 
 }  // namespace
 
-FigureTree::FigureTree(const Skeleton& skeleton)
+FigureTree::FigureTree(const Skeleton& skeleton, const std::vector<PlainName>& names)
     : skeleton_(skeleton),
+      names_(names),
       world_(worldPose(skeleton, restPose(skeleton))),
       children_(skeleton.joints.size()),
       reach_(skeleton.joints.size(), 0.0),
@@ -223,6 +230,8 @@ FigureTree::FigureTree(const Skeleton& skeleton)
         }
     }
     for (auto& children : children_) std::reverse(children.begin(), children.end());
+    for (int j = 0; j < skeleton.size(); ++j)
+        if (parent(j) < 0) whole_ = std::max(whole_, reach(j));
 }
 
 std::vector<int> FigureTree::mainChain(int joint) const {
@@ -235,6 +244,23 @@ std::vector<int> FigureTree::mainChain(int joint) const {
     return chain;
 }
 
+std::vector<int> FigureTree::bonesOf(const std::vector<int>& chain) const {
+    constexpr double one_place = 1e-4;  // of the figure's reach
+    std::vector<int> bones;
+    for (const int joint : chain) {
+        if (names_[at(joint)].helper) continue;
+        if (!bones.empty() && wayTo(joint, bones.back()) < one_place * whole_) bones.pop_back();
+        bones.push_back(joint);
+    }
+    return bones;
+}
+
+double FigureTree::wayTo(int joint, int ancestor) const {
+    double length = 0.0;
+    for (; joint >= 0 && joint != ancestor; joint = parent(joint)) length += boneLength(joint);
+    return length;
+}
+
 bool FigureTree::isAbove(int ancestor, int joint) const {
     while (joint > ancestor) joint = parent(joint);
     return joint == ancestor;
@@ -244,8 +270,7 @@ double FigureTree::boneLength(int joint) const {
     return parent(joint) < 0 ? 0.0 : glm::length(skeleton_.joints[at(joint)].rest.position);
 }
 
-std::optional<HumanoidMap> mapByShape(const FigureTree& tree, const std::vector<PlainName>& names,
-                                      bool& guessed_front) {
+std::optional<HumanoidMap> mapByShape(const FigureTree& tree, bool& guessed_front) {
     const std::vector<Pair> pairs = likeBranches(tree);
     const Pair* legs = nullptr;
     const Pair* arms = nullptr;
@@ -279,15 +304,16 @@ std::optional<HumanoidMap> mapByShape(const FigureTree& tree, const std::vector<
     bool by_place = false;
     for (const bool is_arm : {false, true}) {
         const Pair& pair = is_arm ? *arms : *legs;
-        auto side = sideByName(tree, names, pair.first);
+        const std::vector<int> first = limbChain(tree, pair.first);
+        const std::vector<int> second = limbChain(tree, pair.second);
+        auto side = sideByName(tree, pair.first);
         if (!side) {
             by_place = true;
-            const Vec3 apart =
-                tree.position(tree.mainChain(pair.first)[2]) - tree.position(tree.mainChain(pair.second)[2]);
+            const Vec3 apart = tree.position(first[2]) - tree.position(second[2]);
             side = glm::dot(apart, to_left) > 0.0 ? Side::left : Side::right;
         }
-        mapLimb(tree, tree.mainChain(pair.first), is_arm, *side, map);
-        mapLimb(tree, tree.mainChain(pair.second), is_arm, opposite(*side), map);
+        mapLimb(tree, first, is_arm, *side, map);
+        mapLimb(tree, second, is_arm, opposite(*side), map);
     }
     guessed_front = guessed_front && by_place;
     return map;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "bone_index.hpp"
 #include "core/parallel.hpp"
@@ -226,6 +227,28 @@ class Mover {
     std::vector<double> ankles_;  // of each frame the lower one's height, at the source's scale
 };
 
+constexpr const char* name_the_joints =
+    "Name the joints as VRM, Mixamo, CMU or another common rig does, or say in NAME.humanoid.toml beside the "
+    "clip which joint plays which bone";
+
+/// Why a figure cannot stand, by the bones and joints that are in one place.
+std::string unableToStand(const Skeleton& skeleton, const HumanoidMap& map, const std::vector<Pose>& world) {
+    constexpr std::pair<Bone, Bone> apart[] = {
+        {leftUpperLeg, rightUpperLeg}, {leftUpperArm, rightUpperArm}, {leftFoot, head}, {rightFoot, head}};
+    for (const auto& [a, b] : apart) {
+        const auto i = static_cast<std::size_t>(map[a]);
+        const auto j = static_cast<std::size_t>(map[b]);
+        if (glm::length(world[i].position - world[j].position) < 1e-6)
+            return std::string(boneName(a)) + " ('" + skeleton.joints[i].name + "') and " +
+                   std::string(boneName(b)) + " ('" + skeleton.joints[j].name +
+                   "') are in one place, expected a figure that can stand";
+    }
+    return "hips, legs and head ('" + skeleton.joints[static_cast<std::size_t>(map[hips])].name + "', '" +
+           skeleton.joints[static_cast<std::size_t>(map[leftUpperLeg])].name + "', '" +
+           skeleton.joints[static_cast<std::size_t>(map[head])].name +
+           "' and the others) do not rise over the feet in any frame, expected a figure that can stand";
+}
+
 std::vector<SightLine> linesOfClip(const Clip& clip, const HumanoidMap& map, const PointingGesture& gesture) {
     std::vector<SightLine> lines;  // peak to hold
     std::vector<Pose> world;
@@ -273,8 +296,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     BoneSet given = givenBones(source_map);
     if (const auto missing = missingBones(given); !missing.empty())
         return fail("", "no joint was found for " + missing + ", expected the bones of a humanoid",
-                    "Name the joints as VRM, Mixamo, CMU or another common rig does, or say in "
-                    "NAME.humanoid.toml beside the clip which joint plays which bone");
+                    name_the_joints);
     if (const auto missing = missingBones(givenBones(avatar_map)); !missing.empty())
         return fail("", "the avatar has no " + missing + ", expected the bones of a humanoid");
     const PointingGesture* gesture = options.gesture ? &*options.gesture : nullptr;
@@ -285,7 +307,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     const Source source(source_clip, source_map);
     const Neutral neutral = source.neutral();
     if (standing(neutral.shape) < 0.0)
-        return fail("", "the figure's bones lie in one another, expected a figure that can stand");
+        return fail("", unableToStand(source_clip.skeleton, source_map, neutral.world), name_the_joints);
     const AvatarRest avatar = avatarRest(avatar_skeleton, avatar_map);
     const double scale = avatar.leg_length_m / legLength(neutral.shape);
     const bool alike = isBuiltAlike(source_clip.skeleton, source_map, avatar, scale);
@@ -297,6 +319,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
 
     RetargetReport made;
     made.scale = scale;
+    made.remarks = mappingDoubts(source_clip.skeleton, source_map, neutral.world);
     if (!neutral.is_rest)
         made.remarks.emplace_back("the rest pose is no standing figure: aligned to a frame instead");
     if (up_axis != up) made.remarks.emplace_back("turned so that the figure's up axis is y");

@@ -135,6 +135,25 @@ class Aligner {
             pointFrom(at(bone(leftLowerArm)), hand);
     }
 
+    /// Where a foot points: at its toes or, where a rig has them rather below the ankle than ahead of it, at
+    /// their tip. None where all lie straight below, which says nothing.
+    [[nodiscard]] std::optional<Vec3> ahead(Bone foot, Bone toes, const Vec3& down) const {
+        constexpr double straight_rad = 0.35, steep_rad = 0.7;
+        auto best = shape_.direction(foot);
+        double from_down = best ? angleBetween(*best, down) : 0.0;
+        if (from_down > steep_rad) return best;
+        const auto& ankle = shape_.at(foot);
+        const auto& tip = shape_.tip[indexOf(toes)];
+        if (ankle && tip && glm::length(*tip - *ankle) > shortest_bone_m) {
+            const Vec3 at_tip = glm::normalize(*tip - *ankle);
+            if (const double angle = angleBetween(at_tip, down); angle > from_down) {
+                best = at_tip;
+                from_down = angle;
+            }
+        }
+        return from_down > straight_rad ? best : std::nullopt;
+    }
+
     void alignLeg(bool left) {
         const auto bone = [&](Bone b) { return left ? b : mirroredBone(b); };
         const Bone shin = bone(leftLowerLeg);
@@ -143,15 +162,16 @@ class Aligner {
         pointFrom(at(bone(leftUpperLeg)), shin);
         at(foot) = at(shin);
         const auto rest = avatar_.direction(foot);
-        const auto wanted = shape_.direction(foot);
         const auto down = shape_.direction(shin);
-        if (rest && wanted && down) {
+        const auto wanted = down ? ahead(foot, bone(leftToes), *down) : std::nullopt;
+        if (rest && wanted) {
             // The foot turns about the shin until it points the same way. Its slope stays the avatar's: how
             // high a rig's ankle lies over its toes says nothing about the sole; unless they differ wildly.
             constexpr double wild_rad = 0.6;
             const double turn = angleAbout(*down, at(shin) * *rest, *wanted);
             at(foot) = glm::angleAxis(turn, *down) * at(shin);
-            if (angleBetween(at(foot) * *rest, *wanted) > wild_rad) pointFrom(at(foot), foot);
+            if (angleBetween(at(foot) * *rest, *wanted) > wild_rad)
+                at(foot) = rotationBetween(at(foot) * *rest, *wanted) * at(foot);
         }
         at(bone(leftToes)) = at(foot);
     }

@@ -25,6 +25,13 @@ double alongUp(const BodyShape& shape, Bone bone, const Vec3& rise) {
     return direction ? glm::dot(*direction, rise) : 1.0;
 }
 
+constexpr double shortest_m = 1e-6;
+
+/// How long a line is, seen along another that has a length.
+double widthAcross(const Vec3& line, const Vec3& along) {
+    return glm::length(glm::cross(line, along)) / glm::length(along);
+}
+
 /// Mean turn of the limbs from one pose to the next, radians.
 double meanTurn(const BodyShape& from, const BodyShape& to) {
     double sum = 0.0;
@@ -43,13 +50,17 @@ double meanTurn(const BodyShape& from, const BodyShape& to) {
 }  // namespace
 
 double standing(const BodyShape& shape) {
+    constexpr double no_figure = -6.0;
     const TrunkAxes axes = standingAxes(shape);
-    if (glm::length(axes.hips_up) < 1e-6 || glm::length(axes.hip_line) < 1e-6 ||
-        glm::length(axes.shoulder_line) < 1e-6)
-        return -6.0;
-    const Vec3 rise = glm::normalize(axes.hips_up);
     const Vec3 hip_centre = 0.5 * (*shape.at(leftUpperLeg) + *shape.at(rightUpperLeg));
-    double score = glm::dot(glm::normalize(*shape.at(head) - hip_centre), rise);
+    const Vec3 trunk = *shape.at(head) - hip_centre;
+    // Both lines must lie across the trunk, or nothing tells which way it faces.
+    if (glm::length(axes.hips_up) < shortest_m || glm::length(trunk) < shortest_m ||
+        widthAcross(axes.hip_line, axes.hips_up) < shortest_m ||
+        widthAcross(axes.shoulder_line, axes.chest_up) < shortest_m)
+        return no_figure;
+    const Vec3 rise = glm::normalize(axes.hips_up);
+    double score = glm::dot(glm::normalize(trunk), rise);
     for (const Bone bone : {leftUpperLeg, rightUpperLeg, leftLowerLeg, rightLowerLeg})
         score -= alongUp(shape, bone, rise);
     return score + 1.0 - std::abs(glm::dot(glm::normalize(axes.hip_line), rise));
@@ -89,7 +100,10 @@ Neutral Source::neutral() const {
 
 Vec3 Source::upAxis(const Neutral& neutral) const {
     Vec3 mean(0.0);
-    for (const Look& look : looks_) mean += glm::normalize(standingAxes(look.shape).hips_up);
+    for (const Look& look : looks_)
+        if (const Vec3 rise = standingAxes(look.shape).hips_up; glm::length(rise) > shortest_m)
+            mean += glm::normalize(rise);
+    if (glm::length(mean) < shortest_m) return up;
     mean = glm::normalize(mean);
     constexpr double clearly = 0.7;
     if (mean.y > 1.0 - clearly) return up;

@@ -43,6 +43,12 @@ struct HumanoidMapping {
 /// mere list of joints (all of them roots) the names alone tell.
 [[nodiscard]] HumanoidMapping mapHumanoid(const Skeleton& skeleton, const HumanoidMap* given = nullptr);
 
+/// What is doubtful about a map, in words: shoulders or arms less than half as wide or long as the reference
+/// humanoid's would be with such legs. `world`: the figure as it stands, in metres (worldPose()). Empty where
+/// bones that are required lack.
+[[nodiscard]] std::vector<std::string> mappingDoubts(const Skeleton& skeleton, const HumanoidMap& map,
+                                                     const std::vector<Pose>& world);
+
 /// The map alone. Bones that are not found stay -1.
 [[nodiscard]] HumanoidMap detectHumanoid(const Skeleton& skeleton);
 
