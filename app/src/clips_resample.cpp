@@ -21,7 +21,9 @@ struct ClipsResampleArguments {
 Result<void> resample(const ClipsResampleArguments& options) {
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
-    return writeClip(motion::resample(source->clip, 1.0 / options.fps), options.out, options.force);
+    const auto resampled = motion::resample(source->clip, 1.0 / options.fps);
+    if (!resampled) return fail(options.in, resampled.error().message, resampled.error().mend);
+    return writeClip(*resampled, options.out, options.force);
 }
 
 }  // namespace

@@ -64,13 +64,14 @@ struct Found {
     std::optional<Compliance> compliance{};
 };
 
-motion::Clip atRate(const motion::Clip& clip, double frame_time_s) {
-    return std::abs(clip.frame_time_s - frame_time_s) < 1e-6 ? clip : motion::resample(clip, frame_time_s);
-}
-
 Error placed(Error error, const std::string& file) {
     if (error.where.empty()) error.where = file;
     return error;
+}
+
+Result<motion::Clip> atRate(const motion::Clip& clip, double frame_time_s, const std::string& file) {
+    if (std::abs(clip.frame_time_s - frame_time_s) < 1e-6) return clip;
+    return motion::resample(clip, frame_time_s).map_error([&](const Error& e) { return placed(e, file); });
 }
 
 Result<Corpus> readCorpus(const std::vector<std::string>& files, double fps) {
@@ -81,11 +82,13 @@ Result<Corpus> readCorpus(const std::vector<std::string>& files, double fps) {
         const auto read = readMappedClip(named.file);
         if (!read) return tl::unexpected(read.error());
         out.files.push_back(named.file.string());
-        out.compared.push_back(
-            motion::jointCourses(atRate(read->clip, 1.0 / fps), read->map, motion::comparedBones()));
+        const auto compared = atRate(read->clip, 1.0 / fps, out.files.back());
+        if (!compared) return tl::unexpected(compared.error());
+        out.compared.push_back(motion::jointCourses(*compared, read->map, motion::comparedBones()));
         out.poses.push_back(motion::jointCourses(read->clip, read->map, motion::poseBones()));
-        auto style = motion::gestureStyle(motion::jointCourses(atRate(read->clip, motion::style_frame_time_s),
-                                                               read->map, motion::styleBones()));
+        const auto styled = atRate(read->clip, motion::style_frame_time_s, out.files.back());
+        if (!styled) return tl::unexpected(styled.error());
+        auto style = motion::gestureStyle(motion::jointCourses(*styled, read->map, motion::styleBones()));
         if (!style) return tl::unexpected(placed(style.error(), out.files.back()));
         out.styles.push_back(std::move(*style));
     }

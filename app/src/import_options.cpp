@@ -43,7 +43,7 @@ void addImportOptions(CLI::App& command, assets::ImportOptions& options) {
     command
         .add_option_function<double>(
             "--fps", [&options](double fps) { options.fps = fps; }, "Frames a second [as the file says]")
-        ->check(CLI::Range(0.1, 10000.0));
+        ->check(CLI::Range(1.0, 10000.0));
 }
 
 }  // namespace deixis::app

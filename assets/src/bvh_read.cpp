@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,12 +24,18 @@ using motion::LocalPose;
 constexpr std::array<std::string_view, 6> channel_names{"Xposition", "Yposition", "Zposition",
                                                         "Xrotation", "Yrotation", "Zrotation"};
 
+/// Longer than the slowest frame rate, and shorter than the fastest, of any recording: from 1 to 10,000
+/// frames a second.
+constexpr double longest_frame_s = 1.0;
+constexpr double shortest_frame_s = 1e-4;
+
 /// A person with fingers and face has some 200.
 constexpr std::size_t most_joints = 10000;
 
 class Parser {
   public:
-    Parser(std::string_view text, const std::string& name) : in_(text), name_(name) {}
+    Parser(std::string_view text, const std::string& name, const std::optional<double>& fps)
+        : in_(text), name_(name), fps_(fps) {}
 
     Result<Clip> parse() {
         if (auto done = hierarchy(); !done) return tl::unexpected(done.error());
@@ -176,14 +184,29 @@ class Parser {
             return wrong(in_.line(), "found " + quoted(count_word) + " frames, expected at least 1");
         if (auto word = expect("Frame"); !word) return word;
         if (auto word = expect("Time:"); !word) return word;
-        const auto time_word = in_.wordOfLine();
-        const auto time = number(time_word, in_.line(), "Frame Time");
-        if (!time) return tl::unexpected(time.error());
-        if (*time <= 0.0)
-            return wrong(in_.line(), "found frame time " + quoted(time_word) + ", expected seconds above 0");
-        clip_.frame_time_s = *time;
+        if (auto time = frameTime(); !time) return time;
         return readBvhMotion({in_.rest(), in_.line(), name_, static_cast<std::size_t>(*count)}, channels_,
                              clip_);
+    }
+
+    Result<void> frameTime() {
+        const auto word = in_.wordOfLine();
+        if (fps_) {
+            clip_.frame_time_s = 1.0 / *fps_;
+            return {};
+        }
+        const auto time = number(word, in_.line(), "Frame Time");
+        if (!time) return tl::unexpected(time.error());
+        if (*time < shortest_frame_s || *time > longest_frame_s)
+            return wrong(in_.line(),
+                         "found frame time " + quoted(word) + ", expected seconds from " +
+                             fmt::format("{:g} to {:g}", shortest_frame_s, longest_frame_s),
+                         *time > longest_frame_s
+                             ? "30 frames a second are 0.0333333: is it in milliseconds, or the number of "
+                               "frames a second? Correct it, or give the rate with --fps"
+                             : "30 frames a second are 0.0333333: correct it, or give the rate with --fps");
+        clip_.frame_time_s = *time;
+        return {};
     }
 
     [[nodiscard]] bool hasPositions(std::size_t joint) const {
@@ -217,6 +240,7 @@ class Parser {
 
     BvhText in_;
     const std::string& name_;
+    const std::optional<double>& fps_;
     Clip clip_;
     BvhChannels channels_;
     std::size_t values_per_frame_ = 0;
@@ -236,7 +260,7 @@ void scale(Clip& clip, double factor) {
 }  // namespace
 
 Result<BvhFile> parseBvh(std::string_view text, const std::string& name, const BvhOptions& options) {
-    Parser parser(text, name);
+    Parser parser(text, name, options.fps);
     auto clip = parser.parse();
     if (!clip) return tl::unexpected(clip.error());
     const FoundUnit unit = options.metres_per_unit ? FoundUnit{*options.metres_per_unit, Origin::given,

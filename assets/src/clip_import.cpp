@@ -6,6 +6,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "assets/bvh.hpp"
 #include "assets/expmap_rows.hpp"
@@ -43,8 +44,14 @@ Kind kindOfTable(std::string_view line) {
     std::vector<std::string_view> fields;
     splitFields(trimmed(line), separatorOf(line), fields);
     while (!fields.empty() && fields.back().empty()) fields.pop_back();
-    const bool numbers = std::all_of(fields.begin(), fields.end(),
-                                     [](std::string_view field) { return finiteNumber(field).has_value(); });
+    const bool numbers =
+        std::all_of(fields.begin(), fields.end(),
+                    [](std::string_view field) {  // also wrong ones, to be told so
+                        double value = 0.0;
+                        const char* end = field.data() + field.size();
+                        return finiteNumber(field) || !mendOfNumber(field).empty() ||
+                               (!field.empty() && std::from_chars(field.data(), end, value).ptr == end);
+                    });
     if (!numbers) return fields.size() >= 4 && separatorOf(line) != ' ' ? Kind::joint_csv : Kind::unknown;
     if (fields.size() == 101) return Kind::kinect;
     if (fields.size() == 99 || fields.size() == 117) return Kind::expmap;
@@ -74,19 +81,15 @@ Kind kindOfEnding(const std::string& ending) {
 
 Result<ImportedClip> importBvh(std::string_view bytes, const std::string& name,
                                const ImportOptions& options) {
-    auto file = parseBvh(bytes, name, BvhOptions{options.metres_per_unit});
+    auto file = parseBvh(bytes, name, BvhOptions{options.metres_per_unit, options.fps});
     if (!file) return tl::unexpected(file.error());
     ImportedClip out;
     out.format = "BVH";
     out.clip = std::move(file->clip);
     out.unit = file->unit;
     out.remarks = std::move(file->remarks);
-    if (options.fps) {
-        out.clip.frame_time_s = 1.0 / *options.fps;
-        out.rate = {*options.fps, Origin::given};
-    } else {
-        out.rate = {out.clip.framesPerSecond(), Origin::declared};
-    }
+    out.rate = options.fps ? FoundRate{*options.fps, Origin::given}
+                           : FoundRate{out.clip.framesPerSecond(), Origin::declared};
     out.up = findUp(out.clip, motion::detectHumanoid(out.clip.skeleton), options.up_axis);
     turnUp(out.clip, out.up.axis);
     return out;
@@ -154,6 +157,7 @@ Result<ImportedClip> importAs(Kind kind, std::string_view bytes, const std::stri
 /// Far away values are a wrong unit or damaged data, and make nonsense of every sum.
 Result<void> checkPlaces(const ImportedClip& imported, const std::string& name) {
     constexpr double farthest_m = 1e5;
+    constexpr double longest_bone_m = 100.0;
     const motion::Clip& clip = imported.clip;
     const auto near = [](const Vec3& p) {
         return std::abs(p.x) < farthest_m && std::abs(p.y) < farthest_m && std::abs(p.z) < farthest_m;
@@ -162,9 +166,17 @@ Result<void> checkPlaces(const ImportedClip& imported, const std::string& name) 
         return fail(name, where + ", joint '" + joint.name + "': found a bone of more than 100 km, in unit " +
                               unitWords(imported.unit) + "; expected the motion of a person");
     };
-    for (const motion::Joint& joint : clip.skeleton.joints)
+    for (const motion::Joint& joint : clip.skeleton.joints) {
         if (!near(joint.rest.position) || (joint.end_site && !near(*joint.end_site)))
             return far("rest pose", joint);
+        const double length_m = joint.parent < 0 ? 0.0 : glm::length(joint.rest.position);
+        if (length_m > longest_bone_m)
+            return fail(name,
+                        fmt::format("rest pose, joint '{}': found a bone of {:.0f} m, in unit {}; expected "
+                                    "the bones of a person",
+                                    joint.name, length_m, unitWords(imported.unit)),
+                        "Correct its offset, or give the file's unit with --unit");
+    }
     for (std::size_t f = 0; f < clip.frames.size(); ++f)
         for (std::size_t j = 0; j < clip.skeleton.joints.size(); ++j)
             if (const Pose& pose = clip.frames[f].joints[j]; !near(pose.position))

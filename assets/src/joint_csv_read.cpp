@@ -181,9 +181,11 @@ class JointCsvReader {
             }
             const auto value = finiteNumber(field);
             if (!value)
-                return fail(where(), "found '" + std::string(field.substr(0, 40)) + "' in column " +
-                                         columns_.joints[static_cast<std::size_t>(bones_.joint[bone])] + "." +
-                                         "xyz"[axis] + ", expected a finite number or nothing");
+                return fail(where(),
+                            "found '" + std::string(field.substr(0, 40)) + "' in column " +
+                                columns_.joints[static_cast<std::size_t>(bones_.joint[bone])] + "." +
+                                "xyz"[axis] + ", expected a finite number or nothing",
+                            mendOfNumber(field));
             position[axis] = *value;
         }
         recording_.tracks[bone].time_s.push_back(time_s);
@@ -218,14 +220,21 @@ class JointCsvReader {
         const auto& times = recording_.times_s;
         double step_s = 1.0 / options_.fps.value_or(assumed_fps);
         std::size_t count = times.size();
+        bool evenly = true;
         out.rate =
             options_.fps ? FoundRate{*options_.fps, Origin::given} : FoundRate{assumed_fps, Origin::assumed};
         if (columns_.time && !options_.fps && times.size() > 1) {
             const Steps found = steps();
             step_s = found.steady ? (times.back() - times.front()) / static_cast<double>(times.size() - 1)
                                   : found.middle_s;
+            if (auto good = checkStep(step_s, name_,
+                                      "A column of milliseconds is called time_ms; or give the rate with "
+                                      "--fps");
+                !good)
+                return tl::unexpected(good.error());
             out.rate = {tidyRate(1.0 / step_s), Origin::declared};
-            if (!found.steady) {
+            evenly = found.steady;
+            if (!evenly) {
                 const auto frames = framesOver(times, step_s, name_, out.remarks);
                 if (!frames) return tl::unexpected(frames.error());
                 count = *frames;
@@ -236,8 +245,8 @@ class JointCsvReader {
         for (std::size_t f = 0; f < count; ++f) {
             for (std::size_t b = 0; b < motion::bone_count; ++b)
                 if (const JointTrack& track = recording_.tracks[b]; !track.empty())
-                    out.frames[f].at[b] = track.at(
-                        count == times.size() ? times[f] : times.front() + static_cast<double>(f) * step_s);
+                    out.frames[f].at[b] =
+                        track.at(evenly ? times[f] : times.front() + static_cast<double>(f) * step_s);
             standInForTrunk(out.frames[f]);
         }
         if (unknown_) out.remarks.emplace_back("unknown positions are bridged by straight lines");

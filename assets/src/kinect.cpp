@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "assets/joint_positions.hpp"
+#include "number_lines.hpp"
 #include "position_import.hpp"
 
 namespace deixis::assets {
@@ -41,29 +42,24 @@ Result<KinectRecording> parseLines(std::string_view text, const std::string& nam
                                    const std::optional<double>& fps) {
     KinectRecording recording;
     std::array<double, field_count> fields{};
-    for (int line = 1; !text.empty(); ++line) {
-        const auto end = std::min(text.find('\n'), text.size());
-        std::string_view row = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        while (!row.empty() && (row.back() == '\r' || row.back() == ' ' || row.back() == ','))
-            row.remove_suffix(1);
-        if (row.empty()) continue;
-        const std::string where = name + ":" + std::to_string(line);
-        std::size_t count = 0;
-        for (const char* at = row.data();; ++at) {
-            double value = 0.0;
-            const auto [stop, problem] = std::from_chars(at, row.data() + row.size(), value);
-            const bool ends = stop == row.data() + row.size();
-            if (problem != std::errc{} || !std::isfinite(value) || (!ends && *stop != ','))
-                return fail(where, "found no finite number in column " + std::to_string(count + 1) +
-                                       ", expected time and x,y,z,state of 25 joints");
-            if (count < field_count) fields[count] = value;
-            ++count;
-            at = stop;
-            if (ends) break;
+    std::vector<std::string_view> words;
+    TextLines lines(text);
+    while (const auto row = lines.next()) {
+        const std::string where = name + ":" + std::to_string(lines.line());
+        splitFields(trimmed(*row), separatorOf(*row), words);
+        while (!words.empty() && words.back().empty()) words.pop_back();
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const auto value = finiteNumber(words[i]);
+            if (!value)
+                return fail(where,
+                            "found '" + std::string(words[i].substr(0, 40)) + "' in column " +
+                                std::to_string(i + 1) +
+                                ", expected a finite number: time and x,y,z,state of 25 joints",
+                            mendOfNumber(words[i]));
+            if (i < field_count) fields[i] = *value;
         }
-        if (count != field_count)
-            return fail(where, "found " + std::to_string(count) + " columns, expected " +
+        if (words.size() != field_count)
+            return fail(where, "found " + std::to_string(words.size()) + " columns, expected " +
                                    std::to_string(field_count) + ": time and x,y,z,state of 25 joints");
         const double time_s =
             fps ? static_cast<double>(recording.times_s.size()) / *fps : fields[0] / ticks_per_second;
@@ -93,14 +89,21 @@ Result<ImportedClip> parseKinectClip(std::string_view text, const std::string& n
     out.up = UpAxis::y;
     out.rate = options.fps ? FoundRate{*options.fps, Origin::given} : FoundRate{kinect_fps, Origin::declared};
     const double frame_time_s = 1.0 / out.rate.fps;
-    const auto count = framesOver(recording->times_s, frame_time_s, name, out.remarks);
+    const auto& times = recording->times_s;
+    const auto count = framesOver(times, frame_time_s, name, out.remarks);
     if (!count) return tl::unexpected(count.error());
+    if (times.size() > 1 && !options.fps)
+        if (auto good =
+                checkStep((times.back() - times.front()) / static_cast<double>(times.size() - 1), name,
+                          "Kinect's times are in units of 100 ns; else give the rate with --fps");
+            !good)
+            return tl::unexpected(good.error());
     out.frames.resize(*count);
     for (std::size_t f = 0; f < *count; ++f)
         for (const Used& u : used)
             if (const JointTrack& track = recording->tracks[u.joint]; !track.empty())
-                out.frames[f][u.bone] = track.smoothAt(
-                    recording->times_s.front() + static_cast<double>(f) * frame_time_s, smoothing_step_s);
+                out.frames[f][u.bone] =
+                    track.smoothAt(times.front() + static_cast<double>(f) * frame_time_s, smoothing_step_s);
     return clipOfPositions(std::move(out), name, options);
 }
 

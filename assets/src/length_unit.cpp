@@ -32,6 +32,10 @@ constexpr std::array<Unit, 6> units{{{1.0, "metre"},
 constexpr double shortest_m = 1.4;
 constexpr double tallest_m = 2.1;
 constexpr double usual_m = 1.72;
+// Children from about three years on; only in the units that recordings are in today, since in others a tall
+// adult is likelier.
+constexpr double smallest_child_m = 0.95;
+constexpr std::array<std::string_view, 3> of_today{"metre", "centimetre", "millimetre"};
 
 // Thigh and shin as a part of stature (Drillis & Contini 1966: hip 0.530, ankle 0.039).
 constexpr double leg_of_stature = 0.491;
@@ -79,6 +83,12 @@ FoundUnit unitOf(double stature) {
     for (const Unit& unit : units)
         if (const double metres = stature * unit.metres; metres >= shortest_m && metres <= tallest_m)
             return {unit.metres, Origin::detected, std::string(unit.name)};
+    for (const Unit& unit : units)
+        if (const double metres = stature * unit.metres;
+            metres >= smallest_child_m && metres < shortest_m &&
+            std::find(of_today.begin(), of_today.end(), unit.name) != of_today.end())
+            return {unit.metres, Origin::assumed,
+                    fmt::format("{}, in which the figure is a child of {:.2f} m", unit.name, metres)};
     const auto distance = [&](const Unit& u) { return std::abs(std::log(stature * u.metres / usual_m)); };
     const Unit* best = &*std::min_element(
         units.begin(), units.end(), [&](const Unit& a, const Unit& b) { return distance(a) < distance(b); });

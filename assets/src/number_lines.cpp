@@ -54,6 +54,13 @@ std::optional<double> finiteNumber(std::string_view field) {
     return value;
 }
 
+std::string mendOfNumber(std::string_view field) {
+    std::string pointed(field);
+    if (const auto comma = pointed.find(','); comma != std::string::npos) pointed[comma] = '.';
+    if (pointed == field || !finiteNumber(pointed)) return {};
+    return "Decimals are written with a point here: export the file so";
+}
+
 char separatorOf(std::string_view line) {
     for (const char separator : {'\t', ';', ','})
         if (trimmed(line).find(separator) != std::string_view::npos) return separator;

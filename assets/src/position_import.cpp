@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "length_unit.hpp"
 #include "motion/reference_humanoid.hpp"
@@ -57,6 +58,15 @@ Vec3 JointTrack::smoothAt(double t, double step_s) const {
     for (std::size_t i = 0; i < 5; ++i)
         sum += weight[i] / 9.0 * at(t + (static_cast<double>(i) - 2.0) * step_s);
     return sum;
+}
+
+Result<void> checkStep(double step_s, const std::string& name, std::string mend) {
+    constexpr double shortest_s = 1e-4, longest_s = 1.0;
+    if (step_s >= shortest_s && step_s <= longest_s) return {};
+    return fail(name,
+                fmt::format("found lines that stand {:.4g} s apart, expected {:g} to {:g} s", step_s,
+                            shortest_s, longest_s),
+                std::move(mend));
 }
 
 Result<std::size_t> framesOver(const std::vector<double>& times_s, double step_s, const std::string& name,

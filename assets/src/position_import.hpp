@@ -33,6 +33,10 @@ struct PositionRecording {
     std::vector<std::string> remarks{};
 };
 
+/// Fails where lines stand less than 0.1 ms or more than 1 s apart on the whole: no recording does. `mend`:
+/// what may help.
+[[nodiscard]] Result<void> checkStep(double step_s, const std::string& name, std::string mend);
+
 /// Frames from the first to the last of so many lines, at steps of `step_s`. Fails where that is more than
 /// ten times the lines and a thousand: gaps would be filled with motion that nobody recorded. Adds a remark
 /// where a gap of more than half a second is bridged.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace deixis::motion {
 
@@ -63,11 +64,26 @@ LocalPose sample(const Clip& clip, double time_s) {
     return out;
 }
 
-Clip resample(const Clip& clip, double frame_time_s) {
+Result<Clip> resample(const Clip& clip, double frame_time_s) {
+    constexpr double most_poses = 2e7;
+    const double frames = std::floor(clip.duration_s() / frame_time_s + 1e-6) + 1.0;
+    if (!(frames * clip.skeleton.size() <= most_poses)) {
+        const auto whole = [](double number) {
+            std::string text = std::to_string(number);
+            return text.substr(0, text.find('.'));
+        };
+        return fail("",
+                    "found a clip of " + whole(clip.duration_s()) + " s, which at " +
+                        whole(1.0 / frame_time_s) + " frames a second has " + whole(frames) + " frames of " +
+                        std::to_string(clip.skeleton.size()) + " joints, expected at most " +
+                        whole(std::floor(most_poses / clip.skeleton.size())) + " frames",
+                    "Is the clip's frame rate right? Else give a lower number of frames a second, or cut the "
+                    "clip first");
+    }
     Clip out;
     out.skeleton = clip.skeleton;
     out.frame_time_s = frame_time_s;
-    const int count = static_cast<int>(std::floor(clip.duration_s() / frame_time_s + 1e-6)) + 1;
+    const int count = static_cast<int>(frames);
     out.frames.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) out.frames.push_back(sample(clip, i * frame_time_s));
     return out;

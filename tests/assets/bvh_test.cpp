@@ -149,7 +149,7 @@ TEST_SUITE("assets/bvh_read") {
         CHECK(contains(errorOf(smallFile("7 Zrotation", head)), "expected 0 to 6"));
         CHECK(contains(errorOf(smallFile(three, "Frames: 0\nFrame Time: 0.1\n")), "f.bvh:18"));
         CHECK(contains(errorOf(smallFile(three, "Frames: 2\nFrame Time: 0\n" + line + line)),
-                       "f.bvh:19: found frame time '0', expected seconds above 0"));
+                       "f.bvh:19: found frame time '0', expected seconds from 0.0001 to 1"));
         CHECK(
             contains(errorOf("HIERARCHY\nROOT a\nOFFSET 0 0 0\n"), "f.bvh:3: found 'OFFSET', expected '{'"));
         CHECK(contains(errorOf("HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nMOTION\n"),

@@ -137,7 +137,8 @@ TEST_SUITE("assets/kinect") {
         };
         CHECK(contains(kinectError(""), "k.csv: found no lines"));
         CHECK(contains(kinectError(good + "1,2,3\n"), "k.csv:2: found 3 columns, expected 101"));
-        CHECK(contains(kinectError(good + "hello\n"), "k.csv:2: found no finite number in column 1"));
+        CHECK(contains(kinectError(good + "hello\n"),
+                       "k.csv:2: found 'hello' in column 1, expected a finite number"));
         CHECK(contains(kinectError("5,nan" + good.substr(good.find(',', 12)) + "\n"), "column 2"));
         CHECK(contains(kinectError(line(1, p) + good), "k.csv:2: found a time that is not after"));
         CHECK(contains(kinectError(good + line(1e5, p)), "found 2 lines spread over 100000 s, gaps of time"));

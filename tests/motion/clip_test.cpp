@@ -45,19 +45,30 @@ TEST_SUITE("motion/clip") {
     }
 
     TEST_CASE("A resampled clip has the length and the poses of the old one") {
-        const auto clip = motion::resample(twoSteps(), 0.2);
+        const auto clip = motion::resample(twoSteps(), 0.2).value();
         CHECK(clip.frameCount() == 6);
         CHECK(clip.duration_s() == Approx(1.0));
         for (int f = 0; f < 6; ++f)
             CHECK(clip.frames[static_cast<std::size_t>(f)].joints[0].position.x == Approx(0.4 * f));
-        CHECK(motion::resample(twoSteps(), 0.3).frameCount() == 4);  // 0, 0.3, 0.6, 0.9 s
+        CHECK(motion::resample(twoSteps(), 0.3)->frameCount() == 4);  // 0, 0.3, 0.6, 0.9 s
     }
 
     TEST_CASE("Resampling at the clip's own rate changes nothing") {
         const auto clip = twoSteps();
-        const auto same = motion::resample(clip, clip.frame_time_s);
+        const auto same = motion::resample(clip, clip.frame_time_s).value();
         REQUIRE(same.frameCount() == 3);
         for (std::size_t f = 0; f < 3; ++f)
             CHECK(same.frames[f].joints[0].orientation == clip.frames[f].joints[0].orientation);
+    }
+
+    TEST_CASE("A clip of hours is not resampled to more than memory holds, however high the rate") {
+        auto clip = twoSteps();
+        clip.frame_time_s = 33.3;
+        for (const double frame_time_s : {1e-9, 1e-300, 1e-6}) {
+            const auto many = motion::resample(clip, frame_time_s);
+            REQUIRE_FALSE(many.has_value());
+            CHECK(many.error().message.find("found a clip of 66 s") != std::string::npos);
+        }
+        CHECK(motion::resample(clip, 0.1)->frameCount() == 667);
     }
 }

@@ -117,7 +117,7 @@ TEST_SUITE("motion/pointing_measures") {
     TEST_CASE("the same movement at four times the frame rate measures nearly the same") {
         const auto clip = generated("direct", target);
         const PointingMeasures a = measured(clip.clip, target);
-        const PointingMeasures b = measured(resample(clip.clip, 1.0 / 120.0), target);
+        const PointingMeasures b = measured(resample(clip.clip, 1.0 / 120.0).value(), target);
         CHECK(b.hold_s == Approx(a.hold_s).epsilon(0.1));
         CHECK(b.phases.peak_speed_mps == Approx(a.phases.peak_speed_mps).epsilon(0.02));
         CHECK(errorDegrees(b, PointingRay::forearm) ==

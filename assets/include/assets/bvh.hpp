@@ -17,6 +17,8 @@ struct BvhOptions {
     /// Metres per file unit; none: detected from the figure's size (m, cm, inch, decimetre, cgspeed's 5.64
     /// cm).
     std::optional<double> metres_per_unit{};
+    /// Frames a second, above 0; none: as the file says. What it says is then not looked at.
+    std::optional<double> fps{};
 };
 
 struct BvhFile {
