@@ -89,8 +89,7 @@ Result<ChoicesMade> choicesMade(const FitArguments& options, motion::PointingRay
     results::Recording all{games->front().study_title, games->front().study_source, "the participants", {}};
     for (const results::Recording& recording : *games)
         all.answers.insert(all.answers.end(), recording.answers.begin(), recording.answers.end());
-    const auto avatar =
-        options.avatar.empty() ? recordedAvatar(all, options.database) : assets::loadAvatar(options.avatar);
+    const auto avatar = recordedAvatar(all, options.database, options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     const auto clips = RecordedClips::load(*records, *avatar, options.stimuli);
     if (!clips) return tl::unexpected(clips.error());

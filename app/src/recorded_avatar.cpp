@@ -35,7 +35,10 @@ std::vector<fs::path> placesOf(const fs::path& named, const fs::path& database) 
 
 }  // namespace
 
-Result<assets::Avatar> recordedAvatar(const results::Recording& recording, const fs::path& database) {
+Result<assets::Avatar> recordedAvatar(const results::Recording& recording, const fs::path& database,
+                                      const fs::path& instead) {
+    const assets::AvatarOptions size{studies::avatarHeightIn(recording.study_source)};
+    if (!instead.empty()) return assets::loadAvatar(instead, size);
     std::set<std::string> hashes;
     for (const results::RecordedAnswer& answer : recording.answers) hashes.insert(answer.avatar_hash);
     const std::string named = studies::avatarNamedIn(recording.study_source);
@@ -53,7 +56,7 @@ Result<assets::Avatar> recordedAvatar(const results::Recording& recording, const
             found += fmt::format("{} is not there", place.string());
             continue;
         }
-        auto avatar = assets::loadAvatar(place);
+        auto avatar = assets::loadAvatar(place, size);
         if (avatar && avatar->content_hash == *hashes.begin()) return avatar;
         found += avatar ? fmt::format("{} is another one (SHA-256 {})", place.string(), avatar->content_hash)
                         : avatar.error().text();

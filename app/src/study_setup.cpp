@@ -104,12 +104,13 @@ Result<assets::Avatar> loadShippedAvatar() {
     return assets::loadAvatar(assets::dataFile("avatar.glb"));
 }
 
-Result<assets::Avatar> loadAvatarOrShipped(const std::filesystem::path& file) {
-    return file.empty() ? loadShippedAvatar() : assets::loadAvatar(file);
+Result<assets::Avatar> loadAvatarOrShipped(const std::filesystem::path& file,
+                                           const assets::AvatarOptions& options) {
+    return file.empty() ? loadShippedAvatar() : assets::loadAvatar(file, options);
 }
 
 Result<assets::Avatar> loadStudyAvatar(const studies::Study& study) {
-    auto avatar = loadAvatarOrShipped(study.avatar);
+    auto avatar = loadAvatarOrShipped(study.avatar, {study.avatar_height_m});
     if (!avatar) {
         Error error = avatar.error();
         error.where = study.file.string() + ": study.avatar: " + error.where;

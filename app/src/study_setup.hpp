@@ -29,7 +29,8 @@ struct StudySetup {
 [[nodiscard]] Result<assets::Avatar> loadShippedAvatar();
 
 /// The avatar in the file; where none is named, the product's own.
-[[nodiscard]] Result<assets::Avatar> loadAvatarOrShipped(const std::filesystem::path& file);
+[[nodiscard]] Result<assets::Avatar> loadAvatarOrShipped(const std::filesystem::path& file,
+                                                         const assets::AvatarOptions& options = {});
 
 /// The one that the study shows. Errors name the study's key.
 [[nodiscard]] Result<assets::Avatar> loadStudyAvatar(const studies::Study& study);

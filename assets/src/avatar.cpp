@@ -10,10 +10,12 @@
 #include <optional>
 #include <set>
 
+#include "assets/humanoid_file.hpp"
 #include "avatar_file.hpp"
 #include "avatar_mesh.hpp"
 #include "avatar_nodes.hpp"
 #include "avatar_rig.hpp"
+#include "core/hash.hpp"
 
 namespace deixis::assets {
 
@@ -25,8 +27,13 @@ using motion::Bone;
 class Assembler {
   public:
     Assembler(const tinygltf::Model& model, const NodeTree& tree, Rig rig, FigureMesh mesh,
-              const std::string& file, std::vector<std::string> remarks)
-        : model_(model), tree_(tree), rig_(std::move(rig)), mesh_(std::move(mesh)), file_(file) {
+              const std::string& file, std::optional<double> height_m, std::vector<std::string> remarks)
+        : model_(model),
+          tree_(tree),
+          rig_(std::move(rig)),
+          mesh_(std::move(mesh)),
+          file_(file),
+          height_m_(height_m) {
         avatar_.remarks = std::move(remarks);
     }
 
@@ -34,7 +41,7 @@ class Assembler {
         if (!isFinite())
             return fail(file_, "its nodes' scales and places give points that are not finite",
                         "Export the file anew");
-        toMetres();
+        if (auto sized = toMetres(); !sized) return tl::unexpected(sized.error());
         toFloor();
         chooseJoints();
         makeSkeleton();
@@ -96,25 +103,59 @@ class Assembler {
         return {low, high};
     }
 
-    /// glTF is in metres, but not all exporters know. Only what is no person's or child's height is scaled.
-    void toMetres() {
-        constexpr double shortest_m = 0.4, tallest_m = 3.2, usual_m = 1.7;
+    /// The height that a person asks for. Without: glTF is in metres, but not all exporters know; what is no
+    /// figure's height is scaled by a usual unit. Fails where it is then not as tall as people are.
+    Result<void> toMetres() {
         const auto [low, high] = extent();
         const double height = high - low;
-        if (height >= shortest_m && height <= tallest_m) return;
+        const std::string mend = fmt::format(
+            "Say how tall it is to be: avatar_height_m = 1.7 under [study], or height_m = 1.7 in {}",
+            humanoidFileOf(file_).string());
+        if (!(height > 1e-9 && height < 1e9))
+            return fail(file_,
+                        fmt::format("stands {:.4g} units tall, expected a figure with a height", height),
+                        "Export the file anew");
+        const double unit = height_m_ ? *height_m_ / height : likelyUnit(height);
+        const double height_m = height * unit;
+        if (!height_m_ && !(height_m >= shortest_avatar_m && height_m <= tallest_avatar_m))
+            return fail(file_,
+                        unit == 1.0
+                            ? fmt::format("stands {:.2f} m tall, expected {:g} to {:g} m, as people do",
+                                          height_m, shortest_avatar_m, tallest_avatar_m)
+                            : fmt::format("stands {:.4g} units tall, which in no usual unit are {:g} to {:g} "
+                                          "m, as people are",
+                                          height, shortest_avatar_m, tallest_avatar_m),
+                        mend);
+        if (unit == 1.0) return {};
+        scale(unit);
+        constexpr double near_m = 1e-3;
+        if (const auto [low_m, high_m] = extent(); !(std::abs(high_m - low_m - height_m) < near_m))
+            return fail(file_, "its mesh is bound so far from its joints that rounding moves it",
+                        "Export the file anew, with its mesh near its armature");
+        avatar_.remarks.push_back(
+            height_m_ ? fmt::format("{:.4g} units high: scaled to {:.2f} m, as asked for", height, height_m)
+                      : fmt::format("{:.4g} units high: scaled by {:g} to {:.2f} m", height, unit, height_m));
+        return {};
+    }
+
+    [[nodiscard]] static double likelyUnit(double height) {
+        constexpr double shortest_m = 0.4, tallest_m = 3.2, usual_m = 1.7;
         double best = 1.0;
+        if (height >= shortest_m && height <= tallest_m) return best;
         for (const double unit : {1e-4, 1e-3, 1e-2, 0.0254, 0.1, 10.0, 1e2, 1e3})
             if (std::abs(std::log(height * unit / usual_m)) < std::abs(std::log(height * best / usual_m)))
                 best = unit;
-        unit_ = best;
+        return best;
+    }
+
+    void scale(double unit) {
+        unit_ = unit;
         for (RigJoint& joint : rig_.joints) {
-            joint.rest *= best;
-            joint.placed *= best;
+            joint.rest *= unit;
+            joint.placed *= unit;
         }
-        for (BindSlot& slot : mesh_.slots) slot.rest_from_bind.position *= best;
-        for (SkinnedVertex& v : mesh_.vertices) v.position *= static_cast<float>(best);
-        avatar_.remarks.push_back(
-            fmt::format("{:.4g} units high: scaled by {:g} to {:.2f} m", height, best, height * best));
+        for (BindSlot& slot : mesh_.slots) slot.rest_from_bind.position *= unit;
+        for (SkinnedVertex& v : mesh_.vertices) v.position *= static_cast<float>(unit);
     }
 
     /// Soles on the floor, hips over the origin.
@@ -318,6 +359,7 @@ class Assembler {
     Rig rig_;
     FigureMesh mesh_;
     const std::string& file_;
+    std::optional<double> height_m_;  ///< as asked for
     std::vector<bool> slot_used_, kept_;
     std::vector<int> skeleton_joint_;  ///< of each joint of the rig; -1 where it is left out
     std::vector<Vec3> origin_;         ///< where the skeleton has each joint of the rig in the T pose
@@ -325,24 +367,44 @@ class Assembler {
     Avatar avatar_;
 };
 
-}  // namespace
-
-Result<Avatar> loadAvatar(const std::filesystem::path& path) {
-    const auto read = readAvatarFile(path);
-    if (!read) return tl::unexpected(read.error());
-    const std::string file = path.string();
-    const auto tree = readNodes(read->model, file);
+/// `said`: by a person, in the file beside the avatar's; or null.
+Result<Avatar> avatarOf(const AvatarFile& read, const std::string& file, const HumanoidWords* said,
+                        const AvatarOptions& options) {
+    const auto tree = readNodes(read.model, file);
     if (!tree) return tl::unexpected(tree.error());
     std::vector<std::string> remarks;
-    auto rig = readRig(read->model, *tree, file, remarks);
+    auto rig = readRig(read.model, *tree, file, said, remarks);
     if (!rig) return tl::unexpected(rig.error());
     turnToTPose(*rig, remarks);
-    auto mesh = readFigureMesh(read->model, *tree, *rig, file, remarks);
+    auto mesh = readFigureMesh(read.model, *tree, *rig, file, remarks);
     if (!mesh) return tl::unexpected(mesh.error());
+    const auto height_m = options.height_m ? options.height_m : said ? said->height_m : std::nullopt;
     auto avatar =
-        Assembler(read->model, *tree, std::move(*rig), std::move(*mesh), file, std::move(remarks)).run();
-    if (avatar) avatar->content_hash = read->content_hash;
+        Assembler(read.model, *tree, std::move(*rig), std::move(*mesh), file, height_m, std::move(remarks))
+            .run();
+    if (!avatar) return avatar;
+    avatar->content_hash = read.content_hash;
+    if (said != nullptr) avatar->content_hash = sha256Hex(avatar->content_hash + sha256Hex(said->text));
+    if (options.height_m)
+        avatar->content_hash =
+            sha256Hex(fmt::format("{}, {:.17g} m", avatar->content_hash, *options.height_m));
     return avatar;
+}
+
+}  // namespace
+
+Result<Avatar> loadAvatar(const std::filesystem::path& path, const AvatarOptions& options) {
+    const auto read = readAvatarFile(path);
+    if (!read) return tl::unexpected(read.error());
+    const auto said = humanoidWordsBeside(path);
+    if (!said) return tl::unexpected(said.error());
+    return avatarOf(*read, path.string(), *said ? &**said : nullptr, options);
+}
+
+Result<Avatar> readAvatar(std::string_view bytes, const std::string& name, const AvatarOptions& options) {
+    const auto read = readAvatarBytes(bytes, name, std::nullopt);
+    if (!read) return tl::unexpected(read.error());
+    return avatarOf(*read, name, nullptr, options);
 }
 
 }  // namespace deixis::assets

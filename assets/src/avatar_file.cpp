@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// What reading the files beside the glTF needs and finds out.
 struct Beside {
-    fs::path folder;
+    std::optional<fs::path> folder;
     std::string problem;  ///< the first
     std::string hashes;   ///< of the files read, in their order
 
@@ -28,10 +28,11 @@ struct Beside {
         const auto leaves = [](const fs::path& relative) {
             return relative.empty() || relative.is_absolute() || *relative.begin() == "..";
         };
-        if (leaves(file.lexically_normal().lexically_relative(folder.lexically_normal()))) return false;
+        if (!folder || leaves(file.lexically_normal().lexically_relative(folder->lexically_normal())))
+            return false;
         std::error_code code;
         const fs::path real = fs::weakly_canonical(file, code);
-        return !code && !leaves(real.lexically_relative(fs::weakly_canonical(folder, code)));
+        return !code && !leaves(real.lexically_relative(fs::weakly_canonical(*folder, code)));
     }
 
     void note(std::string text) {
@@ -160,18 +161,23 @@ Result<void> checkUris(std::string_view json, const std::string& file) {
 Result<AvatarFile> readAvatarFile(const fs::path& path) {
     const auto bytes = readFile(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    const std::string file = path.string();
-    const bool binary = bytes->compare(0, 4, "glTF") == 0;
-    const auto first = bytes->find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-    if (!binary && (first == std::string::npos || (*bytes)[first] != '{'))
+    return readAvatarBytes(*bytes, path.string(),
+                           path.has_parent_path() ? path.parent_path() : fs::path("."));
+}
+
+Result<AvatarFile> readAvatarBytes(std::string_view bytes, const std::string& file,
+                                   const std::optional<fs::path>& folder) {
+    const bool binary = bytes.starts_with("glTF");
+    const auto first = bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    if (!binary && (first == std::string_view::npos || bytes[first] != '{'))
         return fail(file, "not a glTF binary, which starts with the letters glTF, nor glTF's JSON",
                     "Export the avatar as .glb, .vrm or .gltf");
-    if (bytes->size() > std::numeric_limits<std::int32_t>::max())
+    if (bytes.size() > std::numeric_limits<std::int32_t>::max())
         return fail(file, "larger than 2 GiB, expected a figure");
-    if (auto good = checkUris(jsonOf(*bytes), file); !good) return tl::unexpected(good.error());
+    if (auto good = checkUris(jsonOf(bytes), file); !good) return tl::unexpected(good.error());
 
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     Beside beside{folder, {}, {}};
+    const std::string base = folder ? folder->string() : std::string();
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keepImage, nullptr);
     loader.SetFsCallbacks(besideCallbacks<tinygltf::FsCallbacks>(beside));
@@ -179,13 +185,12 @@ Result<AvatarFile> readAvatarFile(const fs::path& path) {
     std::string problem, warning;
     const char* kind = binary ? "glTF binary" : "glTF file";
     try {
-        const auto size = static_cast<unsigned int>(bytes->size());
+        const auto size = static_cast<unsigned int>(bytes.size());
         const bool loaded =
             binary ? loader.LoadBinaryFromMemory(&out.model, &problem, &warning,
-                                                 reinterpret_cast<const unsigned char*>(bytes->data()), size,
-                                                 folder.string())
-                   : loader.LoadASCIIFromString(&out.model, &problem, &warning, bytes->data(), size,
-                                                folder.string());
+                                                 reinterpret_cast<const unsigned char*>(bytes.data()), size,
+                                                 base)
+                   : loader.LoadASCIIFromString(&out.model, &problem, &warning, bytes.data(), size, base);
         if (!beside.problem.empty())
             return fail(file, beside.problem, "Keep the files that belong together in one folder");
         if (!loaded)
@@ -198,8 +203,7 @@ Result<AvatarFile> readAvatarFile(const fs::path& path) {
         if (std::find(known_extensions.begin(), known_extensions.end(), extension) == known_extensions.end())
             return fail(file, fmt::format("needs the extension {}, which is not read", extension),
                         "Export without compression, and with PNG or JPEG textures");
-    out.content_hash =
-        beside.hashes.empty() ? sha256Hex(*bytes) : sha256Hex(sha256Hex(*bytes) + beside.hashes);
+    out.content_hash = beside.hashes.empty() ? sha256Hex(bytes) : sha256Hex(sha256Hex(bytes) + beside.hashes);
     return out;
 }
 

@@ -4,7 +4,9 @@
 #include <tiny_gltf.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/error.hpp"
 
@@ -17,5 +19,8 @@ struct AvatarFile {
 
 /// GLB or glTF JSON, told apart by the first bytes. Only files in the folder of `path` and below are opened.
 [[nodiscard]] Result<AvatarFile> readAvatarFile(const std::filesystem::path& path);
+/// The same from bytes; `file` stands for it in errors. Without a folder, no other files are opened.
+[[nodiscard]] Result<AvatarFile> readAvatarBytes(std::string_view bytes, const std::string& file,
+                                                 const std::optional<std::filesystem::path>& folder);
 
 }  // namespace deixis::assets

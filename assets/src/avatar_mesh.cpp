@@ -120,7 +120,13 @@ class FigureReader {
         } else {
             const int joint = rig_.joint_of_node[node];
             if (!followsHips(joint)) {
-                once_.insert(fmt::format("the mesh \"{}\" follows no joint: left out", mesh.name));
+                const int hips = rig_.humanoid[motion::Bone::hips];
+                once_.insert(
+                    fmt::format("the mesh of node \"{}\" hangs on no joint from \"{}\", which plays hips, "
+                                "downwards: left "
+                                "out. Where another joint is the hips, say so in {}",
+                                n.name, rig_.joints[static_cast<std::size_t>(hips)].name,
+                                humanoidFileOf(file_).filename().string()));
                 return {};
             }
             binding.joints = {joint};

@@ -23,8 +23,9 @@ constexpr std::size_t most_joints_in_file = 4096;
 
 class RigReader {
   public:
-    RigReader(const tinygltf::Model& model, const NodeTree& tree, const std::string& file)
-        : model_(model), tree_(tree), file_(file) {}
+    RigReader(const tinygltf::Model& model, const NodeTree& tree, const std::string& file,
+              const HumanoidWords* said)
+        : model_(model), tree_(tree), file_(file), said_(said) {}
 
     Result<Rig> run(std::vector<std::string>& remarks) {
         auto vrm = vrmHumanoid(model_, file_);
@@ -35,19 +36,23 @@ class RigReader {
             for (const int node : **vrm)
                 if (node >= 0) nodes->push_back(node);
         if (auto made = makeJoints(*nodes); !made) return tl::unexpected(made.error());
-        findHumanoid(*vrm);
-        if (!missingBones(rig_.humanoid).empty() && !*vrm) {
+        auto found = findHumanoid(*vrm);
+        if ((!found || !missingBones(rig_.humanoid).empty()) && (!*vrm || said_ != nullptr)) {
             // Figures of rigid parts have no skin, and some skins leave bones out that nothing hangs on.
             std::vector<int> all = *nodes;
             for (std::size_t i = 0; i < model_.nodes.size(); ++i)
                 if (tree_.drawn[i]) all.push_back(static_cast<int>(i));
             if (auto made = makeJoints(all); !made) return tl::unexpected(made.error());
-            findHumanoid(*vrm);
+            found = findHumanoid(*vrm);
         }
+        if (!found) return tl::unexpected(found.error());
         if (const auto missing = missingBones(rig_.humanoid); !missing.empty())
-            return fail(
-                file_, fmt::format("no joint was found for {}, expected the bones of a humanoid", missing),
-                "Name the joints as VRM, Mixamo or another common rig does, or save the figure as VRM");
+            return fail(file_,
+                        fmt::format("no joint was found for {}, expected the bones of a humanoid", missing),
+                        "Name the joints as VRM, Mixamo or another common rig does, save the figure as VRM, "
+                        "or " +
+                            wordFile());
+        if (said_ != nullptr && !said_->words.empty()) remarks.push_back("bones as " + said_->file + " says");
         if (auto hung = hangBones(remarks); !hung) return tl::unexpected(hung.error());
         if (auto turned = faceForward(remarks); !turned) return tl::unexpected(turned.error());
         return std::move(rig_);
@@ -122,14 +127,23 @@ class RigReader {
         return -1;
     }
 
-    void findHumanoid(const std::optional<BoneNodes>& vrm) {
+    /// What helps where a joint was taken for a wrong bone.
+    [[nodiscard]] std::string wordFile() const {
+        return fmt::format("say in {} which joint plays which bone", humanoidFileOf(file_).string());
+    }
+    [[nodiscard]] std::string played(Bone bone) const {
+        return fmt::format("{} (\"{}\")", motion::boneName(bone),
+                           rig_.joints[static_cast<std::size_t>(rig_.humanoid[bone])].name);
+    }
+
+    /// Fails where a person names a joint that is not there.
+    Result<void> findHumanoid(const std::optional<BoneNodes>& vrm) {
         rig_.humanoid = motion::HumanoidMap{};
-        if (vrm) {
+        if (vrm)
             for (std::size_t b = 0; b < motion::bone_count; ++b)
                 if ((*vrm)[b] >= 0)
                     rig_.humanoid.joint[b] = rig_.joint_of_node[static_cast<std::size_t>((*vrm)[b])];
-            return;
-        }
+        if (vrm && said_ == nullptr) return {};
         // The finder wants a skeleton: parents first, names that differ.
         std::vector<int> order(rig_.joints.size());
         std::iota(order.begin(), order.end(), 0);
@@ -158,9 +172,17 @@ class RigReader {
             made.rest.position = joint(j).rest - (parent < 0 ? Vec3(0.0) : joint(parent).rest);
             skeleton.joints.push_back(std::move(made));
         }
-        const motion::HumanoidMap found = humanoidByNames(skeleton);
+        motion::HumanoidMapping found;
+        if (!vrm) found.map = humanoidByNames(skeleton);
+        for (std::size_t b = 0; b < motion::bone_count && vrm; ++b)
+            if (const int joint_of_rig = rig_.humanoid.joint[b]; joint_of_rig >= 0)
+                found.map.joint[b] = place[static_cast<std::size_t>(joint_of_rig)];
+        if (said_ != nullptr)
+            if (auto applied = applyHumanoidWords(*said_, skeleton, found); !applied) return applied;
         for (std::size_t b = 0; b < motion::bone_count; ++b)
-            if (found.joint[b] >= 0) rig_.humanoid.joint[b] = order[static_cast<std::size_t>(found.joint[b])];
+            rig_.humanoid.joint[b] =
+                found.map.joint[b] < 0 ? -1 : order[static_cast<std::size_t>(found.map.joint[b])];
+        return {};
     }
 
     [[nodiscard]] bool isAbove(int above, int below) const {
@@ -185,7 +207,7 @@ class RigReader {
                             fmt::format("the joint \"{}\" plays {} but stands above \"{}\", which plays {}",
                                         joint(own).name, motion::boneName(bone), joint(upper).name,
                                         motion::boneName(*above)),
-                            "Name the joints as VRM, Mixamo or another common rig does");
+                            "Name the joints as VRM, Mixamo or another common rig does, or " + wordFile());
             joint(own).parent = upper;
             remarks.push_back(
                 fmt::format("the joint \"{}\" was hung on \"{}\"", joint(own).name, joint(upper).name));
@@ -200,7 +222,10 @@ class RigReader {
             (boneAt(leftUpperLeg) - boneAt(rightUpperLeg)) + (boneAt(leftUpperArm) - boneAt(rightUpperArm));
         const double size = glm::length(rise);
         if (!(size > 0.0) || !std::isfinite(size))
-            return fail(file_, "the figure's hips and head are in one place, expected a figure that stands");
+            return fail(file_,
+                        fmt::format("{} and {} are in one place, expected a figure that stands", played(hips),
+                                    played(head)),
+                        "If other joints play these bones, " + wordFile());
         const auto nearestAxis = [](const Vec3& v) {
             int best = 0;
             for (int i = 1; i < 3; ++i)
@@ -213,7 +238,11 @@ class RigReader {
         Vec3 left = across - glm::dot(across, rises) * rises;
         if (!(glm::length(left) > 1e-6 * size))
             return fail(file_,
-                        "the figure's left and right limbs are in one place, expected a figure that stands");
+                        fmt::format("{} and {}, {} and {} are not apart to left and right, expected a figure "
+                                    "that stands",
+                                    played(leftUpperLeg), played(rightUpperLeg), played(leftUpperArm),
+                                    played(rightUpperArm)),
+                        "If other joints play these bones, " + wordFile());
         left = glm::normalize(left);
         constexpr double about_straight = 0.966;  // within 15 degrees, asymmetry rather than facing
         if (const Vec3 axis = nearestAxis(left); glm::dot(axis, left) > about_straight) left = axis;
@@ -228,6 +257,7 @@ class RigReader {
     const tinygltf::Model& model_;
     const NodeTree& tree_;
     const std::string& file_;
+    const HumanoidWords* said_;
     Rig rig_;
 };
 
@@ -341,8 +371,8 @@ void turnLeg(LimbTurner& limbs, bool left) {
 }  // namespace
 
 Result<Rig> readRig(const tinygltf::Model& model, const NodeTree& tree, const std::string& file,
-                    std::vector<std::string>& remarks) {
-    return RigReader(model, tree, file).run(remarks);
+                    const HumanoidWords* said, std::vector<std::string>& remarks) {
+    return RigReader(model, tree, file, said).run(remarks);
 }
 
 void turnToTPose(Rig& rig, std::vector<std::string>& remarks) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/humanoid_file.hpp"
 #include "avatar_nodes.hpp"
 #include "motion/humanoid.hpp"
 
@@ -27,10 +28,11 @@ struct Rig {
     Quat avatar_from_file = no_rotation;
 };
 
-/// Joints are those of the skins that are drawn and those that VRM's map names; where these make no humanoid,
-/// all nodes. Fails where no humanoid is found, naming the bones that lack. Remarks go to `remarks`.
+/// Joints are those of the skins that are drawn and those that VRM's map or a person (`said`, or null) names;
+/// where these make no humanoid, all nodes. Fails where no humanoid is found, naming the bones that lack.
+/// Remarks go to `remarks`.
 [[nodiscard]] Result<Rig> readRig(const tinygltf::Model& model, const NodeTree& tree, const std::string& file,
-                                  std::vector<std::string>& remarks);
+                                  const HumanoidWords* said, std::vector<std::string>& remarks);
 
 /// Turns the limbs to the T pose: arms along +-x with the palms down, legs down with the feet as they stood.
 void turnToTPose(Rig& rig, std::vector<std::string>& remarks);

@@ -49,12 +49,6 @@ std::vector<std::string_view> allBones() {
     return names;
 }
 
-/// Where the two words of a joint's bones were found, to tell of a joint named twice.
-struct Word {
-    std::string bone;
-    std::uint32_t line;
-};
-
 }  // namespace
 
 std::filesystem::path humanoidFileOf(const std::filesystem::path& clip) {
@@ -63,71 +57,91 @@ std::filesystem::path humanoidFileOf(const std::filesystem::path& clip) {
     return name.replace_extension(".humanoid.toml");
 }
 
-Result<void> applyHumanoidText(std::string_view text, const std::string& name,
-                               const motion::Skeleton& skeleton, motion::HumanoidMapping& mapping) {
+Result<HumanoidWords> parseHumanoidText(std::string_view text, const std::string& name) {
     toml::table table;
     try {
         table = toml::parse(text, name);
     } catch (const toml::parse_error& error) {
         return fail(fmt::format("{}:{}", name, error.source().begin.line), std::string(error.description()));
     }
-    std::vector<std::optional<Word>> words(skeleton.joints.size());
-    std::vector<std::string_view> joints;
-    for (const auto& joint : skeleton.joints) joints.push_back(joint.name);
+    HumanoidWords said{name};
+    said.text = text;
     for (const auto& [key, node] : table) {
-        const auto line = node.source().begin.line;
+        const auto line = static_cast<int>(node.source().begin.line);
         const std::string where = fmt::format("{}:{}: {}", name, line, key.str());
+        if (key.str() == "height_m") {
+            const auto height_m = node.value<double>();
+            if (!height_m || !(*height_m >= least_height_m && *height_m <= greatest_height_m))
+                return fail(where, fmt::format("expected an avatar's height from {:g} to {:g} metres",
+                                               least_height_m, greatest_height_m));
+            said.height_m = height_m;
+            continue;
+        }
         const auto bone = motion::boneFromName(key.str());
         if (!bone)
             return fail(where, "unknown bone, expected a bone of VRM 1.0, such as leftUpperArm",
                         proposal(key.str(), allBones()));
-        const auto joint_name = node.value_exact<std::string>();
-        if (!joint_name)
-            return fail(where, "found no text, expected a joint's name in quotes, or \"\" for none");
-        int joint = -1;
-        if (!joint_name->empty()) {
-            joint = skeleton.find(*joint_name);
-            if (joint < 0)
-                return fail(where,
-                            fmt::format("found \"{}\", expected one of the clip's {} joints", *joint_name,
-                                        joints.size()),
-                            proposal(*joint_name, joints));
-            auto& word = words[static_cast<std::size_t>(joint)];
-            if (word)
-                return fail(where,
-                            fmt::format("found \"{}\", which {} on line {} has already, expected a joint for "
-                                        "each bone",
-                                        *joint_name, word->bone, word->line));
-            word = Word{std::string(key.str()), line};
+        const auto joint = node.value_exact<std::string>();
+        if (!joint) return fail(where, "found no text, expected a joint's name in quotes, or \"\" for none");
+        const auto before = std::find_if(said.words.begin(), said.words.end(), [&](const auto& word) {
+            return !joint->empty() && word.joint == *joint;
+        });
+        if (before != said.words.end())
+            return fail(where,
+                        fmt::format("found \"{}\", which {} on line {} has already, expected a joint for "
+                                    "each bone",
+                                    *joint, motion::boneName(before->bone), before->line));
+        said.words.push_back({*bone, *joint, line});
+    }
+    return said;
+}
+
+Result<std::optional<HumanoidWords>> humanoidWordsBeside(const std::filesystem::path& clip) {
+    const auto file = humanoidFileOf(clip);
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(file, code)) return std::nullopt;
+    const auto text = readFile(file);
+    if (!text) return tl::unexpected(text.error());
+    auto said = parseHumanoidText(*text, file.string());
+    if (!said) return tl::unexpected(said.error());
+    return std::move(*said);
+}
+
+Result<void> applyHumanoidWords(const HumanoidWords& said, const motion::Skeleton& skeleton,
+                                motion::HumanoidMapping& mapping) {
+    for (const auto& word : said.words) {
+        const int joint = word.joint.empty() ? -1 : skeleton.find(word.joint);
+        if (!word.joint.empty() && joint < 0) {
+            std::vector<std::string_view> joints;
+            for (const auto& known : skeleton.joints) joints.push_back(known.name);
+            return fail(fmt::format("{}:{}: {}", said.file, word.line, motion::boneName(word.bone)),
+                        fmt::format("found \"{}\", expected one of the figure's {} joints", word.joint,
+                                    joints.size()),
+                        proposal(word.joint, joints));
         }
         for (std::size_t b = 0; b < motion::bone_count; ++b)  // whatever else the joint was taken for
             if (joint >= 0 && mapping.map.joint[b] == joint) {
                 mapping.map.joint[b] = -1;
                 mapping.found[b] = motion::FoundBy::nothing;
             }
-        mapping.map[*bone] = joint;
-        mapping.found[static_cast<std::size_t>(*bone)] =
+        mapping.map[word.bone] = joint;
+        mapping.found[static_cast<std::size_t>(word.bone)] =
             joint < 0 ? motion::FoundBy::nothing : motion::FoundBy::override_;
     }
     return {};
 }
 
-Result<void> applyHumanoidFile(const std::filesystem::path& file, const motion::Skeleton& skeleton,
-                               motion::HumanoidMapping& mapping) {
-    const auto text = readFile(file);
-    if (!text) return tl::unexpected(text.error());
-    return applyHumanoidText(*text, file.string(), skeleton, mapping);
-}
-
 Result<motion::HumanoidMapping> mapClip(const std::filesystem::path& clip, const motion::Skeleton& skeleton,
                                         const motion::HumanoidMap* given) {
+    const auto said = humanoidWordsBeside(clip);
+    if (!said) return tl::unexpected(said.error());
     auto mapping = motion::mapHumanoid(skeleton, given);
-    std::error_code code;
-    if (const auto file = humanoidFileOf(clip); std::filesystem::is_regular_file(file, code)) {
-        if (auto applied = applyHumanoidFile(file, skeleton, mapping); !applied)
-            return tl::unexpected(applied.error());
-        mapping.remarks.push_back("bones as " + file.string() + " says");
-    }
+    if (!*said) return mapping;
+    if (auto applied = applyHumanoidWords(**said, skeleton, mapping); !applied)
+        return tl::unexpected(applied.error());
+    mapping.remarks.push_back("bones as " + (*said)->file + " says");
+    if ((*said)->height_m)
+        mapping.remarks.emplace_back("its height_m is for avatars: a clip's size comes from its unit");
     return mapping;
 }
 

@@ -113,6 +113,10 @@ void readHead(TomlTable& table, const fs::path& folder, Study& study) {
     study.seed = static_cast<std::uint64_t>(table.whole("seed", 0, std::numeric_limits<std::int64_t>::max()));
     study.eye_height_m = table.number("eye_height_m", 0.5, 2.5, study.eye_height_m);
     if (table.has("avatar")) study.avatar = (folder / table.note("avatar")).lexically_normal();
+    if (table.has("avatar_height_m")) {
+        study.avatar_height_m = table.number("avatar_height_m", 0.3, 3.0);
+        if (study.avatar.empty()) table.refuse("avatar_height_m", "without an avatar of the study's own");
+    }
     study.inter_trial_s = table.number("inter_trial_s", 0.0, 60.0, study.inter_trial_s);
     constexpr std::string_view after_interruption[] = {"resume", "repeat"};
     study.after_interruption = static_cast<AfterInterruption>(

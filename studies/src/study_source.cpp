@@ -10,4 +10,10 @@ std::string avatarNamedIn(std::string_view source) {
     return (*table)["study"]["avatar"].value_or(std::string());
 }
 
+std::optional<double> avatarHeightIn(std::string_view source) {
+    const auto table = parseToml("", source);
+    if (!table) return std::nullopt;
+    return (*table)["study"]["avatar_height_m"].value<double>();
+}
+
 }  // namespace deixis::studies

@@ -84,9 +84,9 @@ constexpr auto stage_key_names = [] {
 constexpr std::string_view root_keys[] = {"study",   "texts",   "words",  "targets", "distances", "layouts",
                                           "systems", "between", "stages", "headset", "analysis"};
 constexpr std::string_view study_keys[] = {
-    "name",      "title",        "description",   "reference",          "seed",
-    "languages", "eye_height_m", "inter_trial_s", "after_interruption", "instructions_again_after_s",
-    "avatar",    "text_status"};
+    "name",      "title",           "description",   "reference",          "seed",
+    "languages", "eye_height_m",    "inter_trial_s", "after_interruption", "instructions_again_after_s",
+    "avatar",    "avatar_height_m", "text_status"};
 constexpr std::string_view targets_keys[] = {"count",        "height_m",      "arc_deg",        "radius_m",
                                              "fit_manifest", "from_manifest", "ball_diameter_m"};
 constexpr std::string_view distances_keys[] = {"name", "distance_m", "distractors"};

@@ -108,11 +108,43 @@ TEST_SUITE("app/study_avatar") {
             return;
         }
         const Scratch scratch;
-        spill(scratch / "study.toml", withAvatar(fs::weakly_canonical(figure).string()));
+        spill(scratch / "study.toml", replaced(withAvatar(fs::weakly_canonical(figure).string()), "[study]\n",
+                                               "[study]\navatar_height_m = 1.8\n"));
         const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
         const auto ran = program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
                                  (scratch / "s.sqlite") + " --stimuli " + stimuli);
         REQUIRE_MESSAGE(ran.status == 0, ran.err);
         CHECK(avatarHashes(scratch / "s.sqlite").size() == 64);
+    }
+
+    TEST_CASE("A robot of 4.56 m is refused until the study says how tall it is, and then replayed so") {
+        const fs::path robot = fs::path(DEIXIS_SHARED_DATA) / "repro/RobotExpressive.glb";
+        if (!fs::exists(robot)) {
+            MESSAGE("skipped: ", robot.string(), " is not here");
+            return;
+        }
+        const Scratch scratch;
+        spill(scratch / "robot.glb", slurp(robot));
+        spill(scratch / "study.toml", withAvatar("robot.glb"));
+        const auto refused = program("check " + (scratch / "study.toml"));
+        CHECK(refused.status == 1);
+        CHECK(refused.err.find("study.avatar: " + (scratch / "robot.glb") + ": stands 4.56 m tall") !=
+              std::string::npos);
+        CHECK(refused.err.find("has 1 problem") != std::string::npos);
+        spill(scratch / "study.toml",
+              replaced(withAvatar("robot.glb"), "[study]\n", "[study]\navatar_height_m = 1.7\n"));
+        const auto checked = program("check " + (scratch / "study.toml"));
+        CHECK_MESSAGE(checked.status == 0, checked.err);
+        CHECK(checked.out.find("scaled to 1.70 m, as asked for") != std::string::npos);
+        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const auto ran = program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
+                                 (scratch / "s.sqlite") + " --stimuli " + stimuli);
+        REQUIRE_MESSAGE(ran.status == 0, ran.err);
+        const auto replayed = program("replay " + (scratch / "s.sqlite") + " --participant S001 --choices");
+        CHECK_MESSAGE(replayed.status == 0, replayed.err);
+        spill(scratch / "study.toml",
+              replaced(shippedStudy(), "[study]\n", "[study]\navatar_height_m = 1.7\n"));
+        CHECK(program("check " + (scratch / "study.toml")).err.find("study.avatar_height_m") !=
+              std::string::npos);
     }
 }

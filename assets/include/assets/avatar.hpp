@@ -10,7 +10,9 @@
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -57,15 +59,30 @@ struct Avatar {
     std::vector<AvatarTexture> textures{};
     /// joint_from_bind of each skeleton joint (the inverse bind matrix as a rigid transform).
     std::vector<Pose> joint_from_bind;
-    double height_m = 0.0;               ///< of the mesh in the T pose
-    std::string content_hash;            ///< SHA-256 of the file, and of the files that it names
+    double height_m = 0.0;  ///< of the mesh in the T pose
+    /// SHA-256 of the file; of more where the figure hangs on more: files that it names, NAME.humanoid.toml,
+    /// the height asked for.
+    std::string content_hash;
     std::vector<std::string> remarks{};  ///< for people: what was adapted or left out
 };
 
-/// Reads .glb, .vrm (0.x and 1.0) and .gltf with the files beside it. Fails, naming the file, where it is not
-/// readable, where it is no humanoid (naming the bones that lack: hips, head, both arms to the hand, both
-/// legs to the foot), where it needs an extension that is not known here, and where a file that it names lies
-/// outside its folder.
-[[nodiscard]] Result<Avatar> loadAvatar(const std::filesystem::path& path);
+struct AvatarOptions {
+    /// Of the mesh in the T pose, to which the figure is scaled; none: as NAME.humanoid.toml says, else as
+    /// the file has it.
+    std::optional<double> height_m{};
+};
+
+/// As tall as people are: an avatar that is not, and of which nobody says how tall it is to be, is refused.
+constexpr double shortest_avatar_m = 1.2, tallest_avatar_m = 2.2;
+
+/// Reads .glb, .vrm (0.x and 1.0) and .gltf with the files beside it, its bones as NAME.humanoid.toml says
+/// where that is there (assets/humanoid_file.hpp). Fails, naming the file, where it is not readable, where it
+/// is no humanoid (naming the bones that lack: hips, head, both arms to the hand, both legs to the foot),
+/// where it needs an extension that is not known here, where a file that it names lies outside its folder,
+/// and where it is not as tall as people are.
+[[nodiscard]] Result<Avatar> loadAvatar(const std::filesystem::path& path, const AvatarOptions& options = {});
+/// The same from bytes, without other files; `name` stands for the file in errors.
+[[nodiscard]] Result<Avatar> readAvatar(std::string_view bytes, const std::string& name,
+                                        const AvatarOptions& options = {});
 
 }  // namespace deixis::assets

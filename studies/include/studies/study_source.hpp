@@ -1,6 +1,7 @@
 // What the text of a study file says, where the file itself and what it names may be gone.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -9,5 +10,8 @@ namespace deixis::studies {
 /// The avatar that the text names (`study.avatar`), as it stands there: relative to the folder of the study
 /// file, or absolute. Empty where it names none or is no study.
 [[nodiscard]] std::string avatarNamedIn(std::string_view source);
+
+/// How tall it is to be (`study.avatar_height_m`), metres; none where the text does not say.
+[[nodiscard]] std::optional<double> avatarHeightIn(std::string_view source);
 
 }  // namespace deixis::studies
