@@ -48,6 +48,10 @@ Result<void> list(const ParticipantsArguments& options) {
     }
     fmt::print("{} {}, {} withdrawn\n", found->rows.size(),
                found->rows.size() == 1 ? "participant" : "participants", found->withdrawn);
+    if (found->uncleared > 0)
+        fmt::print(
+            "A withdrawal was broken off: give 'deixis participants withdraw' with the same id again, to "
+            "clear the traces that free pages of the file still hold\n");
     return {};
 }
 
@@ -88,10 +92,14 @@ Result<void> withdraw(const ParticipantsArguments& options) {
     const double now_s =
         std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
     auto done = results::withdrawParticipant(options.database, options.participant, now_s);
-    if (done)
+    if (!done) return tl::unexpected(done.error());
+    if (*done == results::Withdrawn::erased)
         fmt::print("{} is withdrawn: everything kept in {} is erased, and counted as one withdrawal\n",
                    options.participant, options.database);
-    return done;
+    else
+        fmt::print("The withdrawal that was broken off is finished: nothing of the person is left in {}\n",
+                   options.database);
+    return {};
 }
 
 }  // namespace

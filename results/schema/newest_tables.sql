@@ -104,7 +104,8 @@ CREATE TABLE participant_fields (        -- age, gender, ...: the answers of sta
 CREATE TABLE withdrawals (               -- nothing of the person is left but that there was one
     id    INTEGER PRIMARY KEY,
     utc_s REAL NOT NULL,
-    token TEXT                           -- the participant's: copies elsewhere are erased by it; NULL before version 5
+    token TEXT,                          -- the participant's: copies elsewhere are erased by it; NULL before version 5
+    cleared INTEGER NOT NULL DEFAULT 1 CHECK (cleared IN (0, 1)) -- 0: free pages and log still hold traces
 ) STRICT;
 
 -- What was planned.

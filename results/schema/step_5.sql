@@ -20,7 +20,8 @@ CREATE TABLE locked_changes (
 CREATE TABLE withdrawals_of_5 (
     id    INTEGER PRIMARY KEY,
     utc_s REAL NOT NULL,
-    token TEXT
+    token TEXT,
+    cleared INTEGER NOT NULL DEFAULT 1 CHECK (cleared IN (0, 1))
 ) STRICT;
 INSERT INTO withdrawals_of_5 (id, utc_s) SELECT id, utc_s FROM withdrawals;
 DROP TABLE withdrawals;

@@ -15,13 +15,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool isThere(const fs::path& database, const char* suffix) {
+    fs::path file = database;
+    file += suffix;
+    std::error_code missing;
+    const auto size = fs::file_size(file, missing);
+    return !missing && size > 0;
+}
+
 /// A writer is, or was when it died, at work on the database: its latest answers stand in the log.
 bool hasLog(const fs::path& database) {
-    fs::path log = database;
-    log += "-wal";
-    std::error_code missing;
-    const auto size = fs::file_size(log, missing);
-    return !missing && size > 0;
+    return isThere(database, "-wal");
+}
+
+/// Likewise, in the mode that programs other than this one may have left the database in: a transaction that
+/// was broken off, or is under way, and what the pages held before. Whoever reads next undoes it.
+bool hasJournal(const fs::path& database) {
+    return isThere(database, "-journal");
 }
 
 std::string immutableUri(const fs::path& database) {
@@ -97,11 +107,12 @@ Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
     try {
         // Without a log the file is all there is. Read as immutable it needs no files beside it, and so no
         // permission to write.
-        const bool without_log = log == WithLog::where_there_is_one && !hasLog(path);
+        const bool without_log = log == WithLog::where_there_is_one && !hasLog(path) && !hasJournal(path);
+        const int flags = hasJournal(path) ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY;
         const auto written = fs::last_write_time(path, problem);
         SQLite::Database database =
             without_log ? SQLite::Database(immutableUri(path), SQLite::OPEN_READONLY | SQLite::OPEN_URI)
-                        : SQLite::Database(path.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+                        : SQLite::Database(path.string(), flags, busy_timeout_ms);
         const auto whose = identify(database, path);
         if (!whose) return tl::unexpected(whose.error());
         if (whose->version == 0)
@@ -109,8 +120,8 @@ Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
         if (whose->version < schema_version) {
             database = upToDateCopy(database);
             if (auto ready = migrateWhole(database, path); !ready) return tl::unexpected(ready.error());
-            database.exec("PRAGMA query_only = ON");
         }
+        database.exec("PRAGMA query_only = ON");
         return ReadOnlyDatabase(std::move(database), path, without_log, written);
     } catch (const SQLite::Exception& caught) {
         return tl::unexpected(describe(path, caught));
@@ -119,7 +130,8 @@ Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
 
 bool ReadOnlyDatabase::undisturbed() const {
     std::error_code problem;
-    return !without_log_ || (!hasLog(path_) && std::filesystem::last_write_time(path_, problem) == written_);
+    return !without_log_ || (!hasLog(path_) && !hasJournal(path_) &&
+                             std::filesystem::last_write_time(path_, problem) == written_);
 }
 
 }  // namespace deixis::results

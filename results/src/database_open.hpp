@@ -29,8 +29,9 @@ enum class WithLog : unsigned char {
     yes
 };
 
-/// A database opened only to be read, in the newest schema. Nothing in the file or beside it is changed: one
-/// of an older version is copied into memory and brought up to date there.
+/// A database opened only to be read, in the newest schema. Nothing in the file or beside it is changed, but
+/// that a transaction broken off is undone by its journal, which asks for permission to write: one of an
+/// older version is copied into memory and brought up to date there.
 class ReadOnlyDatabase {
   public:
     [[nodiscard]] SQLite::Database& operator*() { return database_; }

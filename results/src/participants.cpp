@@ -133,7 +133,9 @@ Result<void> setStatus(const std::filesystem::path& path, const std::string& par
 
 Result<ParticipantList> listParticipants(const std::filesystem::path& database) {
     return readDatabase(database, [](SQLite::Database& open) -> Result<ParticipantList> {
-        return ParticipantList{readRows(open), open.execAndGet("SELECT count(*) FROM withdrawals").getInt()};
+        return ParticipantList{
+            readRows(open), open.execAndGet("SELECT count(*) FROM withdrawals").getInt(),
+            open.execAndGet("SELECT count(*) FROM withdrawals WHERE cleared = 0").getInt()};
     });
 }
 

@@ -76,6 +76,7 @@ constexpr const char* back_to_4 =
     "ALTER TABLE responses DROP COLUMN viewer_x_m; ALTER TABLE responses DROP COLUMN viewer_z_m;"
     "ALTER TABLE responses DROP COLUMN viewer_heading_deg; ALTER TABLE responses DROP COLUMN hash;"
     "DROP TABLE locked_changes; ALTER TABLE withdrawals DROP COLUMN token;"
+    "ALTER TABLE withdrawals DROP COLUMN cleared;"
     "ALTER TABLE withdrawals ADD COLUMN participant_hash TEXT;";
 
 const Stations& stations() {

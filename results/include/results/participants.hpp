@@ -37,6 +37,7 @@ struct ParticipantDetails {
 struct ParticipantList {
     std::vector<ParticipantRow> rows;
     int withdrawn = 0;
+    int uncleared = 0;  ///< of `withdrawn`: broken off, free pages still hold traces
 };
 
 [[nodiscard]] Result<ParticipantList> listParticipants(const std::filesystem::path& database);
@@ -50,9 +51,14 @@ struct ParticipantList {
 /// Undoes it.
 [[nodiscard]] Result<void> includeParticipant(const std::filesystem::path& database,
                                               const std::string& participant);
+enum class Withdrawn : unsigned char {
+    erased,
+    finished  ///< there was no such participant, but a withdrawal broken off before: its traces are gone now
+};
 /// Erases every row, tracked frame and text of the person, also from free pages and the write-ahead log, and
-/// counts one withdrawal more. Fails while a session of the participant runs.
-[[nodiscard]] Result<void> withdrawParticipant(const std::filesystem::path& database,
-                                               const std::string& participant, double utc_s);
+/// counts one withdrawal more. Where that breaks off after the rows are erased (full disk, power cut), the
+/// next call goes on with the rest. Fails while a session of the participant runs.
+[[nodiscard]] Result<Withdrawn> withdrawParticipant(const std::filesystem::path& database,
+                                                    const std::string& participant, double utc_s);
 
 }  // namespace deixis::results
