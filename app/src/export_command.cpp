@@ -46,6 +46,7 @@ Result<void> merge(const MergeRequest& request) {
         return fail(request.output, "was not written: the databases cannot be joined");
     }
     fmt::print("{} databases joined: {}\n", databases.size(), request.output);
+    for (const std::string& id : merged->withdrawn) fmt::print("left out, since withdrawn: {}\n", id);
     return {};
 }
 

@@ -6,6 +6,7 @@
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
+#include "core/durable.hpp"
 #include "enrolment.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "recorders.hpp"
@@ -90,8 +91,7 @@ Result<void> simulate(const SimulateArguments& options) {
             answers += takePart(*setup, plan, *avatar, *stimuli, *parameters, *store);
         store->commit();
     }
-    fs::rename(partial, options.database, code);
-    if (code) return fail(options.database, "cannot be written: " + code.message());
+    if (auto moved = moveFile(partial, options.database); !moved) return moved;
     for (const char* suffix : {"-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
     fmt::print("{} simulated participants, {} answers: {}\n", options.participants, answers,
                options.database);

@@ -9,10 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "core/durable.hpp"
 #include "core/hash.hpp"
 #include "database_open.hpp"
 #include "results/data_export.hpp"
 #include "tables.hpp"
+#include "withdrawals.hpp"
 
 namespace deixis::results {
 
@@ -40,6 +42,8 @@ struct Source {
     std::string study_name;
     std::vector<std::string> participants;
     std::map<std::string, int> numbers;
+    std::map<std::string, std::optional<std::string>> tokens;
+    std::vector<Withdrawal> withdrawals;
     std::map<std::string, std::string> kept;  ///< by participant: a hash of all that is kept of them
 };
 
@@ -75,15 +79,29 @@ Result<Source> readSource(const fs::path& path) {
             return fail(path.string(), "the database holds no study yet", "Leave it out");
         source.study_name = study.getColumn(0).getString();
         source.study_hash = study.getColumn(1).getString();
-        Statement people(database, "SELECT id, number FROM participants ORDER BY id");
+        source.withdrawals = Withdrawals().addFrom(database);
+        Statement people(database, "SELECT id, number, token FROM participants ORDER BY id");
         while (people.executeStep()) {
             const std::string id = people.getColumn(0).getString();
             source.participants.push_back(id);
             source.numbers[id] = people.getColumn(1).getInt();
+            if (!people.getColumn(2).isNull()) source.tokens[id] = people.getColumn(2).getString();
             source.kept[id] = contentHash(database, id);
         }
         return source;
     });
+}
+
+// Leaves out whoever withdrew, in that database or another.
+std::vector<std::string> leaveOutWithdrawn(std::vector<Source>& sources, const Withdrawals& withdrawals) {
+    std::set<std::string> out;
+    for (Source& source : sources)
+        std::erase_if(source.participants, [&](const std::string& id) {
+            const bool withdrawn = withdrawals.include(source.tokens[id]);
+            if (withdrawn) out.insert(id);
+            return withdrawn;
+        });
+    return {out.begin(), out.end()};
 }
 
 // Everything for which the databases cannot be joined.
@@ -135,7 +153,6 @@ class Copier {
     void study() {
         for (const char* table : study_tables) copy({table, nullptr, nullptr, nullptr, "?1 = ?1", ""}, "");
     }
-    void withdrawals() { copy({"withdrawals", "id", nullptr, nullptr, "?1 = ?1", ""}, ""); }
     void participant(const std::string& id) {
         for (const PeopleTable& table : people_tables) copy(table, id);
     }
@@ -180,10 +197,25 @@ class Copier {
     std::map<long long, long long> responses_;
 };
 
-Result<void> writeJoined(const std::vector<Source>& sources, const fs::path& partial) {
+void writeWithdrawals(SQLite::Database& database, const Withdrawals& withdrawals) {
+    Statement insert(database, "INSERT INTO withdrawals (utc_s, token) VALUES (?, ?)");
+    for (const Withdrawal& one : withdrawals.all()) {
+        insert.bind(1, one.utc_s);
+        if (one.token)
+            insert.bind(2, *one.token);
+        else
+            insert.bind(2);
+        insert.exec();
+        insert.reset();
+    }
+}
+
+Result<void> writeJoined(const std::vector<Source>& sources, const Withdrawals& withdrawals,
+                         const fs::path& partial) {
     auto joined = openToWrite(partial, Missing::create);
     if (!joined) return tl::unexpected(joined.error());
     joined->exec("BEGIN");
+    writeWithdrawals(*joined, withdrawals);
     std::set<std::string> there;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         // It may be read a second time, where a session wrote to it meanwhile.
@@ -194,7 +226,6 @@ Result<void> writeJoined(const std::vector<Source>& sources, const fs::path& par
             there = before;
             Copier copier(from, *joined);
             if (i == 0) copier.study();
-            copier.withdrawals();
             for (const std::string& id : sources[i].participants)
                 if (there.insert(id).second) copier.participant(id);
             return 0;
@@ -209,13 +240,13 @@ Result<void> writeJoined(const std::vector<Source>& sources, const fs::path& par
 
 void removeDatabase(const fs::path& path) {
     std::error_code code;
-    for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(path.string() + suffix, code);
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(path.string() + suffix, code);
 }
 
 }  // namespace
 
-tl::expected<void, std::vector<Error>> mergeDatabases(const std::vector<fs::path>& databases,
-                                                      const fs::path& output) {
+tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<fs::path>& databases,
+                                                              const fs::path& output) {
     std::vector<Error> problems;
     std::error_code code;
     if (fs::exists(output, code))
@@ -229,6 +260,10 @@ tl::expected<void, std::vector<Error>> mergeDatabases(const std::vector<fs::path
         else
             sources.push_back(std::move(*source));
     }
+    Withdrawals withdrawals;
+    for (const Source& source : sources)
+        for (const Withdrawal& one : source.withdrawals) withdrawals.add(one);
+    MergeOutcome outcome{leaveOutWithdrawn(sources, withdrawals)};
     for (Error& clash : findClashes(sources)) problems.push_back(std::move(clash));
     if (!problems.empty()) return tl::unexpected(std::move(problems));
 
@@ -237,16 +272,13 @@ tl::expected<void, std::vector<Error>> mergeDatabases(const std::vector<fs::path
     removeDatabase(partial);
     Result<void> written = fail(partial.string(), "not written");
     try {
-        written = writeJoined(sources, partial);
+        written = writeJoined(sources, withdrawals, partial);
     } catch (...) {
         removeDatabase(partial);
         throw;
     }
-    if (written) {
-        fs::rename(partial, output, code);
-        if (!code) return {};
-        written = fail(output.string(), "cannot be written: " + code.message());
-    }
+    if (written) written = moveFile(partial, output);
+    if (written) return outcome;
     removeDatabase(partial);
     return tl::unexpected(std::vector<Error>{written.error()});
 }

@@ -1,14 +1,13 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <map>
-#include <set>
 
 #include "database_open.hpp"
 #include "push_people.hpp"
 #include "results/server.hpp"
 #include "server_schema.hpp"
 #include "tables.hpp"
+#include "withdrawals.hpp"
 
 namespace deixis::results {
 
@@ -19,20 +18,10 @@ using SQLite::Statement;
 /// Pushes wait for each other, whatever their study: "DXIS" in ASCII.
 constexpr const char* one_push_at_a_time = "SELECT pg_advisory_xact_lock(1146636627)";
 
-struct Withdrawal {
-    double utc_s = 0.0;
-    std::optional<std::string> token;  ///< none: withdrawn before version 5
-    auto operator<=>(const Withdrawal&) const = default;
-};
-
 struct Person {
     int number = 0;
     std::optional<std::string> token;
 };
-
-std::optional<std::string> textOrNone(const SQLite::Column& value) {
-    return value.isNull() ? std::nullopt : std::optional(value.getString());
-}
 
 /// One push of one file, within one transaction.
 class StudyPush {
@@ -59,7 +48,7 @@ class StudyPush {
         eraseWithdrawn();
         if (auto clash = checkNumbers(); !clash) return tl::unexpected(clash.error());
         for (const auto& [id, person] : inFile()) {
-            if (isWithdrawn(person))
+            if (withdrawals_.include(person.token))
                 outcome_.withdrawn.push_back(id);
             else if (auto done = people.push(id); !done)
                 return tl::unexpected(done.error());
@@ -71,8 +60,11 @@ class StudyPush {
     std::map<std::string, Person> inFile() {
         std::map<std::string, Person> out;
         Statement rows(file_, "SELECT id, number, token FROM participants");
-        while (rows.executeStep())
-            out[rows.getColumn(0).getString()] = {rows.getColumn(1).getInt(), textOrNone(rows.getColumn(2))};
+        while (rows.executeStep()) {
+            Person& person = out[rows.getColumn(0).getString()];
+            person.number = rows.getColumn(1).getInt();
+            if (!rows.getColumn(2).isNull()) person.token = rows.getColumn(2).getString();
+        }
         return out;
     }
 
@@ -84,31 +76,23 @@ class StudyPush {
         return out;
     }
 
-    /// Who begins anew after a withdrawal has another token.
-    bool isWithdrawn(const Person& person) const {
-        return std::any_of(withdrawals_.begin(), withdrawals_.end(),
-                           [&](const Withdrawal& one) { return one.token && one.token == person.token; });
-    }
-
     /// Those of all files together.
     void pushWithdrawals() {
         const pqxx::result there = server_.run("SELECT utc_s, token FROM withdrawals");
         for (int i = 0; i < static_cast<int>(there.size()); ++i)
-            withdrawals_.insert({std::stod(*textOf(there, i, 0)), textOf(there, i, 1)});
-        Statement rows(file_, "SELECT utc_s, token FROM withdrawals ORDER BY id");
-        while (rows.executeStep()) {
-            const Withdrawal one{rows.getColumn(0).getDouble(), textOrNone(rows.getColumn(1))};
-            if (!withdrawals_.insert(one).second) continue;
-            server_.run(fmt::format(
-                "INSERT INTO withdrawals SELECT coalesce(max(id), 0) + 1, {}, {} FROM withdrawals", one.utc_s,
-                one.token ? server_.quoted(*one.token) : "NULL"));
+            withdrawals_.add({std::stod(*textOf(there, i, 0)), textOf(there, i, 1)});
+        for (const Withdrawal& one : withdrawals_.addFrom(file_)) {
+            server_.run(
+                fmt::format("INSERT INTO withdrawals (id, utc_s, token) SELECT coalesce(max(id), 0) + 1, "
+                            "{}, {} FROM withdrawals",
+                            one.utc_s, one.token ? server_.quoted(*one.token) : "NULL"));
             ++outcome_.rows;
         }
     }
 
     void eraseWithdrawn() {
         for (const auto& [id, person] : onServer()) {
-            if (!isWithdrawn(person)) continue;
+            if (!withdrawals_.include(person.token)) continue;
             // What refers to something goes before it.
             for (auto table = people_tables.rbegin(); table != people_tables.rend(); ++table)
                 server_.run(
@@ -123,7 +107,7 @@ class StudyPush {
         for (const auto& [id, person] : there) taken[person.number] = id;
         for (const auto& [id, person] : inFile()) {
             const auto other = taken.find(person.number);
-            if (there.contains(id) || isWithdrawn(person) || other == taken.end()) continue;
+            if (there.contains(id) || withdrawals_.include(person.token) || other == taken.end()) continue;
             return fail(path_.string(),
                         fmt::format("participant {} has the number {}, which {} has on {}", id, person.number,
                                     other->second, address_.shown),
@@ -137,7 +121,7 @@ class StudyPush {
     ServerTransaction& server_;
     const ServerAddress& address_;
     std::string study_hash_;
-    std::set<Withdrawal> withdrawals_;
+    Withdrawals withdrawals_;
     PushOutcome outcome_;
 };
 

@@ -4,6 +4,7 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "results/data_export.hpp"
+#include "results/participants.hpp"
 #include "results/recording.hpp"
 #include "results/response_table.hpp"
 #include "text.hpp"
@@ -124,5 +125,41 @@ TEST_SUITE("results/merge") {
         CHECK(loadResponses(folder / "all.sqlite")->planned_participants == 2);
         CHECK(loadResponses(folder / "all.sqlite")->rows.size() ==
               loadResponses(folder / "copy.sqlite")->rows.size());
+    }
+
+    TEST_CASE("Who withdrew in one of the databases is left out, and counts once however often it is said") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::study({"direct"});
+        station(folder / "a.sqlite", study, {"P01", "P02"});
+        for (const char* copy : {"b.sqlite", "c.sqlite"})
+            std::filesystem::copy_file(folder / "a.sqlite", folder / copy);
+        const auto done = withdrawParticipant(folder / "a.sqlite", "P01", 1.75e9);
+        REQUIRE_MESSAGE(done, done.error().text());
+        REQUIRE(withdrawParticipant(folder / "b.sqlite", "P01", 1.76e9));
+        const std::vector<std::vector<std::filesystem::path>> orders{
+            {folder / "a.sqlite", folder / "c.sqlite"},
+            {folder / "c.sqlite", folder / "a.sqlite"},
+            {folder / "a.sqlite", folder / "b.sqlite", folder / "c.sqlite"}};
+        for (std::size_t i = 0; i < orders.size(); ++i) {
+            INFO("order " << i);
+            const auto to = folder / std::to_string(i).c_str();
+            const auto merged = mergeDatabases(orders[i], to);
+            REQUIRE_MESSAGE(merged, list(merged.error()));
+            CHECK(merged->withdrawn == std::vector<std::string>{"P01"});
+            const auto people = listParticipants(to);
+            REQUIRE(people->rows.size() == 1);
+            CHECK(people->rows[0].id == "P02");
+            CHECK(people->withdrawn == 1);
+            CHECK(people->uncleared == 0);
+            CHECK(readFile(to)->find("P01") == std::string::npos);
+        }
+        // Who begins anew is somebody new.
+        station(folder / "a.sqlite", study, {"P01"}, 5.0);
+        const auto merged =
+            mergeDatabases({folder / "c.sqlite", folder / "a.sqlite"}, folder / "anew.sqlite");
+        REQUIRE_MESSAGE(merged, list(merged.error()));
+        CHECK(listParticipants(folder / "anew.sqlite")->rows.size() == 2);
+        CHECK(loadResponses(folder / "anew.sqlite")->rows.size() ==
+              loadResponses(folder / "a.sqlite")->rows.size());
     }
 }

@@ -18,17 +18,23 @@ struct ExportOptions {
 
 /// Writes responses.csv, trials.csv, participants.csv, sessions.csv, events.csv, scores.csv, tracking.csv
 /// (where there is any) and codebook.json (Psych-DS style column descriptions) into `folder`, which is made
-/// and must be empty or hold an earlier export. RFC 4180, UTF-8; a text that a spreadsheet would take for a
-/// formula is written with a leading apostrophe. Returns the names of the files written. The same database
-/// gives the same bytes.
+/// and must be empty or hold an earlier export, also one that was broken off. All is written aside first, in
+/// the folder's `.export-under-way`: where that fails an earlier export stays as it is. RFC 4180, UTF-8; a
+/// text that a spreadsheet would take for a formula is written with a leading apostrophe. Returns the names
+/// of the files written. The same database gives the same bytes.
 [[nodiscard]] Result<std::vector<std::string>> exportCsv(const std::filesystem::path& database,
                                                          const std::filesystem::path& folder,
                                                          const ExportOptions& options);
 
-/// Joins databases of one study into a new file. Refuses, with every reason in the list: different studies
-/// (hash) or program schema, a participant or number in more than one (unless all that is kept of them is
-/// equal), an existing output.
-[[nodiscard]] tl::expected<void, std::vector<Error>> mergeDatabases(
+struct MergeOutcome {
+    std::vector<std::string>
+        withdrawn{};  ///< stood in a database, and are left out: another one says that they withdrew
+};
+
+/// Joins databases of one study into a new file, without whoever withdrew according to one of them. Refuses,
+/// with every reason in the list: different studies (hash) or program schema, a participant or number in more
+/// than one (unless all that is kept of them is equal), an existing output.
+[[nodiscard]] tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(
     const std::vector<std::filesystem::path>& databases, const std::filesystem::path& output);
 
 }  // namespace deixis::results
