@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "anonymous.hpp"
+#include "core/durable.hpp"
 #include "core/files.hpp"
 #include "database_open.hpp"
 #include "export_more.hpp"
@@ -114,20 +115,69 @@ std::string codebook(SQLite::Database& database, const std::vector<ExportedFile>
     return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-// A folder of ours may be written over, anything else may not.
+/// In it all files are written first, and then moved to their places in the export's folder.
+constexpr const char* staging_name = ".export-under-way";
+
+// A folder of ours may be written over, anything else may not. One that was broken off has its staging yet.
 Result<void> checkFolder(const fs::path& folder) {
     std::error_code code;
     if (!fs::exists(folder, code)) return {};
     if (!fs::is_directory(folder, code))
         return fail(folder.string(), "found a file, expected a folder to write to",
                     "Name another one with -o");
-    if (fs::is_empty(folder, code) || fs::exists(folder / "codebook.json", code)) return {};
+    if (fs::is_empty(folder, code) || fs::exists(folder / "codebook.json", code) ||
+        fs::exists(folder / staging_name, code))
+        return {};
     return fail(folder.string(), "the folder is not empty and holds no earlier export",
                 "Name another one with -o");
 }
 
-constexpr const char* partial_tracking = "tracking.csv.partial";
+/// Removed with what is in it whenever the export ends, and the folder with it where it was made and is
+/// empty.
+class Staging {
+  public:
+    explicit Staging(fs::path folder) : folder_(std::move(folder)) {
+        std::error_code code;
+        made_folder_ = !fs::exists(folder_, code);
+        fs::remove_all(path(), code);  // of an export that was killed
+    }
+    ~Staging() {
+        if (keep_) return;
+        std::error_code code;
+        fs::remove_all(path(), code);
+        if (made_folder_) fs::remove(folder_, code);  // where it is empty
+    }
+    Staging(const Staging&) = delete;
+    Staging& operator=(const Staging&) = delete;
 
+    [[nodiscard]] fs::path path() const { return folder_ / staging_name; }
+
+    /// Of an earlier export nothing is left beside the files named. The codebook, which makes the folder an
+    /// export, comes last.
+    Result<void> publish(const std::vector<std::string>& names) {
+        std::error_code code;
+        for (const char* name : {"codebook.json", "responses.csv", "trials.csv", "sessions.csv", "events.csv",
+                                 "participants.csv", "scores.csv", "tracking.csv"})
+            fs::remove(folder_ / name, code);
+        keep_ = true;
+        for (const std::string& name : names) {
+            fs::rename(path() / name, folder_ / name, code);
+            if (code) return fail((folder_ / name).string(), "cannot be written: " + code.message());
+        }
+        keep_ = false;
+        syncFolder(folder_);
+        return {};
+    }
+
+  private:
+    fs::path folder_;
+    bool made_folder_ = false;
+    bool keep_ = false;  ///< files are missing: by its staging the folder is known to be an export's
+};
+
+constexpr const char* tracking_name = "tracking.csv";
+
+/// Tracked frames, too many to be held, go into the folder at once.
 Result<std::vector<ExportedFile>> readAll(SQLite::Database& database, const ExportOptions& options,
                                           const fs::path& folder, std::string& description) {
     const Naming naming(database, options.anonymise);
@@ -137,7 +187,7 @@ Result<std::vector<ExportedFile>> readAll(SQLite::Database& database, const Expo
     files.push_back(participantsFile(database, naming, options.anonymise));
     files.push_back(scoresFile(database, naming));
     if (options.tracking) {
-        auto tracking = trackingFile(database, naming, options.anonymise, folder / partial_tracking);
+        auto tracking = trackingFile(database, naming, options.anonymise, folder / tracking_name);
         if (!tracking) return tl::unexpected(tracking.error());
         if (tracking->table.rows() > 0) files.push_back(std::move(*tracking));
     }
@@ -150,36 +200,26 @@ Result<std::vector<ExportedFile>> readAll(SQLite::Database& database, const Expo
 Result<std::vector<std::string>> exportCsv(const fs::path& database, const fs::path& folder,
                                            const ExportOptions& options) {
     if (auto checked = checkFolder(folder); !checked) return tl::unexpected(checked.error());
+    Staging staging(folder);
     std::error_code code;
-    const bool made = fs::create_directories(folder, code);
+    fs::create_directories(staging.path(), code);
     if (code) return fail(folder.string(), "cannot be made: " + code.message());
     std::string description;
-    const auto files = readDatabase(
-        database, [&](SQLite::Database& opened) { return readAll(opened, options, folder, description); });
-    if (!files) {
-        fs::remove(folder / partial_tracking, code);
-        if (made) fs::remove(folder, code);
-        return tl::unexpected(files.error());
-    }
-    // Of an earlier export nothing is left beside this one.
-    for (const char* name : {"responses.csv", "trials.csv", "sessions.csv", "events.csv", "participants.csv",
-                             "scores.csv", "tracking.csv", "codebook.json"})
-        fs::remove(folder / name, code);
+    const auto files = readDatabase(database, [&](SQLite::Database& opened) {
+        return readAll(opened, options, staging.path(), description);
+    });
+    if (!files) return tl::unexpected(files.error());
     std::vector<std::string> names;
     for (const ExportedFile& file : *files) {
         names.push_back(file.name);
-        if (file.name == "tracking.csv") {
-            fs::rename(folder / partial_tracking, folder / file.name, code);
-            if (code) return fail((folder / file.name).string(), "cannot be written: " + code.message());
-            continue;
-        }
-        if (auto written = writeFile(folder / file.name, file.table.bytes()); !written)
+        if (file.name == tracking_name) continue;
+        if (auto written = writeFile(staging.path() / file.name, file.table.bytes()); !written)
             return tl::unexpected(written.error());
     }
-    fs::remove(folder / partial_tracking, code);
-    if (auto written = writeFile(folder / "codebook.json", description); !written)
-        return tl::unexpected(written.error());
     names.emplace_back("codebook.json");
+    if (auto written = writeFile(staging.path() / names.back(), description); !written)
+        return tl::unexpected(written.error());
+    if (auto published = staging.publish(names); !published) return tl::unexpected(published.error());
     return names;
 }
 

@@ -1,5 +1,10 @@
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -79,6 +84,14 @@ std::string everythingIn(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         all += readFile(entry.path()).value();
     return all;
+}
+
+/// Bytes by name; throws where a folder is among the files.
+std::map<std::string, std::string> filesIn(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> out;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+        out[entry.path().filename().string()] = readFile(entry.path()).value();
+    return out;
 }
 
 }  // namespace
@@ -183,6 +196,43 @@ TEST_SUITE("results/export") {
         without.tracking = false;
         REQUIRE(exportCsv(folder / "a.sqlite", folder / "out", without));
         CHECK_FALSE(std::filesystem::exists(folder / "out/tracking.csv"));
+    }
+
+    TEST_CASE(
+        "An export that fails leaves the earlier one as it was, one that is killed does not block the next") {
+        const fixtures::Folder folder;
+        const auto database = folder / "a.sqlite";
+        const auto out = folder / "out";
+        fillWide(database);
+        REQUIRE(exportCsv(database, out, {}));
+        REQUIRE(writeFile(out / "notes.txt", "mine"));
+        const auto whole = filesIn(out);
+        std::filesystem::copy_file(database, folder / "damaged.sqlite");
+        SQLite::Database((folder / "damaged.sqlite").string(), SQLite::OPEN_READWRITE)
+            .exec("UPDATE tracking_blocks SET data = x'00'");
+        CHECK_FALSE(exportCsv(folder / "damaged.sqlite", out, {}));
+        CHECK(filesIn(out) == whole);
+        CHECK_FALSE(exportCsv(folder / "damaged.sqlite", folder / "new", {}));
+        CHECK_FALSE(std::filesystem::exists(folder / "new"));
+
+        std::filesystem::remove(out / "notes.txt");
+        const auto exported = filesIn(out);
+        const auto killed = folder / "killed";
+        int broken_off = 0;
+        for (int i = 0; i < 12; ++i) {
+            const pid_t child = ::fork();
+            REQUIRE(child >= 0);
+            if (child == 0)
+                for (;;) (void)exportCsv(database, killed, {});
+            ::usleep(3000U + 1700U * static_cast<unsigned>(i));
+            ::kill(child, SIGKILL);
+            ::waitpid(child, nullptr, 0);
+            if (std::filesystem::exists(killed / ".export-under-way")) ++broken_off;
+            const auto again = exportCsv(database, killed, {});
+            REQUIRE_MESSAGE(again, again.error().text());
+            CHECK(filesIn(killed) == exported);
+        }
+        CHECK(broken_off > 0);
     }
 
     TEST_CASE("What was done again stands in the export once, with the new answer") {
