@@ -1,9 +1,12 @@
 // The program. Each command lives in a file of its own; this one names them and turns what went wrong into
 // one line and an exit status: 0 done, 1 failed, 2 wrong usage.
 #include <fmt/format.h>
+#include <sys/stat.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -11,6 +14,7 @@
 
 #include "commands.hpp"
 #include "core/server_address.hpp"
+#include "core/text.hpp"
 
 namespace {
 
@@ -19,7 +23,14 @@ std::optional<std::string> misplacedServer(const std::vector<std::string>& argum
     if (arguments.empty() || arguments[0] == "report" || arguments[0] == "push") return std::nullopt;
     for (const std::string& one : arguments)
         for (const std::string& text : {one, one.substr(one.find('=') + 1)})
-            if (deixis::isServerAddress(text)) return text;
+            if (deixis::looksLikeServerAddress(text)) return text;
+    return std::nullopt;
+}
+
+/// What is typed ends up in databases, tables and pages, which are UTF-8.
+std::optional<std::string> unkeepable(const std::vector<std::string>& arguments) {
+    for (const std::string& one : arguments)
+        if (!deixis::keepableText(one)) return deixis::keepable(one);
     return std::nullopt;
 }
 
@@ -27,6 +38,8 @@ std::optional<std::string> misplacedServer(const std::vector<std::string>& argum
 
 int main(int argc, char** argv) {
     using namespace deixis::app;
+    // Answers, and all that is made from them, are their owner's alone.
+    ::umask(S_IRWXG | S_IRWXO);
     CLI::App cli{"Deixis: evaluate how an embodied agent points", "deixis"};
     cli.set_version_flag("--version", programVersion());
     cli.require_subcommand(1);
@@ -52,7 +65,16 @@ int main(int argc, char** argv) {
     addClipsCommand(cli, chosen);
     addViewCommand(cli, chosen);
 
-    if (const auto address = misplacedServer({argv + 1, argv + argc})) {
+    const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    if (const auto text = unkeepable(arguments)) {
+        fmt::print(
+            stderr,
+            "deixis: error: '{}': is no text in UTF-8. Type it in a terminal that uses UTF-8, or rename "
+            "the file\n",
+            *text);
+        return 2;
+    }
+    if (const auto address = misplacedServer(arguments)) {
         fmt::print(
             stderr,
             "deixis: error: {}: is a server's address; only report and push take one, all else works on "
@@ -72,6 +94,9 @@ int main(int argc, char** argv) {
         fmt::print("{}", out.str());
         fmt::print(stderr, "{}", deixis::withoutPasswords(err.str()));
         return status == 0 ? 0 : 2;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "deixis: error: there is not enough memory for this\n");
+        return 1;
     } catch (const std::exception& error) {
         fmt::print(stderr, "deixis: error: {}\n", deixis::withoutPasswords(error.what()));
         return 1;

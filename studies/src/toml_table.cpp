@@ -93,9 +93,32 @@ std::vector<Error> Problems::sorted() const {
     return out;
 }
 
+namespace {
+
+/// Where a text or key holds a NUL ("\u0000"), which TOML allows and no database does.
+std::optional<std::uint32_t> lineOfNul(const toml::node& node) {
+    if (const auto* text = node.as_string(); text != nullptr && text->get().find('\0') != std::string::npos)
+        return node.source().begin.line;
+    if (const auto* list = node.as_array())
+        for (const toml::node& entry : *list)
+            if (const auto line = lineOfNul(entry)) return line;
+    if (const auto* table = node.as_table())
+        for (const auto& [key, entry] : *table) {
+            if (key.str().find('\0') != std::string_view::npos) return key.source().begin.line;
+            if (const auto line = lineOfNul(entry)) return line;
+        }
+    return std::nullopt;
+}
+
+}  // namespace
+
 Result<toml::table> parseToml(const std::string& file, std::string_view bytes) {
     try {
-        return toml::parse(bytes, file);
+        toml::table table = toml::parse(bytes, file);
+        if (const auto line = lineOfNul(table))
+            return fail(fmt::format("{}:{}", file, *line),
+                        "found the character U+0000 in a text, which no database can hold", "Remove it");
+        return table;
     } catch (const toml::parse_error& error) {
         return fail(fmt::format("{}:{}", file, error.source().begin.line),
                     fmt::format("this is not valid TOML: {}", error.description()));
