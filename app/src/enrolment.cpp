@@ -1,6 +1,5 @@
 #include "enrolment.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace deixis::app {
@@ -10,12 +9,7 @@ namespace {
 int numberFor(const std::string& participant, const results::Store& store) {
     const auto wanted = studies::numberOfParticipant(participant);
     if (!wanted) return store.firstFreeNumber();
-    const auto others = store.participants();
-    const bool taken = std::any_of(others.begin(), others.end(), [&](const std::string& other) {
-        const auto registered = store.registration(other);
-        return registered && registered->number == *wanted;
-    });
-    return taken ? store.firstFreeNumber() : *wanted;
+    return store.numberTaken(*wanted) ? store.firstFreeNumber() : *wanted;
 }
 
 }  // namespace

@@ -23,11 +23,7 @@ struct OpenStage {
 
 Result<void> checkParticipant(const Study& study, std::string_view participant, int number,
                               const Groups& groups) {
-    if (!validParticipant(participant))
-        return fail(
-            "participant",
-            fmt::format("found \"{}\", expected 1 to 32 letters A-Z a-z, digits, '_' and '-'", participant),
-            "Use an id such as P01");
+    if (auto id = checkParticipantId(participant); !id) return id;
     if (number < 1)
         return fail("participant", fmt::format("found the number {}, expected 1 or more", number));
     for (const BetweenFactor& factor : study.between) {

@@ -119,11 +119,11 @@ TEST_SUITE("results/participants") {
         CHECK(showParticipant(path, "P01")->row.status == "excluded");
         CHECK(showParticipant(path, "P01")->row.reason == "knew the systems");
         CHECK(showParticipant(path, "P01")->row.answered == 5);
-        CHECK(fixtures::open(path).groupsTaken().size() == 1);  // P03
+        CHECK(fixtures::open(path).groupsTaken() == studies::GroupSizes{{{{"style", "calm"}}, 1}});  // P03
         REQUIRE(includeParticipant(path, "P01"));
         CHECK(showParticipant(path, "P01")->row.status == "active");
         CHECK(showParticipant(path, "P01")->row.reason.empty());
-        CHECK(fixtures::open(path).groupsTaken().size() == 2);
+        CHECK(fixtures::open(path).groupsTaken() == studies::GroupSizes{{{{"style", "calm"}}, 2}});
     }
 
     TEST_CASE("Somebody unknown and a database that is not there are told by name, and none is made") {

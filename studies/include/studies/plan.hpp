@@ -71,16 +71,21 @@ struct StudyPlan {
 
 /// Whether it can name a participant: 1 to 32 of the letters A-Z a-z, digits, '_' and '-'.
 [[nodiscard]] bool validParticipant(std::string_view participant);
+/// The same as an error.
+[[nodiscard]] Result<void> checkParticipantId(std::string_view participant);
 /// The number that an id ends in ("P07" -> 7); none where it ends in no digit, in 0 or in more than 6 digits.
 [[nodiscard]] std::optional<int> numberOfParticipant(std::string_view participant);
 
 /// Levels of the factors between participants, as in StudyPlan::groups.
 using Groups = std::map<std::string, std::string>;
 
-/// The cell (one level of every factor between participants) with the fewest of `taken`, which are the groups
-/// of everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty where
-/// the study has no such factor.
-[[nodiscard]] Groups assignGroups(const Study& study, const std::vector<Groups>& taken, int number);
+/// How many participants have which groups.
+using GroupSizes = std::map<Groups, int>;
+
+/// The cell (one level of every factor between participants) with the fewest in `taken`, which counts
+/// everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty where the
+/// study has no such factor.
+[[nodiscard]] Groups assignGroups(const Study& study, const GroupSizes& taken, int number);
 
 /// Builds the plan of one participant.
 ///
