@@ -86,6 +86,10 @@ void OperatorFeedWriter::presented(const studies::InputFrame& input, const studi
     const double now_s = input.time_s;
     if (!start_s_) start_s_ = now_s;
     OperatorFeed& feed = *feed_;
+    if (input.recording_failed && feed.failure.empty()) {
+        feed.failure = kept_by_.failure();
+        note(now_s, "recording_failed", feed.failure);
+    }
     feed.elapsed_s = std::max(0.0, now_s - *start_s_);
     if (input.answers_kept)
         waiting_since_s_.reset();

@@ -17,6 +17,36 @@ void DirectRecorder::record(const studies::SessionEvent& event) {
     store_.record(event, study_, plan_, clips_);
 }
 
+template <typename Call>
+void CalmRecorder::unlessFailed(const Call& call) const {
+    if (problem_) return;
+    try {
+        call();
+    } catch (const std::exception& problem) {
+        problem_ = std::current_exception();
+        failure_ = problem.what();
+    }
+}
+
+void CalmRecorder::record(const studies::SessionEvent& event) {
+    unlessFailed([&] { kept_by_.record(event); });
+}
+
+void CalmRecorder::sample(const studies::TrackingSample& sample, int trial_index) {
+    unlessFailed([&] { kept_by_.sample(sample, trial_index); });
+}
+
+bool CalmRecorder::answersKept() const {
+    bool kept = false;
+    unlessFailed([&] { kept = kept_by_.answersKept(); });
+    return kept || problem_;  // what cannot be kept is not waited for
+}
+
+void CalmRecorder::finish() {
+    unlessFailed([&] { kept_by_.finish(); });
+    if (problem_) std::rethrow_exception(problem_);
+}
+
 Result<results::RecordingOptions> recordingOptions() {
     results::RecordingOptions options;
     const char* variable = std::getenv("DEIXIS_STORAGE_DELAY_S");

@@ -1,7 +1,6 @@
 // deixis run: one participant's session, from the first page to the report.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -49,12 +48,26 @@ double utcNow_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-// The first of P01, P02, ... that the database does not know.
-std::string nextParticipant(const results::Store& store) {
-    const auto taken = store.participants();
+struct Seat {
+    std::string participant;
+    results::ParticipantLock lock;
+};
+
+// Who takes part, with the lock that keeps others from the id: the participant named, or the first of P01,
+// P02, ... whom the database does not know and no other process has.
+Result<Seat> takeSeat(const RunArguments& options, const results::Store& store) {
+    if (!options.participant.empty()) {
+        auto lock = results::ParticipantLock::take(options.database, options.participant);
+        if (!lock) return tl::unexpected(lock.error());
+        return Seat{options.participant, std::move(*lock)};
+    }
     for (int i = 1;; ++i) {
-        std::string id = fmt::format("P{:02}", i);
-        if (std::find(taken.begin(), taken.end(), id) == taken.end()) return id;
+        const std::string id = fmt::format("P{:02}", i);
+        if (store.registration(id)) continue;
+        auto lock = results::ParticipantLock::tryTake(options.database, id);
+        if (!lock) return tl::unexpected(lock.error());
+        // Who had the lock until now may have registered.
+        if (*lock && !store.registration(id)) return Seat{id, std::move(**lock)};
     }
 }
 
@@ -191,14 +204,18 @@ Result<void> runOn(const RunArguments& options, const Prepared& prepared, result
         else
             recorder =
                 std::make_unique<BackgroundRecorder>(store, setup.study, enrolment.plan, records, recording);
+        CalmRecorder calm(*recorder);
         OperatorFeedWriter for_operator(
             feed, participant, setup.study, [&session] { return session.progress(); }, history,
-            options.database, *recorder);
+            options.database, calm);
         std::optional<Trace> trace;
         if (trace_file) trace.emplace(std::move(*trace_file), session, for_operator);
         Recorder& told = trace ? static_cast<Recorder&>(*trace) : for_operator;
         runSession(session, **station, told);
         told.finish();
+    } catch (const results::DatabaseMoved& moved) {
+        throw std::runtime_error(fmt::format("{}. After that the same command with --participant {} goes on",
+                                             moved.what(), participant));
     } catch (const std::exception& error) {
         throw std::runtime_error(
             fmt::format("{}. All earlier answers are kept in {}; the same command with --participant {} goes "
@@ -229,17 +246,18 @@ Result<void> run(RunArguments options) {
     const auto recording = recordingOptions();
     if (!recording) return tl::unexpected(recording.error());
 
+    if (!options.participant.empty())
+        if (auto id = studies::checkParticipantId(options.participant); !id) return id;
     auto store = results::Store::open(options.database, results::Durability::each_answer);
     if (!store) return tl::unexpected(store.error());
-    const std::string participant =
-        options.participant.empty() ? nextParticipant(*store) : options.participant;
+    const auto seat = takeSeat(options, *store);
+    if (!seat) return tl::unexpected(seat.error());
+    const std::string& participant = seat->participant;
     setup = setupFor(options, *store, participant, std::move(*setup));
     if (!setup) return tl::unexpected(setup.error());
     auto avatar = loadStudyAvatar(setup->study);
     if (!avatar) return tl::unexpected(avatar.error());
     if (auto takes_part = checkTakesPart(options, *store, participant); !takes_part) return takes_part;
-    const auto lock = results::ParticipantLock::take(options.database, participant);
-    if (!lock) return tl::unexpected(lock.error());
     auto enrolment = enrol(*setup, *store, participant, utcNow_s());
     if (!enrolment) return tl::unexpected(enrolment.error());
     if (enrolment->left.empty()) {

@@ -5,7 +5,9 @@
 
 #include <cctype>
 #include <system_error>
+#include <thread>
 
+#include "database_files.hpp"
 #include "migration.hpp"
 #include "schema.hpp"
 
@@ -14,15 +16,6 @@ namespace deixis::results {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A writer is, or was when it died, at work on the database: its latest answers stand in the log.
-bool hasLog(const fs::path& database) {
-    fs::path log = database;
-    log += "-wal";
-    std::error_code missing;
-    const auto size = fs::file_size(log, missing);
-    return !missing && size > 0;
-}
 
 std::string immutableUri(const fs::path& database) {
     std::string uri = "file:";
@@ -37,6 +30,7 @@ std::string immutableUri(const fs::path& database) {
 }
 
 tl::unexpected<Error> noSuchFile(const fs::path& path) {
+    if (auto orphan = orphanBeside(path)) return tl::unexpected(std::move(*orphan));
     return fail(path.string(), "no such file, expected a database made by deixis",
                 "Check the path; a run prints the path of its database");
 }
@@ -54,21 +48,14 @@ Result<void> migrateWhole(SQLite::Database& database, const fs::path& path) {
 
 SQLite::Database upToDateCopy(SQLite::Database& source) {
     SQLite::Database copy(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    sqlite3_backup* backup = sqlite3_backup_init(copy.getHandle(), "main", source.getHandle(), "main");
-    if (backup == nullptr) throw SQLite::Exception(copy.getHandle());
-    constexpr int every_page = -1;
-    const int stepped = sqlite3_backup_step(backup, every_page);
-    sqlite3_backup_finish(backup);
-    if (stepped != SQLITE_DONE) throw SQLite::Exception("the database cannot be copied", stepped);
+    copyWhole(source, copy);
     return copy;
 }
 
-}  // namespace
-
-Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing) {
+Result<SQLite::Database> openOnce(const fs::path& path, Missing missing) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-        return fail(path.string(), "found a folder, expected a database file", "Name a file in it");
+    if (auto kind = checkKindOfFile(path); !kind) return tl::unexpected(kind.error());
+    if (auto orphan = orphanBeside(path)) return tl::unexpected(std::move(*orphan));
     if (missing == Missing::refuse && !fs::is_regular_file(path, ignored)) return noSuchFile(path);
     const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
@@ -91,9 +78,40 @@ Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing) {
     return database;
 }
 
+bool isLocked(const SQLite::Exception& problem) {
+    return problem.getErrorCode() == SQLITE_BUSY || problem.getErrorCode() == SQLITE_LOCKED;
+}
+
+}  // namespace
+
+Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing,
+                                     std::chrono::milliseconds patience) {
+    // SQLite does not wait for every lock: where two might wait for each other, one is refused at once.
+    const auto until = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+        try {
+            return openOnce(path, missing);
+        } catch (const SQLite::Exception& problem) {
+            if (!isLocked(problem) || std::chrono::steady_clock::now() >= until) throw;
+        }
+        constexpr std::chrono::milliseconds between{20};
+        std::this_thread::sleep_for(between);
+    }
+}
+
+void copyWhole(SQLite::Database& from, SQLite::Database& to) {
+    sqlite3_backup* backup = sqlite3_backup_init(to.getHandle(), "main", from.getHandle(), "main");
+    if (backup == nullptr) throw SQLite::Exception(to.getHandle());
+    constexpr int every_page = -1;
+    const int stepped = sqlite3_backup_step(backup, every_page);
+    sqlite3_backup_finish(backup);
+    if (stepped != SQLITE_DONE) throw SQLite::Exception("the database cannot be copied", stepped);
+}
+
 Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
     std::error_code problem;
     if (!fs::is_regular_file(path, problem)) return noSuchFile(path);
+    if (auto orphan = orphanBeside(path)) return tl::unexpected(std::move(*orphan));
     try {
         // Without a log the file is all there is. Read as immutable it needs no files beside it, and so no
         // permission to write.

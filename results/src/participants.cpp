@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "core/text.hpp"
 #include "database_open.hpp"
 
 namespace deixis::results {
@@ -24,12 +25,15 @@ SELECT p.id, p.number, p.language, p.status, coalesce(p.reason, ''),
        coalesce((SELECT CASE min(agreed) WHEN 1 THEN 'agreed' WHEN 0 THEN 'declined' END FROM consents AS c WHERE participant = p.id AND
                  session = (SELECT max(session) FROM consents WHERE participant = p.id AND stage = c.stage)),
                 '')
-  FROM participants AS p ORDER BY p.number
+  FROM participants AS p WHERE ?1 IS NULL OR p.id = ?1 ORDER BY p.number
 )sql";
 
-std::vector<ParticipantRow> readRows(SQLite::Database& database) {
+/// Of everybody, or of one participant.
+std::vector<ParticipantRow> readRows(SQLite::Database& database,
+                                     const std::optional<std::string>& participant = std::nullopt) {
     std::vector<ParticipantRow> out;
     SQLite::Statement row(database, rows_sql);
+    if (participant) row.bind(1, *participant);
     while (row.executeStep()) {
         ParticipantRow& one = out.emplace_back();
         one.id = row.getColumn(0).getString();
@@ -140,13 +144,11 @@ Result<ParticipantList> listParticipants(const std::filesystem::path& database) 
 Result<ParticipantDetails> showParticipant(const std::filesystem::path& database,
                                            const std::string& participant) {
     return readDatabase(database, [&](SQLite::Database& open) -> Result<ParticipantDetails> {
-        for (ParticipantRow& row : readRows(open)) {
-            if (row.id != participant) continue;
-            return ParticipantDetails{std::move(row), readFields(open, participant),
-                                      lines(open, sessions_sql, participant),
-                                      lines(open, events_sql, participant)};
-        }
-        return nobody(database, participant);
+        const auto found = readRows(open, participant);
+        if (found.empty()) return nobody(database, participant);
+        return ParticipantDetails{found.front(), readFields(open, participant),
+                                  lines(open, sessions_sql, participant),
+                                  lines(open, events_sql, participant)};
     });
 }
 
@@ -156,6 +158,8 @@ Result<void> excludeParticipant(const std::filesystem::path& database, const std
         return fail(database.string(),
                     fmt::format("participant {} is to be excluded, but no reason is given", participant),
                     "Say why: the reason is kept and reported");
+    if (!keepableText(reason))
+        return fail(database.string(), "the reason is no text in UTF-8", "Give it in UTF-8");
     return setStatus(database, participant, "excluded", reason);
 }
 

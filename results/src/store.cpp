@@ -9,17 +9,12 @@
 
 namespace deixis::results {
 
-namespace {
-
-/// In a session another program's lock is waited for longer: nothing but the next trial waits with it.
-constexpr int session_busy_timeout_ms = 30'000;
-
-}  // namespace
-
-Result<Store> Store::open(const std::filesystem::path& path, Durability durability) {
+Result<Store> Store::open(const std::filesystem::path& path, Durability durability,
+                          std::chrono::milliseconds patience) {
     try {
-        auto database = openToWrite(path, Missing::create);
+        auto database = openToWrite(path, Missing::create, patience);
         if (!database) return tl::unexpected(database.error());
+        database->setBusyTimeout(static_cast<int>(patience.count()));
         auto impl = std::make_unique<Impl>(path, durability, std::move(*database));
         if (durability == Durability::whole_run) {
             impl->database.exec("PRAGMA synchronous = OFF");
@@ -57,7 +52,6 @@ long long Store::beginSession(const SessionInfo& session) {
         registered << session.started_utc_s << session.participant;
         registered.run();
     });
-    impl_->database.setBusyTimeout(session_busy_timeout_ms);
     impl_->session = id;
     impl_->session_participant = session.participant;
     impl_->last_frame.reset();
@@ -105,6 +99,7 @@ void Store::Impl::leaveOut(const char* status, const std::string& reason) {
     auto update = query("UPDATE participants SET status = ?, reason = ? WHERE id = ? AND status = 'active'");
     update << status << reason << session_participant;
     update.run();
+    groups_taken.reset();
 }
 
 void Store::endSession(studies::SessionOutcome outcome, double ended_utc_s) {

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/text.hpp"
 #include "results/store.hpp"
 #include "tracking_writer.hpp"
 
@@ -40,7 +41,7 @@ class Query {
         else if constexpr (std::is_floating_point_v<T>)
             statement_.bind(++bound_, static_cast<double>(value));
         else
-            statement_.bind(++bound_, std::string(value));
+            bindText(std::string(value));
         return *this;
     }
     template <typename T>
@@ -61,6 +62,15 @@ class Query {
     [[nodiscard]] std::string text(int column) const { return statement_.getColumn(column).getString(); }
 
   private:
+    /// Text that no server could hold is refused where it enters; what gets as far as this (a folder's name,
+    /// a driver's) is kept as well as can be.
+    void bindText(const std::string& text) {
+        if (keepableText(text))
+            statement_.bind(++bound_, text);
+        else
+            statement_.bind(++bound_, keepable(text));
+    }
+
     SQLite::Statement& statement_;
     int bound_ = 0;
 };
@@ -73,7 +83,10 @@ struct Store::Impl {
     std::optional<TrackingWriter> tracking{};               ///< from the first frames on
     long long session = 0;
     std::string session_participant{};
-    std::optional<std::uint64_t> last_frame{};  ///< of the session, among those kept
+    std::optional<std::uint64_t> last_frame{};          ///< of the session, among those kept
+    std::optional<studies::GroupSizes> groups_taken{};  ///< in a whole run, where nobody else writes
+    std::optional<std::uint64_t> log_inode{};           ///< of the log's file
+    std::optional<Error> moved{};                       ///< the files are not where they were
 
     Impl(std::filesystem::path file, Durability how, SQLite::Database opened)
         : path(std::move(file)), durability(how), database(std::move(opened)) {}
@@ -93,6 +106,7 @@ struct Store::Impl {
             writes();
             return;
         }
+        if (moved) throw DatabaseMoved(*moved);
         database.exec("BEGIN IMMEDIATE");
         try {
             writes();
@@ -101,6 +115,7 @@ struct Store::Impl {
             if (inTransaction()) database.tryExec("ROLLBACK");
             throw;
         }
+        checkInPlace();
     }
 
     /// The same without waiting for the disk: it outlives the process, and a power cut from the next waited
@@ -120,6 +135,12 @@ struct Store::Impl {
         }
         database.exec("PRAGMA synchronous = FULL");
     }
+
+    /// Once the database's files are not where they were, copies all that is kept to a file of its own and
+    /// throws DatabaseMoved.
+    void checkInPlace();
+    [[nodiscard]] bool inPlace();
+    [[nodiscard]] Error rescue();
 
     /// What stands in the way of storing the plan; none: nothing, or it is stored already.
     [[nodiscard]] std::optional<Error> objection(const studies::Study& study,

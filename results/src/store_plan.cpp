@@ -216,6 +216,7 @@ void Store::Impl::insertRegistration(const Registration& registration) {
         group << registration.participant << factor << level;
         group.run();
     }
+    if (groups_taken) ++(*groups_taken)[registration.groups];
 }
 
 void Store::Impl::insertPlan(const studies::StudyPlan& plan, const std::string& json) {

@@ -40,17 +40,27 @@ int Store::firstFreeNumber() const {
     return row[0].getInt();
 }
 
-std::vector<studies::Groups> Store::groupsTaken() const {
+bool Store::numberTaken(int number) const {
+    auto row = impl_->query("SELECT 1 FROM participants WHERE number = ?");
+    row << number;
+    return row.next();
+}
+
+studies::GroupSizes Store::groupsTaken() const {
+    if (impl_->groups_taken) return *impl_->groups_taken;
     auto row = impl_->query(
         "SELECT p.id, g.factor, g.level FROM participants AS p LEFT JOIN participant_groups AS g ON "
         "g.participant = p.id WHERE p.status = 'active' ORDER BY p.number");
-    std::vector<studies::Groups> out;
+    std::vector<studies::Groups> each;
     std::string last;
     while (row.next()) {
-        if (out.empty() || row.text(0) != last) out.emplace_back();
+        if (each.empty() || row.text(0) != last) each.emplace_back();
         last = row.text(0);
-        if (!row[1].isNull()) out.back()[row.text(1)] = row.text(2);
+        if (!row[1].isNull()) each.back()[row.text(1)] = row.text(2);
     }
+    studies::GroupSizes out;
+    for (studies::Groups& groups : each) ++out[std::move(groups)];
+    if (impl_->durability == Durability::whole_run) impl_->groups_taken = out;
     return out;
 }
 

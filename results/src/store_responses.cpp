@@ -91,6 +91,7 @@ void Store::Impl::insertConsent(const studies::Answer& answer, const studies::Re
         "reason = ?");
     back << session_participant << declined_reason;
     back.run();
+    groups_taken.reset();
 }
 
 void Store::Impl::insertField(const studies::Answer& answer) {

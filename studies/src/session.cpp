@@ -158,6 +158,13 @@ void SessionRunner::State::endEarly(const std::string& reason) {
     end(course.closingEarly() ? course.closing() : SessionOutcome::quit, "ended early");
 }
 
+/// Nothing can be kept any more: the closing page tells the participant whom to ask.
+void SessionRunner::State::stop(const InputFrame& input) {
+    paused = false;
+    course.close(SessionOutcome::quit);
+    proceed(input);
+}
+
 void SessionRunner::State::step(const InputFrame& input) {
     SessionView& view = core.view;
     view.beginFrame();
@@ -166,6 +173,7 @@ void SessionRunner::State::step(const InputFrame& input) {
         core.noteAt(core.momentAt(told.time_s), told.kind, told.detail);
     if (over()) return;
     if (!started) begin(input);
+    if (input.recording_failed && !over() && !course.closingEarly()) stop(input);
     for (const OperatorCommand& command : input.commands) obey(input, command);
     if (over()) {
         // An abort has ended it.

@@ -309,9 +309,11 @@ std::optional<CourseItem> Course::closingItem() const {
     std::string title = words("thank_you_title");
     std::string body = words(more ? "sitting_over_text" : "thank_you_text");
     if (closing_) {
-        const bool declined = *closing_ == SessionOutcome::declined;
-        title = words(declined ? "declined_title" : "excluded_title");
-        body = words(declined ? "declined_text" : "excluded_text");
+        const std::string why = *closing_ == SessionOutcome::declined ? "declined"
+                                : *closing_ == SessionOutcome::quit   ? "stopped"
+                                                                      : "excluded";
+        title = words(why + "_title");
+        body = words(why + "_text");
     }
     return pageItem({PageKind::closing, name, title, body, "", words("finish"), 0.0}, nullptr, nullptr);
 }

@@ -76,7 +76,8 @@ class Course {
     void answer(int trial, bool correct);
     void supersede(int trial) { answered_.erase(trial); }
     void warn() { warning_ = true; }
-    /// What is left is not done: a closing page of that outcome (declined or excluded), and the end.
+    /// What is left is not done: a closing page of that outcome (declined, excluded, or quit where
+    /// nothing more can be kept), and the end.
     void close(SessionOutcome outcome) { closing_ = outcome; }
     /// What the sitting comes to.
     [[nodiscard]] SessionOutcome closing() const { return closing_.value_or(SessionOutcome::finished); }

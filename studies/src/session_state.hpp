@@ -57,6 +57,7 @@ struct SessionRunner::State {
     void exclude(const std::string& reason);
     void end(SessionOutcome how, const char* status);
     void endEarly(const std::string& reason);
+    void stop(const InputFrame& input);
 
     // Pauses.
     void pause(const InputFrame& input);

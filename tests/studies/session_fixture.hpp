@@ -109,6 +109,7 @@ struct Driver {
     double place_offset_m = 0.0;         ///< how far off the place the participant stands
     bool holds_pointer = true;           ///< without one, a step that aims at nothing has no ray
     bool kept = true;                    ///< whether the answers given are on the disk
+    bool recording_failed = false;       ///< nothing more can be kept
     std::optional<Quat> looking;         ///< of the head; none: along the ray, or straight ahead
     std::optional<double> select_ago_s;  ///< how long before the frame select went down; none: not told
     PresentedFrame frame;                ///< the last one
@@ -188,6 +189,7 @@ struct Driver {
         if (select_ago_s) input.select_time_s = time_s - *select_ago_s;
         input.off_place_m = place_offset_m;
         input.answers_kept = kept;
+        input.recording_failed = recording_failed;
         const SessionStep step = session->step(input);
         frame = step.frame;
         keep(step.events);

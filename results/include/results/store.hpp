@@ -3,11 +3,13 @@
 // on opening (a newer version, a locked or read-only file, not a database) is a Result.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -69,11 +71,23 @@ enum class Durability : unsigned char {
     whole_run,    ///< one transaction for all (simulations, which can be run again)
 };
 
+/// Thrown by whatever writes, once the database's file or its log is not where it was: somebody has renamed,
+/// moved, replaced or deleted it. what() says where all that was kept until then lies now.
+class DatabaseMoved : public std::runtime_error {
+  public:
+    explicit DatabaseMoved(const Error& why) : std::runtime_error(why.text()) {}
+};
+
+/// How long a lock is waited for.
+inline constexpr std::chrono::milliseconds store_patience{30'000};
+
 class Store {
   public:
     /// Opens or creates; a database of an older version is brought to the newest one, with all that it holds.
-    /// Errors: not a database, newer user_version, locked, read-only folder or file.
-    [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability);
+    /// Errors: not a database, newer user_version, locked for longer than `patience`, read-only folder or
+    /// file, the log of a database that is not there beside it.
+    [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability,
+                                            std::chrono::milliseconds patience = store_patience);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
     ~Store();
@@ -82,8 +96,9 @@ class Store {
     [[nodiscard]] std::optional<Registration> registration(const std::string& participant) const;
     [[nodiscard]] std::vector<std::string> participants() const;
     [[nodiscard]] int firstFreeNumber() const;  ///< one more than the highest
-    /// Groups of everybody who counts for the balance: neither excluded nor dropped out.
-    [[nodiscard]] std::vector<studies::Groups> groupsTaken() const;
+    [[nodiscard]] bool numberTaken(int number) const;
+    /// Of everybody who counts for the balance: neither excluded nor dropped out.
+    [[nodiscard]] studies::GroupSizes groupsTaken() const;
     /// The stored plan of a participant, if any.
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
     /// Stores study, registration and plan, all or nothing. Fails where the database holds another study
@@ -102,7 +117,8 @@ class Store {
     /// different names.
     long long beginSession(const SessionInfo& session);
     /// Keeps an event. A response is one transaction with all that it holds, durable on return; so are what
-    /// supersedes one, and an exclusion, which marks the participant.
+    /// supersedes one, and an exclusion, which marks the participant. Throws DatabaseMoved once the event is
+    /// kept.
     void record(const studies::SessionEvent& event, const studies::Study& study,
                 const studies::StudyPlan& plan, const ClipRecords& clips);
     /// Keeps frames of the session, each number once, and tallies of trials that are over (added to those of
@@ -121,18 +137,24 @@ class Store {
 };
 
 /// Keeps two runs of one participant in one database apart: holds an advisory lock on a file beside the
-/// database until destroyed (also when the process dies).
+/// database until destroyed, which removes the file. Where the process dies the lock ends, and the file stays
+/// until the next one.
 class ParticipantLock {
   public:
+    /// Error: another process holds it.
     [[nodiscard]] static Result<ParticipantLock> take(const std::filesystem::path& database,
                                                       const std::string& participant);
+    /// None: another process holds it.
+    [[nodiscard]] static Result<std::optional<ParticipantLock>> tryTake(const std::filesystem::path& database,
+                                                                        const std::string& participant);
     ParticipantLock(ParticipantLock&&) noexcept;
     ParticipantLock& operator=(ParticipantLock&&) noexcept;
     ~ParticipantLock();
 
   private:
-    explicit ParticipantLock(int file) : file_(file) {}
+    ParticipantLock(int file, std::filesystem::path path) : file_(file), path_(std::move(path)) {}
     int file_ = -1;
+    std::filesystem::path path_{};
 };
 
 }  // namespace deixis::results
