@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <memory>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -15,6 +17,8 @@
 #include "commands.hpp"
 #include "core/server_address.hpp"
 #include "core/text.hpp"
+#include "progress_line.hpp"
+#include "results/long_check.hpp"
 
 namespace {
 
@@ -82,6 +86,9 @@ int main(int argc, char** argv) {
             deixis::withoutPasswords(*address));
         return 2;
     }
+    deixis::results::watchChecks([](const std::filesystem::path& database) {
+        return std::make_shared<ElapsedOnTerminal>("checking " + database.string());
+    });
     try {
         cli.parse(argc, argv);
         const auto done = chosen();

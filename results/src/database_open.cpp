@@ -7,6 +7,7 @@
 #include <system_error>
 #include <thread>
 
+#include "database_check.hpp"
 #include "database_files.hpp"
 #include "migration.hpp"
 #include "schema.hpp"
@@ -63,8 +64,14 @@ Result<SQLite::Database> openOnce(const fs::path& path, Missing missing) {
                     "Create it, or name a file elsewhere");
     const int create = missing == Missing::create ? SQLite::OPEN_CREATE : 0;
     SQLite::Database database(path.string(), SQLite::OPEN_READWRITE | create, busy_timeout_ms);
-    // Before anything is changed in it.
-    if (const auto whose = identify(database, path); !whose) return tl::unexpected(whose.error());
+    // Before anything is changed in it: what a log beside it holds stays there while it is not known to fit.
+    sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    const auto whose = identify(database, path);
+    if (!whose) return tl::unexpected(whose.error());
+    if (whose->version > 0)
+        if (auto sound = checkWhole(database, path, whose->version); !sound)
+            return tl::unexpected(sound.error());
+    sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
     if (sqlite3_db_readonly(database.getHandle(), "main") != 0)
         return fail(path.string(), "the database can be read but not written",
                     "Give yourself write permission for the file and its folder, or name another file");
@@ -124,6 +131,12 @@ Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
         if (!whose) return tl::unexpected(whose.error());
         if (whose->version == 0)
             return fail(path.string(), "the database holds no study yet", "Run a session with it first");
+        if (auto sound = checkWhole(database, path, whose->version); !sound) {
+            // A writer may have begun, and changed what was read without its log.
+            if (without_log && (hasLog(path) || fs::last_write_time(path, problem) != written))
+                return openReadOnly(path, WithLog::yes);
+            return tl::unexpected(sound.error());
+        }
         if (whose->version < schema_version) {
             database = upToDateCopy(database);
             if (auto ready = migrateWhole(database, path); !ready) return tl::unexpected(ready.error());

@@ -24,7 +24,8 @@ enum class Missing : unsigned char {
     refuse
 };
 
-/// Opens for writing and brings an older database to the newest version. Foreign keys are enforced, the
+/// Opens for writing, once all of it has been looked over (checkWhole()), and brings an older database to the
+/// newest version. Foreign keys are enforced, the
 /// journal is a write-ahead log, and each transaction waits for the disk. Nothing is opened or made beside
 /// the log or journal of a database that is not there. Failing SQLite calls throw; a lock does only after
 /// `patience`.
@@ -64,7 +65,8 @@ class ReadOnlyDatabase {
     std::filesystem::file_time_type written_{};
 };
 
-/// Errors: no such file, not one of ours, a newer version, no tables in it yet, locked.
+/// Errors: no such file, not one of ours, a newer version, no tables in it yet, damaged (checkWhole()),
+/// locked.
 [[nodiscard]] Result<ReadOnlyDatabase> openReadOnly(const std::filesystem::path& path,
                                                     WithLog log = WithLog::where_there_is_one);
 

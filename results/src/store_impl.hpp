@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "answer_hash.hpp"
 #include "core/text.hpp"
 #include "results/store.hpp"
 #include "tracking_writer.hpp"
@@ -83,6 +84,7 @@ struct Store::Impl {
     std::optional<TrackingWriter> tracking{};               ///< from the first frames on
     long long session = 0;
     std::string session_participant{};
+    std::optional<AnswerHasher> hasher{};               ///< from the first answer on
     std::optional<std::uint64_t> last_frame{};          ///< of the session, among those kept
     std::optional<studies::GroupSizes> groups_taken{};  ///< in a whole run, where nobody else writes
     std::optional<std::uint64_t> log_inode{};           ///< of the log's file
@@ -159,6 +161,8 @@ struct Store::Impl {
                        const studies::Study& study, const studies::Stage& stage);
     void insertField(const studies::Answer& answer);
     void supersede(const studies::Superseded& superseded);
+    /// Once all is stored of the response, or something of it has changed.
+    void keepHash(std::int64_t response);
     void exclude(const studies::Exclusion& exclusion);
     void insertNote(const studies::Note& note);
     /// Takes the session's participant out of the analysis, who counted until now.

@@ -76,6 +76,14 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
             insertConsent(answer, response, study, stage);
         if (stage.kind == studies::StageKind::questionnaire && stage.about_participant) insertField(answer);
     }
+    keepHash(id);
+}
+
+void Store::Impl::keepHash(std::int64_t response) {
+    if (!hasher) hasher.emplace(database, AnswerHasher::Scope::one);
+    auto update = query("UPDATE responses SET hash = ? WHERE id = ?");
+    update << hasher->of(response) << response;
+    update.run();
 }
 
 void Store::Impl::insertConsent(const studies::Answer& answer, const studies::Response& response,
@@ -102,16 +110,22 @@ void Store::Impl::insertField(const studies::Answer& answer) {
 }
 
 void Store::Impl::supersede(const studies::Superseded& superseded) {
-    auto update = query(
-        "UPDATE responses SET superseded = ?, superseded_utc_s = ? WHERE participant = ? AND trial_index = ? "
-        "AND superseded IS NULL");
-    update << superseded.reason << superseded.at.utc_s << session_participant << superseded.trial_index;
-    update.run();
-    if (database.getChanges() != 1)
+    auto counting = query(
+        "SELECT id, hash IS NOT NULL FROM responses WHERE participant = ? AND trial_index = ? AND superseded "
+        "IS "
+        "NULL");
+    counting << session_participant << superseded.trial_index;
+    if (!counting.next())
         throw std::logic_error(
             fmt::format("Store::record: trial {} of participant {} has no answer yet that "
                         "could be superseded",
                         superseded.trial_index, session_participant));
+    const std::int64_t id = counting[0].getInt64();
+    const bool hashed = counting[1].getInt() != 0;
+    auto update = query("UPDATE responses SET superseded = ?, superseded_utc_s = ? WHERE id = ?");
+    update << superseded.reason << superseded.at.utc_s << id;
+    update.run();
+    if (hashed) keepHash(id);
 }
 
 void Store::Impl::exclude(const studies::Exclusion& exclusion) {
