@@ -57,6 +57,8 @@ void OperatorFeedWriter::record(const studies::SessionEvent& event) {
             note(note_of->at.time_s, note_of->kind, note_of->detail);
     } else if (const auto* exclusion = std::get_if<studies::Exclusion>(&event)) {
         note(exclusion->at.time_s, "exclusion", exclusion->reason);
+    } else if (const auto* response = std::get_if<studies::Response>(&event)) {
+        if (!response->exclusion.empty()) note(response->answered.time_s, "exclusion", response->exclusion);
     }
 }
 

@@ -22,7 +22,7 @@ namespace deixis::app {
 struct OperatorEvent {
     double elapsed_s = 0.0;
     std::string kind;    ///< Note::kind, "exclusion", or "recording_failed"
-    std::string detail;  ///< Note::detail, Exclusion::reason, or why nothing more can be kept
+    std::string detail;  ///< Note::detail, the reason of an exclusion, or why nothing more can be kept
 };
 
 struct OperatorFeed {

@@ -145,13 +145,14 @@ Result<void> checkTakesPart(const RunArguments& options, const results::Store& s
     if (!store.registration(participant)) return {};
     const auto known = results::showParticipant(options.database, participant);
     if (!known) return tl::unexpected(known.error());
-    if (known->row.status == "active") return {};
+    if (results::mayTakePart(known->row)) return {};
+    const bool declined = known->row.consent == "declined";
     return fail(
         options.database,
         fmt::format("{} {} ({})", participant,
                     known->row.status == "excluded" ? "is excluded" : "dropped out", known->row.reason),
-        fmt::format("'deixis participants include {} {}' lets the participant go on", options.database,
-                    participant));
+        fmt::format("'deixis participants include {} {}' lets the participant {}", options.database,
+                    participant, declined ? "be asked for consent anew" : "go on"));
 }
 
 struct Prepared {
@@ -184,7 +185,7 @@ Result<void> runOn(const RunArguments& options, const Prepared& prepared, result
     fmt::print("participant {}: {} station ({}){}\n", participant, info.kind, info.details,
                enrolment.resume.answered.empty()
                    ? ""
-                   : fmt::format(", {} answers kept from before", enrolment.resume.answered.size()));
+                   : fmt::format(", {} trials and pages answered before", enrolment.resume.answered.size()));
     if (!info.controls.empty()) fmt::print("{}\n", info.controls);
     std::fflush(stdout);
 

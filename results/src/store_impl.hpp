@@ -18,9 +18,6 @@
 
 namespace deixis::results {
 
-/// Why somebody is a drop-out who has not agreed, and stops being one by agreeing.
-inline constexpr const char* declined_reason = "consent was declined";
-
 /// A statement lent for one use: reset at its end, whatever comes, so that it holds no lock.
 class Query {
   public:
@@ -163,7 +160,10 @@ struct Store::Impl {
     void supersede(const studies::Superseded& superseded);
     /// Once all is stored of the response, or something of it has changed.
     void keepHash(std::int64_t response);
-    void exclude(const studies::Exclusion& exclusion);
+    void exclude(const std::string& reason, const studies::Moment& at);
+    void abort(const std::string& reason);
+    /// A refusal gives way to the answer that was asked for anew.
+    void supersedeRefusal(int trial_index, const studies::Moment& at);
     void insertNote(const studies::Note& note);
     /// Takes the session's participant out of the analysis, who counted until now.
     void leaveOut(const char* status, const std::string& reason);

@@ -228,7 +228,9 @@ TEST_SUITE("results/store plan") {
         run("P01", {studies::Note{"operator_abort", -1, {}, "felt sick"}}, SessionOutcome::aborted);
         run("P02", {studies::Exclusion{"attention check failed: game, trial 6", {5.0, 1.7e9}}},
             SessionOutcome::finished);
-        run("P03", {}, SessionOutcome::declined);
+        auto declined = fixtures::response(fixtures::widePlan(study, "P03").trials[0]);
+        declined.answers = {{"consent", -1, 0.0}};
+        run("P03", {declined}, SessionOutcome::declined);
         run("P04", {}, SessionOutcome::quit);
         CHECK(store.groupsTaken() ==
               studies::GroupSizes{{{{"style", "calm"}}, 1}, {{{"style", "lively"}}, 1}});

@@ -97,7 +97,7 @@ class Store {
     [[nodiscard]] std::vector<std::string> participants() const;
     [[nodiscard]] int firstFreeNumber() const;  ///< one more than the highest
     [[nodiscard]] bool numberTaken(int number) const;
-    /// Of everybody who counts for the balance: neither excluded nor dropped out.
+    /// Of everybody who counts for the balance: neither excluded nor dropped out, consent not refused.
     [[nodiscard]] studies::GroupSizes groupsTaken() const;
     /// The stored plan of a participant, if any.
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
@@ -116,8 +116,10 @@ class Store {
     /// Starts a session; later records belong to it. Returns its id. The station's properties must have
     /// different names.
     long long beginSession(const SessionInfo& session);
-    /// Keeps an event. A response is one transaction with all that it holds, durable on return; so are what
-    /// supersedes one, and an exclusion, which marks the participant. Throws DatabaseMoved once the event is
+    /// Keeps an event. A response is one transaction with all that it holds and all that follows from it: an
+    /// exclusion, or that consent was refused, which makes the participant a drop-out until it is given. It
+    /// is durable on return; so are what supersedes one, an exclusion, and an operator's abort, which makes
+    /// the participant a drop-out. Throws DatabaseMoved once the event is
     /// kept.
     void record(const studies::SessionEvent& event, const studies::Study& study,
                 const studies::StudyPlan& plan, const ClipRecords& clips);
@@ -125,7 +127,6 @@ class Store {
     /// the same trial kept before), in one transaction. The disk is not waited for: a power cut may take what
     /// was written since the last response.
     void recordTracking(std::span<const TrackedFrame> frames, std::span<const TrialTracking> trials);
-    /// An aborted session makes the participant a drop-out.
     void endSession(studies::SessionOutcome outcome, double ended_utc_s);
     /// Commits a whole_run store. Nothing is kept of it without this call.
     void commit();
