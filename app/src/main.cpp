@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "commands.hpp"
+#include "command_line.hpp"
 #include "core/server_address.hpp"
 #include "core/text.hpp"
 #include "progress_line.hpp"
@@ -44,30 +44,15 @@ int main(int argc, char** argv) {
     using namespace deixis::app;
     // Answers, and all that is made from them, are their owner's alone.
     ::umask(S_IRWXG | S_IRWXO);
+    // Line by line also into a pipe: what is told of the details comes before what they come to.
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     CLI::App cli{"Deixis: evaluate how an embodied agent points", "deixis"};
     cli.set_version_flag("--version", programVersion());
     cli.require_subcommand(1);
     cli.fallthrough(false);
 
     Command chosen;
-    addRunCommand(cli, chosen);
-    addSimulateCommand(cli, chosen);
-    addPowerCommand(cli, chosen);
-    addFitCommand(cli, chosen);
-    addReportCommand(cli, chosen);
-    addEvaluateCommand(cli, chosen);
-    addStatsCommand(cli, chosen);
-    addReplayCommand(cli, chosen);
-    addCheckCommand(cli, chosen);
-    addPlanCommand(cli, chosen);
-    addParticipantsCommand(cli, chosen);
-    addExportCommand(cli, chosen);
-    addMergeCommand(cli, chosen);
-    addPushCommand(cli, chosen);
-    addTargetsCommand(cli, chosen);
-    addGenerateCommand(cli, chosen);
-    addClipsCommand(cli, chosen);
-    addViewCommand(cli, chosen);
+    addCommands(cli, chosen);
 
     const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
     if (const auto text = unkeepable(arguments)) {
@@ -99,8 +84,12 @@ int main(int argc, char** argv) {
         std::ostringstream out, err;
         const int status = cli.exit(error, out, err);
         fmt::print("{}", out.str());
-        fmt::print(stderr, "{}", deixis::withoutPasswords(err.str()));
-        return status == 0 ? 0 : 2;
+        if (status == 0) return 0;
+        const std::string unknown = unknownWord(cli, arguments);
+        fmt::print(stderr, "{}",
+                   deixis::withoutPasswords(
+                       unknown.empty() ? err.str() : unknown + "\nRun with --help for more information.\n"));
+        return 2;
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "deixis: error: there is not enough memory for this\n");
         return 1;

@@ -24,15 +24,15 @@ class DirectRecorder : public Recorder {
     void record(const studies::SessionEvent& event) override;
     void sample(const studies::TrackingSample&, int) override {}
     [[nodiscard]] bool answersKept() const override { return true; }
-    /// To trials that show clips, practice aside.
-    [[nodiscard]] int answers() const { return answers_; }
+    /// Units of the plan that were answered: trials, practice and pages.
+    [[nodiscard]] int answered() const { return answered_; }
 
   private:
     results::Store& store_;
     const studies::Study& study_;
     const studies::StudyPlan& plan_;
     const results::ClipRecords& clips_;
-    int answers_ = 0;
+    int answered_ = 0;
 };
 
 /// Hands everything to a thread that writes it, so that no frame waits for the disk: for people. What still

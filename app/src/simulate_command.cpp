@@ -46,7 +46,7 @@ int takePart(const StudySetup& setup, const studies::StudyPlan& plan, const asse
         store.beginSession({plan.participant, info, programVersion(), avatar.content_hash, now_s});
         DirectRecorder recorder(store, setup.study, plan, records);
         now_s = runSession(session, station, recorder).utc_s;
-        answers += recorder.answers();
+        answers += recorder.answered();
         store.endSession(session.outcome(), now_s);
         if (session.outcome() != studies::SessionOutcome::finished) return answers;
     }
@@ -93,7 +93,7 @@ Result<void> simulate(const SimulateArguments& options) {
     fs::rename(partial, options.database, code);
     if (code) return fail(options.database, "cannot be written: " + code.message());
     for (const char* suffix : {"-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
-    fmt::print("{} simulated participants, {} answers: {}\n", options.participants, answers,
+    fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants, answers,
                options.database);
     return {};
 }
