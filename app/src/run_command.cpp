@@ -35,6 +35,7 @@ namespace fs = std::filesystem;
 struct RunArguments {
     std::string study;
     std::string participant;
+    std::optional<int> number;
     std::string language;
     std::string database;
     std::string report;
@@ -155,6 +156,10 @@ Result<void> checkTakesPart(const RunArguments& options, const results::Store& s
                     participant, declined ? "be asked for consent anew" : "go on"));
 }
 
+fs::path stimuliFolderOf(const RunArguments& options) {
+    return options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+}
+
 struct Prepared {
     StudySetup setup;
     Enrolment enrolment;
@@ -163,9 +168,9 @@ struct Prepared {
 };
 
 // The session itself: the station's frames, until it has an outcome.
-Result<void> runOn(const RunArguments& options, const Prepared& prepared, results::Store& store,
+Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Store& store,
                    std::optional<std::ofstream> trace_file, const results::RecordingOptions& recording) {
-    const auto& [setup, enrolment, avatar, stimuli] = prepared;
+    auto& [setup, enrolment, avatar, stimuli] = prepared;
     const std::string& participant = enrolment.registration.participant;
     const auto feed = std::make_shared<OperatorFeed>();
     StationRequest request = options.station;
@@ -180,8 +185,13 @@ Result<void> runOn(const RunArguments& options, const Prepared& prepared, result
                                 info.synthetic ? "simulated participant" : "person"),
                     "Name another participant with --participant, or another database with --db");
     // Nothing is kept of a participant before all that the session needs is there.
-    if (auto stored = store.storePlan(setup.study, enrolment.registration, enrolment.plan); !stored)
-        return stored;
+    const auto drawn_anew = storeEnrolment(setup, store, enrolment, options.number, utcNow_s());
+    if (!drawn_anew) return tl::unexpected(drawn_anew.error());
+    if (*drawn_anew) {
+        auto others = StimulusLibrary::load(setup, {enrolment.plan}, avatar, stimuliFolderOf(options));
+        if (!others) return tl::unexpected(others.error());
+        stimuli = std::move(*others);
+    }
     fmt::print("participant {}: {} station ({}){}\n", participant, info.kind, info.details,
                enrolment.resume.answered.empty()
                    ? ""
@@ -259,16 +269,14 @@ Result<void> run(RunArguments options) {
     auto avatar = loadStudyAvatar(setup->study);
     if (!avatar) return tl::unexpected(avatar.error());
     if (auto takes_part = checkTakesPart(options, *store, participant); !takes_part) return takes_part;
-    auto enrolment = enrol(*setup, *store, participant, utcNow_s());
+    auto enrolment = enrol(*setup, *store, participant, options.number, utcNow_s());
     if (!enrolment) return tl::unexpected(enrolment.error());
     if (enrolment->left.empty()) {
         fmt::print("{} has answered every trial already\n", participant);
         return report(options);
     }
 
-    const fs::path stimuli_folder =
-        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
-    auto stimuli = StimulusLibrary::load(*setup, {enrolment->plan}, *avatar, stimuli_folder);
+    auto stimuli = StimulusLibrary::load(*setup, {enrolment->plan}, *avatar, stimuliFolderOf(options));
     if (!stimuli) return tl::unexpected(stimuli.error());
 
     std::optional<std::ofstream> trace_file;
@@ -277,8 +285,7 @@ Result<void> run(RunArguments options) {
         if (!opened) return tl::unexpected(opened.error());
         trace_file = std::move(*opened);
     }
-    const Prepared prepared{std::move(*setup), std::move(*enrolment), std::move(*avatar),
-                            std::move(*stimuli)};
+    Prepared prepared{std::move(*setup), std::move(*enrolment), std::move(*avatar), std::move(*stimuli)};
     return runOn(options, prepared, *store, std::move(trace_file), *recording);
 }
 
@@ -290,6 +297,11 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
     command->add_option("--participant", options->participant,
                         "Pseudonymous id [the next free of P01, P02, ...]");
+    command
+        ->add_option("--number", options->number,
+                     "Number of a new participant, which the order of trials follows [the digits that the id "
+                     "ends in, or the next free one]")
+        ->check(CLI::Range(1, 999999));
     command->add_option("--language", options->language,
                         "Language of the participant's texts, such as de [the study's first]");
     command

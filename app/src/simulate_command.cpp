@@ -75,7 +75,7 @@ Result<void> simulate(const SimulateArguments& options) {
         if (!store) return tl::unexpected(store.error());
         std::vector<studies::StudyPlan> plans;
         for (int i = 1; i <= options.participants; ++i) {
-            const auto enrolment = enrol(*setup, *store, fmt::format("S{:03}", i), 0.0);
+            const auto enrolment = enrol(*setup, *store, fmt::format("S{:03}", i), {}, 0.0);
             if (!enrolment) return tl::unexpected(enrolment.error());
             if (auto stored = store->storePlan(setup->study, enrolment->registration, enrolment->plan);
                 !stored)

@@ -42,9 +42,10 @@ std::vector<std::string> failedPractice(SQLite::Database& database, const std::s
 
 void practiseAnew(SQLite::Database& database, const std::string& participant, const std::string& stage,
                   double utc_s) {
-    Statement answers(database,
-                      "SELECT r.id, r.hash IS NOT NULL FROM responses AS r JOIN trials AS t USING (participant, "
-                      "trial_index) WHERE r.participant = ? AND t.stage = ? AND r.superseded IS NULL");
+    Statement answers(
+        database,
+        "SELECT r.id, r.hash IS NOT NULL FROM responses AS r JOIN trials AS t USING (participant, "
+        "trial_index) WHERE r.participant = ? AND t.stage = ? AND r.superseded IS NULL");
     answers.bind(1, participant);
     answers.bind(2, stage);
     std::vector<std::pair<std::int64_t, bool>> found;

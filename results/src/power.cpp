@@ -234,8 +234,9 @@ Result<PowerAnalysis> PowerAnalysis::make(const studies::Study& study,
     studies::GroupSizes taken;
     for (int number = 1; number <= most_participants; ++number) {
         const studies::Groups groups = studies::assignGroups(study, taken, number);
-        ++taken[groups];
-        auto plan = studies::buildPlan(study, targets, fmt::format("S{:04}", number), number, groups);
+        const int in_cell = ++taken[groups];
+        auto plan = studies::buildPlan(study, targets, fmt::format("S{:04}", number), number, groups,
+                                       study.between.empty() ? std::nullopt : std::optional(in_cell));
         if (!plan) return tl::unexpected(plan.error());
         impl->plans.push_back(std::move(*plan));
     }

@@ -81,11 +81,13 @@ struct Store::Impl {
     std::optional<TrackingWriter> tracking{};               ///< from the first frames on
     long long session = 0;
     std::string session_participant{};
-    std::optional<AnswerHasher> hasher{};               ///< from the first answer on
-    std::optional<std::uint64_t> last_frame{};          ///< of the session, among those kept
-    std::optional<studies::GroupSizes> groups_taken{};  ///< in a whole run, where nobody else writes
-    std::optional<std::uint64_t> log_inode{};           ///< of the log's file
-    std::optional<Error> moved{};                       ///< the files are not where they were
+    std::optional<AnswerHasher> hasher{};       ///< from the first answer on
+    std::optional<std::uint64_t> last_frame{};  ///< of the session, among those kept
+    // In a whole run, where nobody else writes:
+    std::optional<studies::GroupSizes> groups_taken{};
+    std::optional<studies::GroupSizes> groups_registered{};
+    std::optional<std::uint64_t> log_inode{};  ///< of the log's file
+    std::optional<Error> moved{};              ///< the files are not where they were
 
     Impl(std::filesystem::path file, Durability how, SQLite::Database opened)
         : path(std::move(file)), durability(how), database(std::move(opened)) {}
@@ -106,6 +108,10 @@ struct Store::Impl {
             return;
         }
         if (moved) throw DatabaseMoved(*moved);
+        if (inTransaction()) {  // of exclusively()
+            writes();
+            return;
+        }
         database.exec("BEGIN IMMEDIATE");
         try {
             writes();
@@ -151,6 +157,8 @@ struct Store::Impl {
     void insertPlan(const studies::StudyPlan& plan, const std::string& json);
     void insertTrial(const std::string& participant, const studies::Trial& trial);
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant);
+    /// `people`: of which participants, as in a FROM clause.
+    [[nodiscard]] studies::GroupSizes countGroups(const std::string& people);
 
     void insertResponse(const studies::Response& response, const studies::Study& study,
                         const studies::StudyPlan& plan, const ClipRecords& clips);

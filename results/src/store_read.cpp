@@ -56,13 +56,11 @@ bool Store::numberTaken(int number) const {
     return row.next();
 }
 
-studies::GroupSizes Store::groupsTaken() const {
-    if (impl_->groups_taken) return *impl_->groups_taken;
-    static const std::string sql = fmt::format(
-        "SELECT p.id, g.factor, g.level FROM {} AS p LEFT JOIN participant_groups AS g ON "
-        "g.participant = p.id WHERE p.status = 'active' ORDER BY p.number",
-        participantsStanding());
-    auto row = impl_->query(sql.c_str());
+studies::GroupSizes Store::Impl::countGroups(const std::string& people) {
+    auto row = query(fmt::format("SELECT p.id, g.factor, g.level FROM {} AS p LEFT JOIN participant_groups "
+                                 "AS g ON g.participant = p.id ORDER BY p.number",
+                                 people)
+                         .c_str());
     std::vector<studies::Groups> each;
     std::string last;
     while (row.next()) {
@@ -72,7 +70,21 @@ studies::GroupSizes Store::groupsTaken() const {
     }
     studies::GroupSizes out;
     for (studies::Groups& groups : each) ++out[std::move(groups)];
+    return out;
+}
+
+studies::GroupSizes Store::groupsTaken() const {
+    if (impl_->groups_taken) return *impl_->groups_taken;
+    auto out =
+        impl_->countGroups(fmt::format("(SELECT * FROM {} WHERE status = 'active')", participantsStanding()));
     if (impl_->durability == Durability::whole_run) impl_->groups_taken = out;
+    return out;
+}
+
+studies::GroupSizes Store::groupsRegistered() const {
+    if (impl_->groups_registered) return *impl_->groups_registered;
+    auto out = impl_->countGroups("participants");
+    if (impl_->durability == Durability::whole_run) impl_->groups_registered = out;
     return out;
 }
 

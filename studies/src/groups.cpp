@@ -71,4 +71,12 @@ Groups assignGroups(const Study& study, const GroupSizes& taken, int number) {
     return *open[random.below(open.size())];
 }
 
+Turn turnOf(const Study& study, int number, const Groups& groups) {
+    if (study.between.empty()) return {groups, std::nullopt};
+    GroupSizes taken;
+    for (int before = 1; before < number; ++before) ++taken[assignGroups(study, taken, before)];
+    const Groups own = groups.empty() ? assignGroups(study, taken, number) : groups;
+    return {own, taken[own] + 1};
+}
+
 }  // namespace deixis::studies

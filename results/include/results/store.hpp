@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -99,12 +100,16 @@ class Store {
     [[nodiscard]] bool numberTaken(int number) const;
     /// Of everybody who counts for the balance: neither excluded nor dropped out, consent not refused.
     [[nodiscard]] studies::GroupSizes groupsTaken() const;
+    [[nodiscard]] studies::GroupSizes groupsRegistered() const;  ///< of everybody, drop-outs too
     /// The stored plan of a participant, if any.
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
     /// Stores study, registration and plan, all or nothing. Fails where the database holds another study
     /// (other hash), another plan of the participant, or the number for somebody else.
     [[nodiscard]] Result<void> storePlan(const studies::Study& study, const Registration& registration,
                                          const studies::StudyPlan& plan);
+    /// Runs `work` under the database's write lock, all or nothing: what it reads still holds when it stores
+    /// a plan. Nothing is kept where it fails.
+    [[nodiscard]] Result<void> exclusively(const std::function<Result<void>()>& work);
     /// What earlier sittings left; `now_utc_s` gives the gap.
     [[nodiscard]] studies::Resume resume(const std::string& participant, double now_utc_s) const;
     /// Whether the participant has had a session with a simulated participant (`synthetic`) or with a person.

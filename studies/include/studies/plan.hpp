@@ -65,7 +65,10 @@ struct StudyPlan {
     std::string study_hash;
     std::uint64_t seed = 0;                     ///< the study's
     std::map<std::string, std::string> groups;  ///< between factor -> the participant's level
-    std::vector<std::string> stages;            ///< names of those that apply, in order
+    /// 1, 2, ...: of the participant among those with the same groups, which a Williams square goes by. None
+    /// where there are no groups (and in plans of before version 5): then it goes by `number`.
+    std::optional<int> number_in_cell{};
+    std::vector<std::string> stages;  ///< names of those that apply, in order
     std::vector<Trial> trials;
 };
 
@@ -87,6 +90,16 @@ using GroupSizes = std::map<Groups, int>;
 /// study has no such factor.
 [[nodiscard]] Groups assignGroups(const Study& study, const GroupSizes& taken, int number);
 
+/// Where a participant stands among the others.
+struct Turn {
+    Groups groups{};
+    std::optional<int> number_in_cell{};  ///< as StudyPlan::number_in_cell
+};
+
+/// Of participant `number`, where all before enrolled in the order of their numbers and nobody dropped out,
+/// as in a simulated study. `groups` empty: those that are assigned then.
+[[nodiscard]] Turn turnOf(const Study& study, int number, const Groups& groups = {});
+
 /// Builds the plan of one participant.
 ///
 /// - Items are targets drawn without replacement, different ones in all stages, the same for all systems
@@ -97,11 +110,12 @@ using GroupSizes = std::map<Groups, int>;
 /// - Order: blocks as TrialDesign says, shuffled within, under its constraints. Stimuli of a page and of a
 ///   pair are shuffled for each trial, left and right evenly over a pair's trials.
 ///
-/// Depends on the study's seed and design, the targets, the number and the groups alone, and not on the
+/// Depends on the study's seed and design, the targets, the numbers and the groups alone, and not on the
 /// texts. Fails where the id is not valid, a group is missing or unknown, there are too few targets, or the
 /// constraints cannot be met.
 [[nodiscard]] Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& targets,
-                                          std::string_view participant, int number, const Groups& groups);
+                                          std::string_view participant, int number, const Groups& groups,
+                                          std::optional<int> number_in_cell = {});
 
 /// Rows of a Williams square for n conditions: n rows (2n where n is odd) in which every condition comes in
 /// every place, and after every other one, equally often (Williams 1949).
