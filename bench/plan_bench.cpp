@@ -88,8 +88,8 @@ void assignOne(benchmark::State& state) {
     Study study;
     study.seed = 2023;
     study.between = {{"measure", {"human-likeness", "appropriateness"}}, {"style", {"calm", "lively"}}};
-    std::vector<Groups> taken;
-    for (int number = 1; number <= participants; ++number) taken.push_back(groupsInTurn(study, number));
+    GroupSizes taken;
+    for (int number = 1; number <= participants; ++number) ++taken[groupsInTurn(study, number)];
     for (auto _ : state) benchmark::DoNotOptimize(assignGroups(study, taken, participants + 1).size());
 }
 BENCHMARK(assignOne)->Name("plan/assign_groups_after_10000")->Unit(benchmark::kMicrosecond);

@@ -12,6 +12,7 @@
 #include "clip_files.hpp"
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
+#include "core/csv.hpp"
 #include "motion/pointing.hpp"
 #include "motion/pointing_measures.hpp"
 
@@ -136,12 +137,11 @@ Entries entries(const NamedClip& clip, const motion::PointingMeasures& m) {
     return out;
 }
 
-std::string quoted(const std::string& text, bool json) {
+std::string quoted(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
-        if (json && (c == '"' || c == '\\')) out += '\\';
-        if (!json && c == '"') out += '"';
-        if (json && static_cast<unsigned char>(c) < 0x20)
+        if (c == '"' || c == '\\') out += '\\';
+        if (static_cast<unsigned char>(c) < 0x20)
             out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
         else
             out += c;
@@ -149,15 +149,15 @@ std::string quoted(const std::string& text, bool json) {
     return out + "\"";
 }
 
-std::string shown(const Entry& entry, bool json) {
+enum class Form : unsigned char { list, csv, json };
+
+std::string shown(const Entry& entry, Form form) {
     if (const auto* number = std::get_if<double>(&entry.value)) return fmt::format("{:.6g}", *number);
     if (const auto* count = std::get_if<int>(&entry.value)) return fmt::format("{}", *count);
     if (const auto* truth = std::get_if<bool>(&entry.value)) return *truth ? "true" : "false";
-    if (const auto* text = std::get_if<std::string>(&entry.value)) {
-        const bool plain = text->find_first_of(",\"\n\r") == std::string::npos;
-        return json || !plain ? quoted(*text, json) : *text;
-    }
-    return json ? "null" : "";
+    if (const auto* text = std::get_if<std::string>(&entry.value))
+        return form == Form::json ? quoted(*text) : form == Form::csv ? csvField(safeText(*text)) : *text;
+    return form == Form::json ? "null" : "";
 }
 
 void print(const std::vector<Entries>& clips, const ClipsMeasureArguments& options) {
@@ -168,15 +168,15 @@ void print(const std::vector<Entries>& clips, const ClipsMeasureArguments& optio
         if (options.csv) {
             for (std::size_t k = 0; i == 0 && k < clip.size(); ++k)
                 fmt::print("{}{}", clip[k].name, k + 1 < clip.size() ? "," : "\n");
-            for (const Entry& entry : clip) line += (line.empty() ? "" : ",") + shown(entry, false);
+            for (const Entry& entry : clip) line += (line.empty() ? "" : ",") + shown(entry, Form::csv);
             fmt::print("{}\n", line);
         } else if (options.json) {
             for (const Entry& entry : clip)
-                line += (line.empty() ? "" : ", ") + quoted(entry.name, true) + ": " + shown(entry, true);
+                line += (line.empty() ? "" : ", ") + quoted(entry.name) + ": " + shown(entry, Form::json);
             fmt::print("{}\n{{{}}}", i == 0 ? "" : ",", line);
         } else {
             for (const Entry& entry : clip)
-                if (const std::string value = shown(entry, false); !value.empty())
+                if (const std::string value = shown(entry, Form::list); !value.empty())
                     fmt::print("{:<35} {}\n", entry.name, value);
             fmt::print("\n");
         }

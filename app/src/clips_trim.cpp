@@ -1,13 +1,13 @@
 // deixis clips trim: a part of a clip.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <memory>
 
 #include "clip_files.hpp"
 #include "clip_output.hpp"
 #include "clips_commands.hpp"
+#include "core/number.hpp"
 #include "import_options.hpp"
 #include "motion/clip_edit.hpp"
 
@@ -26,19 +26,15 @@ struct ClipsTrimArguments {
 
 /// "30": frame 30; "1.5s": the frame nearest to that time.
 Result<int> frameFrom(std::string_view option, const std::string& text, const motion::Clip& clip) {
-    const bool in_seconds = text.ends_with('s');
-    const char* end = text.data() + text.size() - (in_seconds ? 1 : 0);
-    if (in_seconds) {
-        double time_s = 0.0;
-        const auto [last, code] = std::from_chars(text.data(), end, time_s);
-        // The frames that a file may have are far fewer.
-        if (code == std::errc() && last == end && std::abs(time_s) < 1e6)
-            if (const double frame = std::round(time_s / clip.frame_time_s); std::abs(frame) < 1e9)
+    constexpr double most_frames = 1e9;  // a file may have far fewer
+    if (text.ends_with('s')) {
+        const auto time_s = finiteNumber(std::string_view(text).substr(0, text.size() - 1));
+        if (time_s)
+            if (const double frame = std::round(*time_s / clip.frame_time_s); std::abs(frame) < most_frames)
                 return static_cast<int>(frame);
-    } else {
-        int frame = 0;
-        const auto [last, code] = std::from_chars(text.data(), end, frame);
-        if (code == std::errc() && last == end) return frame;
+    } else if (const auto frame = wholeNumber(text);
+               frame && std::abs(static_cast<double>(*frame)) < most_frames) {
+        return static_cast<int>(*frame);
     }
     return fail(std::string(option),
                 fmt::format("found '{}', expected a frame such as 30 or seconds such as 1.5s", text));

@@ -1,48 +1,88 @@
 #include "enrolment.hpp"
 
-#include <algorithm>
+#include <fmt/core.h>
+
 #include <utility>
 
 namespace deixis::app {
 
 namespace {
 
-int numberFor(const std::string& participant, const results::Store& store) {
+Result<int> numberFor(const std::string& participant, std::optional<int> asked, const results::Store& store) {
+    if (asked && store.numberTaken(*asked))
+        return fail("--number", fmt::format("{} is the number of another participant", *asked),
+                    "Give another one, or none: the next free one is then taken");
+    if (asked) return *asked;
     const auto wanted = studies::numberOfParticipant(participant);
-    if (!wanted) return store.firstFreeNumber();
-    const auto others = store.participants();
-    const bool taken = std::any_of(others.begin(), others.end(), [&](const std::string& other) {
-        const auto registered = store.registration(other);
-        return registered && registered->number == *wanted;
-    });
-    return taken ? store.firstFreeNumber() : *wanted;
+    return wanted && !store.numberTaken(*wanted) ? *wanted : store.firstFreeNumber();
+}
+
+Result<results::Registration> registrationOf(const studies::Study& study, const results::Store& store,
+                                             const std::string& participant, std::optional<int> number) {
+    if (auto registered = store.registration(participant)) {
+        if (number && *number != registered->number)
+            return fail("--number",
+                        fmt::format("found {}, but {} takes part with the number {}", *number, participant,
+                                    registered->number),
+                        "Leave it out");
+        return std::move(*registered);
+    }
+    const auto drawn = numberFor(participant, number, store);
+    if (!drawn) return tl::unexpected(drawn.error());
+    return results::Registration{participant, *drawn, study.language,
+                                 studies::assignGroups(study, store.groupsTaken(), *drawn)};
+}
+
+/// The next of those with the same groups who ever enrolled.
+std::optional<int> numberInCell(const studies::Study& study, const results::Store& store,
+                                const studies::Groups& groups) {
+    if (study.between.empty()) return std::nullopt;
+    const studies::GroupSizes registered = store.groupsRegistered();
+    const auto cell = registered.find(groups);
+    return 1 + (cell == registered.end() ? 0 : cell->second);
 }
 
 }  // namespace
 
 Result<Enrolment> enrol(const StudySetup& setup, const results::Store& store, const std::string& participant,
-                        double now_utc_s) {
+                        std::optional<int> number, double now_utc_s) {
     const studies::Study& study = setup.study;
     Enrolment out;
-    if (auto registered = store.registration(participant)) {
-        out.registration = std::move(*registered);
-    } else {
-        const int number = numberFor(participant, store);
-        out.registration = {participant, number, study.language,
-                            studies::assignGroups(study, store.groupsTaken(), number)};
-    }
+    auto registration = registrationOf(study, store, participant, number);
+    if (!registration) return tl::unexpected(registration.error());
+    out.registration = std::move(*registration);
     auto stored = store.plan(participant);
     if (stored && stored->study_hash == study.hash) {
         out.plan = std::move(*stored);
     } else {
-        auto plan = studies::buildPlan(study, setup.targets, participant, out.registration.number,
-                                       out.registration.groups);
+        auto plan =
+            studies::buildPlan(study, setup.targets, participant, out.registration.number,
+                               out.registration.groups, numberInCell(study, store, out.registration.groups));
         if (!plan) return tl::unexpected(plan.error());
         out.plan = std::move(*plan);
     }
     out.resume = store.resume(participant, now_utc_s);
     out.left = studies::trialsLeft(study, out.plan, out.resume.answered);
     return out;
+}
+
+Result<bool> storeEnrolment(const StudySetup& setup, results::Store& store, Enrolment& enrolment,
+                            std::optional<int> number, double now_utc_s) {
+    bool drawn_anew = false;
+    const auto stored = store.exclusively([&]() -> Result<void> {
+        const std::string participant = enrolment.registration.participant;
+        if (!store.registration(participant)) {
+            auto now = enrol(setup, store, participant, number, now_utc_s);
+            if (!now) return tl::unexpected(now.error());
+            drawn_anew = now->plan.number != enrolment.plan.number ||
+                         now->plan.groups != enrolment.plan.groups ||
+                         now->plan.number_in_cell != enrolment.plan.number_in_cell;
+            if (drawn_anew) enrolment = std::move(*now);
+        }
+        return store.storePlan(setup.study, enrolment.registration, enrolment.plan);
+    });
+    if (!stored) return tl::unexpected(stored.error());
+    return drawn_anew;
 }
 
 }  // namespace deixis::app

@@ -1,6 +1,7 @@
 // Who takes part: the number, the groups and the plan of a participant, new or come back.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,16 @@ struct Enrolment {
 };
 
 /// The stored registration and plan of somebody who has been here before, whatever a newer program would
-/// draw; else new ones: the number that the id ends in where it is free (else the next free one), and the
-/// groups with the fewest participants. Stores nothing.
+/// draw; else new ones: the number asked for, or the one that the id ends in where it is free (else the next
+/// free one), and the groups with the fewest participants. Stores nothing. Fails where the number asked for
+/// is somebody else's, or the participant has another one.
 [[nodiscard]] Result<Enrolment> enrol(const StudySetup& setup, const results::Store& store,
-                                      const std::string& participant, double now_utc_s);
+                                      const std::string& participant, std::optional<int> number,
+                                      double now_utc_s);
+
+/// Stores what enrol() gave. Where somebody else enrolled in the meantime, number and groups are drawn anew
+/// under the database's write lock: true is returned then, and `enrolment` is what was stored.
+[[nodiscard]] Result<bool> storeEnrolment(const StudySetup& setup, results::Store& store,
+                                          Enrolment& enrolment, std::optional<int> number, double now_utc_s);
 
 }  // namespace deixis::app

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "core/number.hpp"
 #include "measured_clips.hpp"
 #include "motion/generator.hpp"
 #include "progress_line.hpp"
@@ -40,10 +40,8 @@ struct EvaluateArguments {
 
 /// A positive, finite number, the whole of the text.
 std::optional<double> lengthFrom(std::string_view text) {
-    double value = 0.0;
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (code != std::errc() || end != text.data() + text.size() || !(value > 0.0) || value > 1e6)
-        return std::nullopt;
+    const auto value = finiteNumber(text);
+    if (!value || *value <= 0.0 || *value > 1e6) return std::nullopt;
     return value;
 }
 

@@ -70,7 +70,7 @@ void addExportCommand(CLI::App& cli, Command& chosen) {
 void addMergeCommand(CLI::App& cli, Command& chosen) {
     auto request = std::make_shared<MergeRequest>();
     CLI::App* command = cli.add_subcommand("merge", "Join the databases of several stations of one study");
-    command->add_option("DB", request->databases, "Databases to join")->required()->expected(2, 1000);
+    command->add_option("DB", request->databases, "Databases to join, two or more")->required()->expected(-2);
     command->add_option("-o,--output", request->output, "Database to make; must not exist")->required();
     command->callback([request, &chosen] { chosen = [request] { return merge(*request); }; });
 }

@@ -3,6 +3,8 @@
 #include <map>
 #include <string>
 
+#include "core/number.hpp"
+
 namespace deixis::app {
 
 namespace {
@@ -12,11 +14,11 @@ double metresOf(const std::string& unit) {
     static const std::map<std::string, double> names{
         {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"inch", 0.0254}};
     if (const auto found = names.find(unit); found != names.end()) return found->second;
-    double metres = 0.0;
-    if (!CLI::detail::lexical_cast(unit, metres) || !(metres > 0.0))
+    const auto metres = finiteNumber(unit);
+    if (!metres || *metres <= 0.0)
         throw CLI::ValidationError(
             "--unit", "found '" + unit + "', expected m, dm, cm, mm, inch, or a unit's length in metres");
-    return metres;
+    return *metres;
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ void OperatorFeedWriter::record(const studies::SessionEvent& event) {
             note(note_of->at.time_s, note_of->kind, note_of->detail);
     } else if (const auto* exclusion = std::get_if<studies::Exclusion>(&event)) {
         note(exclusion->at.time_s, "exclusion", exclusion->reason);
+    } else if (const auto* response = std::get_if<studies::Response>(&event)) {
+        if (!response->exclusion.empty()) note(response->answered.time_s, "exclusion", response->exclusion);
     }
 }
 
@@ -86,6 +88,10 @@ void OperatorFeedWriter::presented(const studies::InputFrame& input, const studi
     const double now_s = input.time_s;
     if (!start_s_) start_s_ = now_s;
     OperatorFeed& feed = *feed_;
+    if (input.recording_failed && feed.failure.empty()) {
+        feed.failure = kept_by_.failure();
+        note(now_s, "recording_failed", feed.failure);
+    }
     feed.elapsed_s = std::max(0.0, now_s - *start_s_);
     if (input.answers_kept)
         waiting_since_s_.reset();

@@ -21,8 +21,8 @@ namespace deixis::app {
 /// Something that happened, for the operator to see that it did.
 struct OperatorEvent {
     double elapsed_s = 0.0;
-    std::string kind;    ///< Note::kind, or "exclusion"
-    std::string detail;  ///< Note::detail, or Exclusion::reason
+    std::string kind;    ///< Note::kind, "exclusion", or "recording_failed"
+    std::string detail;  ///< Note::detail, the reason of an exclusion, or why nothing more can be kept
 };
 
 struct OperatorFeed {
@@ -32,6 +32,7 @@ struct OperatorFeed {
     std::optional<double> left_s;                   ///< none: not known yet
     std::optional<std::uintmax_t> disk_free_bytes;  ///< where the database lies; none: not known
     double waiting_s = 0.0;                         ///< since when answers wait for the disk; 0: none waits
+    std::string failure;                            ///< why answers can no longer be kept; empty: they can
     std::deque<OperatorEvent> events;               ///< the latest, the newest last
 };
 
@@ -50,6 +51,7 @@ class OperatorFeedWriter : public Recorder {
         kept_by_.sample(sample, trial_index);
     }
     [[nodiscard]] bool answersKept() const override { return kept_by_.answersKept(); }
+    [[nodiscard]] std::string failure() const override { return kept_by_.failure(); }
     void finish() override { kept_by_.finish(); }
     void presented(const studies::InputFrame& input, const studies::PresentedFrame& frame) override;
 

@@ -21,6 +21,10 @@ struct ParticipantsArguments {
     bool yes = false;
 };
 
+double utcNow_s() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
 std::string day(double utc_s) {
     if (utc_s <= 0.0) return "-";
     const auto seconds = static_cast<std::time_t>(utc_s);
@@ -46,8 +50,14 @@ Result<void> list(const ParticipantsArguments& options) {
                    row.status, row.language, row.sessions, fmt::format("{}/{}", row.answered, row.planned),
                    row.checks_failed, orDash(row.consent), day(row.last_utc_s), remarks);
     }
-    fmt::print("{} {}, {} withdrawn\n", found->rows.size(),
-               found->rows.size() == 1 ? "participant" : "participants", found->withdrawn);
+    int answered = 0;
+    int planned = 0;
+    for (const auto& row : found->rows) {
+        answered += row.answered;
+        planned += row.planned;
+    }
+    fmt::print("{} {}, {} of {} trials and pages answered, {} withdrawn\n", found->rows.size(),
+               found->rows.size() == 1 ? "participant" : "participants", answered, planned, found->withdrawn);
     if (found->uncleared > 0)
         fmt::print(
             "A withdrawal was broken off: give 'deixis participants withdraw' with the same id again, to "
@@ -61,9 +71,9 @@ Result<void> show(const ParticipantsArguments& options) {
     const auto& row = found->row;
     fmt::print("{}: number {}, {}{}\n", row.id, row.number, row.status,
                row.reason.empty() ? "" : fmt::format(" ({})", row.reason));
-    fmt::print("language {}, consent {}, {} of {} answered, {} attention checks failed{}\n", row.language,
-               row.consent.empty() ? "not asked" : row.consent, row.answered, row.planned, row.checks_failed,
-               row.synthetic ? ", simulated" : "");
+    fmt::print("language {}, consent {}, {} of {} trials and pages answered, {} attention checks failed{}\n",
+               row.language, row.consent.empty() ? "not asked" : row.consent, row.answered, row.planned,
+               row.checks_failed, row.synthetic ? ", simulated" : "");
     for (const auto& [factor, level] : row.groups) fmt::print("group {}: {}\n", factor, level);
     for (const auto& [name, value] : found->fields) fmt::print("{}: {}\n", name, value);
     for (const auto& session : found->sessions) fmt::print("session {}\n", session);
@@ -78,9 +88,22 @@ Result<void> exclude(const ParticipantsArguments& options) {
 }
 
 Result<void> include(const ParticipantsArguments& options) {
-    auto done = results::includeParticipant(options.database, options.participant);
-    if (done) fmt::print("{} takes part again\n", options.participant);
-    return done;
+    const auto done = results::includeParticipant(options.database, options.participant, utcNow_s());
+    if (!done) return tl::unexpected(done.error());
+    if (done->consent_asked_anew)
+        fmt::print(
+            "{0} did not give consent: the next session asks for it before anything else, and nothing of {0} "
+            "counts until it is given\n",
+            options.participant);
+    else
+        fmt::print("{} takes part again\n", options.participant);
+    for (const std::string& stage : done->practice)
+        fmt::print("practice {} was failed: it begins anew, and its answers so far are kept\n", stage);
+    if (const int forgiven = done->failed_checks_forgiven; forgiven > 0)
+        fmt::print("{} failed {} no longer {} towards a rule\n", forgiven,
+                   forgiven == 1 ? "attention check" : "attention checks",
+                   forgiven == 1 ? "counts" : "count");
+    return {};
 }
 
 Result<void> withdraw(const ParticipantsArguments& options) {
@@ -89,9 +112,7 @@ Result<void> withdraw(const ParticipantsArguments& options) {
                     fmt::format("is missing: everything that is kept of {} would be erased, for good",
                                 options.participant),
                     "Give --yes where that is meant; reports and exports made before are yours to delete");
-    const double now_s =
-        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-    auto done = results::withdrawParticipant(options.database, options.participant, now_s);
+    auto done = results::withdrawParticipant(options.database, options.participant, utcNow_s());
     if (!done) return tl::unexpected(done.error());
     if (*done == results::Withdrawn::erased)
         fmt::print("{} is withdrawn: everything kept in {} is erased, and counted as one withdrawal\n",
@@ -121,7 +142,7 @@ void addParticipantsCommand(CLI::App& cli, Command& chosen) {
     const auto [exclude_command, excluded] =
         add("exclude", "Take a participant's answers out of the analysis; they are kept", true, exclude);
     exclude_command->add_option("--reason", excluded->reason, "Why; kept and reported")->required();
-    add("include", "Undo an exclusion", true, include);
+    add("include", "Let a participant in again; consent that was declined is asked anew", true, include);
     const auto [withdraw_command, withdrawn] =
         add("withdraw", "Erase everything that is kept of a participant", true, withdraw);
     withdraw_command->add_flag("--yes", withdrawn->yes, "That is meant");

@@ -52,8 +52,9 @@ Result<void> printPlan(const PlanArguments& options) {
     if (!groups) return tl::unexpected(groups.error());
     const int number =
         options.number > 0 ? options.number : studies::numberOfParticipant(options.participant).value_or(1);
-    if (groups->empty()) groups = studies::assignGroups(setup->study, {}, number);
-    const auto plan = studies::buildPlan(setup->study, setup->targets, options.participant, number, *groups);
+    const studies::Turn turn = studies::turnOf(setup->study, number, *groups);
+    const auto plan = studies::buildPlan(setup->study, setup->targets, options.participant, number,
+                                         turn.groups, turn.number_in_cell);
     if (!plan) return tl::unexpected(plan.error());
     fmt::print("{}", options.json ? jsonForScripts(*plan) : studies::planTable(*plan));
     return {};
@@ -70,10 +71,10 @@ void addPlanCommand(CLI::App& cli, Command& chosen) {
         ->add_option("--number", options->number,
                      "Number of the participant in the study [the digits that the id ends in, or 1]")
         ->check(CLI::Range(1, 999999));
-    command->add_option(
-        "--group", options->groups,
-        "FACTOR=LEVEL of a factor between participants; may be repeated [drawn by chance, as of "
-        "the first participant]");
+    command->add_option("--group", options->groups,
+                        "FACTOR=LEVEL of a factor between participants; may be repeated [as drawn where all "
+                        "before enrolled in "
+                        "the order of their numbers]");
     command->add_flag("--json", options->json, "As JSON instead of a table");
     command->callback([options, &chosen] { chosen = [options] { return printPlan(*options); }; });
 }

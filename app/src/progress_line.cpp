@@ -49,4 +49,39 @@ Progress progressOnTerminal(std::string what) {
     };
 }
 
+std::string elapsedLine(std::string_view what, double elapsed_s) {
+    return fmt::format("{}, {} elapsed", what, clockText(elapsed_s));
+}
+
+ElapsedOnTerminal::ElapsedOnTerminal(std::string what) {
+    if (::isatty(STDERR_FILENO) != 0) thread_ = std::thread([this, what = std::move(what)] { run(what); });
+}
+
+ElapsedOnTerminal::~ElapsedOnTerminal() {
+    if (!thread_.joinable()) return;
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    ended_.notify_one();
+    thread_.join();
+}
+
+void ElapsedOnTerminal::run(const std::string& what) {
+    constexpr std::chrono::seconds patience{2};
+    constexpr std::chrono::milliseconds between{500};
+    const auto begin = std::chrono::steady_clock::now();
+    std::unique_lock lock(mutex_);
+    bool shown = false;
+    while (!ended_.wait_until(lock, shown ? std::chrono::steady_clock::now() + between : begin + patience,
+                              [this] { return ending_; })) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        fmt::print(stderr, "\r\x1b[K{}", elapsedLine(what, elapsed.count()));
+        std::fflush(stderr);
+        shown = true;
+    }
+    if (shown) fmt::print(stderr, "\r\x1b[K");
+    std::fflush(stderr);
+}
+
 }  // namespace deixis::app

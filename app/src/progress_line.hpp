@@ -1,10 +1,13 @@
 // How far a long piece of work has come, as a line for a terminal.
 #pragma once
 
+#include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace deixis::app {
 
@@ -19,5 +22,26 @@ using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 /// Writes that line to stderr, over the one before. Nothing where stderr is no terminal: it would fill a log.
 [[nodiscard]] Progress progressOnTerminal(std::string what);
+
+/// "checking study.sqlite, 0:07 elapsed", for work whose end is not known.
+[[nodiscard]] std::string elapsedLine(std::string_view what, double elapsed_s);
+
+/// Writes that line to stderr while it lives, from the third second on, and takes it away at the end. Nothing
+/// where stderr is no terminal.
+class ElapsedOnTerminal {
+  public:
+    explicit ElapsedOnTerminal(std::string what);
+    ~ElapsedOnTerminal();
+    ElapsedOnTerminal(const ElapsedOnTerminal&) = delete;
+    ElapsedOnTerminal& operator=(const ElapsedOnTerminal&) = delete;
+
+  private:
+    void run(const std::string& what);
+
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool ending_ = false;
+    std::thread thread_;
+};
 
 }  // namespace deixis::app

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <utility>
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "core/number.hpp"
 
 namespace deixis::app {
 
@@ -69,12 +68,9 @@ class MarkerReader {
 
     [[nodiscard]] Result<double> number(const CsvRecord& record, std::string_view column) const {
         const std::string& text = cell(record, column);
-        double value = 0.0;
-        const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-            return fail(fmt::format("{}:{}: {}", name_, record.line, column),
-                        fmt::format("found '{}', expected a finite number", text));
-        return value;
+        if (const auto value = finiteNumber(text)) return *value;
+        return fail(fmt::format("{}:{}: {}", name_, record.line, column),
+                    fmt::format("found '{}', expected a finite number", text));
     }
 
     const std::vector<CsvRecord>& records_;

@@ -1,6 +1,7 @@
 // Who keeps what happens in a session.
 #pragma once
 
+#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,15 +24,15 @@ class DirectRecorder : public Recorder {
     void record(const studies::SessionEvent& event) override;
     void sample(const studies::TrackingSample&, int) override {}
     [[nodiscard]] bool answersKept() const override { return true; }
-    /// To trials that show clips, practice aside.
-    [[nodiscard]] int answers() const { return answers_; }
+    /// Units of the plan that were answered: trials, practice and pages.
+    [[nodiscard]] int answered() const { return answered_; }
 
   private:
     results::Store& store_;
     const studies::Study& study_;
     const studies::StudyPlan& plan_;
     const results::ClipRecords& clips_;
-    int answers_ = 0;
+    int answered_ = 0;
 };
 
 /// Hands everything to a thread that writes it, so that no frame waits for the disk: for people. What still
@@ -54,6 +55,28 @@ class BackgroundRecorder : public Recorder {
 
   private:
     results::RecordingThread thread_;
+};
+
+/// Passes everything on to a recorder, until that fails (a full disk, a database that was moved): then the
+/// failure is kept for finish(), which throws it, and the session hears of it and ends calmly.
+class CalmRecorder : public Recorder {
+  public:
+    /// `kept_by` must outlive it.
+    explicit CalmRecorder(Recorder& kept_by) : kept_by_(kept_by) {}
+
+    void record(const studies::SessionEvent& event) override;
+    void sample(const studies::TrackingSample& sample, int trial_index) override;
+    [[nodiscard]] bool answersKept() const override;
+    [[nodiscard]] std::string failure() const override { return failure_; }
+    void finish() override;
+
+  private:
+    template <typename Call>
+    void unlessFailed(const Call& call) const;
+
+    Recorder& kept_by_;
+    mutable std::exception_ptr problem_{};
+    mutable std::string failure_{};
 };
 
 /// The usual options, except where the environment variable DEIXIS_STORAGE_DELAY_S asks for a slow store

@@ -45,6 +45,10 @@ Result<void> writeTables(const std::string& folder, const Tables& tables) {
 /// One of the data: a database, a long table, or a study on a server.
 Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice& choice) {
     if (isServerAddress(data)) return results::loadServerResponses(data, choice.study);
+    std::error_code code;
+    if (looksLikeServerAddress(data) && !std::filesystem::exists(data, code))
+        return fail(data, "is neither a file nor the address of a PostgreSQL server",
+                    "Such an address begins postgresql://, in small letters");
     return results::loadAnswers(data, choice.factors);
 }
 

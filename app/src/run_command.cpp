@@ -1,7 +1,6 @@
 // deixis run: one participant's session, from the first page to the report.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -36,6 +35,7 @@ namespace fs = std::filesystem;
 struct RunArguments {
     std::string study;
     std::string participant;
+    std::optional<int> number;
     std::string language;
     std::string database;
     std::string report;
@@ -49,12 +49,26 @@ double utcNow_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-// The first of P01, P02, ... that the database does not know.
-std::string nextParticipant(const results::Store& store) {
-    const auto taken = store.participants();
+struct Seat {
+    std::string participant;
+    results::ParticipantLock lock;
+};
+
+// Who takes part, with the lock that keeps others from the id: the participant named, or the first of P01,
+// P02, ... whom the database does not know and no other process has.
+Result<Seat> takeSeat(const RunArguments& options, const results::Store& store) {
+    if (!options.participant.empty()) {
+        auto lock = results::ParticipantLock::take(options.database, options.participant);
+        if (!lock) return tl::unexpected(lock.error());
+        return Seat{options.participant, std::move(*lock)};
+    }
     for (int i = 1;; ++i) {
-        std::string id = fmt::format("P{:02}", i);
-        if (std::find(taken.begin(), taken.end(), id) == taken.end()) return id;
+        const std::string id = fmt::format("P{:02}", i);
+        if (store.registration(id)) continue;
+        auto lock = results::ParticipantLock::tryTake(options.database, id);
+        if (!lock) return tl::unexpected(lock.error());
+        // Who had the lock until now may have registered.
+        if (*lock && !store.registration(id)) return Seat{id, std::move(**lock)};
     }
 }
 
@@ -132,13 +146,18 @@ Result<void> checkTakesPart(const RunArguments& options, const results::Store& s
     if (!store.registration(participant)) return {};
     const auto known = results::showParticipant(options.database, participant);
     if (!known) return tl::unexpected(known.error());
-    if (known->row.status == "active") return {};
+    if (results::mayTakePart(known->row)) return {};
+    const bool declined = known->row.consent == "declined";
     return fail(
         options.database,
         fmt::format("{} {} ({})", participant,
                     known->row.status == "excluded" ? "is excluded" : "dropped out", known->row.reason),
-        fmt::format("'deixis participants include {} {}' lets the participant go on", options.database,
-                    participant));
+        fmt::format("'deixis participants include {} {}' lets the participant {}", options.database,
+                    participant, declined ? "be asked for consent anew" : "go on"));
+}
+
+fs::path stimuliFolderOf(const RunArguments& options) {
+    return options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
 }
 
 struct Prepared {
@@ -149,9 +168,9 @@ struct Prepared {
 };
 
 // The session itself: the station's frames, until it has an outcome.
-Result<void> runOn(const RunArguments& options, const Prepared& prepared, results::Store& store,
+Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Store& store,
                    std::optional<std::ofstream> trace_file, const results::RecordingOptions& recording) {
-    const auto& [setup, enrolment, avatar, stimuli] = prepared;
+    auto& [setup, enrolment, avatar, stimuli] = prepared;
     const std::string& participant = enrolment.registration.participant;
     const auto feed = std::make_shared<OperatorFeed>();
     StationRequest request = options.station;
@@ -166,12 +185,17 @@ Result<void> runOn(const RunArguments& options, const Prepared& prepared, result
                                 info.synthetic ? "simulated participant" : "person"),
                     "Name another participant with --participant, or another database with --db");
     // Nothing is kept of a participant before all that the session needs is there.
-    if (auto stored = store.storePlan(setup.study, enrolment.registration, enrolment.plan); !stored)
-        return stored;
+    const auto drawn_anew = storeEnrolment(setup, store, enrolment, options.number, utcNow_s());
+    if (!drawn_anew) return tl::unexpected(drawn_anew.error());
+    if (*drawn_anew) {
+        auto others = StimulusLibrary::load(setup, {enrolment.plan}, avatar, stimuliFolderOf(options));
+        if (!others) return tl::unexpected(others.error());
+        stimuli = std::move(*others);
+    }
     fmt::print("participant {}: {} station ({}){}\n", participant, info.kind, info.details,
                enrolment.resume.answered.empty()
                    ? ""
-                   : fmt::format(", {} answers kept from before", enrolment.resume.answered.size()));
+                   : fmt::format(", {} trials and pages answered before", enrolment.resume.answered.size()));
     if (!info.controls.empty()) fmt::print("{}\n", info.controls);
     std::fflush(stdout);
 
@@ -191,14 +215,18 @@ Result<void> runOn(const RunArguments& options, const Prepared& prepared, result
         else
             recorder =
                 std::make_unique<BackgroundRecorder>(store, setup.study, enrolment.plan, records, recording);
+        CalmRecorder calm(*recorder);
         OperatorFeedWriter for_operator(
             feed, participant, setup.study, [&session] { return session.progress(); }, history,
-            options.database, *recorder);
+            options.database, calm);
         std::optional<Trace> trace;
         if (trace_file) trace.emplace(std::move(*trace_file), session, for_operator);
         Recorder& told = trace ? static_cast<Recorder&>(*trace) : for_operator;
         runSession(session, **station, told);
         told.finish();
+    } catch (const results::DatabaseMoved& moved) {
+        throw std::runtime_error(fmt::format("{}. After that the same command with --participant {} goes on",
+                                             moved.what(), participant));
     } catch (const std::exception& error) {
         throw std::runtime_error(
             fmt::format("{}. All earlier answers are kept in {}; the same command with --participant {} goes "
@@ -229,27 +257,26 @@ Result<void> run(RunArguments options) {
     const auto recording = recordingOptions();
     if (!recording) return tl::unexpected(recording.error());
 
+    if (!options.participant.empty())
+        if (auto id = studies::checkParticipantId(options.participant); !id) return id;
     auto store = results::Store::open(options.database, results::Durability::each_answer);
     if (!store) return tl::unexpected(store.error());
-    const std::string participant =
-        options.participant.empty() ? nextParticipant(*store) : options.participant;
+    const auto seat = takeSeat(options, *store);
+    if (!seat) return tl::unexpected(seat.error());
+    const std::string& participant = seat->participant;
     setup = setupFor(options, *store, participant, std::move(*setup));
     if (!setup) return tl::unexpected(setup.error());
     auto avatar = loadStudyAvatar(setup->study);
     if (!avatar) return tl::unexpected(avatar.error());
     if (auto takes_part = checkTakesPart(options, *store, participant); !takes_part) return takes_part;
-    const auto lock = results::ParticipantLock::take(options.database, participant);
-    if (!lock) return tl::unexpected(lock.error());
-    auto enrolment = enrol(*setup, *store, participant, utcNow_s());
+    auto enrolment = enrol(*setup, *store, participant, options.number, utcNow_s());
     if (!enrolment) return tl::unexpected(enrolment.error());
     if (enrolment->left.empty()) {
         fmt::print("{} has answered every trial already\n", participant);
         return report(options);
     }
 
-    const fs::path stimuli_folder =
-        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
-    auto stimuli = StimulusLibrary::load(*setup, {enrolment->plan}, *avatar, stimuli_folder);
+    auto stimuli = StimulusLibrary::load(*setup, {enrolment->plan}, *avatar, stimuliFolderOf(options));
     if (!stimuli) return tl::unexpected(stimuli.error());
 
     std::optional<std::ofstream> trace_file;
@@ -258,8 +285,7 @@ Result<void> run(RunArguments options) {
         if (!opened) return tl::unexpected(opened.error());
         trace_file = std::move(*opened);
     }
-    const Prepared prepared{std::move(*setup), std::move(*enrolment), std::move(*avatar),
-                            std::move(*stimuli)};
+    Prepared prepared{std::move(*setup), std::move(*enrolment), std::move(*avatar), std::move(*stimuli)};
     return runOn(options, prepared, *store, std::move(trace_file), *recording);
 }
 
@@ -271,6 +297,11 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
     command->add_option("--participant", options->participant,
                         "Pseudonymous id [the next free of P01, P02, ...]");
+    command
+        ->add_option("--number", options->number,
+                     "Number of a new participant, which the order of trials follows [the digits that the id "
+                     "ends in, or the next free one]")
+        ->check(CLI::Range(1, 999999));
     command->add_option("--language", options->language,
                         "Language of the participant's texts, such as de [the study's first]");
     command

@@ -7,6 +7,7 @@ studies::Moment runSession(studies::SessionRunner& session, studies::Station& st
     while (session.outcome() == studies::SessionOutcome::running) {
         studies::InputFrame input = station.beginFrame();
         input.answers_kept = recorder.answersKept();
+        input.recording_failed = !recorder.failure().empty();
         last = {input.time_s, input.utc_s};
         const studies::SessionStep step = session.step(input);
         for (const auto& event : step.events) recorder.record(event);

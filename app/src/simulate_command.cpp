@@ -47,7 +47,7 @@ int takePart(const StudySetup& setup, const studies::StudyPlan& plan, const asse
         store.beginSession({plan.participant, info, programVersion(), avatar.content_hash, now_s});
         DirectRecorder recorder(store, setup.study, plan, records);
         now_s = runSession(session, station, recorder).utc_s;
-        answers += recorder.answers();
+        answers += recorder.answered();
         store.endSession(session.outcome(), now_s);
         if (session.outcome() != studies::SessionOutcome::finished) return answers;
     }
@@ -76,7 +76,7 @@ Result<void> simulate(const SimulateArguments& options) {
         if (!store) return tl::unexpected(store.error());
         std::vector<studies::StudyPlan> plans;
         for (int i = 1; i <= options.participants; ++i) {
-            const auto enrolment = enrol(*setup, *store, fmt::format("S{:03}", i), 0.0);
+            const auto enrolment = enrol(*setup, *store, fmt::format("S{:03}", i), {}, 0.0);
             if (!enrolment) return tl::unexpected(enrolment.error());
             if (auto stored = store->storePlan(setup->study, enrolment->registration, enrolment->plan);
                 !stored)
@@ -93,7 +93,7 @@ Result<void> simulate(const SimulateArguments& options) {
     }
     if (auto moved = moveFile(partial, options.database); !moved) return moved;
     for (const char* suffix : {"-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
-    fmt::print("{} simulated participants, {} answers: {}\n", options.participants, answers,
+    fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants, answers,
                options.database);
     return {};
 }

@@ -2,11 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "core/number.hpp"
 #include "results/density.hpp"
 #include "results/mean_shift.hpp"
 #include "stats_tests.hpp"
@@ -39,11 +38,8 @@ PointRows pointRows(const StatsTable& table) {
 }
 
 std::optional<double> positive(std::string_view text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || !(value > 0.0))
-        return std::nullopt;
-    return value;
+    const auto value = finiteNumber(text);
+    return value && *value > 0.0 ? value : std::nullopt;
 }
 
 Result<results::GaussianDensity> fitted(const results::Points& points, const std::string& bandwidth,

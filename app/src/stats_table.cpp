@@ -84,14 +84,9 @@ void restoreEmptyCells(std::vector<CsvRecord>& records, std::string_view text) {
 Result<Source> readSource(const std::string& file) {
     Source source;
     source.name = file == "-" ? "standard input" : file;
-    std::string text;
-    if (file == "-") {
-        text.assign(std::istreambuf_iterator<char>(std::cin), {});
-    } else {
-        auto read = readFile(file);
-        if (!read) return tl::unexpected(read.error());
-        text = std::move(*read);
-    }
+    const auto read = file == "-" ? readAll(std::cin, source.name) : readFile(file);
+    if (!read) return tl::unexpected(read.error());
+    const std::string& text = *read;
     auto records = parseCsv(text, source.name);
     if (!records) return tl::unexpected(records.error());
     if (records->empty())

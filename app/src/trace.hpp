@@ -30,6 +30,7 @@ class Trace : public Recorder {
         kept_by_.sample(sample, trial_index);
     }
     [[nodiscard]] bool answersKept() const override { return kept_by_.answersKept(); }
+    [[nodiscard]] std::string failure() const override { return kept_by_.failure(); }
     void finish() override { kept_by_.finish(); }
     /// Throws where the file cannot be written to.
     void presented(const studies::InputFrame& input, const studies::PresentedFrame& frame) override;

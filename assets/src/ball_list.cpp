@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "assets/target_list.hpp"
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "core/number.hpp"
 
 namespace deixis::assets {
 
@@ -68,12 +67,11 @@ Result<std::optional<Vec3>> positionIn(const CsvRecord& record, const CsvRecord&
     Vec3 out(0.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::string& cell = record.fields[axes[axis]];
-        double value = 0.0;
-        const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        if (code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
+        const auto value = finiteNumber(cell);
+        if (!value)
             return fail(fmt::format("{}: {}", where, header.fields[axes[axis]]),
                         fmt::format("found '{}', expected a finite number of metres", cell));
-        out[static_cast<int>(axis)] = value;
+        out[static_cast<int>(axis)] = *value;
     }
     return std::optional<Vec3>(out);
 }

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <set>
 #include <utility>
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "core/number.hpp"
 
 namespace deixis::assets {
 
@@ -63,12 +62,11 @@ Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const s
         for (int axis = 0; axis < 3; ++axis) {
             const auto column = static_cast<std::size_t>(axis) + 1;
             const std::string& cell = record.fields[places[column]];
-            double value = 0.0;
-            const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-            if (code != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value))
+            const auto value = finiteNumber(cell);
+            if (!value)
                 return fail(fmt::format("{}: {}", where, target_columns[column]),
                             fmt::format("found '{}', expected a finite number of metres", cell));
-            target.position[axis] = value;
+            target.position[axis] = *value;
         }
         targets.push_back(std::move(target));
     }

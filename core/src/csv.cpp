@@ -5,14 +5,39 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace deixis {
+
+namespace {
+
+/// Whether a spreadsheet may take it for a formula.
+bool looksLikeFormula(std::string_view text) {
+    if (text.empty()) return false;
+    const char c = text.front();
+    return c == '=' || c == '+' || c == '-' || c == '@' || c == '\t' || c == '\r';
+}
+
+}  // namespace
 
 CsvReader::CsvReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
     constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
     if (text_.substr(0, utf8_mark.size()) == utf8_mark) text_.remove_prefix(utf8_mark.size());
 }
 
+Result<void> CsvReader::checkText() const {
+    const auto bad = firstUnkeepable(text_);
+    if (!bad) return {};
+    const auto before = text_.substr(0, *bad);
+    return fail(fmt::format("{}:{}", name_, line_ + std::count(before.begin(), before.end(), '\n')),
+                fmt::format("found the byte {:#04x}, which is no text in UTF-8",
+                            static_cast<unsigned char>(text_[*bad])),
+                "Save the file as CSV in UTF-8");
+}
+
 Result<bool> CsvReader::next(CsvRecord& record) {
+    if (!std::exchange(checked_, true))
+        if (auto text = checkText(); !text) return tl::unexpected(text.error());
     while (at_ < text_.size() && atLineEnd()) skipLineEnd();
     if (at_ >= text_.size()) return false;
     record.line = line_;
@@ -105,6 +130,17 @@ void appendCsvField(std::string& out, std::string_view text) {
         out += c;
     }
     out += '"';
+}
+
+std::string safeText(std::string_view text) {
+    return (looksLikeFormula(text) ? "'" : "") + std::string(text);
+}
+
+void appendSafeCsvField(std::string& out, std::string_view text) {
+    if (looksLikeFormula(text))
+        appendCsvField(out, safeText(text));
+    else
+        appendCsvField(out, text);
 }
 
 }  // namespace deixis

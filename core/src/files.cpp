@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -13,25 +15,44 @@
 
 namespace deixis {
 
-Result<std::string> readFile(const std::filesystem::path& path) {
-    std::error_code code;
-    if (std::filesystem::is_directory(path, code))
-        return fail(path.string(), "is a folder, a file was expected");
-    errno = 0;
-    std::ifstream in(path, std::ios::binary);
-    if (!in) return fail(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
+namespace {
+
+tl::unexpected<Error> tooLarge(const std::string& name, std::size_t most_bytes) {
+    return fail(name,
+                fmt::format("holds more than {} bytes, which is the most that is read at once", most_bytes),
+                "Name another file, or a part of it");
+}
+
+}  // namespace
+
+Result<std::string> readAll(std::istream& in, const std::string& name, std::size_t expected_bytes,
+                            std::size_t most_bytes) {
+    if (expected_bytes > most_bytes) return tooLarge(name, most_bytes);
     std::string bytes;
     constexpr std::size_t at_once = std::size_t{1} << 20U;
-    constexpr std::uintmax_t most_at_first = std::uintmax_t{1} << 30U;
-    if (const auto size = std::filesystem::file_size(path, code); !code)
-        bytes.reserve(static_cast<std::size_t>(std::min(size, most_at_first)) + at_once);
+    bytes.reserve(std::min(expected_bytes, std::size_t{1} << 30U) + at_once);
     for (std::size_t count = 0; in; bytes.resize(count)) {
         bytes.resize(count + at_once);
         in.read(bytes.data() + count, static_cast<std::streamsize>(at_once));
         count += static_cast<std::size_t>(in.gcount());
+        if (count > most_bytes) return tooLarge(name, most_bytes);
     }
-    if (in.bad()) return fail(path.string(), "could not be read to its end");
+    if (in.bad()) return fail(name, "could not be read to its end");
     return bytes;
+}
+
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t most_bytes) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (fs::is_directory(status)) return fail(path.string(), "is a folder, a file was expected");
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_fifo(status))
+        return fail(path.string(), "is a device, which may never end; a file was expected");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in) return fail(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
+    const auto size = fs::is_regular_file(status) ? fs::file_size(path, code) : 0;
+    return readAll(in, path.string(), code ? 0 : static_cast<std::size_t>(size), most_bytes);
 }
 
 FileBytes::FileBytes(FileBytes&& other) noexcept
@@ -67,6 +88,15 @@ Result<FileBytes> openFile(const std::filesystem::path& path, std::size_t mapped
 
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes) {
     std::error_code code;
+    const auto there = std::filesystem::status(path, code);
+    if (std::filesystem::is_fifo(there) || std::filesystem::is_character_file(there)) {
+        errno = 0;
+        std::ofstream out(path, std::ios::binary);
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        out.close();
+        if (!out) return fail(path.string(), std::string("cannot be written: ") + std::strerror(errno));
+        return {};
+    }
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
     std::filesystem::path partial = path;
     partial += ".partial" + std::to_string(::getpid());

@@ -18,6 +18,53 @@ std::size_t schemeLength(std::string_view text) {
     return 0;
 }
 
+char lower(char c) {
+    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+bool beginsLike(std::string_view text, std::string_view word) {
+    return text.size() >= word.size() &&
+           std::equal(word.begin(), word.end(), text.begin(), [](char a, char b) { return a == lower(b); });
+}
+
+/// "scheme" of "scheme://..."; empty: there is none.
+std::string_view schemeOf(std::string_view text) {
+    const auto end = std::find_if_not(text.begin(), text.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '+' || c == '.' || c == '-';
+    });
+    const auto length = static_cast<std::size_t>(end - text.begin());
+    return text.substr(length).starts_with(":/") ? text.substr(0, length) : std::string_view();
+}
+
+std::string_view wordOf(std::string_view text) {
+    return text.substr(0, text.find_first_of(address_ends));
+}
+
+/// What may be an address with a slip in it, or another way to write one, begins the text: how long it is,
+/// and what may be shown of it.
+struct Mistyped {
+    std::size_t length = 0;  ///< 0: nothing of the kind
+    std::string shown{};
+};
+Mistyped mistypedAddress(std::string_view text) {
+    const std::string_view word = wordOf(text);
+    constexpr std::string_view password = "password=";
+    if (beginsLike(text, password))
+        return {word.size(), std::string(text.substr(0, password.size())) + "..."};
+    const auto colon = word.find(':');
+    if (colon == std::string_view::npos) return {};
+    const std::string before(word.substr(0, colon));
+    if (!schemeOf(text).empty() || beginsLike(text, "postgres")) {
+        // The password may hold a space or quote.
+        const auto at = text.substr(0, text.find('\n')).rfind('@');
+        if (at == std::string_view::npos || at < colon) return {};
+        return {at + wordOf(text.substr(at)).size(), before + "://..."};
+    }
+    const auto at = word.rfind('@');
+    if (at == std::string_view::npos || at < colon + 2) return {};
+    return {word.size(), before + ":..." + std::string(word.substr(at))};
+}
+
 bool allDigits(std::string_view text) {
     return std::all_of(text.begin(), text.end(),
                        [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
@@ -56,6 +103,12 @@ bool isServerAddress(std::string_view text) {
     return schemeLength(text) > 0;
 }
 
+bool looksLikeServerAddress(std::string_view text) {
+    if (isServerAddress(text)) return true;
+    if (beginsLike(text, "postgres") && text.find(":/") != std::string_view::npos) return true;
+    return !schemeOf(text).empty() && text.find('@') != std::string_view::npos;
+}
+
 bool isPlainServerAddress(std::string_view address) {
     const std::string_view rest = address.substr(schemeLength(address));
     if (rest.find_first_of(address_ends) != std::string_view::npos) return false;
@@ -69,8 +122,16 @@ bool isPlainServerAddress(std::string_view address) {
 
 std::string withoutPasswords(std::string_view text) {
     std::string out;
+    bool word_begins = true;
     while (!text.empty()) {
         if (!isServerAddress(text)) {
+            if (word_begins)
+                if (const Mistyped found = mistypedAddress(text); found.length > 0) {
+                    out += found.shown;
+                    text.remove_prefix(found.length);
+                    continue;
+                }
+            word_begins = address_ends.find(text.front()) != std::string_view::npos || text.front() == '=';
             out += text.front();
             text.remove_prefix(1);
             continue;

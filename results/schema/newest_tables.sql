@@ -178,6 +178,8 @@ CREATE TABLE locked_changes (            -- what was changed in a study under wa
     reason  TEXT
 ) STRICT;
 
+CREATE INDEX sessions_of_participant ON sessions (participant);
+
 CREATE TABLE consents (
     participant TEXT NOT NULL REFERENCES participants (id),
     stage       TEXT NOT NULL REFERENCES stages (name),
@@ -244,6 +246,8 @@ CREATE TABLE responses (
 
 -- A trial has one answer that counts.
 CREATE UNIQUE INDEX responses_that_count ON responses (participant, trial_index) WHERE superseded IS NULL;
+
+CREATE INDEX responses_of_participant ON responses (participant, session);
 
 CREATE TABLE response_stimuli (
     response  INTEGER NOT NULL REFERENCES responses (id),

@@ -8,6 +8,10 @@ ALTER TABLE responses ADD COLUMN viewer_z_m REAL;
 ALTER TABLE responses ADD COLUMN viewer_heading_deg REAL;
 ALTER TABLE responses ADD COLUMN hash TEXT;
 
+-- Without them each participant's start looks through everybody's sessions and answers.
+CREATE INDEX sessions_of_participant ON sessions (participant);
+CREATE INDEX responses_of_participant ON responses (participant, session);
+
 CREATE TABLE locked_changes (
     id      INTEGER PRIMARY KEY,
     utc_s   REAL NOT NULL,

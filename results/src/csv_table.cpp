@@ -10,21 +10,6 @@
 
 namespace deixis::results {
 
-namespace {
-
-/// Whether a spreadsheet may take it for a formula.
-bool looksLikeFormula(std::string_view text) {
-    if (text.empty()) return false;
-    const char c = text.front();
-    return c == '=' || c == '+' || c == '-' || c == '@' || c == '\t' || c == '\r';
-}
-
-}  // namespace
-
-std::string safeText(std::string_view text) {
-    return (looksLikeFormula(text) ? "'" : "") + std::string(text);
-}
-
 void appendNumber(std::string& out, double value) {
     constexpr double exact = 1e15;
     if (value == std::floor(value) && std::abs(value) < exact && !std::signbit(value)) {
@@ -36,7 +21,10 @@ void appendNumber(std::string& out, double value) {
 }
 
 CsvTable::CsvTable(std::vector<ColumnSpec> columns) : columns_(std::move(columns)) {
-    for (std::size_t i = 0; i < columns_.size(); ++i) bytes_ += (i > 0 ? "," : "") + columns_[i].name;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        if (i > 0) bytes_ += ',';
+        appendSafeCsvField(bytes_, columns_[i].name);
+    }
     bytes_ += "\r\n";
 }
 
@@ -46,10 +34,7 @@ void CsvTable::separate() {
 
 void CsvTable::text(std::string_view value) {
     separate();
-    if (looksLikeFormula(value))
-        appendCsvField(bytes_, safeText(value));
-    else
-        appendCsvField(bytes_, value);
+    appendSafeCsvField(bytes_, value);
 }
 
 void CsvTable::number(double value) {

@@ -20,19 +20,15 @@ struct ColumnSpec {
     std::string unit{};  ///< as in the name's ending: m, s, deg; empty: none
 };
 
-/// A cell of text as a spreadsheet may read it: one that would be taken for a formula (it begins with = + -
-/// @, a tab or a carriage return) gets an apostrophe before it.
-[[nodiscard]] std::string safeText(std::string_view text);
-
 /// As few digits as bring the same number back, behind what stands in `out`.
 void appendNumber(std::string& out, double value);
 
-/// Rows are built cell by cell, in the order of the columns.
+/// Rows are built cell by cell, in the order of the columns, whose names are made safe and quoted likewise.
 class CsvTable {
   public:
     explicit CsvTable(std::vector<ColumnSpec> columns);
 
-    void text(std::string_view value);  ///< made safe and quoted where needed
+    void text(std::string_view value);  ///< made safe (safeText()) and quoted where needed
     void number(double value);          ///< as few digits as bring the same number back
     void whole(long long value);
     void empty();

@@ -5,7 +5,10 @@
 
 #include <cctype>
 #include <system_error>
+#include <thread>
 
+#include "database_check.hpp"
+#include "database_files.hpp"
 #include "migration.hpp"
 #include "schema.hpp"
 
@@ -14,25 +17,6 @@ namespace deixis::results {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool isThere(const fs::path& database, const char* suffix) {
-    fs::path file = database;
-    file += suffix;
-    std::error_code missing;
-    const auto size = fs::file_size(file, missing);
-    return !missing && size > 0;
-}
-
-/// A writer is, or was when it died, at work on the database: its latest answers stand in the log.
-bool hasLog(const fs::path& database) {
-    return isThere(database, "-wal");
-}
-
-/// Likewise, in the mode that programs other than this one may have left the database in: a transaction that
-/// was broken off, or is under way, and what the pages held before. Whoever reads next undoes it.
-bool hasJournal(const fs::path& database) {
-    return isThere(database, "-journal");
-}
 
 std::string immutableUri(const fs::path& database) {
     std::string uri = "file:";
@@ -47,6 +31,7 @@ std::string immutableUri(const fs::path& database) {
 }
 
 tl::unexpected<Error> noSuchFile(const fs::path& path) {
+    if (auto orphan = orphanBeside(path)) return tl::unexpected(std::move(*orphan));
     return fail(path.string(), "no such file, expected a database made by deixis",
                 "Check the path; a run prints the path of its database");
 }
@@ -64,21 +49,14 @@ Result<void> migrateWhole(SQLite::Database& database, const fs::path& path) {
 
 SQLite::Database upToDateCopy(SQLite::Database& source) {
     SQLite::Database copy(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    sqlite3_backup* backup = sqlite3_backup_init(copy.getHandle(), "main", source.getHandle(), "main");
-    if (backup == nullptr) throw SQLite::Exception(copy.getHandle());
-    constexpr int every_page = -1;
-    const int stepped = sqlite3_backup_step(backup, every_page);
-    sqlite3_backup_finish(backup);
-    if (stepped != SQLITE_DONE) throw SQLite::Exception("the database cannot be copied", stepped);
+    copyWhole(source, copy);
     return copy;
 }
 
-}  // namespace
-
-Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing) {
+Result<SQLite::Database> openOnce(const fs::path& path, Missing missing) {
     std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-        return fail(path.string(), "found a folder, expected a database file", "Name a file in it");
+    if (auto kind = checkKindOfFile(path); !kind) return tl::unexpected(kind.error());
+    if (auto orphan = orphanBeside(path)) return tl::unexpected(std::move(*orphan));
     if (missing == Missing::refuse && !fs::is_regular_file(path, ignored)) return noSuchFile(path);
     const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
@@ -86,8 +64,14 @@ Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing) {
                     "Create it, or name a file elsewhere");
     const int create = missing == Missing::create ? SQLite::OPEN_CREATE : 0;
     SQLite::Database database(path.string(), SQLite::OPEN_READWRITE | create, busy_timeout_ms);
-    // Before anything is changed in it.
-    if (const auto whose = identify(database, path); !whose) return tl::unexpected(whose.error());
+    // Before anything is changed in it: what a log beside it holds stays there while it is not known to fit.
+    sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    const auto whose = identify(database, path);
+    if (!whose) return tl::unexpected(whose.error());
+    if (whose->version > 0)
+        if (auto sound = checkWhole(database, path, whose->version); !sound)
+            return tl::unexpected(sound.error());
+    sqlite3_db_config(database.getHandle(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
     if (sqlite3_db_readonly(database.getHandle(), "main") != 0)
         return fail(path.string(), "the database can be read but not written",
                     "Give yourself write permission for the file and its folder, or name another file");
@@ -101,9 +85,40 @@ Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing) {
     return database;
 }
 
+bool isLocked(const SQLite::Exception& problem) {
+    return problem.getErrorCode() == SQLITE_BUSY || problem.getErrorCode() == SQLITE_LOCKED;
+}
+
+}  // namespace
+
+Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing,
+                                     std::chrono::milliseconds patience) {
+    // SQLite does not wait for every lock: where two might wait for each other, one is refused at once.
+    const auto until = std::chrono::steady_clock::now() + patience;
+    for (;;) {
+        try {
+            return openOnce(path, missing);
+        } catch (const SQLite::Exception& problem) {
+            if (!isLocked(problem) || std::chrono::steady_clock::now() >= until) throw;
+        }
+        constexpr std::chrono::milliseconds between{20};
+        std::this_thread::sleep_for(between);
+    }
+}
+
+void copyWhole(SQLite::Database& from, SQLite::Database& to) {
+    sqlite3_backup* backup = sqlite3_backup_init(to.getHandle(), "main", from.getHandle(), "main");
+    if (backup == nullptr) throw SQLite::Exception(to.getHandle());
+    constexpr int every_page = -1;
+    const int stepped = sqlite3_backup_step(backup, every_page);
+    sqlite3_backup_finish(backup);
+    if (stepped != SQLITE_DONE) throw SQLite::Exception("the database cannot be copied", stepped);
+}
+
 Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
     std::error_code problem;
     if (!fs::is_regular_file(path, problem)) return noSuchFile(path);
+    if (auto orphan = orphanBeside(path)) return tl::unexpected(std::move(*orphan));
     try {
         // Without a log the file is all there is. Read as immutable it needs no files beside it, and so no
         // permission to write.
@@ -117,6 +132,13 @@ Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
         if (!whose) return tl::unexpected(whose.error());
         if (whose->version == 0)
             return fail(path.string(), "the database holds no study yet", "Run a session with it first");
+        if (auto sound = checkWhole(database, path, whose->version); !sound) {
+            // A writer may have begun, and changed what was read without its log.
+            if (without_log &&
+                (hasLog(path) || hasJournal(path) || fs::last_write_time(path, problem) != written))
+                return openReadOnly(path, WithLog::yes);
+            return tl::unexpected(sound.error());
+        }
         if (whose->version < schema_version) {
             database = upToDateCopy(database);
             if (auto ready = migrateWhole(database, path); !ready) return tl::unexpected(ready.error());

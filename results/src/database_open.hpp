@@ -3,6 +3,7 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <chrono>
 #include <filesystem>
 #include <type_traits>
 #include <utility>
@@ -12,17 +13,27 @@
 
 namespace deixis::results {
 
-/// Another program's lock is waited for this long.
+/// Another program's lock is waited for this long, in a call of SQLite.
 inline constexpr int busy_timeout_ms = 1000;
+/// And in opening for writing, where others may be about to open or make the same file: long enough for a
+/// hundred stations that start at once.
+inline constexpr std::chrono::milliseconds opening_patience{30'000};
 
 enum class Missing : unsigned char {
     create,  ///< a file that is not there is made, with the newest tables
     refuse
 };
 
-/// Opens for writing and brings an older database to the newest version. Foreign keys are enforced, the
-/// journal is a write-ahead log, and each transaction waits for the disk. Failing SQLite calls throw.
-[[nodiscard]] Result<SQLite::Database> openToWrite(const std::filesystem::path& path, Missing missing);
+/// Opens for writing, once all of it has been looked over (checkWhole()), and brings an older database to the
+/// newest version. Foreign keys are enforced, the
+/// journal is a write-ahead log, and each transaction waits for the disk. Nothing is opened or made beside
+/// the log or journal of a database that is not there. Failing SQLite calls throw; a lock does only after
+/// `patience`.
+[[nodiscard]] Result<SQLite::Database> openToWrite(const std::filesystem::path& path, Missing missing,
+                                                   std::chrono::milliseconds patience = opening_patience);
+
+/// Copies all of the database into the other, which must be empty. Failing SQLite calls throw.
+void copyWhole(SQLite::Database& from, SQLite::Database& to);
 
 enum class WithLog : unsigned char {
     where_there_is_one,  ///< else the file is all there is, and needs no file beside it
@@ -55,7 +66,8 @@ class ReadOnlyDatabase {
     std::filesystem::file_time_type written_{};
 };
 
-/// Errors: no such file, not one of ours, a newer version, no tables in it yet, locked.
+/// Errors: no such file, not one of ours, a newer version, no tables in it yet, damaged (checkWhole()),
+/// locked.
 [[nodiscard]] Result<ReadOnlyDatabase> openReadOnly(const std::filesystem::path& path,
                                                     WithLog log = WithLog::where_there_is_one);
 

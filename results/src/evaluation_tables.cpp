@@ -1,7 +1,6 @@
 // The evaluation's numbers: JSON, and CSV tables.
 #include <nlohmann/json.hpp>
 
-#include "core/csv.hpp"
 #include "csv_table.hpp"
 #include "results/descriptive.hpp"
 #include "results/evaluation.hpp"
@@ -296,7 +295,7 @@ std::string clustersCsv(const Evaluation& evaluation) {
         column("cluster", whole),    column("x"), column("y"), column("z"), column("training_targets", whole),
         column("test_points", whole)};
     for (const SystemEvaluation& system : evaluation.systems)
-        columns.push_back(column(csvField("accuracy_" + system.system).c_str()));
+        columns.push_back(column(("accuracy_" + system.system).c_str()));
     CsvTable table(std::move(columns));
     for (std::size_t c = 0; c < evaluation.clusters.size(); ++c) {
         const TargetCluster& cluster = evaluation.clusters[c];

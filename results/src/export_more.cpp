@@ -55,10 +55,12 @@ ExportedFile participantsFile(SQLite::Database& database, const Naming& naming, 
         columns.push_back({"registered_utc", text, "First seen, UTC"});
     }
     columns.push_back({"sessions", whole, "How often the program ran with the participant"});
-    columns.push_back({"answered", whole, "Units answered, practice and pages included"});
-    columns.push_back({"planned", whole, "Units planned"});
+    columns.push_back(
+        {"answered", whole, "Units answered: trials, practice and pages; no consent that was declined"});
+    columns.push_back(
+        {"planned", whole, "Units planned; further attempts at a practice once they have begun"});
     columns.push_back({"checks_failed", whole, "Attention checks failed"});
-    columns.push_back({"consent", truth, "1 agreed, 0 declined; empty: not asked"});
+    columns.push_back({"consent", truth, "1 agreed, 0 declined, when last asked; empty: not asked"});
     for (const auto& factor : factors)
         columns.push_back({"group_" + factor, text, "Level of this factor between participants"});
     for (const auto& field : fields)
@@ -70,11 +72,15 @@ ExportedFile participantsFile(SQLite::Database& database, const Naming& naming, 
         "SELECT number, language, status, reason, "
         "strftime('%Y-%m-%dT%H:%M:%fZ', registered_utc_s, 'unixepoch'), "
         "(SELECT count(*) FROM sessions AS e WHERE e.participant = p.id), "
-        "(SELECT count(*) FROM responses AS r WHERE r.participant = p.id AND r.superseded IS NULL), "
-        "(SELECT count(*) FROM trials AS t WHERE t.participant = p.id), "
+        "(SELECT count(*) FROM responses AS r WHERE r.participant = p.id AND r.superseded IS NULL AND NOT "
+        "EXISTS (SELECT 1 FROM answers WHERE response = r.id AND question = 'consent' AND value = 0)), "
+        "(SELECT count(*) FROM trials AS t WHERE t.participant = p.id AND (attempt = 0 OR EXISTS (SELECT 1 "
+        "FROM responses AS r WHERE r.participant = p.id AND r.trial_index = t.trial_index AND r.superseded "
+        "IS NULL))), "
         "(SELECT count(*) FROM responses AS r WHERE r.participant = p.id AND r.superseded IS NULL AND "
         "r.check_passed = 0), "
-        "(SELECT agreed FROM consents AS c WHERE c.participant = p.id ORDER BY utc_s DESC LIMIT 1) "
+        "(SELECT min(agreed) FROM consents AS c WHERE c.participant = p.id AND session = (SELECT "
+        "max(session) FROM consents AS o WHERE o.participant = c.participant AND o.stage = c.stage)) "
         "FROM participants AS p WHERE id = ?");
     for (const std::string& participant : naming.participants()) {
         rows.reset();

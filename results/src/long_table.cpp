@@ -66,12 +66,15 @@ Result<ResponseTable> loadLongTable(const std::filesystem::path& file, const Fac
 }
 
 Result<ResponseTable> loadAnswers(const std::filesystem::path& file, const FactorColumns& factors) {
+    std::error_code code;
+    const auto status = std::filesystem::status(file, code);
+    // What a pipe gives is gone once it is looked at; and a database is no pipe.
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        return loadLongTable(file, factors);
     std::ifstream in(file, std::ios::binary);
     std::string start(15, '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));
-    const bool no_bytes = in.is_open() && in.gcount() == 0;
-    std::error_code code;
-    if (no_bytes && std::filesystem::is_regular_file(file, code))
+    if (in.is_open() && in.gcount() == 0)
         return fail(file.string(),
                     "the file is empty (0 bytes); expected a database or a CSV file with answers");
     const bool csv = in.gcount() > 0 && start != "SQLite format 3";

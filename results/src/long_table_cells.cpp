@@ -1,9 +1,8 @@
 #include "long_table_cells.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
+#include "core/number.hpp"
 #include "core/text.hpp"
 
 namespace deixis::results {
@@ -35,17 +34,13 @@ std::optional<bool> truthOf(const std::string& cell) {
 }
 
 std::optional<double> numberOf(const std::string& cell) {
-    const char* end = cell.data() + cell.size();
     constexpr std::size_t fits_int = 9;  // digits; most cells are whole numbers of a few
     if (!cell.empty() && cell.size() <= fits_int && std::all_of(cell.begin(), cell.end(), isDigit)) {
         int whole = 0;
         for (const char c : cell) whole = 10 * whole + (c - '0');
         return whole;
     }
-    double value = 0.0;
-    const auto [at, error] = std::from_chars(cell.data(), end, value);
-    if (error != std::errc() || at != end || !std::isfinite(value)) return std::nullopt;
-    return value;
+    return finiteNumber(cell);
 }
 
 NumberCell numberCell(const std::string& cell) {

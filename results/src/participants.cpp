@@ -4,18 +4,25 @@
 
 #include <optional>
 
+#include "core/text.hpp"
 #include "database_open.hpp"
+#include "participants_change.hpp"
+#include "standing.hpp"
 
 namespace deixis::results {
 
 namespace {
 
-constexpr const char* rows_sql = R"sql(
+/// In braces: participantsStanding().
+constexpr const char* rows_format = R"sql(
 SELECT p.id, p.number, p.language, p.status, coalesce(p.reason, ''),
        coalesce((SELECT max(synthetic) FROM sessions WHERE participant = p.id), 0),
        (SELECT count(*) FROM sessions WHERE participant = p.id),
-       (SELECT count(*) FROM responses WHERE participant = p.id AND superseded IS NULL),
-       (SELECT count(*) FROM trials WHERE participant = p.id),
+       (SELECT count(*) FROM responses AS r WHERE participant = p.id AND superseded IS NULL AND NOT EXISTS
+               (SELECT 1 FROM answers WHERE response = r.id AND question = 'consent' AND value = 0)),
+       (SELECT count(*) FROM trials AS t WHERE participant = p.id AND (attempt = 0 OR EXISTS (SELECT 1 FROM
+               responses AS r WHERE r.participant = p.id AND r.trial_index = t.trial_index AND
+               r.superseded IS NULL))),
        (SELECT count(*) FROM responses WHERE participant = p.id AND superseded IS NULL AND check_passed = 0),
        coalesce((SELECT max(max(s.started_utc_s, coalesce(s.ended_utc_s, 0.0), coalesce(r.utc_s, 0.0)))
                    FROM sessions AS s LEFT JOIN (SELECT session, max(answered_utc_s) AS utc_s FROM responses
@@ -24,12 +31,15 @@ SELECT p.id, p.number, p.language, p.status, coalesce(p.reason, ''),
        coalesce((SELECT CASE min(agreed) WHEN 1 THEN 'agreed' WHEN 0 THEN 'declined' END FROM consents AS c WHERE participant = p.id AND
                  session = (SELECT max(session) FROM consents WHERE participant = p.id AND stage = c.stage)),
                 '')
-  FROM participants AS p ORDER BY p.number
+  FROM {} AS p WHERE ?1 IS NULL OR p.id = ?1 ORDER BY p.number
 )sql";
 
-std::vector<ParticipantRow> readRows(SQLite::Database& database) {
+/// Of everybody, or of one participant.
+std::vector<ParticipantRow> readRows(SQLite::Database& database,
+                                     const std::optional<std::string>& participant = std::nullopt) {
     std::vector<ParticipantRow> out;
-    SQLite::Statement row(database, rows_sql);
+    SQLite::Statement row(database, fmt::format(rows_format, participantsStanding()));
+    if (participant) row.bind(1, *participant);
     while (row.executeStep()) {
         ParticipantRow& one = out.emplace_back();
         one.id = row.getColumn(0).getString();
@@ -95,7 +105,7 @@ SELECT strftime('%Y-%m-%d %H:%M:%S', at, 'unixepoch') || ' ' || what FROM (
            iif(e.detail = '', '', ': ' || e.detail) AS what
       FROM events AS e JOIN sessions AS s ON s.id = e.session
      WHERE s.participant = ?1 AND (e.kind LIKE 'operator_%' OR e.kind IN ('pause', 'quit', 'check_failed',
-           'warned', 'practice_failed', 'excluded', 'trial_repeated'))
+           'warned', 'practice_failed', 'excluded', 'included', 'trial_repeated'))
     UNION ALL
     SELECT superseded_utc_s, 'answer of trial ' || trial_index || ' superseded' ||
            CASE superseded WHEN '' THEN '' ELSE ': ' || superseded END
@@ -107,29 +117,12 @@ SELECT strftime('%Y-%m-%d %H:%M:%S', at, 'unixepoch') || ' ' || what FROM (
  ORDER BY at, what
 )sql";
 
-tl::unexpected<Error> nobody(const std::filesystem::path& database, const std::string& participant) {
-    return fail(database.string(), fmt::format("there is no participant {}", participant),
-                "'deixis participants list' tells who there is");
-}
-
-/// Sets status and reason; the id must be there.
-Result<void> setStatus(const std::filesystem::path& path, const std::string& participant, const char* status,
-                       const std::optional<std::string>& reason) {
-    try {
-        auto database = openToWrite(path, Missing::refuse);
-        if (!database) return tl::unexpected(database.error());
-        SQLite::Statement update(*database, "UPDATE participants SET status = ?, reason = ? WHERE id = ?");
-        update.bind(1, status);
-        if (reason) update.bind(2, *reason);
-        update.bind(3, participant);
-        if (update.exec() != 1) return nobody(path, participant);
-        return {};
-    } catch (const SQLite::Exception& problem) {
-        return tl::unexpected(describe(path, problem));
-    }
-}
-
 }  // namespace
+
+bool mayTakePart(const ParticipantRow& participant) {
+    if (participant.consent == "declined") return participant.reason == asked_anew_reason;
+    return participant.status == "active";
+}
 
 Result<ParticipantList> listParticipants(const std::filesystem::path& database) {
     return readDatabase(database, [](SQLite::Database& open) -> Result<ParticipantList> {
@@ -142,13 +135,11 @@ Result<ParticipantList> listParticipants(const std::filesystem::path& database) 
 Result<ParticipantDetails> showParticipant(const std::filesystem::path& database,
                                            const std::string& participant) {
     return readDatabase(database, [&](SQLite::Database& open) -> Result<ParticipantDetails> {
-        for (ParticipantRow& row : readRows(open)) {
-            if (row.id != participant) continue;
-            return ParticipantDetails{std::move(row), readFields(open, participant),
-                                      lines(open, sessions_sql, participant),
-                                      lines(open, events_sql, participant)};
-        }
-        return nobody(database, participant);
+        const auto found = readRows(open, participant);
+        if (found.empty()) return noParticipant(database, participant);
+        return ParticipantDetails{found.front(), readFields(open, participant),
+                                  lines(open, sessions_sql, participant),
+                                  lines(open, events_sql, participant)};
     });
 }
 
@@ -158,11 +149,11 @@ Result<void> excludeParticipant(const std::filesystem::path& database, const std
         return fail(database.string(),
                     fmt::format("participant {} is to be excluded, but no reason is given", participant),
                     "Say why: the reason is kept and reported");
-    return setStatus(database, participant, "excluded", reason);
-}
-
-Result<void> includeParticipant(const std::filesystem::path& database, const std::string& participant) {
-    return setStatus(database, participant, "active", std::nullopt);
+    if (!keepableText(reason))
+        return fail(database.string(), "the reason is no text in UTF-8", "Give it in UTF-8");
+    return changeParticipant(database, participant, [&](SQLite::Database& open) {
+        setStatus(open, participant, "excluded", reason);
+    });
 }
 
 }  // namespace deixis::results

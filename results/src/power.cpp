@@ -231,10 +231,12 @@ Result<PowerAnalysis> PowerAnalysis::make(const studies::Study& study,
                                           const PowerOptions& options) {
     auto impl = std::make_unique<Impl>();
     impl->study = study;
-    std::vector<studies::Groups> taken;
+    studies::GroupSizes taken;
     for (int number = 1; number <= most_participants; ++number) {
-        taken.push_back(studies::assignGroups(study, taken, number));
-        auto plan = studies::buildPlan(study, targets, fmt::format("S{:04}", number), number, taken.back());
+        const studies::Groups groups = studies::assignGroups(study, taken, number);
+        const int in_cell = ++taken[groups];
+        auto plan = studies::buildPlan(study, targets, fmt::format("S{:04}", number), number, groups,
+                                       study.between.empty() ? std::nullopt : std::optional(in_cell));
         if (!plan) return tl::unexpected(plan.error());
         impl->plans.push_back(std::move(*plan));
     }

@@ -186,17 +186,30 @@ std::string stationKinds(const ResponseTable& table) {
     return out;
 }
 
+/// " (120 accuracy, 60 naturalness)": a trial may give several answers. Empty for one measure.
+std::string answersByMeasure(const ResponseTable& table) {
+    if (table.measures.size() < 2) return "";
+    std::map<Name, int> counts;
+    for (const ResponseRow& row : table.rows) ++counts[row.measure];
+    std::string out;
+    for (const Measure& measure : table.measures)
+        out +=
+            fmt::format("{}{} {}", out.empty() ? "" : ", ", counts[measure.name], escapeHtml(measure.name));
+    return " (" + out + ")";
+}
+
 }  // namespace
 
 std::string renderReport(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     std::string out =
         pageStart(table.study_title + " \u2013 report", table.study_title) +
-        fmt::format("<p class=\"lead\">{} participant{} &#183; {} answer{} &#183; {} system{}{}</p>\n",
-                    result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
-                    table.rows.size() == 1 ? "" : "s", table.systems.size(),
-                    table.systems.size() == 1 ? "" : "s",
-                    table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
+        fmt::format(
+            "<p class=\"lead\">{} participant{} &#183; {} answer{} analysed{} &#183; {} system{}{}</p>\n",
+            result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
+            table.rows.size() == 1 ? "" : "s", answersByMeasure(table), table.systems.size(),
+            table.systems.size() == 1 ? "" : "s",
+            table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
     if (result.synthetic)
         out +=
             "<p class=\"synthetic\"><b>Simulated participants:</b> these numbers test the pipeline and are "

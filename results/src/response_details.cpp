@@ -1,7 +1,11 @@
 #include "response_details.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include "standing.hpp"
 
 namespace deixis::results {
 
@@ -73,17 +77,14 @@ void readMarks(SQLite::Database& database, ResponseTable& table) {
 
 void readParticipants(SQLite::Database& database, ResponseTable& table) {
     Statement failed(database,
-                     "SELECT DISTINCT r.participant FROM responses AS r JOIN participants AS p ON p.id = "
-                     "r.participant WHERE r.superseded IS NULL AND r.check_passed = 0 AND p.status = "
-                     "'active'");
+                     fmt::format("SELECT DISTINCT r.participant FROM responses AS r JOIN {} AS p ON p.id = "
+                                 "r.participant WHERE r.superseded IS NULL AND r.check_passed = 0 AND "
+                                 "p.status = 'active'",
+                                 participantsStanding()));
     while (failed.executeStep()) table.failed_checks.insert(failed.getColumn(0).getString());
     std::set<std::string> declined;
     // Who declined and agreed later has agreed.
-    Statement consents(
-        database,
-        "SELECT DISTINCT participant FROM consents AS c WHERE NOT agreed AND session = (SELECT "
-        "max(session) FROM consents AS o WHERE o.participant = c.participant AND o.stage = "
-        "c.stage)");
+    Statement consents(database, refusing_participants);
     while (consents.executeStep()) declined.insert(consents.getColumn(0).getString());
     std::erase_if(table.left_out_rows,
                   [&](const ResponseRow& row) { return declined.contains(row.participant); });
@@ -99,13 +100,14 @@ std::vector<Vec3> positionsOf(const std::string& text) {
 void readBalls(SQLite::Database& database, ResponseTable& table) {
     Statement rows(
         database,
-        "SELECT r.participant, s.system, t.target_id, t.balls, t.target_place, r.chosen_place, "
-        "r.head_x_m, r.head_z_m FROM responses AS r JOIN participants AS p ON p.id = r.participant "
-        "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
-        "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
-        "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
-        "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
-        "ORDER BY r.participant, r.trial_index");
+        fmt::format("SELECT r.participant, s.system, t.target_id, t.balls, t.target_place, r.chosen_place, "
+                    "r.head_x_m, r.head_z_m FROM responses AS r JOIN {} AS p ON p.id = r.participant "
+                    "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+                    "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
+                    "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
+                    "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
+                    "ORDER BY r.participant, r.trial_index",
+                    participantsStanding()));
     while (rows.executeStep())
         table.choices.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getString(),
                                  rows.getColumn(2).getString(), positionsOf(rows.getColumn(3).getString()),

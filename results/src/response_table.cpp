@@ -9,6 +9,7 @@
 #include "questionnaire_scores.hpp"
 #include "response_details.hpp"
 #include "response_reading.hpp"
+#include "standing.hpp"
 
 namespace deixis::results {
 
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using SQLite::Statement;
 
-std::vector<std::string> textColumn(SQLite::Database& database, const char* sql) {
+std::vector<std::string> textColumn(SQLite::Database& database, const std::string& sql) {
     std::vector<std::string> out;
     Statement query(database, sql);
     while (query.executeStep()) out.push_back(query.getColumn(0).getString());
@@ -44,7 +45,10 @@ void readStudy(SQLite::Database& database, ResponseTable& table) {
                    "SELECT name FROM distances WHERE name IN (SELECT distance FROM trials WHERE NOT "
                    "practice AND check_kind IS NOT 'catch') ORDER BY position");
     table.planned_participants =
-        database.execAndGet("SELECT count(*) FROM participants WHERE status = 'active'").getInt();
+        database
+            .execAndGet(
+                fmt::format("SELECT count(*) FROM {} WHERE status = 'active'", participantsStanding()))
+            .getInt();
     table.withdrawn = database.execAndGet("SELECT count(*) FROM withdrawals").getInt();
 }
 
@@ -52,10 +56,11 @@ void readStudy(SQLite::Database& database, ResponseTable& table) {
 int planned(SQLite::Database& database, const std::string& stage) {
     Statement count(
         database,
-        "SELECT count(*) FROM trial_stimuli AS s JOIN trials AS t USING (participant, trial_index) "
-        "JOIN participants AS p ON p.id = t.participant "
-        "WHERE s.scored AND p.status = 'active' AND t.stage = ? AND (t.kind <> 'pairwise' OR s.position = "
-        "0)");
+        fmt::format(
+            "SELECT count(*) FROM trial_stimuli AS s JOIN trials AS t USING (participant, trial_index) "
+            "JOIN {} AS p ON p.id = t.participant WHERE s.scored AND p.status = 'active' AND t.stage = ? AND "
+            "(t.kind <> 'pairwise' OR s.position = 0)",
+            participantsStanding()));
     count.bind(1, stage);
     count.executeStep();
     return count.getColumn(0).getInt();
@@ -117,7 +122,8 @@ void readSessions(SQLite::Database& database, ResponseTable& table) {
 
 void readLeftOut(SQLite::Database& database, ResponseTable& table) {
     Statement left(database,
-                   "SELECT id, status, reason FROM participants WHERE status <> 'active' ORDER BY id");
+                   fmt::format("SELECT id, status, reason FROM {} WHERE status <> 'active' ORDER BY id",
+                               participantsStanding()));
     while (left.executeStep())
         table.left_out.push_back({left.getColumn(0).getString(), left.getColumn(1).getString() == "dropped",
                                   left.getColumn(2).getString()});
@@ -137,10 +143,13 @@ constexpr const char* row_columns =
     "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses, "
     "r.trial_index, p.status, p.reason";
 constexpr int next_column = 11;
-constexpr const char* row_tables =
-    "FROM responses AS r JOIN participants AS p ON p.id = r.participant "
-    "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
-    "JOIN sessions AS e ON e.id = r.session ";
+std::string rowTables() {
+    return fmt::format(
+        "FROM responses AS r JOIN {} AS p ON p.id = r.participant "
+        "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+        "JOIN sessions AS e ON e.id = r.session ",
+        participantsStanding());
+}
 constexpr const char* row_counts = "r.superseded IS NULL AND s.scored ";
 
 ResponseRow baseRow(Statement& rows, const std::string& measure) {
@@ -174,7 +183,7 @@ void readRatings(SQLite::Database& database, ResponseTable& table) {
                                "r.trial_index AND s.position = coalesce(a.stimulus, 0) "
                                "WHERE {} AND a.question IN ('rating', 'confidence') AND a.value IS NOT NULL "
                                "ORDER BY r.participant, r.trial_index, s.position, a.position",
-                               row_columns, row_tables, row_counts));
+                               row_columns, rowTables(), row_counts));
     while (rows.executeStep()) {
         const bool confidence = rows.getColumn(next_column + 2).getString() == "confidence";
         ResponseRow row =
@@ -190,7 +199,7 @@ void readChoices(SQLite::Database& database, ResponseTable& table) {
         fmt::format("SELECT {}, r.correct {}JOIN trial_stimuli AS s ON s.participant = r.participant AND "
                     "s.trial_index = r.trial_index AND s.position = 0 WHERE {} AND t.kind = "
                     "'referential-game' AND r.chosen_place IS NOT NULL ORDER BY r.participant, r.trial_index",
-                    row_columns, row_tables, row_counts));
+                    row_columns, rowTables(), row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "accuracy");
         row.value = rows.getColumn(next_column).getInt();
@@ -207,7 +216,7 @@ void readPreferences(SQLite::Database& database, ResponseTable& table) {
             "r.trial_index AND s.position = 0 JOIN trial_stimuli AS o ON o.participant = r.participant "
             "AND o.trial_index = r.trial_index AND o.position = 1 WHERE {} "
             "ORDER BY r.participant, r.trial_index",
-            row_columns, row_tables, row_counts));
+            row_columns, rowTables(), row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "preference");
         row.value = rows.getColumn(next_column).getDouble();
@@ -231,14 +240,15 @@ Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& 
     readRatings(database, table);
     readPreferences(database, table);
     readResponseDetails(database, table);
-    const auto active =
-        textColumn(database, "SELECT id FROM participants WHERE status = 'active' ORDER BY id");
+    const auto active = textColumn(
+        database,
+        fmt::format("SELECT id FROM {} WHERE status = 'active' ORDER BY id", participantsStanding()));
     for (QuestionnaireScore& score : readQuestionnaireScores(database))
         if (score.value && std::binary_search(active.begin(), active.end(), score.participant))
             table.scores.push_back({score.participant, score.stage, score.score, *score.value});
     if (table.rows.empty() && table.scores.empty() && !table.left_out_rows.empty())
         return fail(path.string(), "everybody who answered is excluded or dropped out",
-                    "deixis participants include counts them again");
+                    "deixis participants include counts them again, without consent only once it is given");
     if (table.rows.empty() && table.scores.empty())
         return fail(path.string(),
                     fmt::format("the database holds no answers yet ({} participants planned)",

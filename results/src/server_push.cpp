@@ -7,6 +7,7 @@
 #include "results/server.hpp"
 #include "server_schema.hpp"
 #include "tables.hpp"
+#include "text_check.hpp"
 #include "withdrawals.hpp"
 
 namespace deixis::results {
@@ -136,6 +137,7 @@ Result<PushOutcome> pushDatabase(const std::filesystem::path& database, const st
         // and only what was read whole is committed.
         auto outcome = readDatabase(database, [&](SQLite::Database& file) -> Result<PushOutcome> {
             server.reset();
+            if (auto texts = checkTexts(file, database); !texts) return tl::unexpected(texts.error());
             auto begun = ServerTransaction::begin(*place, ServerTransaction::Purpose::write);
             if (!begun) return tl::unexpected(begun.error());
             server.emplace(std::move(*begun));

@@ -9,17 +9,12 @@
 
 namespace deixis::results {
 
-namespace {
-
-/// In a session another program's lock is waited for longer: nothing but the next trial waits with it.
-constexpr int session_busy_timeout_ms = 30'000;
-
-}  // namespace
-
-Result<Store> Store::open(const std::filesystem::path& path, Durability durability) {
+Result<Store> Store::open(const std::filesystem::path& path, Durability durability,
+                          std::chrono::milliseconds patience) {
     try {
-        auto database = openToWrite(path, Missing::create);
+        auto database = openToWrite(path, Missing::create, patience);
         if (!database) return tl::unexpected(database.error());
+        database->setBusyTimeout(static_cast<int>(patience.count()));
         auto impl = std::make_unique<Impl>(path, durability, std::move(*database));
         if (durability == Durability::whole_run) {
             impl->database.exec("PRAGMA synchronous = OFF");
@@ -57,7 +52,6 @@ long long Store::beginSession(const SessionInfo& session) {
         registered << session.started_utc_s << session.participant;
         registered.run();
     });
-    impl_->database.setBusyTimeout(session_busy_timeout_ms);
     impl_->session = id;
     impl_->session_participant = session.participant;
     impl_->last_frame.reset();
@@ -71,7 +65,15 @@ void Store::record(const studies::SessionEvent& event, const studies::Study& stu
         throw std::logic_error(fmt::format("Store::record: the session is participant {}'s, the plan is {}'s",
                                            impl_->session_participant, plan.participant));
     if (const auto* note = std::get_if<studies::Note>(&event)) {
-        impl_->unwaitedTransaction([&] { impl_->insertNote(*note); });
+        const bool abort = note->kind == "operator_abort";
+        const auto keep = [&] {
+            impl_->insertNote(*note);
+            if (abort) impl_->abort(note->detail);
+        };
+        if (abort)
+            impl_->transaction(keep);
+        else
+            impl_->unwaitedTransaction(keep);
         return;
     }
     impl_->transaction([&] {
@@ -79,8 +81,8 @@ void Store::record(const studies::SessionEvent& event, const studies::Study& stu
             impl_->insertResponse(*response, study, plan, clips);
         else if (const auto* superseded = std::get_if<studies::Superseded>(&event))
             impl_->supersede(*superseded);
-        else
-            impl_->exclude(std::get<studies::Exclusion>(event));
+        else if (const auto* exclusion = std::get_if<studies::Exclusion>(&event))
+            impl_->exclude(exclusion->reason, exclusion->at);
     });
 }
 
@@ -105,27 +107,16 @@ void Store::Impl::leaveOut(const char* status, const std::string& reason) {
     auto update = query("UPDATE participants SET status = ?, reason = ? WHERE id = ? AND status = 'active'");
     update << status << reason << session_participant;
     update.run();
+    groups_taken.reset();
 }
 
 void Store::endSession(studies::SessionOutcome outcome, double ended_utc_s) {
-    using studies::SessionOutcome;
-    if (outcome == SessionOutcome::running)
+    if (outcome == studies::SessionOutcome::running)
         throw std::logic_error("Store::endSession: the session is running");
     impl_->transaction([&] {
         auto update = impl_->query("UPDATE sessions SET outcome = ?, ended_utc_s = ? WHERE id = ?");
         update << std::string(studies::sessionOutcomeName(outcome)) << ended_utc_s << impl_->session;
         update.run();
-        if (outcome == SessionOutcome::aborted) {
-            auto why = impl_->query(
-                "SELECT detail FROM events WHERE session = ? AND kind = 'operator_abort' AND detail <> '' "
-                "ORDER BY id DESC LIMIT 1");
-            why << impl_->session;
-            impl_->leaveOut("dropped", why.next() ? why.text(0) : "the operator ended the session");
-        } else if (outcome == SessionOutcome::declined) {
-            impl_->leaveOut("dropped", declined_reason);
-        } else if (outcome == SessionOutcome::excluded) {
-            impl_->leaveOut("excluded", "the session ended at a check or practice that was not passed");
-        }
     });
     impl_->session = 0;
     impl_->session_participant.clear();

@@ -11,13 +11,12 @@
 #include <type_traits>
 #include <utility>
 
+#include "answer_hash.hpp"
+#include "core/text.hpp"
 #include "results/store.hpp"
 #include "tracking_writer.hpp"
 
 namespace deixis::results {
-
-/// Why somebody is a drop-out who has not agreed, and stops being one by agreeing.
-inline constexpr const char* declined_reason = "consent was declined";
 
 /// A statement lent for one use: reset at its end, whatever comes, so that it holds no lock.
 class Query {
@@ -40,7 +39,7 @@ class Query {
         else if constexpr (std::is_floating_point_v<T>)
             statement_.bind(++bound_, static_cast<double>(value));
         else
-            statement_.bind(++bound_, std::string(value));
+            bindText(std::string(value));
         return *this;
     }
     template <typename T>
@@ -61,6 +60,15 @@ class Query {
     [[nodiscard]] std::string text(int column) const { return statement_.getColumn(column).getString(); }
 
   private:
+    /// Text that no server could hold is refused where it enters; what gets as far as this (a folder's name,
+    /// a driver's) is kept as well as can be.
+    void bindText(const std::string& text) {
+        if (keepableText(text))
+            statement_.bind(++bound_, text);
+        else
+            statement_.bind(++bound_, keepable(text));
+    }
+
     SQLite::Statement& statement_;
     int bound_ = 0;
 };
@@ -73,7 +81,13 @@ struct Store::Impl {
     std::optional<TrackingWriter> tracking{};               ///< from the first frames on
     long long session = 0;
     std::string session_participant{};
+    std::optional<AnswerHasher> hasher{};       ///< from the first answer on
     std::optional<std::uint64_t> last_frame{};  ///< of the session, among those kept
+    // In a whole run, where nobody else writes:
+    std::optional<studies::GroupSizes> groups_taken{};
+    std::optional<studies::GroupSizes> groups_registered{};
+    std::optional<std::uint64_t> log_inode{};  ///< of the log's file
+    std::optional<Error> moved{};              ///< the files are not where they were
 
     Impl(std::filesystem::path file, Durability how, SQLite::Database opened)
         : path(std::move(file)), durability(how), database(std::move(opened)) {}
@@ -93,6 +107,11 @@ struct Store::Impl {
             writes();
             return;
         }
+        if (moved) throw DatabaseMoved(*moved);
+        if (inTransaction()) {  // of exclusively()
+            writes();
+            return;
+        }
         database.exec("BEGIN IMMEDIATE");
         try {
             writes();
@@ -101,6 +120,7 @@ struct Store::Impl {
             if (inTransaction()) database.tryExec("ROLLBACK");
             throw;
         }
+        checkInPlace();
     }
 
     /// The same without waiting for the disk: it outlives the process, and a power cut from the next waited
@@ -121,6 +141,12 @@ struct Store::Impl {
         database.exec("PRAGMA synchronous = FULL");
     }
 
+    /// Once the database's files are not where they were, copies all that is kept to a file of its own and
+    /// throws DatabaseMoved.
+    void checkInPlace();
+    [[nodiscard]] bool inPlace();
+    [[nodiscard]] Error rescue();
+
     /// What stands in the way of storing the plan; none: nothing, or it is stored already.
     [[nodiscard]] std::optional<Error> objection(const studies::Study& study,
                                                  const Registration& registration,
@@ -131,6 +157,8 @@ struct Store::Impl {
     void insertPlan(const studies::StudyPlan& plan, const std::string& json);
     void insertTrial(const std::string& participant, const studies::Trial& trial);
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant);
+    /// `people`: of which participants, as in a FROM clause.
+    [[nodiscard]] studies::GroupSizes countGroups(const std::string& people);
 
     void insertResponse(const studies::Response& response, const studies::Study& study,
                         const studies::StudyPlan& plan, const ClipRecords& clips);
@@ -138,7 +166,12 @@ struct Store::Impl {
                        const studies::Study& study, const studies::Stage& stage);
     void insertField(const studies::Answer& answer);
     void supersede(const studies::Superseded& superseded);
-    void exclude(const studies::Exclusion& exclusion);
+    /// Once all is stored of the response, or something of it has changed.
+    void keepHash(std::int64_t response);
+    void exclude(const std::string& reason, const studies::Moment& at);
+    void abort(const std::string& reason);
+    /// A refusal gives way to the answer that was asked for anew.
+    void supersedeRefusal(int trial_index, const studies::Moment& at);
     void insertNote(const studies::Note& note);
     /// Takes the session's participant out of the analysis, who counted until now.
     void leaveOut(const char* status, const std::string& reason);

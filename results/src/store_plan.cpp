@@ -98,6 +98,20 @@ Result<void> Store::storePlan(const studies::Study& study, const Registration& r
     return outcome;
 }
 
+Result<void> Store::exclusively(const std::function<Result<void>()>& work) {
+    Result<void> outcome{};
+    struct Undone {};
+    try {
+        impl_->transaction([&] {
+            outcome = work();
+            if (!outcome) throw Undone();
+        });
+    } catch (const Undone&) {
+        // The transaction has been rolled back.
+    }
+    return outcome;
+}
+
 std::optional<Error> Store::Impl::objection(const studies::Study& study, const Registration& registration,
                                             const studies::StudyPlan& plan) {
     const std::string where = path.string();
@@ -135,7 +149,7 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
         return Error{where,
                      fmt::format("participant {} cannot have number {}: it is participant {}'s",
                                  registration.participant, registration.number, namesake.text(0)),
-                     "Give another number, or none: the next free one is then taken"};
+                     "Give another one with --number, or none: the next free one is then taken"};
     return std::nullopt;
 }
 
@@ -216,6 +230,8 @@ void Store::Impl::insertRegistration(const Registration& registration) {
         group << registration.participant << factor << level;
         group.run();
     }
+    for (auto* sizes : {&groups_taken, &groups_registered})
+        if (*sizes) ++(**sizes)[registration.groups];
 }
 
 void Store::Impl::insertPlan(const studies::StudyPlan& plan, const std::string& json) {

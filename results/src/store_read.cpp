@@ -1,6 +1,9 @@
 // What the store tells of what it holds.
+#include <fmt/core.h>
+
 #include <algorithm>
 
+#include "standing.hpp"
 #include "store_impl.hpp"
 
 namespace deixis::results {
@@ -12,6 +15,13 @@ double median(std::vector<double> values) {
     std::nth_element(values.begin(), middle, values.end());
     if (values.size() % 2 == 1) return *middle;
     return (*middle + *std::max_element(values.begin(), middle)) / 2.0;
+}
+
+studies::CheckKind checkKind(const std::string& name) {
+    using studies::CheckKind;
+    for (const CheckKind kind : {CheckKind::number, CheckKind::catch_trial})
+        if (name == studies::checkKindName(kind)) return kind;
+    return CheckKind::repeat;  // the table knows no other
 }
 
 }  // namespace
@@ -40,31 +50,60 @@ int Store::firstFreeNumber() const {
     return row[0].getInt();
 }
 
-std::vector<studies::Groups> Store::groupsTaken() const {
-    auto row = impl_->query(
-        "SELECT p.id, g.factor, g.level FROM participants AS p LEFT JOIN participant_groups AS g ON "
-        "g.participant = p.id WHERE p.status = 'active' ORDER BY p.number");
-    std::vector<studies::Groups> out;
+bool Store::numberTaken(int number) const {
+    auto row = impl_->query("SELECT 1 FROM participants WHERE number = ?");
+    row << number;
+    return row.next();
+}
+
+studies::GroupSizes Store::Impl::countGroups(const std::string& people) {
+    auto row = query(fmt::format("SELECT p.id, g.factor, g.level FROM {} AS p LEFT JOIN participant_groups "
+                                 "AS g ON g.participant = p.id ORDER BY p.number",
+                                 people)
+                         .c_str());
+    std::vector<studies::Groups> each;
     std::string last;
     while (row.next()) {
-        if (out.empty() || row.text(0) != last) out.emplace_back();
+        if (each.empty() || row.text(0) != last) each.emplace_back();
         last = row.text(0);
-        if (!row[1].isNull()) out.back()[row.text(1)] = row.text(2);
+        if (!row[1].isNull()) each.back()[row.text(1)] = row.text(2);
     }
+    studies::GroupSizes out;
+    for (studies::Groups& groups : each) ++out[std::move(groups)];
+    return out;
+}
+
+studies::GroupSizes Store::groupsTaken() const {
+    if (impl_->groups_taken) return *impl_->groups_taken;
+    auto out =
+        impl_->countGroups(fmt::format("(SELECT * FROM {} WHERE status = 'active')", participantsStanding()));
+    if (impl_->durability == Durability::whole_run) impl_->groups_taken = out;
+    return out;
+}
+
+studies::GroupSizes Store::groupsRegistered() const {
+    if (impl_->groups_registered) return *impl_->groups_registered;
+    auto out = impl_->countGroups("participants");
+    if (impl_->durability == Durability::whole_run) impl_->groups_registered = out;
     return out;
 }
 
 studies::Resume Store::resume(const std::string& participant, double now_utc_s) const {
     studies::Resume out;
     auto answer = impl_->query(
-        "SELECT r.trial_index, t.kind <> 'referential-game' OR coalesce(r.correct, 0), t.stage, "
-        "r.check_passed FROM responses AS r JOIN trials AS t USING (participant, trial_index) "
-        "WHERE r.participant = ? AND r.superseded IS NULL");
+        "SELECT r.trial_index, t.kind <> 'referential-game' OR coalesce(r.correct, 0) FROM responses AS r "
+        "JOIN trials AS t USING (participant, trial_index) WHERE r.participant = ? AND r.superseded IS NULL "
+        "AND NOT (t.kind = 'consent' AND EXISTS (SELECT 1 FROM answers AS a WHERE a.response = r.id AND "
+        "a.question = 'consent' AND a.value = 0))");
     answer << participant;
-    while (answer.next()) {
-        out.answered[answer[0].getInt()] = answer[1].getInt() != 0;
-        if (!answer[3].isNull() && answer[3].getInt() == 0) ++out.check_failures[answer.text(2)];
-    }
+    while (answer.next()) out.answered[answer[0].getInt()] = answer[1].getInt() != 0;
+    auto failed = impl_->query(
+        "SELECT t.stage, t.check_kind FROM responses AS r JOIN trials AS t USING (participant, trial_index) "
+        "WHERE r.participant = ?1 AND r.superseded IS NULL AND r.check_passed = 0 AND r.session > coalesce("
+        "(SELECT max(e.session) FROM events AS e JOIN sessions AS s ON s.id = e.session WHERE s.participant "
+        "= ?1 AND e.kind = 'included'), 0)");
+    failed << participant;
+    while (failed.next()) ++out.check_failures[{failed.text(0), checkKind(failed.text(1))}];
     auto begun = impl_->query(
         "SELECT DISTINCT e.trial_index FROM events AS e JOIN sessions AS s ON s.id = e.session "
         "WHERE s.participant = ? AND e.kind = 'stimulus_onset' AND e.trial_index IS NOT NULL");
@@ -73,7 +112,7 @@ studies::Resume Store::resume(const std::string& participant, double now_utc_s) 
         if (!out.answered.contains(begun[0].getInt())) out.begun.insert(begun[0].getInt());
     auto last = impl_->query(
         "SELECT max(max(started_utc_s, coalesce(ended_utc_s, 0.0), "
-        "coalesce((SELECT max(utc_s) FROM events WHERE session = s.id), 0.0), "
+        "coalesce((SELECT max(utc_s) FROM events WHERE session = s.id AND kind <> 'included'), 0.0), "
         "coalesce((SELECT max(answered_utc_s) FROM responses AS r WHERE r.participant = s.participant AND "
         "r.session = s.id), 0.0))) FROM sessions AS s WHERE participant = ?");
     last << participant;

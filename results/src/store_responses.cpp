@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "results/participants.hpp"
+#include "standing.hpp"
 #include "store_impl.hpp"
 
 namespace deixis::results {
@@ -30,6 +32,8 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
                                  const studies::StudyPlan& plan, const ClipRecords& clips) {
     const studies::Trial& trial = plan.trials.at(static_cast<std::size_t>(response.trial_index));
     const studies::Stage& stage = stageOf(study, trial);
+    if (stage.kind == studies::StageKind::consent)
+        supersedeRefusal(response.trial_index, response.answered);
     auto row = query(
         "INSERT INTO responses (participant, trial_index, session, status, chosen_place, correct, "
         "check_passed, onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, "
@@ -76,6 +80,23 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
             insertConsent(answer, response, study, stage);
         if (stage.kind == studies::StageKind::questionnaire && stage.about_participant) insertField(answer);
     }
+    keepHash(id);
+    if (!response.exclusion.empty()) exclude(response.exclusion, response.answered);
+}
+
+void Store::Impl::supersedeRefusal(int trial_index, const studies::Moment& at) {
+    auto refused = query(
+        "SELECT 1 FROM responses AS r JOIN answers AS a ON a.response = r.id WHERE r.participant = ? AND "
+        "r.trial_index = ? AND r.superseded IS NULL AND a.question = 'consent' AND a.value = 0");
+    refused << session_participant << trial_index;
+    if (refused.next()) supersede({trial_index, "consent was asked anew", at});
+}
+
+void Store::Impl::keepHash(std::int64_t response) {
+    if (!hasher) hasher.emplace(database, AnswerHasher::Scope::one);
+    auto update = query("UPDATE responses SET hash = ? WHERE id = ?");
+    update << hasher->of(response) << response;
+    update.run();
 }
 
 void Store::Impl::insertConsent(const studies::Answer& answer, const studies::Response& response,
@@ -85,12 +106,23 @@ void Store::Impl::insertConsent(const studies::Answer& answer, const studies::Re
     insert << session_participant << stage.name << session << agreed << response.answered.utc_s
            << study.language << stage.text;
     insert.run();
-    if (!agreed) return;
-    auto back = query(
+    if (!agreed) {
+        auto out = query(
+            "UPDATE participants SET status = 'dropped', reason = ?1 WHERE id = ?2 AND (status = 'active' OR "
+            "reason = ?3)");
+        out << declined_reason << session_participant << asked_anew_reason;
+        out.run();
+        groups_taken.reset();
+        return;
+    }
+    static const std::string back_sql = fmt::format(
         "UPDATE participants SET status = 'active', reason = NULL WHERE id = ? AND status = 'dropped' AND "
-        "reason = ?");
-    back << session_participant << declined_reason;
+        "reason IN (?, ?) AND id NOT IN ({})",
+        refusing_participants);
+    auto back = query(back_sql.c_str());
+    back << session_participant << declined_reason << asked_anew_reason;
     back.run();
+    groups_taken.reset();
 }
 
 void Store::Impl::insertField(const studies::Answer& answer) {
@@ -101,21 +133,31 @@ void Store::Impl::insertField(const studies::Answer& answer) {
 }
 
 void Store::Impl::supersede(const studies::Superseded& superseded) {
-    auto update = query(
-        "UPDATE responses SET superseded = ?, superseded_utc_s = ? WHERE participant = ? AND trial_index = ? "
-        "AND superseded IS NULL");
-    update << superseded.reason << superseded.at.utc_s << session_participant << superseded.trial_index;
-    update.run();
-    if (database.getChanges() != 1)
+    auto counting = query(
+        "SELECT id, hash IS NOT NULL FROM responses WHERE participant = ? AND trial_index = ? AND superseded "
+        "IS "
+        "NULL");
+    counting << session_participant << superseded.trial_index;
+    if (!counting.next())
         throw std::logic_error(
             fmt::format("Store::record: trial {} of participant {} has no answer yet that "
                         "could be superseded",
                         superseded.trial_index, session_participant));
+    const std::int64_t id = counting[0].getInt64();
+    const bool hashed = counting[1].getInt() != 0;
+    auto update = query("UPDATE responses SET superseded = ?, superseded_utc_s = ? WHERE id = ?");
+    update << superseded.reason << superseded.at.utc_s << id;
+    update.run();
+    if (hashed) keepHash(id);
 }
 
-void Store::Impl::exclude(const studies::Exclusion& exclusion) {
-    leaveOut("excluded", exclusion.reason);
-    insertNote({"excluded", -1, exclusion.at, exclusion.reason});
+void Store::Impl::exclude(const std::string& reason, const studies::Moment& at) {
+    leaveOut("excluded", reason);
+    insertNote({"excluded", -1, at, reason});
+}
+
+void Store::Impl::abort(const std::string& reason) {
+    leaveOut("dropped", reason.empty() ? "the operator ended the session" : reason);
 }
 
 void Store::Impl::insertNote(const studies::Note& note) {

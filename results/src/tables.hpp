@@ -42,7 +42,7 @@ inline constexpr std::array<PeopleTable, 16> people_tables{{
     {"session_properties", nullptr, "session", nullptr, of_sessions, "session, name"},
     {"consents", nullptr, "session", nullptr, of_participant, "stage, session",
      "agreed, utc_s, language, text"},
-    {"responses", "id", "session", nullptr, of_participant, "id", "superseded, superseded_utc_s"},
+    {"responses", "id", "session", nullptr, of_participant, "id", "superseded, superseded_utc_s, hash"},
     {"response_stimuli", nullptr, nullptr, "response", of_responses, "response, position"},
     {"answers", nullptr, nullptr, "response", of_responses, "response, position"},
     {"events", "id", "session", nullptr, of_sessions, "id"},

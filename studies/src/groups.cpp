@@ -37,6 +37,14 @@ bool validParticipant(std::string_view participant) {
            });
 }
 
+Result<void> checkParticipantId(std::string_view participant) {
+    if (validParticipant(participant)) return {};
+    return fail(
+        "participant",
+        fmt::format("found \"{}\", expected 1 to 32 letters A-Z a-z, digits, '_' and '-'", participant),
+        "Use an id such as P01");
+}
+
 std::optional<int> numberOfParticipant(std::string_view participant) {
     constexpr std::size_t most_digits = 6;
     const auto digits = static_cast<std::size_t>(
@@ -48,16 +56,27 @@ std::optional<int> numberOfParticipant(std::string_view participant) {
     return number;
 }
 
-Groups assignGroups(const Study& study, const std::vector<Groups>& taken, int number) {
+Groups assignGroups(const Study& study, const GroupSizes& taken, int number) {
     const std::vector<Groups> cells = allCells(study.between);
-    std::vector<std::ptrdiff_t> filled;
-    for (const Groups& cell : cells) filled.push_back(std::count(taken.begin(), taken.end(), cell));
-    const std::ptrdiff_t fewest = *std::min_element(filled.begin(), filled.end());
+    std::vector<int> filled;
+    for (const Groups& cell : cells) {
+        const auto counted = taken.find(cell);
+        filled.push_back(counted == taken.end() ? 0 : counted->second);
+    }
+    const int fewest = *std::min_element(filled.begin(), filled.end());
     std::vector<const Groups*> open;
     for (std::size_t i = 0; i < cells.size(); ++i)
         if (filled[i] == fewest) open.push_back(&cells[i]);
     Random random(deriveSeed(study.seed, "groups"), fmt::format("{}", number));
     return *open[random.below(open.size())];
+}
+
+Turn turnOf(const Study& study, int number, const Groups& groups) {
+    if (study.between.empty()) return {groups, std::nullopt};
+    GroupSizes taken;
+    for (int before = 1; before < number; ++before) ++taken[assignGroups(study, taken, before)];
+    const Groups own = groups.empty() ? assignGroups(study, taken, number) : groups;
+    return {own, taken[own] + 1};
 }
 
 }  // namespace deixis::studies

@@ -23,11 +23,7 @@ struct OpenStage {
 
 Result<void> checkParticipant(const Study& study, std::string_view participant, int number,
                               const Groups& groups) {
-    if (!validParticipant(participant))
-        return fail(
-            "participant",
-            fmt::format("found \"{}\", expected 1 to 32 letters A-Z a-z, digits, '_' and '-'", participant),
-            "Use an id such as P01");
+    if (auto id = checkParticipantId(participant); !id) return id;
     if (number < 1)
         return fail("participant", fmt::format("found the number {}, expected 1 or more", number));
     for (const BetweenFactor& factor : study.between) {
@@ -158,7 +154,8 @@ bool Trial::scored(int stimulus) const {
 }
 
 Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& targets,
-                            std::string_view participant, int number, const Groups& groups) {
+                            std::string_view participant, int number, const Groups& groups,
+                            std::optional<int> number_in_cell) {
     if (const Result<void> checked = checkParticipant(study, participant, number, groups); !checked)
         return tl::unexpected(checked.error());
     Result<std::vector<OpenStage>> stages = openStages(study, groups);
@@ -173,7 +170,9 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
     for (const SystemSource& system : study.systems) turns.emplace_back(system.name, 0);
     Random(seed, "practice turns").shuffle(std::span<PracticeTurns::value_type>(turns));
 
-    StudyPlan plan{std::string(participant), number, study.name, study.hash, study.seed, groups, {}, {}};
+    const int row = number_in_cell.value_or(number);  // of Williams squares
+    StudyPlan plan{std::string(participant), number, study.name, study.hash, study.seed, groups,
+                   number_in_cell,           {},     {}};
     for (const OpenStage& open : *stages) {
         const Stage& stage = *open.stage;
         plan.stages.push_back(stage.name);
@@ -181,7 +180,7 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
         Result<std::vector<Trial>> trials = !open.clips ? pageTrials(stage)
                                             : stage.practice
                                                 ? practiceTrials(study, stage, open.items, turns, stage_seed)
-                                                : scoredTrials(study, stage, open.items, number, stage_seed);
+                                                : scoredTrials(study, stage, open.items, row, stage_seed);
         if (!trials) return tl::unexpected(trials.error());
         const int first = static_cast<int>(plan.trials.size());
         plan.trials.reserve(plan.trials.size() + trials->size());

@@ -301,12 +301,12 @@ ItemNeed itemsNeeded(const Stage& stage, const Stage& design) {
 }
 
 Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
-                                        const std::vector<const TargetItem*>& items, int number,
+                                        const std::vector<const TargetItem*>& items, int row,
                                         std::uint64_t seed) {
     if (const Result<void> checked = checkDesign(study, stage); !checked)
         return tl::unexpected(checked.error());
     const DesignLevels levels = levelsOf(study, stage);
-    std::vector<PlannedTrial> units = makeUnits(study, stage, items, number, seed);
+    std::vector<PlannedTrial> units = makeUnits(study, stage, items, row, seed);
     const Result<std::vector<int>> order = orderUnits(stage, levels, units, seed);
     if (!order) return tl::unexpected(order.error());
 

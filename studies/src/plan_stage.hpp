@@ -27,10 +27,10 @@ struct ItemNeed {
 /// By system, how often it has been practised, in an order that chance gave.
 using PracticeTurns = std::vector<std::pair<std::string, int>>;
 
-/// `items` as itemsNeeded() says, those for catch trials last. Trials are numbered from 0, as is
-/// TrialCheck::of_trial.
+/// `items` as itemsNeeded() says, those for catch trials last; `row` is the participant's in Williams
+/// squares, from 1. Trials are numbered from 0, as is TrialCheck::of_trial.
 [[nodiscard]] Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
-                                                      const std::vector<const TargetItem*>& items, int number,
+                                                      const std::vector<const TargetItem*>& items, int row,
                                                       std::uint64_t seed);
 [[nodiscard]] Result<std::vector<Trial>> practiceTrials(const Study& study, const Stage& stage,
                                                         const std::vector<const TargetItem*>& items,

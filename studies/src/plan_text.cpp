@@ -216,13 +216,15 @@ Trial readTrial(const Json& json, std::size_t index, const std::vector<std::stri
 }
 
 StudyPlan readPlan(const Json& document) {
-    constexpr std::size_t keys = 8;
+    const bool in_cell = document.is_object() && document.contains("number_in_cell");
+    const std::size_t keys = in_cell ? 9 : 8;
     const Reader reader(document, "", keys);
     StudyPlan plan;
     plan.participant = reader.text("participant");
     if (!validParticipant(plan.participant))
         reader.bad("participant", reader.get("participant"), "a participant's id");
     plan.number = reader.whole("number", 1, most);
+    if (in_cell) plan.number_in_cell = reader.whole("number_in_cell", 1, most);
     plan.study_name = reader.text("study");
     plan.study_hash = reader.text("study_hash");
     plan.seed = reader.count("seed");
@@ -277,10 +279,13 @@ Row tableRow(const Trial& trial) {
 
 std::string planJson(const StudyPlan& plan) {
     std::string out = fmt::format(
-        "{{\n  \"participant\": {},\n  \"number\": {},\n  \"study\": {},\n  \"study_hash\": {},\n  \"seed\": "
+        "{{\n  \"participant\": {},\n  \"number\": {},{}\n  \"study\": {},\n  \"study_hash\": {},\n  "
+        "\"seed\": "
         "{},\n  \"groups\": {},\n  \"stages\": {},\n  \"trials\": [",
-        Json(plan.participant).dump(), plan.number, Json(plan.study_name).dump(),
-        Json(plan.study_hash).dump(), plan.seed, Json(plan.groups).dump(), Json(plan.stages).dump());
+        Json(plan.participant).dump(), plan.number,
+        plan.number_in_cell ? fmt::format("\n  \"number_in_cell\": {},", *plan.number_in_cell) : "",
+        Json(plan.study_name).dump(), Json(plan.study_hash).dump(), plan.seed, Json(plan.groups).dump(),
+        Json(plan.stages).dump());
     const char* separator = "\n    ";
     for (const Trial& trial : plan.trials) {  // a line each
         out += separator + trialJson(trial).dump();
@@ -308,8 +313,10 @@ std::string planTable(const StudyPlan& plan) {
     for (const Row& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
 
-    std::string out = fmt::format("participant {} (number {}), study {}, seed {}\n", plan.participant,
-                                  plan.number, plan.study_name, plan.seed);
+    const std::string in_cell =
+        plan.number_in_cell ? fmt::format(", {} in its groups", *plan.number_in_cell) : "";
+    std::string out = fmt::format("participant {} (number {}{}), study {}, seed {}\n", plan.participant,
+                                  plan.number, in_cell, plan.study_name, plan.seed);
     for (const auto& group : plan.groups) out += fmt::format("{}: {}\n", group.first, group.second);
     for (const Row& row : rows) {
         std::string line = fmt::format("{:>{}}", row[0], widths[0]);

@@ -25,26 +25,26 @@ LevelRange levelsMet(Meeting meeting, int levels, int own) {
 }
 
 /// The levels of the factor that makes the blocks, in the order of presentation.
-std::vector<int> blockOrder(const TrialDesign& design, int levels, int number, Random random) {
+std::vector<int> blockOrder(const TrialDesign& design, int levels, int row, Random random) {
     std::vector<int> order(levels);
     std::iota(order.begin(), order.end(), 0);
     if (design.block_order == BlockOrder::shuffled) random.shuffle(std::span<int>(order));
     if (design.block_order == BlockOrder::williams) {
         const std::vector<std::vector<int>> rows = williamsSquare(levels);
-        order = rows[(number - 1) % rows.size()];
+        order = rows[(row - 1) % rows.size()];
     }
     return order;
 }
 
 void setBlocks(std::vector<PlannedTrial>& units, const TrialDesign& design, const DesignLevels& levels,
-               int number, std::uint64_t seed) {
+               int row, std::uint64_t seed) {
     if (design.block_by.empty()) return;
     const bool by_system = design.block_by == "system";
     const bool by_layout = design.block_by == "layout";
     const int count = static_cast<int>(by_system   ? levels.shown.size()
                                        : by_layout ? levels.layouts
                                                    : levels.bands.size());
-    const std::vector<int> order = blockOrder(design, count, number, Random(seed, "blocks"));
+    const std::vector<int> order = blockOrder(design, count, row, Random(seed, "blocks"));
     Random random(seed, "blocks of catch trials");
     for (PlannedTrial& unit : units) {
         int level = by_system ? unit.shown : unit.layout;
@@ -82,7 +82,7 @@ DesignLevels levelsOf(const Study& study, const Stage& design) {
 }
 
 std::vector<PlannedTrial> makeUnits(const Study& study, const Stage& stage,
-                                    const std::vector<const TargetItem*>& items, int number,
+                                    const std::vector<const TargetItem*>& items, int row,
                                     std::uint64_t seed) {
     const TrialDesign& design = stage.design;
     const DesignLevels levels = levelsOf(study, stage);
@@ -116,7 +116,7 @@ std::vector<PlannedTrial> makeUnits(const Study& study, const Stage& stage,
             units.back().is_catch = true;
         }
     }
-    setBlocks(units, design, levels, number, seed);
+    setBlocks(units, design, levels, row, seed);
     return units;
 }
 

@@ -30,9 +30,9 @@ struct PlannedTrial {
 };
 
 /// A stage's trials but for repeats, with their blocks in the order of presentation. `items` as itemsNeeded()
-/// says.
+/// says; `row` as in scoredTrials().
 [[nodiscard]] std::vector<PlannedTrial> makeUnits(const Study& study, const Stage& stage,
-                                                  const std::vector<const TargetItem*>& items, int number,
+                                                  const std::vector<const TargetItem*>& items, int row,
                                                   std::uint64_t seed);
 
 }  // namespace deixis::studies

@@ -18,6 +18,10 @@ bool countsAsCorrect(const Trial& trial, const Response& response) {
     return trial.kind != StageKind::game || response.correct;
 }
 
+std::string practiceFailed(const Stage& practice) {
+    return fmt::format("{}{}", practice_failed_reason, practice.name);
+}
+
 }  // namespace
 
 SessionRunner::State::State(const Study& study_in, const StudyPlan& plan_in, const ClipSource& clips,
@@ -51,7 +55,8 @@ void SessionRunner::State::proceed(const InputFrame& input) {
     core.trial_index = -1;
     if (!course.closingEarly())
         if (const Stage* failed = course.failedPractice()) {
-            exclude(fmt::format("practice failed: {}", failed->name));
+            // What an earlier sitting left; else it was kept with the answer.
+            core.events.push_back(Exclusion{practiceFailed(*failed), core.now});
             course.close(SessionOutcome::excluded);
         }
     item = course.next();
@@ -106,22 +111,23 @@ void SessionRunner::State::keepAnswer(Response response) {
     const auto check = checks.judge(response);
     if (check) response.check_passed = check->passed;
     checks.keep(response);
-    core.events.push_back(response);
     course.answer(trial.index, countsAsCorrect(trial, response));
     last_answered = trial.index;
+    const bool failed = check && !check->passed;
+    const CheckRule rule = failed ? checks.ruleFor(trial) : CheckRule::note;
+    const Stage* failed_practice = trial.practice ? course.failedPractice() : nullptr;
+    // It is kept together with the answer that it follows from: nothing can come in between.
+    if (rule == CheckRule::exclude || rule == CheckRule::end)
+        exclude(response, fmt::format("{}{}, trial {}", check_failed_reason, trial.stage, trial.index));
+    if (failed_practice != nullptr) exclude(response, practiceFailed(*failed_practice));
+    core.events.push_back(response);
+
     if (trial.kind == StageKind::consent && response.answers.front().value == 0.0)
         course.close(SessionOutcome::declined);
-    if (check && !check->passed) failCheck(trial, check->what);
-    if (trial.practice) judgePractice(trial);
-}
-
-void SessionRunner::State::failCheck(const Trial& trial, const std::string& what) {
-    core.note("check_failed", what);
-    const CheckRule rule = checks.ruleFor(trial);
+    if (failed) core.note("check_failed", check->what);
     if (rule == CheckRule::warn) course.warn();
-    if (rule != CheckRule::exclude && rule != CheckRule::end) return;
-    exclude(fmt::format("attention check failed: {}, trial {}", trial.stage, trial.index));
-    if (rule == CheckRule::end) course.close(SessionOutcome::excluded);
+    if (rule == CheckRule::end || failed_practice != nullptr) course.close(SessionOutcome::excluded);
+    if (trial.practice) judgePractice(trial);
 }
 
 /// Tells how an attempt went once it is complete.
@@ -135,10 +141,10 @@ void SessionRunner::State::judgePractice(const Trial& trial) {
               fmt::format("{:.2f}", attempt.share()));
 }
 
-void SessionRunner::State::exclude(const std::string& reason) {
+void SessionRunner::State::exclude(Response& response, std::string reason) {
     if (excluded) return;
     excluded = true;
-    core.events.push_back(Exclusion{reason, core.now});
+    response.exclusion = std::move(reason);
 }
 
 void SessionRunner::State::end(SessionOutcome how, const char* status) {
@@ -158,6 +164,13 @@ void SessionRunner::State::endEarly(const std::string& reason) {
     end(course.closingEarly() ? course.closing() : SessionOutcome::quit, "ended early");
 }
 
+/// Nothing can be kept any more: the closing page tells the participant whom to ask.
+void SessionRunner::State::stop(const InputFrame& input) {
+    paused = false;
+    course.close(SessionOutcome::quit);
+    proceed(input);
+}
+
 void SessionRunner::State::step(const InputFrame& input) {
     SessionView& view = core.view;
     view.beginFrame();
@@ -166,6 +179,7 @@ void SessionRunner::State::step(const InputFrame& input) {
         core.noteAt(core.momentAt(told.time_s), told.kind, told.detail);
     if (over()) return;
     if (!started) begin(input);
+    if (input.recording_failed && !over() && !course.closingEarly()) stop(input);
     for (const OperatorCommand& command : input.commands) obey(input, command);
     if (over()) {
         // An abort has ended it.

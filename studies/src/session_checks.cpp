@@ -112,10 +112,11 @@ void CheckJudge::forget(int trial) {
 CheckRule CheckJudge::ruleFor(const Trial& trial) const {
     const AttentionChecks* checks = checksOf(trial);
     if (checks == nullptr) return CheckRule::note;
-    const auto earlier = earlier_failures_.find(trial.stage);
+    const auto earlier = earlier_failures_.find({trial.stage, checks->kind});
     int failures = earlier != earlier_failures_.end() ? earlier->second : 0;
     for (const auto& [index, passed] : results_)
-        if (!passed && trialOf(index).stage == trial.stage) ++failures;
+        if (!passed && trialOf(index).stage == trial.stage && trialOf(index).check->kind == checks->kind)
+            ++failures;
     return failures >= checks->after_failures ? checks->rule : CheckRule::note;
 }
 

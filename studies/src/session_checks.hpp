@@ -27,7 +27,8 @@ class CheckJudge {
     void keep(const Response& response);
     void forget(int trial);  ///< it is done again
 
-    /// What is to be done about a failed check, given all failures in its stage so far; note: nothing.
+    /// What is to be done about a failed check, given all failures of its kind in its stage so far; note:
+    /// nothing.
     [[nodiscard]] CheckRule ruleFor(const Trial& trial) const;
     [[nodiscard]] int passed() const;
     [[nodiscard]] int failed() const;
@@ -35,9 +36,9 @@ class CheckJudge {
   private:
     const Study& study_;
     const StudyPlan& plan_;
-    std::map<std::string, int> earlier_failures_;  ///< by stage, of other sittings
-    std::map<int, Response> kept_{};               ///< by trial, with those of `Resume::first_answers`
-    std::map<int, bool> results_{};                ///< by trial, of this sitting
+    std::map<std::pair<std::string, CheckKind>, int> earlier_failures_;  ///< of other sittings
+    std::map<int, Response> kept_{};  ///< by trial, with those of `Resume::first_answers`
+    std::map<int, bool> results_{};   ///< by trial, of this sitting
 
     [[nodiscard]] const AttentionChecks* checksOf(const Trial& trial) const;
     [[nodiscard]] const Trial& trialOf(int index) const;

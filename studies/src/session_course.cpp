@@ -233,7 +233,7 @@ std::optional<CoursePage> Course::pageFor(const Trial& trial) const {
         const std::string& text = stage.practice->again_text;
         auto [title, body] =
             titledText(text.empty() ? words("practice_again_text") : text, words("practice_again_title"));
-        return CoursePage{PageKind::practice_again, name, title, body, "", words("continue"), 0.0};
+        return CoursePage{PageKind::practice_again, name, false, title, body, "", words("continue"), 0.0};
     }
     // Breaks follow the place in the stage, so that they fall where they would have without a resume.
     const bool due = stage.break_every > 0 && place > 0 && place % stage.break_every == 0;
@@ -242,7 +242,7 @@ std::optional<CoursePage> Course::pageFor(const Trial& trial) const {
     if (!due || !came_from_here) return std::nullopt;
     auto [title, body] =
         titledText(stage.break_text.empty() ? words("break_text") : stage.break_text, words("break_title"));
-    return CoursePage{PageKind::rest, name, title, body, "", words("continue"), stage.break_minimum_s};
+    return CoursePage{PageKind::rest, name, false, title, body, "", words("continue"), stage.break_minimum_s};
 }
 
 CoursePage Course::stagePage(const Stage& stage, bool last) const {
@@ -253,6 +253,7 @@ CoursePage Course::stagePage(const Stage& stage, bool last) const {
     auto [title, body] = titledText(rest && stage.text.empty() ? words("break_text") : stage.text, otherwise);
     return {rest ? PageKind::rest : PageKind::instructions,
             stage.name,
+            true,
             title,
             body,
             stage.emphasis,
@@ -265,6 +266,7 @@ CoursePage Course::welcomeBack(const Trial& trial) const {
     const Stage& stage = *stages_[placeOf(trial.stage)];
     return {PageKind::welcome_back,
             std::string(presentedStateName(PresentedState::welcome_back)),
+            false,
             study_.words("welcome_back_title"),
             study_.words("welcome_back_text"),
             begun(stage) ? taskOf(study_, stage).question : "",
@@ -300,7 +302,7 @@ std::optional<CourseItem> Course::closingItem() const {
     if (!closing_) {
         const std::vector<const Stage*> pages = pagesBefore(stages_.size());
         for (const Stage* page : pages)
-            if (unread(page->name)) return pageItem(stagePage(*page, page == pages.back()), page, nullptr);
+            if (unread(*page)) return pageItem(stagePage(*page, page == pages.back()), page, nullptr);
         if (!pages.empty()) return std::nullopt;
     }
     if (!unread(name)) return std::nullopt;
@@ -309,11 +311,14 @@ std::optional<CourseItem> Course::closingItem() const {
     std::string title = words("thank_you_title");
     std::string body = words(more ? "sitting_over_text" : "thank_you_text");
     if (closing_) {
-        const bool declined = *closing_ == SessionOutcome::declined;
-        title = words(declined ? "declined_title" : "excluded_title");
-        body = words(declined ? "declined_text" : "excluded_text");
+        const std::string why = *closing_ == SessionOutcome::declined ? "declined"
+                                : *closing_ == SessionOutcome::quit   ? "stopped"
+                                                                      : "excluded";
+        title = words(why + "_title");
+        body = words(why + "_text");
     }
-    return pageItem({PageKind::closing, name, title, body, "", words("finish"), 0.0}, nullptr, nullptr);
+    return pageItem({PageKind::closing, name, false, title, body, "", words("finish"), 0.0}, nullptr,
+                    nullptr);
 }
 
 std::optional<CourseItem> Course::next() {
@@ -324,15 +329,18 @@ std::optional<CourseItem> Course::next() {
         const Stage* stage =
             last_answered_ ? stages_[placeOf(plan_.trials[static_cast<std::size_t>(*last_answered_)].stage)]
                            : nullptr;
-        return pageItem({PageKind::attention, std::string(presentedStateName(PresentedState::attention)),
-                         words("attention_title"), words("attention_text"), "", words("continue"), 0.0},
-                        stage, trial);
+        return pageItem(
+            {PageKind::attention, std::string(presentedStateName(PresentedState::attention)), false,
+             words("attention_title"), words("attention_text"), "", words("continue"), 0.0},
+            stage, trial);
     }
     if (trial == nullptr) return closingItem();
-    if (welcomes_back_ && unread(std::string(presentedStateName(PresentedState::welcome_back))))
+    // A consent that is asked anew comes before all else.
+    const bool consent = trial->kind == StageKind::consent;
+    if (welcomes_back_ && !consent && unread(std::string(presentedStateName(PresentedState::welcome_back))))
         return pageItem(welcomeBack(*trial), nullptr, trial);
     for (const Stage* page : pagesFor(*trial))
-        if (unread(page->name)) return pageItem(stagePage(*page, false), page, trial);
+        if (unread(*page)) return pageItem(stagePage(*page, false), page, trial);
     if (std::optional<CoursePage> page = pageFor(*trial))
         return pageItem(std::move(*page), stages_[placeOf(trial->stage)], trial);
     return trialItem(*trial);
@@ -374,7 +382,7 @@ std::vector<StageProgress> Course::progress(std::string_view current) const {
             // Further attempts at a practice are counted once they have begun.
             if (!trial.practice || trial.attempt == 0 || done) ++one.of;
         }
-        if (with_trials_.count(stage->name) == 0 && !unread(stage->name)) one.done = 1;
+        if (with_trials_.count(stage->name) == 0 && !unread(*stage)) one.done = 1;
         progress.push_back(std::move(one));
     }
     return progress;

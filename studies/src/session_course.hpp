@@ -23,7 +23,8 @@ enum class PageKind : unsigned char { instructions, rest, welcome_back, practice
 
 struct CoursePage {
     PageKind kind = PageKind::instructions;
-    std::string name{};  ///< as notes name it; a page that has been read does not come again
+    std::string name{};     ///< as notes name it; a page that has been read does not come again
+    bool of_study = false;  ///< a stage of its own, which may be called as one of the program's pages is
     std::string title{};
     std::string body{};
     std::string emphasis{};  ///< a line under the body, such as the question
@@ -72,11 +73,12 @@ class Course {
     /// a warning.
     [[nodiscard]] std::optional<CourseItem> next();
 
-    void read(const CoursePage& page) { read_.insert(page.name); }
+    void read(const CoursePage& page) { (page.of_study ? read_stages_ : read_).insert(page.name); }
     void answer(int trial, bool correct);
     void supersede(int trial) { answered_.erase(trial); }
     void warn() { warning_ = true; }
-    /// What is left is not done: a closing page of that outcome (declined or excluded), and the end.
+    /// What is left is not done: a closing page of that outcome (declined, excluded, or quit where
+    /// nothing more can be kept), and the end.
     void close(SessionOutcome outcome) { closing_ = outcome; }
     /// What the sitting comes to.
     [[nodiscard]] SessionOutcome closing() const { return closing_.value_or(SessionOutcome::finished); }
@@ -99,9 +101,10 @@ class Course {
     bool welcomes_back_ = false;
     bool warning_ = false;
     std::optional<SessionOutcome> closing_{};
-    std::optional<int> last_answered_{};  ///< in this sitting
-    std::string begun_at_start_{};        ///< the stage in which the sitting goes on; empty: at a new one
-    std::set<std::string> read_{};
+    std::optional<int> last_answered_{};   ///< in this sitting
+    std::string begun_at_start_{};         ///< the stage in which the sitting goes on; empty: at a new one
+    std::set<std::string> read_{};         ///< the program's pages
+    std::set<std::string> read_stages_{};  ///< stages that are a page
     std::vector<const Stage*> stages_{};   ///< of the plan, in order
     std::set<std::string> with_trials_{};  ///< names of those that have any
 
@@ -111,6 +114,7 @@ class Course {
     [[nodiscard]] const Layout& anyLayout() const;
     [[nodiscard]] std::size_t placeOf(std::string_view stage) const;
     [[nodiscard]] bool unread(const std::string& name) const { return read_.count(name) == 0; }
+    [[nodiscard]] bool unread(const Stage& page) const { return read_stages_.count(page.name) == 0; }
     [[nodiscard]] std::vector<const Stage*> pagesBefore(std::size_t stage) const;
     [[nodiscard]] std::vector<const Stage*> pagesFor(const Trial& trial) const;
     [[nodiscard]] std::optional<CoursePage> pageFor(const Trial& trial) const;

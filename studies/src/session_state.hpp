@@ -52,11 +52,11 @@ struct SessionRunner::State {
     void enter(const InputFrame& input);
     void stepUnit(const InputFrame& input);
     void keepAnswer(Response response);
-    void failCheck(const Trial& trial, const std::string& what);
     void judgePractice(const Trial& trial);
-    void exclude(const std::string& reason);
+    void exclude(Response& response, std::string reason);
     void end(SessionOutcome how, const char* status);
     void endEarly(const std::string& reason);
+    void stop(const InputFrame& input);
 
     // Pauses.
     void pause(const InputFrame& input);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -12,26 +11,6 @@
 #include "study_texts.hpp"
 
 namespace deixis::studies {
-
-namespace {
-
-/// Levenshtein's distance.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t above = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
-}
-
-}  // namespace
 
 std::string describe(const toml::node& node) {
     if (const auto* value = node.as_string()) {
@@ -93,9 +72,32 @@ std::vector<Error> Problems::sorted() const {
     return out;
 }
 
+namespace {
+
+/// Where a text or key holds a NUL ("\u0000"), which TOML allows and no database does.
+std::optional<std::uint32_t> lineOfNul(const toml::node& node) {
+    if (const auto* text = node.as_string(); text != nullptr && text->get().find('\0') != std::string::npos)
+        return node.source().begin.line;
+    if (const auto* list = node.as_array())
+        for (const toml::node& entry : *list)
+            if (const auto line = lineOfNul(entry)) return line;
+    if (const auto* table = node.as_table())
+        for (const auto& [key, entry] : *table) {
+            if (key.str().find('\0') != std::string_view::npos) return key.source().begin.line;
+            if (const auto line = lineOfNul(entry)) return line;
+        }
+    return std::nullopt;
+}
+
+}  // namespace
+
 Result<toml::table> parseToml(const std::string& file, std::string_view bytes) {
     try {
-        return toml::parse(bytes, file);
+        toml::table table = toml::parse(bytes, file);
+        if (const auto line = lineOfNul(table))
+            return fail(fmt::format("{}:{}", file, *line),
+                        "found the character U+0000 in a text, which no database can hold", "Remove it");
+        return table;
     } catch (const toml::parse_error& error) {
         return fail(fmt::format("{}:{}", file, error.source().begin.line),
                     fmt::format("this is not valid TOML: {}", error.description()));
@@ -106,19 +108,6 @@ Result<toml::table> readToml(const std::filesystem::path& path) {
     const auto bytes = readFile(path);
     if (!bytes) return tl::unexpected(bytes.error());
     return parseToml(path.string(), *bytes);
-}
-
-std::string_view nearestName(std::string_view found, std::span<const std::string_view> names) {
-    std::string_view nearest;
-    // Two letters that changed places are two edits; of a name as short as "en" nothing would be left.
-    std::size_t least = (found.size() < 4 ? 1 : std::max<std::size_t>(2, found.size() / 3)) + 1;
-    for (const std::string_view name : names) {
-        const std::size_t distance = editDistance(found, name);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = name;
-    }
-    return nearest;
 }
 
 std::string proposeName(std::string_view found, std::span<const std::string_view> names) {

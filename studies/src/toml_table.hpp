@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/nearest_name.hpp"
 
 namespace deixis::studies {
 
@@ -48,9 +49,7 @@ class Problems {
 /// Reads the file and parses it.
 [[nodiscard]] Result<toml::table> readToml(const std::filesystem::path& path);
 
-/// The name nearest to `found`; empty where none is near.
-[[nodiscard]] std::string_view nearestName(std::string_view found, std::span<const std::string_view> names);
-/// The same as a proposal ("Did you mean x?"), or the whole list where none is near.
+/// The nearest name as a proposal ("Did you mean x?"), or the whole list where none is near.
 [[nodiscard]] std::string proposeName(std::string_view found, std::span<const std::string_view> names);
 
 /// A value as an error shows it.

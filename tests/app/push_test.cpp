@@ -257,7 +257,8 @@ TEST_SUITE("app/push") {
         const auto before = onServer(*server, name, answers_sql);
         fs::copy_file(stations().both, other);
         change(other,
-               "UPDATE responses SET chosen_place = (chosen_place + 1) % 3 WHERE participant = 'S002' AND "
+               "UPDATE responses SET hash = NULL, chosen_place = (chosen_place + 1) % 3 WHERE participant = "
+               "'S002' AND "
                "chosen_place "
                "IS NOT NULL AND trial_index = (SELECT max(trial_index) FROM responses WHERE participant = "
                "'S002' AND "

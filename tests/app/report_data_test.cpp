@@ -146,7 +146,7 @@ TEST_SUITE("app/report_data") {
         CHECK(contains(equal, "All systems had the same mean rating (0.20)."));
         CHECK_FALSE(contains(equal, "had the highest"));
         const std::string single = page("P1,x,3\n");
-        CHECK(contains(single, "1 participant &#183; 1 answer &#183; 1 system<"));
+        CHECK(contains(single, "1 participant &#183; 1 answer analysed &#183; 1 system<"));
         CHECK_FALSE(contains(single, "had the"));
     }
 }

@@ -29,7 +29,7 @@ TEST_SUITE("app/simulate") {
             program("simulate pointing2023 --participants 39 --db " + (scratch / "study.sqlite"));
         INFO(run.err);
         REQUIRE(run.status == 0);
-        CHECK(run.out.find("2340 answers") != std::string::npos);
+        CHECK(run.out.find("2496 trials and pages answered") != std::string::npos);  // 39 x 64
 
         const auto report = program("report " + (scratch / "study.sqlite") + " -o " +
                                     (scratch / "report.html") + " --json " + (scratch / "analysis.json"));

@@ -1,8 +1,13 @@
 #include "core/files.hpp"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
 
 using namespace deixis;
 
@@ -47,5 +52,52 @@ TEST_SUITE("core/files") {
         CHECK_FALSE(readFile(std::filesystem::temp_directory_path()));
         CHECK_FALSE(openFile(std::filesystem::temp_directory_path(), 0));
         CHECK_FALSE(openFile("/no/such/file.txt", 0));
+    }
+
+    TEST_CASE("what never ends is refused, and so is more than the most") {
+        for (const char* device : {"/dev/zero", "/dev/urandom", "/dev/null"}) {
+            const auto read = readFile(device);
+            REQUIRE_FALSE(read);
+            CHECK(read.error().text().find(device) == 0);
+            CHECK(read.error().text().find("device") != std::string::npos);
+            CHECK_FALSE(openFile(device, 0));
+        }
+        const auto folder = std::filesystem::temp_directory_path() / "deixis_bound_test";
+        std::filesystem::remove_all(folder);
+        REQUIRE(writeFile(folder / "file.bin", std::string(1001, 'x')));
+        CHECK(readFile(folder / "file.bin", 1001).value().size() == 1001);
+        CHECK(readFile(folder / "file.bin", 1000).error().text().find("more than 1000 bytes") !=
+              std::string::npos);
+
+        // A pipe is read to its end, and no further than the most.
+        const auto pipe = folder / "pipe";
+        for (const std::size_t most : {std::size_t{70'000}, std::size_t{60'000}}) {
+            REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+            std::thread writer([&] { std::ofstream(pipe) << std::string(70'000, 'y'); });
+            const auto read = readFile(pipe, most);
+            writer.join();
+            CHECK(read.has_value() == (most == 70'000));
+            if (read) CHECK(*read == std::string(70'000, 'y'));
+            std::filesystem::remove(pipe);
+        }
+        std::istringstream stream(std::string(3'000'000, 'z'));
+        CHECK(readAll(stream, "standard input").value().size() == 3'000'000);
+        std::filesystem::remove_all(folder);
+    }
+
+    TEST_CASE("a pipe is written to, not replaced by a file") {
+        const auto folder = std::filesystem::temp_directory_path() / "deixis_pipe_test";
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+        const auto pipe = folder / "pipe";
+        REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+        std::string got;
+        std::thread reader([&] { got = readFile(pipe).value_or("nothing"); });
+        const auto written = writeFile(pipe, "words");
+        reader.join();
+        CHECK(written.has_value());
+        CHECK(got == "words");
+        CHECK(std::filesystem::is_fifo(pipe));
+        std::filesystem::remove_all(folder);
     }
 }

@@ -38,4 +38,27 @@ TEST_SUITE("core/server_address") {
             CHECK_FALSE(deixis::isPlainServerAddress(address));
         }
     }
+
+    TEST_CASE("An address with a slip in it does not show its password either") {
+        for (const char* address :
+             {"Postgresql://ann:Sesam@db.lab/pointing", "POSTGRES://ann:Sesam@h/d",
+              "postgressql://ann:Sesam@h", "postgresql:/ann:Sesam@h/d", "postgres:ann:Sesam@h",
+              "postgre://ann:Se sam@h/d", "psql://ann:Se'sam@h/d", "ann:Sesam@db.lab/pointing",
+              "host=h password=Sesam user=ann", "https://ann:Sesam@h/d"}) {
+            for (const std::string& text :
+                 {std::string(address), "'" + std::string(address) + "': no such file",
+                  "--db=" + std::string(address)}) {
+                const std::string shown = withoutPasswords(text);
+                INFO(shown);
+                CHECK(shown.find("Se") == std::string::npos);
+                CHECK(shown.find("sam") == std::string::npos);
+            }
+        }
+        CHECK(deixis::looksLikeServerAddress("Postgresql://ann:Sesam@h/d"));
+        CHECK(deixis::looksLikeServerAddress("postgre://ann:Sesam@h/d"));
+        CHECK_FALSE(deixis::looksLikeServerAddress("study.sqlite"));
+        for (const char* text : {"study.toml:12: study.name: found \"a@b\"", "see https://vega.github.io",
+                                 "a.csv:3: ann@lab: no"})
+            CHECK(withoutPasswords(text) == text);
+    }
 }

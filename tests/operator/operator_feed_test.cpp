@@ -18,9 +18,11 @@ namespace {
 struct Kept : Recorder {
     int events = 0, samples = 0, frames = 0;
     bool finished = false, on_disk = true;
+    std::string why;
     void record(const studies::SessionEvent&) override { ++events; }
     void sample(const studies::TrackingSample&, int) override { ++samples; }
     [[nodiscard]] bool answersKept() const override { return on_disk; }
+    [[nodiscard]] std::string failure() const override { return why; }
     void finish() override { finished = true; }
     void presented(const studies::InputFrame&, const studies::PresentedFrame&) override { ++frames; }
 };
@@ -134,5 +136,23 @@ TEST_SUITE("operator/operator_feed") {
         for (int i = 0; i < 100; ++i) f.writer.record(Note{"pause", -1, {200.0 + i, 0.0}, ""});
         CHECK(f.feed->events.size() == 20);
         CHECK(f.feed->events.back().elapsed_s == doctest::Approx(199.0));
+    }
+
+    TEST_CASE("that nothing more can be kept is told once, with the reason") {
+        Fixture f;
+        f.frame(1.0);
+        f.kept.why = "a.sqlite: the disk is full";
+        CHECK(f.writer.failure() == f.kept.why);
+        for (const double time_s : {2.0, 3.0}) {
+            studies::InputFrame input;
+            input.time_s = time_s;
+            input.recording_failed = true;
+            f.writer.presented(input, {});
+        }
+        REQUIRE(f.feed->events.size() == 1);
+        CHECK(f.feed->events[0].kind == "recording_failed");
+        CHECK(f.feed->events[0].detail == f.kept.why);
+        CHECK(f.feed->failure == f.kept.why);
+        CHECK(f.feed->events[0].elapsed_s == doctest::Approx(1.0));
     }
 }

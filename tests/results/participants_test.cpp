@@ -1,5 +1,6 @@
 #include "results/participants.hpp"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>
 
 #include "fixtures.hpp"
@@ -119,27 +120,129 @@ TEST_SUITE("results/participants") {
         CHECK(showParticipant(path, "P01")->row.status == "excluded");
         CHECK(showParticipant(path, "P01")->row.reason == "knew the systems");
         CHECK(showParticipant(path, "P01")->row.answered == 5);
-        CHECK(fixtures::open(path).groupsTaken().size() == 1);  // P03
-        REQUIRE(includeParticipant(path, "P01"));
+        CHECK(fixtures::open(path).groupsTaken() == studies::GroupSizes{{{{"style", "calm"}}, 1}});  // P03
+        const auto included = includeParticipant(path, "P01", 1.7e9 + 900.0);
+        REQUIRE(included);
+        CHECK_FALSE(included->consent_asked_anew);
+        CHECK(included->practice.empty());
+        CHECK(included->failed_checks_forgiven == 1);
         CHECK(showParticipant(path, "P01")->row.status == "active");
         CHECK(showParticipant(path, "P01")->row.reason.empty());
-        CHECK(fixtures::open(path).groupsTaken().size() == 2);
+        CHECK(fixtures::open(path).groupsTaken() == studies::GroupSizes{{{{"style", "calm"}}, 2}});
+    }
+
+    TEST_CASE("Whoever declined is let in only to be asked anew, and does not count before agreeing") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        makeDatabase(path);
+        const auto study = fixtures::wideStudy();
+        const auto theirs = fixtures::widePlan(study, "P02");
+        const auto countsTaken = [&] {
+            int count = 0;
+            for (const auto& cell : fixtures::open(path).groupsTaken()) count += cell.second;
+            return count;
+        };
+        const auto consent = [&](double given) {
+            Store store = fixtures::open(path);
+            store.beginSession(fixtures::session("P02", true));
+            auto response = fixtures::response(theirs.trials[0]);
+            response.answers = {{"consent", -1, given}};
+            store.record(response, study, theirs, fixtures::clips(theirs));
+        };
+        const auto row = [&] { return showParticipant(path, "P02")->row; };
+        CHECK_FALSE(results::mayTakePart(row()));
+        CHECK(row().answered == 0);
+        CHECK(countsTaken() == 2);
+        for (const double given : {0.0, 1.0}) {
+            CAPTURE(given);
+            const auto included = includeParticipant(path, "P02", 1.7e9 + 900.0);
+            REQUIRE(included);
+            CHECK(included->consent_asked_anew);
+            CHECK(results::mayTakePart(row()));
+            CHECK(row().status == "dropped");
+            CHECK(row().reason == "consent was declined; it is asked anew");
+            CHECK(fixtures::open(path).resume("P02", 1.8e9).answered.empty());
+            CHECK(countsTaken() == 2);
+            consent(given);
+            CHECK(results::mayTakePart(row()) == (given == 1.0));
+            CHECK(row().status == (given == 1.0 ? "active" : "dropped"));
+            CHECK(row().consent == (given == 1.0 ? "agreed" : "declined"));
+            CHECK(countsTaken() == (given == 1.0 ? 3 : 2));
+        }
+        // What an earlier version, or anybody's SQL, left: the status alone lets nobody in.
+        consent(0.0);
+        SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
+            .exec("UPDATE participants SET status = 'active', reason = NULL");
+        CHECK(row().status == "dropped");
+        CHECK(row().reason == "consent was declined");
+        CHECK_FALSE(results::mayTakePart(row()));
+        CHECK(countsTaken() == 2);
+    }
+
+    TEST_CASE("Inclusion forgives failed checks and begins a failed practice anew, and keeps the answers") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        const auto study = fixtures::study({"direct"});
+        const auto plan = fixtures::plan(study, "P01", 1);  // trial 0 is practice, the others are not
+        {
+            Store store = fixtures::open(path);
+            fixtures::store(store, study, plan);
+            store.beginSession(fixtures::session("P01", false));
+            auto practised = fixtures::answer(plan.trials[0], 1);
+            practised.exclusion = "practice failed: naturalness-practice";
+            store.record(practised, study, plan, fixtures::clips(plan));
+            store.endSession(SessionOutcome::excluded, 1.7e9 + 60.0);
+            CHECK(store.resume("P01", 1.8e9).answered == std::map<int, bool>{{0, true}});
+        }
+        const auto included = includeParticipant(path, "P01", 1.7e9 + 900.0);
+        REQUIRE(included);
+        CHECK(included->practice == std::vector<std::string>{"naturalness-practice"});
+        CHECK(showParticipant(path, "P01")->row.status == "active");
+        CHECK(showParticipant(path, "P01")->events ==
+              std::vector<std::string>{
+                  "2023-11-14 22:13:24 excluded: practice failed: naturalness-practice",
+                  "2023-11-14 22:28:20 answer of trial 0 superseded: the practice begins anew",
+                  "2023-11-14 22:28:20 included: practice failed: naturalness-practice"});
+        Store store = fixtures::open(path);
+        const auto resumed = store.resume("P01", 1.7e9 + 1000.0);
+        CHECK(resumed.answered.empty());
+        CHECK_MESSAGE(resumed.gap_s == 940.0, "the inclusion is no sitting");
+        // A check that fails from now on counts, one forgiven does not.
+        store.beginSession(fixtures::session("P01", false));
+        auto failed = fixtures::answer(plan.trials[1], 1);
+        failed.check_passed = false;
+        store.record(failed, study, plan, fixtures::clips(plan));
+        store.endSession(SessionOutcome::quit, 1.7e9 + 1100.0);
+        CHECK(store.resume("P01", 1.8e9).check_failures.size() == 1);
+        REQUIRE(excludeParticipant(path, "P01", "why not"));
+        CHECK(includeParticipant(path, "P01", 1.7e9 + 1200.0)->failed_checks_forgiven == 1);
+        CHECK(store.resume("P01", 1.8e9).check_failures.empty());
+    }
+
+    TEST_CASE("Nobody is let in while a session of theirs runs") {
+        const fixtures::Folder folder;
+        makeDatabase(folder / "a.sqlite");
+        const auto lock = results::ParticipantLock::take(folder / "a.sqlite", "P01");
+        REQUIRE(lock);
+        const auto refused = includeParticipant(folder / "a.sqlite", "P01", 0.0);
+        REQUIRE_FALSE(refused);
+        CHECK(contains(refused.error().message, "already being run"));
     }
 
     TEST_CASE("Somebody unknown and a database that is not there are told by name, and none is made") {
         const fixtures::Folder folder;
         makeDatabase(folder / "a.sqlite");
         const auto here = folder / "a.sqlite";
-        for (const auto& message :
-             {showParticipant(here, "P09").error().message, includeParticipant(here, "P09").error().message,
-              excludeParticipant(here, "P09", "why").error().message,
-              withdrawParticipant(here, "P09", 0.0).error().message})
+        for (const auto& message : {showParticipant(here, "P09").error().message,
+                                    includeParticipant(here, "P09", 0.0).error().message,
+                                    excludeParticipant(here, "P09", "why").error().message,
+                                    withdrawParticipant(here, "P09", 0.0).error().message})
             CHECK(message == "there is no participant P09");
         const auto nowhere = folder / "nowhere.sqlite";
         CHECK(contains(listParticipants(nowhere).error().message, "no such file"));
         CHECK(contains(showParticipant(nowhere, "P01").error().message, "no such file"));
         CHECK(contains(excludeParticipant(nowhere, "P01", "why").error().message, "no such file"));
-        CHECK(contains(includeParticipant(nowhere, "P01").error().message, "no such file"));
+        CHECK(contains(includeParticipant(nowhere, "P01", 0.0).error().message, "no such file"));
         CHECK(contains(withdrawParticipant(nowhere, "P01", 0.0).error().message, "no such file"));
         CHECK_FALSE(std::filesystem::exists(nowhere));
     }

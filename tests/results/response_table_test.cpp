@@ -28,6 +28,47 @@ std::string refusalToLoad(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_SUITE("results/response_table") {
+    TEST_CASE("Nobody counts whose latest consent was refused, whatever the status says") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        const auto study = fixtures::wideStudy();
+        {
+            Store store = fixtures::open(path);
+            for (const char* id : {"P01", "P02"}) {
+                const auto plan = fixtures::widePlan(study, id);
+                fixtures::store(store, study, plan);
+                store.beginSession(fixtures::session(id, false));
+                for (const int trial : {0, 5, 9}) {
+                    auto response = fixtures::answer(plan.trials[trial], 1);
+                    if (trial == 0)
+                        response.answers = {{"consent", -1, id == std::string("P01") ? 1.0 : 0.0}};
+                    if (trial == 9) response.answers = {{"effort", -1, 12.0}, {"calm", -1, 4.0}};
+                    store.record(response, study, plan, fixtures::clips(plan));
+                }
+                store.endSession(studies::SessionOutcome::finished, 1.7e9 + 60.0);
+            }
+        }
+        const auto tables = [&] {
+            const auto table = loadResponses(path);
+            REQUIRE(table);
+            CHECK(table->rows.size() == 1);
+            CHECK(table->rows[0].participant == "P01");
+            CHECK(table->choices.size() == 1);
+            CHECK(table->scores.size() == 1);
+            CHECK(table->planned_participants == 1);
+            CHECK(table->measures[0].planned == 1);
+            CHECK(table->left_out_rows.empty());
+            REQUIRE(table->left_out.size() == 1);
+            CHECK(table->left_out[0].participant == "P02");
+            CHECK(table->left_out[0].dropped);
+            CHECK(table->left_out[0].reason == "consent was declined");
+        };
+        tables();
+        SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
+            .exec("UPDATE participants SET status = 'active', reason = NULL WHERE id = 'P02'");
+        tables();
+    }
+
     TEST_CASE("What was answered comes back in order, practice left out, with what was planned") {
         const fixtures::Folder folder;
         const auto study = fixtures::study({"stiff", "direct"});

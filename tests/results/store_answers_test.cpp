@@ -165,16 +165,41 @@ TEST_SUITE("results/store answers") {
               "P01|consent|1|1700000004.25|en|I take part of my own will.\n");
     }
 
-    TEST_CASE("Who declines is a drop-out, until agreeing") {
+    TEST_CASE("Who declines is a drop-out with the answer itself, and is asked anew until agreeing") {
         Wide db;
+        const auto state = [&] {
+            return db.rows("SELECT status, reason FROM participants") +
+                   db.rows("SELECT session, agreed FROM consents ORDER BY session") +
+                   db.rows("SELECT superseded FROM responses ORDER BY id");
+        };
         db.record(db.response(0, {{"consent", -1, 0.0}}));
-        db.store.endSession(SessionOutcome::declined, 1.7e9 + 5.0);
-        CHECK(db.rows("SELECT status FROM participants") == "dropped\n");
+        // As after a kill: the session has not ended.
+        CHECK(state() == "dropped|consent was declined\n1|0\nNULL\n");
+        CHECK_MESSAGE(db.store.resume("P01", 1.7e9).answered.empty(), "it is asked anew");
         db.store.beginSession(fixtures::session("P01", false));
-        db.record(studies::Superseded{0, "asked again", {1.0, 1.7e9 + 9.0}});
+        db.record(db.response(0, {{"consent", -1, 0.0}}));
+        CHECK(state() == "dropped|consent was declined\n1|0\n2|0\nconsent was asked anew\nNULL\n");
+        db.store.beginSession(fixtures::session("P01", false));
         db.record(db.response(0, {{"consent", -1, 1.0}}));
-        CHECK(db.rows("SELECT status, reason FROM participants") == "active|NULL\n");
-        CHECK(db.rows("SELECT session, agreed FROM consents ORDER BY session") == "1|0\n2|1\n");
+        CHECK(state() ==
+              "active|NULL\n1|0\n2|0\n3|1\nconsent was asked anew\nconsent was asked anew\nNULL\n");
+        CHECK(db.store.resume("P01", 1.7e9).answered == std::map<int, bool>{{0, true}});
+    }
+
+    TEST_CASE("An exclusion is kept with the answer that it follows from, an abort with its note") {
+        Wide db;
+        auto failed = fixtures::answer(db.plan.trials[6], 0);
+        failed.check_passed = false;
+        failed.exclusion = "attention check failed: game, trial 6";
+        db.record(failed);
+        CHECK(db.rows("SELECT status, reason FROM participants") ==
+              "excluded|attention check failed: game, trial 6\n");
+        CHECK(db.rows("SELECT kind, detail FROM events") ==
+              "excluded|attention check failed: game, trial 6\n");
+        Wide other;
+        other.record(studies::Note{"operator_abort", -1, {1.0, 1.7e9}, ""});
+        CHECK(other.rows("SELECT status, reason FROM participants") ==
+              "dropped|the operator ended the session\n");
     }
 
     TEST_CASE("Pages about the participant become the participant's fields") {
@@ -250,7 +275,9 @@ TEST_SUITE("results/store answers") {
         const auto soon = db.store.resume("P01", 1.7e9 + 160.0);
         CHECK(soon.answered == std::map<int, bool>{{6, false}, {7, true}, {8, true}});
         CHECK(soon.begun == std::set<int>{4});
-        CHECK(soon.check_failures == std::map<std::string, int>{{"appeal", 1}, {"game", 1}});
+        CHECK(soon.check_failures ==
+              decltype(soon.check_failures){{{"appeal", studies::CheckKind::number}, 1},
+                                            {{"game", studies::CheckKind::catch_trial}, 1}});
         CHECK(soon.gap_s == 60.0);
         db.store.endSession(SessionOutcome::quit, 1.7e9 + 130.0);
         CHECK(db.store.resume("P01", 1.7e9 + 160.0).gap_s == 30.0);

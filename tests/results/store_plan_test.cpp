@@ -216,7 +216,8 @@ TEST_SUITE("results/store plan") {
             plan.groups["style"] = id == std::string("P05") ? "lively" : "calm";
             fixtures::store(store, study, plan);
         }
-        CHECK(store.groupsTaken().size() == 5);
+        CHECK(store.groupsTaken() ==
+              studies::GroupSizes{{{{"style", "calm"}}, 4}, {{{"style", "lively"}}, 1}});
         const auto run = [&](const char* id, const std::vector<studies::SessionEvent>& events,
                              SessionOutcome outcome) {
             const auto plan = *store.plan(id);
@@ -227,10 +228,12 @@ TEST_SUITE("results/store plan") {
         run("P01", {studies::Note{"operator_abort", -1, {}, "felt sick"}}, SessionOutcome::aborted);
         run("P02", {studies::Exclusion{"attention check failed: game, trial 6", {5.0, 1.7e9}}},
             SessionOutcome::finished);
-        run("P03", {}, SessionOutcome::declined);
+        auto declined = fixtures::response(fixtures::widePlan(study, "P03").trials[0]);
+        declined.answers = {{"consent", -1, 0.0}};
+        run("P03", {declined}, SessionOutcome::declined);
         run("P04", {}, SessionOutcome::quit);
         CHECK(store.groupsTaken() ==
-              std::vector<studies::Groups>{{{"style", "calm"}}, {{"style", "lively"}}});
+              studies::GroupSizes{{{{"style", "calm"}}, 1}, {{{"style", "lively"}}, 1}});
         CHECK(rows(folder / "a.sqlite", "SELECT id, status, reason FROM participants ORDER BY id") ==
               "P01|dropped|felt sick\nP02|excluded|attention check failed: game, trial 6\n"
               "P03|dropped|consent was declined\nP04|active|NULL\nP05|active|NULL\n");

@@ -5,8 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <fstream>
+#include <thread>
+#include <vector>
 
 #include "fixtures.hpp"
 #include "text.hpp"
@@ -21,7 +26,7 @@ namespace {
 
 /// Opens that must fail; gives the message.
 std::string refusalToOpen(const std::filesystem::path& path) {
-    const auto store = Store::open(path, Durability::each_answer);
+    const auto store = Store::open(path, Durability::each_answer, std::chrono::milliseconds(100));
     REQUIRE_FALSE(store.has_value());
     CHECK(store.error().where == path.string());
     CHECK_FALSE(store.error().mend.empty());
@@ -164,6 +169,30 @@ TEST_SUITE("results/store durability") {
         REQUIRE(lock);
         auto moved = std::move(*lock);
         CHECK_FALSE(ParticipantLock::take(path, "P/01"));
+        CHECK_FALSE(ParticipantLock::tryTake(path, "P/01").value().has_value());
+    }
+
+    TEST_CASE("No lock's file is left behind, and among many who want a lock one at a time has it") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        { const auto lock = ParticipantLock::take(path, "P01"); }
+        CHECK(std::filesystem::is_empty(folder / ""));
+        std::atomic<int> holders{0}, most{0}, taken{0};
+        std::vector<std::thread> threads;
+        for (int i = 0; i < 8; ++i)
+            threads.emplace_back([&] {
+                for (int turn = 0; turn < 300; ++turn) {
+                    const auto lock = ParticipantLock::tryTake(path, "P01");
+                    if (!lock || !*lock) continue;
+                    ++taken;
+                    most = std::max(most.load(), ++holders);
+                    --holders;
+                }
+            });
+        for (std::thread& thread : threads) thread.join();
+        CHECK(most == 1);
+        CHECK(taken > 0);
+        CHECK(std::filesystem::is_empty(folder / ""));
     }
 }
 

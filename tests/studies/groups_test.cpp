@@ -42,13 +42,11 @@ TEST_SUITE("studies/groups") {
 
     TEST_CASE("Participants who come one after another fill the cells evenly.") {
         const Study study = twoFactors();
-        std::vector<Groups> taken;
-        std::map<Groups, int> filled;
+        GroupSizes filled;
         for (int number = 1; number <= 600; ++number) {
-            const Groups groups = assignGroups(study, taken, number);
+            const Groups groups = assignGroups(study, filled, number);
             REQUIRE(groups.size() == 2);
             ++filled[groups];
-            taken.push_back(groups);
             int most = 0;
             int fewest = number;
             for (const auto& cell : filled) {
@@ -65,11 +63,15 @@ TEST_SUITE("studies/groups") {
     TEST_CASE("Where somebody drops out, the next participant gets that cell.") {
         const Study study = twoFactors();
         std::vector<Groups> counted;
-        for (int number = 1; number <= 30; ++number) counted.push_back(assignGroups(study, counted, number));
-        for (std::size_t dropped = 0; dropped < counted.size(); ++dropped) {
-            std::vector<Groups> left = counted;
-            left.erase(left.begin() + static_cast<std::ptrdiff_t>(dropped));
-            CHECK(assignGroups(study, left, 31) == counted[dropped]);
+        GroupSizes all;
+        for (int number = 1; number <= 30; ++number) {
+            counted.push_back(assignGroups(study, all, number));
+            ++all[counted.back()];
+        }
+        for (const Groups& dropped : counted) {
+            GroupSizes left = all;
+            --left[dropped];
+            CHECK(assignGroups(study, left, 31) == dropped);
         }
     }
 
@@ -91,6 +93,6 @@ TEST_SUITE("studies/groups") {
     }
 
     TEST_CASE("A study without factors between participants has no groups.") {
-        CHECK(assignGroups(Study{}, {{}, {}}, 3).empty());
+        CHECK(assignGroups(Study{}, {{{}, 2}}, 3).empty());
     }
 }

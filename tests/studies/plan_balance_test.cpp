@@ -173,6 +173,34 @@ TEST_SUITE("studies/plan_balance") {
         for (const auto& entry : met) CHECK(entry.second == 1);
     }
 
+    TEST_CASE("Blocks by a Williams square are balanced within each cell of a design with groups, too.") {
+        Study study = studyOf({"a", "b", "c", "d"});
+        study.between = {{"training", {"feedback", "none"}}, {"hand", {"left", "right"}}};
+        study.stages = {trials(study, "rating", StageKind::rating, 2)};
+        study.stages[0].design.block_by = "system";
+        study.stages[0].design.block_order = BlockOrder::williams;
+        const std::vector<TargetItem> targets = targetsFor(study, 4);
+        constexpr int rows = 4;
+        constexpr int cells = 4;
+        std::map<Groups, std::set<std::string>> first_block;  // by cell: the systems that began
+        GroupSizes sizes;
+        for (int number = 1; number <= rows * cells; ++number) {
+            const Turn turn = turnOf(study, number);
+            CHECK(turn.groups == assignGroups(study, sizes, number));
+            CHECK(turn.number_in_cell == ++sizes[turn.groups]);
+            const Result<StudyPlan> plan =
+                buildPlan(study, targets, "P1", number, turn.groups, turn.number_in_cell);
+            REQUIRE(plan.has_value());
+            first_block[turn.groups].insert(plan->trials.front().stimuli.front().system);
+            CHECK(planJson(planFromJson(planJson(*plan)).value()) == planJson(*plan));
+        }
+        CHECK(first_block.size() == cells);
+        for (const auto& cell : first_block) CHECK(cell.second.size() == rows);
+        const Groups asked{{"training", "none"}, {"hand", "left"}};
+        CHECK(turnOf(study, 1, asked).number_in_cell == 1);
+        CHECK(turnOf(study, 17, asked).number_in_cell == 5);
+    }
+
     TEST_CASE("Blocks by a Williams square: every place and every succession equally often, over 1,000.") {
         for (const int systems : {2, 4, 5}) {  // rows: 2, 4, 10, which all go into 1,000
             CAPTURE(systems);

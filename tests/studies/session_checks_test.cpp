@@ -1,6 +1,8 @@
 // Attention checks: how they are shown, when they pass, and what follows when they do not.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "session_stages.hpp"
 
 using namespace deixis;
@@ -228,6 +230,38 @@ TEST_SUITE("studies/session_checks") {
         REQUIRE(driver.exclusions.size() == 1);
         CHECK(driver.exclusions[0].reason == "attention check failed: rating, trial 1");
         CHECK(driver.session->progress().checks_failed == 2);
+    }
+
+    TEST_CASE("a rule counts the failures of its own kind of check alone, also those of earlier sittings") {
+        Stage stage = ratingStage();
+        stage.checks = {checksOf(CheckKind::number, CheckRule::exclude, 2),
+                        checksOf(CheckKind::repeat, CheckRule::note)};
+        Driver driver({stage});
+        driver.add("rating", 0, {"one"}).check = TrialCheck{CheckKind::number, 0, 5.0, -1};
+        driver.add("rating", 1, {"one"});
+        driver.add("rating", 1, {"one"}).check = TrialCheck{CheckKind::repeat, 0, 0.0, 1};
+        driver.add("rating", 1, {"one"}).check = TrialCheck{CheckKind::repeat, 0, 0.0, 1};
+        driver.add("rating", 2, {"one"}).check = TrialCheck{CheckKind::number, 0, 5.0, -1};
+        driver.start();
+        for (const int given : {1, 2, 4}) rate(driver, given);  // a number and a repeat fail
+        CHECK(driver.count("check_failed") == 2);
+        driver.restart();
+        rate(driver, 5);  // another repeat
+        CHECK(driver.session->progress().checks_failed == 3);
+        CHECK(driver.exclusions.empty());
+        rate(driver, 1);  // the second number
+        REQUIRE(driver.exclusions.size() == 1);
+        CHECK(driver.exclusions[0].reason == "attention check failed: rating, trial 4");
+    }
+
+    TEST_CASE("what follows from an answer comes with it, so that nothing can part them") {
+        Numbers driver(checksOf(CheckKind::number, CheckRule::end), {5.0});
+        rate(driver, 1);
+        REQUIRE(driver.responses.size() == 1);
+        CHECK(driver.responses[0].exclusion == "attention check failed: rating, trial 0");
+        CHECK(std::none_of(driver.all_events.begin(), driver.all_events.end(), [](const SessionEvent& event) {
+            return std::holds_alternative<Exclusion>(event);
+        }));
     }
 
     TEST_CASE("an exclusion lets the session go on, and is told once") {

@@ -109,6 +109,7 @@ struct Driver {
     double place_offset_m = 0.0;         ///< how far off the place the participant stands
     bool holds_pointer = true;           ///< without one, a step that aims at nothing has no ray
     bool kept = true;                    ///< whether the answers given are on the disk
+    bool recording_failed = false;       ///< nothing more can be kept
     std::optional<Quat> looking;         ///< of the head; none: along the ray, or straight ahead
     std::optional<double> select_ago_s;  ///< how long before the frame select went down; none: not told
     PresentedFrame frame;                ///< the last one
@@ -144,9 +145,11 @@ struct Driver {
     void keep(const Response& response) {
         const Trial& trial = plan.trials[static_cast<std::size_t>(response.trial_index)];
         (trial.practice ? practised : responses).push_back(response);
-        left.answered[trial.index] = trial.kind != StageKind::game || response.correct;
+        if (answerTo(response, "consent") != 0.0)
+            left.answered[trial.index] = trial.kind != StageKind::game || response.correct;
         left.first_answers.push_back(response);
-        if (response.check_passed == false) ++left.check_failures[trial.stage];
+        if (response.check_passed == false) ++left.check_failures[{trial.stage, trial.check->kind}];
+        if (!response.exclusion.empty()) exclusions.push_back({response.exclusion, response.answered});
     }
 
     void keep(const std::vector<SessionEvent>& events) {
@@ -188,6 +191,7 @@ struct Driver {
         if (select_ago_s) input.select_time_s = time_s - *select_ago_s;
         input.off_place_m = place_offset_m;
         input.answers_kept = kept;
+        input.recording_failed = recording_failed;
         const SessionStep step = session->step(input);
         frame = step.frame;
         keep(step.events);

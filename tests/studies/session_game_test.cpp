@@ -248,6 +248,7 @@ TEST_SUITE("studies/session_game") {
         REQUIRE(driver.waitUntil([&] { return driver.state() == "closing"; }));
         REQUIRE(driver.exclusions.size() == 1);
         CHECK(driver.exclusions[0].reason == "practice failed: game-practice");
+        CHECK(driver.practised.back().exclusion == "practice failed: game-practice");
         driver.leavePage();
         CHECK(driver.session->outcome() == SessionOutcome::excluded);
         CHECK(driver.responses.empty());

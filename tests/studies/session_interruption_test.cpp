@@ -330,4 +330,43 @@ TEST_SUITE("studies/session_interruption") {
         CHECK(lost > 5);
         CHECK(strayed > 50);
     }
+
+    TEST_CASE("where nothing more can be kept, a calm page ends the session, whatever was under way") {
+        using enum PresentedState;
+        int met = 0;
+        for (const PresentedState state :
+             {instructions, waiting, playing, rating, rated, choosing, chosen, rest, paused}) {
+            INFO(presentedStateName(state));
+            Driver driver;
+            driver.start();
+            driver.step();
+            const bool pause = state == paused;
+            const auto there = [&] { return driver.frame.state == (pause ? playing : state); };
+            for (int i = 0; i < 20'000 && !there(); ++i) {
+                if (resting(driver.frame))
+                    driver.leavePage();
+                else if (answersOpen(driver.frame))
+                    driver.answerSomehow(i);
+                else
+                    driver.step();
+            }
+            if (!there()) continue;  // this study has no such moment
+            ++met;
+            if (pause) driver.step(pauseFor("operator"));
+            const auto answers = driver.responses.size() + driver.practised.size();
+            driver.recording_failed = true;
+            driver.step();
+            CHECK(driver.frame.state == closing);
+            REQUIRE(driver.frame.panel.has_value());
+            CHECK(textOf(*driver.frame.panel).find("technical problem") != std::string::npos);
+            CHECK(driver.frame.balls.empty());
+            CHECK(driver.session->trialUnderWay() == -1);
+            driver.wait(2.0);
+            CHECK(driver.running());  // until it has been read
+            driver.leavePage();
+            CHECK(driver.hasQuit());
+            CHECK(driver.responses.size() + driver.practised.size() == answers);
+        }
+        CHECK(met >= 7);
+    }
 }

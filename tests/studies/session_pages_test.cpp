@@ -81,6 +81,59 @@ TEST_SUITE("studies/session_pages") {
         CHECK(driver.session->outcome() == SessionOutcome::declined);
     }
 
+    TEST_CASE("whoever declined is asked anew first when coming back, and goes on only after agreeing") {
+        Driver driver({pageStage("information", "What this is about"),
+                       questionnaireStage({question("age", QuestionKind::choice)}),
+                       pageStage("consent", "May we?", StageKind::consent), ratingStage()});
+        driver.add("questions", 0, {});
+        driver.add("consent", 0, {});
+        driver.add("rating", 0, {"one"});
+        driver.left.answered[0] = true;  // the questionnaire, in an earlier sitting
+        driver.start();
+        const auto says = [&](const char* text) {
+            return driver.frame.panel && textOf(*driver.frame.panel).find(text) != std::string::npos;
+        };
+        for (const int button : {button_id::decline, button_id::decline, button_id::agree}) {
+            driver.restart();
+            driver.wait(0.6);
+            CHECK(says("May we?"));
+            CHECK(driver.session->trialUnderWay() == 1);
+            driver.press(button);
+            driver.wait(0.6);
+            CHECK(says(driver.study.words("declined_title").c_str()) == (button == button_id::decline));
+            CHECK(driver.count("stimulus_onset") == 0);
+        }
+        REQUIRE(driver.finish());
+        CHECK(trialsOf(driver.responses) == std::vector<int>{1, 1, 1, 2});
+    }
+
+    TEST_CASE("a study's pages may be called as the program's own are") {
+        Stage first = ratingStage("first");
+        AttentionChecks checks;
+        checks.rule = CheckRule::warn;
+        first.checks = {checks};
+        Driver driver({first, pageStage("attention", "Look at the hand"), ratingStage("second"),
+                       pageStage("welcome-back", "Read this"), ratingStage("third"),
+                       pageStage("closing", "That was all")});
+        driver.add("first", 0, {"one"}).check = TrialCheck{CheckKind::number, 0, 5.0, -1};
+        driver.add("second", 1, {"one"});
+        driver.add("third", 2, {"one"});
+        driver.start();
+        std::vector<std::string> read;
+        while (driver.running()) {
+            if (!resting(driver.frame)) {
+                carryOn(driver);
+                continue;
+            }
+            const std::string text = textOf(*driver.frame.panel);
+            for (const char* page : {"Look at the hand", "Read this", "That was all"})
+                if (text.find(page) != std::string::npos) read.emplace_back(page);
+            driver.leavePage();
+        }
+        CHECK(driver.count("warned") == 1);
+        CHECK(read == std::vector<std::string>{"Look at the hand", "Read this", "That was all"});
+    }
+
     TEST_CASE("a break lets go only after its time, counts down, and pauses do not stop its clock") {
         Stage rest = pageStage("rest", "Rest.", StageKind::rest);
         rest.minimum_s = 5.0;

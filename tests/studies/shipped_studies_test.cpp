@@ -268,13 +268,14 @@ TEST_SUITE("studies/shipped_studies") {
         CHECK(stage(study, "sickness-after").questionnaire.name == "ssq");
 
         const std::vector<TargetItem> targets = targetsOf(study);
-        std::vector<Groups> taken;
+        GroupSizes taken;
         std::set<std::string> first_layouts;
         for (int number = 1; number <= 8; ++number) {
             CAPTURE(number);
-            taken.push_back(assignGroups(study, taken, number));
-            const StudyPlan plan = planOf(study, targets, number, taken.back());
-            const bool feedback = taken.back().at("training") == "feedback";
+            const Groups groups = assignGroups(study, taken, number);
+            ++taken[groups];
+            const StudyPlan plan = planOf(study, targets, number, groups);
+            const bool feedback = groups.at("training") == "feedback";
             CHECK(trialsOf(plan, "training-with-feedback").empty() == !feedback);
             CHECK(trialsOf(plan, "training-without-feedback").empty() == feedback);
 
@@ -304,9 +305,8 @@ TEST_SUITE("studies/shipped_studies") {
             first_layouts.insert(layouts.front());
         }
         CHECK(first_layouts.size() == 2);
-        const auto fed = std::count_if(taken.begin(), taken.end(), [](const Groups& groups) {
-            return groups.at("training") == "feedback";
-        });
+        int fed = 0;
+        for (const auto& [groups, size] : taken) fed += groups.at("training") == "feedback" ? size : 0;
         CHECK(fed == 4);
     }
 

@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <sstream>
 
 #include "study_file_fixture.hpp"
 
@@ -123,6 +125,31 @@ TEST_SUITE("studies/study_problems") {
               "layouts = \"across\"",
               "stages.layouts",
               {"the text", "a list"}}});
+    }
+
+    TEST_CASE("No number of a study file may be nan or infinite.") {
+        const Folder folder;
+        const std::string text = readText(fixtures / "full.toml");
+        std::istringstream lines(text);
+        int numbers = 0;
+        std::size_t at = 0;
+        for (std::string line; std::getline(lines, line); at += line.size() + 1) {
+            const auto equals = line.find(" = ");
+            if (line.starts_with('#') || equals == std::string::npos) continue;
+            const std::size_t first = equals + (line[equals + 3] == '[' ? 4 : 3);
+            const std::size_t end = std::min(line.find_first_not_of("-.0123456789", first), line.size());
+            if (end == first) continue;
+            ++numbers;
+            const char* bad = std::array{"nan", "inf", "-inf"}[static_cast<std::size_t>(numbers % 3)];
+            const std::string changed = std::string(text).replace(at + first, end - first, bad);
+            const auto study = loadStudy(folder.write(changed), shipped_folders);
+            CAPTURE(line);
+            REQUIRE_FALSE(study.has_value());
+            const std::string key = line.substr(0, equals).substr(line.find_first_not_of(' '));
+            CHECK(allText(study.error()).find(key) != std::string::npos);
+            CHECK(allText(study.error()).find(std::string(bad)) != std::string::npos);
+        }
+        CHECK(numbers > 40);
     }
 
     TEST_CASE("A scale must rise, fit on a board and have a label for every step, for its ends or none.") {

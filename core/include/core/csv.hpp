@@ -15,7 +15,8 @@ struct CsvRecord {
 };
 
 /// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and
-/// a UTF-8 mark at the start are passed over. `name` stands for the file in errors.
+/// a UTF-8 mark at the start are passed over. `name` stands for the file in errors. A text that is not UTF-8
+/// (keepableText()) is an error, which names the line.
 class CsvReader {
   public:
     /// `text` must outlive this.
@@ -24,6 +25,7 @@ class CsvReader {
     [[nodiscard]] Result<bool> next(CsvRecord& record);
 
   private:
+    [[nodiscard]] Result<void> checkText() const;
     [[nodiscard]] bool atLineEnd() const;
     void skipLineEnd();
     [[nodiscard]] Result<void> readField(std::string& field);
@@ -33,6 +35,7 @@ class CsvReader {
     std::string name_;
     std::size_t at_ = 0;
     int line_ = 1;
+    bool checked_ = false;
 };
 
 /// All records at once.
@@ -42,5 +45,12 @@ class CsvReader {
 [[nodiscard]] std::string csvField(std::string_view text);
 /// Likewise, behind what stands in `out`.
 void appendCsvField(std::string& out, std::string_view text);
+
+/// A cell of text as a spreadsheet may read it: one that would be taken for a formula (it begins with = + -
+/// @, a tab or a carriage return) gets an apostrophe before it. For tables that people open, not for files
+/// that the program reads again.
+[[nodiscard]] std::string safeText(std::string_view text);
+/// safeText() as a field, behind what stands in `out`.
+void appendSafeCsvField(std::string& out, std::string_view text);
 
 }  // namespace deixis

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,7 +12,19 @@
 
 namespace deixis {
 
-[[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path);
+/// Most bytes that are read at once.
+inline constexpr std::size_t most_file_bytes = std::size_t{4} << 30U;
+
+/// All of a file, or of a pipe until its other end closes it. Devices are refused: some never end. So is what
+/// has more than `most_bytes`.
+[[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path,
+                                           std::size_t most_bytes = most_file_bytes);
+
+/// All that comes until the stream ends; likewise bounded. `name` stands for it in errors; `expected_bytes`
+/// may be 0.
+[[nodiscard]] Result<std::string> readAll(std::istream& in, const std::string& name,
+                                          std::size_t expected_bytes = 0,
+                                          std::size_t most_bytes = most_file_bytes);
 
 /// What a file holds, to be looked at. A file of `mapped_from` bytes or more is mapped, so that a long
 /// recording need not fit into memory; it must not be shortened meanwhile. A smaller one is read.
@@ -39,6 +52,7 @@ class FileBytes {
                                          std::size_t mapped_from = std::size_t{64} << 20U);
 
 /// Writes to a neighbour and renames it into place: a reader sees the old file or the new one, never a half.
+/// A pipe or device is written to as it is.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace deixis

@@ -1,10 +1,25 @@
-// Characters, whatever the locale.
+// Characters and texts, whatever the locale.
 #pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace deixis {
 
 [[nodiscard]] constexpr bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
+
+/// Where the first byte stands that cannot be kept everywhere: a NUL, or one that is no part of a character
+/// of UTF-8 (RFC 3629). PostgreSQL takes neither. None: all of the text can be kept.
+[[nodiscard]] std::optional<std::size_t> firstUnkeepable(std::string_view text);
+[[nodiscard]] inline bool keepableText(std::string_view text) {
+    return !firstUnkeepable(text);
+}
+
+/// The text with U+FFFD for each such byte: for what a device or driver says, which nobody can mend.
+[[nodiscard]] std::string keepable(std::string_view text);
 
 }  // namespace deixis

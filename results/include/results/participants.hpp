@@ -10,21 +10,29 @@
 
 namespace deixis::results {
 
+/// Why somebody is a drop-out who has not agreed, and stops being one by agreeing.
+inline constexpr const char* declined_reason = "consent was declined";
+/// The same, of somebody who was let in again: the next session asks for consent before anything else.
+inline constexpr const char* asked_anew_reason = "consent was declined; it is asked anew";
+
 struct ParticipantRow {
     std::string id;
     int number = 0;
     std::string language;
-    std::string status;  ///< "active", "excluded", "dropped"
+    std::string status;  ///< "active", "excluded", "dropped"; without consent nobody is active
     std::string reason;
     studies::Groups groups;
     bool synthetic = false;
     int sessions = 0;
-    int answered = 0;  ///< trials, practice and pages included
-    int planned = 0;
+    int answered = 0;  ///< units of the plan: trials, practice and pages; no consent that was refused
+    int planned = 0;   ///< of the same; further attempts at a practice once they have begun
     int checks_failed = 0;
     double last_utc_s = 0.0;
     std::string consent;  ///< "agreed", "declined", "" where none was asked
 };
+
+/// Whether a session of the participant may begin: only with consent, or to ask for it anew.
+[[nodiscard]] bool mayTakePart(const ParticipantRow& participant);
 
 struct ParticipantDetails {
     ParticipantRow row;
@@ -48,9 +56,18 @@ struct ParticipantList {
 /// refused.
 [[nodiscard]] Result<void> excludeParticipant(const std::filesystem::path& database,
                                               const std::string& participant, const std::string& reason);
-/// Undoes it.
-[[nodiscard]] Result<void> includeParticipant(const std::filesystem::path& database,
-                                              const std::string& participant);
+/// What letting somebody in again came to.
+struct Inclusion {
+    bool consent_asked_anew = false;      ///< it was refused: nobody counts before it is given
+    std::vector<std::string> practice{};  ///< stages that were failed, and are practised anew
+    int failed_checks_forgiven = 0;       ///< attention checks that no rule counts any more
+};
+
+/// Lets an excluded participant or drop-out in again, and resets what led to it: attention checks failed so
+/// far no longer count towards a rule, a practice that was failed begins anew (its answers stay, marked), and
+/// a consent that was refused is asked anew. Fails while a session of the participant runs.
+[[nodiscard]] Result<Inclusion> includeParticipant(const std::filesystem::path& database,
+                                                   const std::string& participant, double utc_s);
 enum class Withdrawn : unsigned char {
     erased,
     finished  ///< there was no such participant, but a withdrawal broken off before: its traces are gone now

@@ -3,11 +3,14 @@
 // on opening (a newer version, a locked or read-only file, not a database) is a Result.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -69,11 +72,23 @@ enum class Durability : unsigned char {
     whole_run,    ///< one transaction for all (simulations, which can be run again)
 };
 
+/// Thrown by whatever writes, once the database's file or its log is not where it was: somebody has renamed,
+/// moved, replaced or deleted it. what() says where all that was kept until then lies now.
+class DatabaseMoved : public std::runtime_error {
+  public:
+    explicit DatabaseMoved(const Error& why) : std::runtime_error(why.text()) {}
+};
+
+/// How long a lock is waited for.
+inline constexpr std::chrono::milliseconds store_patience{30'000};
+
 class Store {
   public:
     /// Opens or creates; a database of an older version is brought to the newest one, with all that it holds.
-    /// Errors: not a database, newer user_version, locked, read-only folder or file.
-    [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability);
+    /// Errors: not a database, newer user_version, locked for longer than `patience`, read-only folder or
+    /// file, the log of a database that is not there beside it.
+    [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability,
+                                            std::chrono::milliseconds patience = store_patience);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
     ~Store();
@@ -82,14 +97,19 @@ class Store {
     [[nodiscard]] std::optional<Registration> registration(const std::string& participant) const;
     [[nodiscard]] std::vector<std::string> participants() const;
     [[nodiscard]] int firstFreeNumber() const;  ///< one more than the highest
-    /// Groups of everybody who counts for the balance: neither excluded nor dropped out.
-    [[nodiscard]] std::vector<studies::Groups> groupsTaken() const;
+    [[nodiscard]] bool numberTaken(int number) const;
+    /// Of everybody who counts for the balance: neither excluded nor dropped out, consent not refused.
+    [[nodiscard]] studies::GroupSizes groupsTaken() const;
+    [[nodiscard]] studies::GroupSizes groupsRegistered() const;  ///< of everybody, drop-outs too
     /// The stored plan of a participant, if any.
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
     /// Stores study, registration and plan, all or nothing. Fails where the database holds another study
     /// (other hash), another plan of the participant, or the number for somebody else.
     [[nodiscard]] Result<void> storePlan(const studies::Study& study, const Registration& registration,
                                          const studies::StudyPlan& plan);
+    /// Runs `work` under the database's write lock, all or nothing: what it reads still holds when it stores
+    /// a plan. Nothing is kept where it fails.
+    [[nodiscard]] Result<void> exclusively(const std::function<Result<void>()>& work);
     /// What earlier sittings left; `now_utc_s` gives the gap.
     [[nodiscard]] studies::Resume resume(const std::string& participant, double now_utc_s) const;
     /// Whether the participant has had a session with a simulated participant (`synthetic`) or with a person.
@@ -101,15 +121,17 @@ class Store {
     /// Starts a session; later records belong to it. Returns its id. The station's properties must have
     /// different names.
     long long beginSession(const SessionInfo& session);
-    /// Keeps an event. A response is one transaction with all that it holds, durable on return; so are what
-    /// supersedes one, and an exclusion, which marks the participant.
+    /// Keeps an event. A response is one transaction with all that it holds and all that follows from it: an
+    /// exclusion, or that consent was refused, which makes the participant a drop-out until it is given. It
+    /// is durable on return; so are what supersedes one, an exclusion, and an operator's abort, which makes
+    /// the participant a drop-out. Throws DatabaseMoved once the event is
+    /// kept.
     void record(const studies::SessionEvent& event, const studies::Study& study,
                 const studies::StudyPlan& plan, const ClipRecords& clips);
     /// Keeps frames of the session, each number once, and tallies of trials that are over (added to those of
     /// the same trial kept before), in one transaction. The disk is not waited for: a power cut may take what
     /// was written since the last response.
     void recordTracking(std::span<const TrackedFrame> frames, std::span<const TrialTracking> trials);
-    /// An aborted session makes the participant a drop-out.
     void endSession(studies::SessionOutcome outcome, double ended_utc_s);
     /// Commits a whole_run store. Nothing is kept of it without this call.
     void commit();
@@ -121,18 +143,24 @@ class Store {
 };
 
 /// Keeps two runs of one participant in one database apart: holds an advisory lock on a file beside the
-/// database until destroyed (also when the process dies).
+/// database until destroyed, which removes the file. Where the process dies the lock ends, and the file stays
+/// until the next one.
 class ParticipantLock {
   public:
+    /// Error: another process holds it.
     [[nodiscard]] static Result<ParticipantLock> take(const std::filesystem::path& database,
                                                       const std::string& participant);
+    /// None: another process holds it.
+    [[nodiscard]] static Result<std::optional<ParticipantLock>> tryTake(const std::filesystem::path& database,
+                                                                        const std::string& participant);
     ParticipantLock(ParticipantLock&&) noexcept;
     ParticipantLock& operator=(ParticipantLock&&) noexcept;
     ~ParticipantLock();
 
   private:
-    explicit ParticipantLock(int file) : file_(file) {}
+    ParticipantLock(int file, std::filesystem::path path) : file_(file), path_(std::move(path)) {}
     int file_ = -1;
+    std::filesystem::path path_{};
 };
 
 }  // namespace deixis::results

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -53,6 +54,7 @@ struct Response {
     int pauses = 0;            ///< interruptions: during the clip, which then started over, or while choosing
     bool begun_before = false;     ///< its clip had been begun in an earlier sitting, which broke off
     std::string reason{};          ///< skipped: why
+    std::string exclusion{};       ///< why the participant leaves the analysis with it; empty: does not
     std::string input;             ///< "ray", "key"; "" where nothing was answered
     Pose stage_from_head{};        ///< at the answer
     std::optional<Ray> pointer{};  ///< at the answer
@@ -65,9 +67,14 @@ struct Superseded {
     Moment at{};
 };
 
-/// The participant's answers leave the analysis.
+/// Reasons of an exclusion begin with one of these; after it stand the stage's name and, of a check, the
+/// trial.
+inline constexpr std::string_view check_failed_reason = "attention check failed: ";
+inline constexpr std::string_view practice_failed_reason = "practice failed: ";
+
+/// The participant's answers leave the analysis, for what an earlier sitting left (else Response::exclusion).
 struct Exclusion {
-    std::string reason;  ///< such as "attention check failed: naturalness, trial 12"
+    std::string reason;  ///< such as "practice failed: game-practice"
     Moment at{};
 };
 

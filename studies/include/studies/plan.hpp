@@ -65,22 +65,40 @@ struct StudyPlan {
     std::string study_hash;
     std::uint64_t seed = 0;                     ///< the study's
     std::map<std::string, std::string> groups;  ///< between factor -> the participant's level
-    std::vector<std::string> stages;            ///< names of those that apply, in order
+    /// 1, 2, ...: of the participant among those with the same groups, which a Williams square goes by. None
+    /// where there are no groups (and in plans of before version 5): then it goes by `number`.
+    std::optional<int> number_in_cell{};
+    std::vector<std::string> stages;  ///< names of those that apply, in order
     std::vector<Trial> trials;
 };
 
 /// Whether it can name a participant: 1 to 32 of the letters A-Z a-z, digits, '_' and '-'.
 [[nodiscard]] bool validParticipant(std::string_view participant);
+/// The same as an error.
+[[nodiscard]] Result<void> checkParticipantId(std::string_view participant);
 /// The number that an id ends in ("P07" -> 7); none where it ends in no digit, in 0 or in more than 6 digits.
 [[nodiscard]] std::optional<int> numberOfParticipant(std::string_view participant);
 
 /// Levels of the factors between participants, as in StudyPlan::groups.
 using Groups = std::map<std::string, std::string>;
 
-/// The cell (one level of every factor between participants) with the fewest of `taken`, which are the groups
-/// of everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty where
-/// the study has no such factor.
-[[nodiscard]] Groups assignGroups(const Study& study, const std::vector<Groups>& taken, int number);
+/// How many participants have which groups.
+using GroupSizes = std::map<Groups, int>;
+
+/// The cell (one level of every factor between participants) with the fewest in `taken`, which counts
+/// everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty where the
+/// study has no such factor.
+[[nodiscard]] Groups assignGroups(const Study& study, const GroupSizes& taken, int number);
+
+/// Where a participant stands among the others.
+struct Turn {
+    Groups groups{};
+    std::optional<int> number_in_cell{};  ///< as StudyPlan::number_in_cell
+};
+
+/// Of participant `number`, where all before enrolled in the order of their numbers and nobody dropped out,
+/// as in a simulated study. `groups` empty: those that are assigned then.
+[[nodiscard]] Turn turnOf(const Study& study, int number, const Groups& groups = {});
 
 /// Builds the plan of one participant.
 ///
@@ -92,11 +110,12 @@ using Groups = std::map<std::string, std::string>;
 /// - Order: blocks as TrialDesign says, shuffled within, under its constraints. Stimuli of a page and of a
 ///   pair are shuffled for each trial, left and right evenly over a pair's trials.
 ///
-/// Depends on the study's seed and design, the targets, the number and the groups alone, and not on the
+/// Depends on the study's seed and design, the targets, the numbers and the groups alone, and not on the
 /// texts. Fails where the id is not valid, a group is missing or unknown, there are too few targets, or the
 /// constraints cannot be met.
 [[nodiscard]] Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& targets,
-                                          std::string_view participant, int number, const Groups& groups);
+                                          std::string_view participant, int number, const Groups& groups,
+                                          std::optional<int> number_in_cell = {});
 
 /// Rows of a Williams square for n conditions: n rows (2n where n is odd) in which every condition comes in
 /// every place, and after every other one, equally often (Williams 1949).

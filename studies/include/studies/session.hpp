@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "motion/clip.hpp"
@@ -25,9 +26,12 @@ class ClipSource {
 
 /// What earlier sittings of the participant left.
 struct Resume {
-    std::map<int, bool> answered{};  ///< trial index -> correct (false only for a wrong choice of the game)
-    std::set<int> begun{};           ///< unanswered trials whose clip had been begun
-    std::map<std::string, int> check_failures{};  ///< by stage
+    /// Trial index -> correct (false only for a wrong choice of the game). A consent that was refused is not
+    /// among them: it is asked anew before anything else.
+    std::map<int, bool> answered{};
+    std::set<int> begun{};  ///< unanswered trials whose clip had been begun
+    /// By stage and kind; not those that were forgiven when the participant was let in again.
+    std::map<std::pair<std::string, CheckKind>, int> check_failures{};
     /// Answers to trials that a check repeats (TrialCheck::of_trial). Without, such a repeat is not judged.
     std::vector<Response> first_answers{};
     double gap_s = 0.0;  ///< from the last thing known of the sitting before until now; 0: there was none

@@ -70,6 +70,8 @@ struct InputFrame {
     double off_place_m = 0.0;
     /// Whether every answer given so far is on the disk. The next trial waits for it.
     bool answers_kept = true;
+    /// Answers can no longer be kept: the session ends with a calm word, and nothing more is asked.
+    bool recording_failed = false;
     std::vector<StationNote> notes{};
 };
 

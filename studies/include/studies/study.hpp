@@ -101,7 +101,7 @@ enum class Meeting : unsigned char {
 };
 
 enum class BlockOrder : unsigned char {
-    williams,  ///< rows of a Williams square, by the participant's number
+    williams,  ///< rows of a Williams square, by the participant's number within the cell
     shuffled,
     listed  ///< as in the file
 };

@@ -99,8 +99,11 @@ class Panel {
 
     void warnings() const {
         const bool full = view_.feed.disk_free_bytes && *view_.feed.disk_free_bytes < little_space_bytes;
-        if (view_.warnings.empty() && !full) return;
+        const std::string& failure = view_.feed.failure;
+        if (view_.warnings.empty() && !full && failure.empty()) return;
         pen_.section("Please note");
+        if (!failure.empty())
+            pen_.warning("The session stops, for answers can no longer be saved: " + failure);
         if (full)
             pen_.warning(
                 fmt::format("Only {} are free on the disk of the database. Make room before it is "
@@ -244,8 +247,11 @@ class Panel {
     void storage() const {
         const OperatorFeed& feed = view_.feed;
         const bool waits = feed.waiting_s > usual_wait_s;
-        pen_.row("Answers", gui_.bold(), waits ? look::warning : look::text,
-                 waits ? fmt::format("waiting for the disk, {:.0f} s", feed.waiting_s) : "on the disk");
+        const bool failed = !feed.failure.empty();
+        pen_.row("Answers", gui_.bold(), waits || failed ? look::warning : look::text,
+                 failed  ? "no longer saved"
+                 : waits ? fmt::format("waiting for the disk, {:.0f} s", feed.waiting_s)
+                         : "on the disk");
         const bool known = feed.disk_free_bytes.has_value();
         const bool little = known && *feed.disk_free_bytes < little_space_bytes;
         pen_.row("Free on the disk", gui_.bold(),

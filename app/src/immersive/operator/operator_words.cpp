@@ -76,7 +76,7 @@ struct EventWords {
     std::string_view words;
     bool with_detail;
 };
-constexpr std::array<EventWords, 14> event_words{{
+constexpr std::array<EventWords, 15> event_words{{
     {"session_start", "Session begun", true},
     {"pause", "Paused", true},
     {"resume", "Resumed", false},
@@ -91,6 +91,7 @@ constexpr std::array<EventWords, 14> event_words{{
     {"operator_note", "Note", true},
     {"operator_saw_trial", "Trial shown to you", false},
     {"exclusion", "Excluded", true},
+    {"recording_failed", "Answers can no longer be saved", true},
 }};
 
 struct NamedHeadsetState {

@@ -1,0 +1,12 @@
+// What somebody who mistyped a name probably meant.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace deixis {
+
+/// The name nearest to `found`; empty where none is near.
+[[nodiscard]] std::string_view nearestName(std::string_view found, std::span<const std::string_view> names);
+
+}  // namespace deixis

@@ -1,0 +1,63 @@
+#include "core/text.hpp"
+
+#include <cstdint>
+#include <cstring>
+
+namespace deixis {
+
+namespace {
+
+/// How many bytes the character that begins the text takes; 0: none begins here. `text` is not empty.
+std::size_t characterLength(std::string_view text) {
+    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = at(0);
+    if (first < 0x80U) return first == 0U ? 0 : 1;
+    const std::size_t length = first >= 0xC2U && first < 0xE0U   ? 2
+                               : first >= 0xE0U && first < 0xF0U ? 3
+                               : first >= 0xF0U && first < 0xF5U ? 4
+                                                                 : 0;
+    if (length == 0 || text.size() < length) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((at(i) & 0xC0U) != 0x80U) return 0;
+    // Longer than need be, a surrogate, or beyond the last character.
+    if (first == 0xE0U && at(1) < 0xA0U) return 0;
+    if (first == 0xEDU && at(1) >= 0xA0U) return 0;
+    if (first == 0xF0U && at(1) < 0x90U) return 0;
+    if (first == 0xF4U && at(1) >= 0x90U) return 0;
+    return length;
+}
+
+/// Eight bytes of ASCII, none of them NUL: most of what is read.
+bool plainEight(const char* text) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, text, sizeof eight);
+    constexpr std::uint64_t ones = 0x0101010101010101ULL;
+    constexpr std::uint64_t high = 0x8080808080808080ULL;
+    return (eight & high) == 0 && ((eight - ones) & high) == 0;
+}
+
+}  // namespace
+
+std::optional<std::size_t> firstUnkeepable(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        if (text.size() - at >= 8 && plainEight(text.data() + at)) {
+            at += 8;
+            continue;
+        }
+        const std::size_t length = characterLength(text.substr(at));
+        if (length == 0) return at;
+        at += length;
+    }
+    return std::nullopt;
+}
+
+std::string keepable(std::string_view text) {
+    std::string out;
+    while (const auto bad = firstUnkeepable(text)) {
+        out.append(text.substr(0, *bad)).append("\xEF\xBF\xBD");
+        text.remove_prefix(*bad + 1);
+    }
+    return out.append(text);
+}
+
+}  // namespace deixis

@@ -1,0 +1,32 @@
+// The files of a database: the main one, and the log and journal that SQLite keeps beside it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "core/error.hpp"
+
+namespace deixis::results {
+
+/// A writer is, or was when it died, at work on the database: its latest answers stand in the log.
+[[nodiscard]] bool hasLog(const std::filesystem::path& database);
+
+/// Likewise, in the mode that programs other than this one may have left the database in: a transaction that
+/// was broken off, or is under way, and what the pages held before. Whoever reads next undoes it.
+[[nodiscard]] bool hasJournal(const std::filesystem::path& database);
+
+/// Answers in a log or journal whose database is not there: it is missing, empty, or another file has taken
+/// its name. SQLite would delete such a log, or take it for the other file's.
+[[nodiscard]] std::optional<Error> orphanBeside(const std::filesystem::path& database);
+
+/// What no database can be: a folder, pipe or device.
+[[nodiscard]] Result<void> checkKindOfFile(const std::filesystem::path& database);
+
+/// Makes an empty file that its owner alone may read and write. False where one of that name is there, or it
+/// cannot be made.
+[[nodiscard]] bool makeOwnFile(const std::filesystem::path& file);
+
+/// Waits until the folder's entries are on the disk, as far as the file system allows.
+void syncFolder(const std::filesystem::path& folder);
+
+}  // namespace deixis::results

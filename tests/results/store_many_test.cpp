@@ -1,0 +1,139 @@
+// Many participants: who start at once, and who are in the database already.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <doctest/doctest.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <vector>
+
+#include "fixtures.hpp"
+#include "results/participants.hpp"
+#include "results/store.hpp"
+
+using namespace deixis;
+using results::Durability;
+using results::Store;
+
+namespace {
+
+// Steps of SQLite's machine in every connection of this process: what a query does, however fast.
+long long steps = 0;
+
+int countSteps(unsigned /*what*/, void* /*context*/, void* statement, void* /*time*/) {
+    steps += sqlite3_stmt_status(static_cast<sqlite3_stmt*>(statement), SQLITE_STMTSTATUS_VM_STEP, 1);
+    return 0;
+}
+
+int watch(sqlite3* database, const char** /*error*/, const sqlite3_api_routines* /*api*/) {
+    return sqlite3_trace_v2(database, SQLITE_TRACE_PROFILE, countSteps, nullptr);
+}
+
+/// Counts while it lives.
+class StepCount {
+  public:
+    StepCount() {
+        steps = 0;
+        sqlite3_auto_extension(reinterpret_cast<void (*)()>(watch));
+    }
+    ~StepCount() { sqlite3_cancel_auto_extension(reinterpret_cast<void (*)()>(watch)); }
+    StepCount(const StepCount&) = delete;
+    StepCount& operator=(const StepCount&) = delete;
+};
+
+/// What a simulation asks the store for each participant, twice over as two sittings do.
+void takePart(Store& store, const studies::Study& study, int number) {
+    const auto plan = fixtures::plan(study, fmt::format("P{:04}", number), 2);
+    REQUIRE_FALSE(store.numberTaken(number));
+    (void)store.groupsTaken();
+    fixtures::store(store, study, plan);
+    (void)store.resume(plan.participant, 0.0);
+    store.beginSession(fixtures::session(plan.participant, true));
+    for (const auto& trial : plan.trials) {
+        store.record(studies::Note{"stimulus_onset", trial.index, {}, ""}, study, plan,
+                     fixtures::clips(plan));
+        store.record(fixtures::answer(trial, 1), study, plan, fixtures::clips(plan));
+    }
+    store.endSession(studies::SessionOutcome::finished, 1.7e9 + 900.0);
+    (void)store.resume(plan.participant, 2e9);
+}
+
+}  // namespace
+
+TEST_SUITE("results/store many") {
+    TEST_CASE("A hundred participants who start at once on a new database all begin their session") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        const auto study = fixtures::study({"direct"});
+        constexpr int stations = 100;
+        int gate[2];
+        REQUIRE(::pipe(gate) == 0);
+        std::vector<pid_t> children;
+        for (int i = 1; i <= stations; ++i) {
+            const pid_t child = ::fork();
+            REQUIRE(child >= 0);
+            if (child == 0) {
+                ::close(gate[1]);
+                char byte = 0;
+                (void)!::read(gate[0], &byte, 1);  // ends when the parent closes its end
+                const auto plan = fixtures::plan(study, fmt::format("P{:03}", i), 1);
+                auto store = Store::open(path, Durability::each_answer);
+                if (!store) ::_exit(2);
+                if (!store->storePlan(study, fixtures::registration(plan), plan)) ::_exit(3);
+                store->beginSession(fixtures::session(plan.participant, false));
+                store->record(fixtures::answer(plan.trials[0], 1), study, plan, fixtures::clips(plan));
+                ::_exit(0);
+            }
+            children.push_back(child);
+        }
+        ::close(gate[0]);
+        ::close(gate[1]);
+        int failed = 0;
+        for (const pid_t child : children) {
+            int status = 0;
+            REQUIRE(::waitpid(child, &status, 0) == child);
+            failed += !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+        }
+        CHECK(failed == 0);
+        CHECK(SQLite::Database(path.string()).execAndGet("SELECT count(*) FROM responses").getInt() ==
+              stations);
+    }
+
+    TEST_CASE("What a further participant costs does not grow with those who are there") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::study({"direct", "stiff"});
+        const StepCount count;
+        Store store = fixtures::open(folder / "a.sqlite", Durability::whole_run);
+        int number = 0;
+        const auto stepsOfTen = [&] {
+            const long long before = steps;
+            for (int i = 0; i < 10; ++i) takePart(store, study, ++number);
+            return static_cast<double>(steps - before);
+        };
+        (void)stepsOfTen();  // the study itself is stored with the first
+        const double first = stepsOfTen();
+        while (number < 200) takePart(store, study, ++number);
+        const double last = stepsOfTen();
+        CHECK(first > 10'000);
+        CHECK(last < 1.1 * first);
+        store.commit();
+    }
+
+    TEST_CASE("Nor does looking at one participant, as every start of a session does") {
+        const auto study = fixtures::study({"direct", "stiff"});
+        std::vector<double> looked;
+        for (const int participants : {20, 200}) {
+            const fixtures::Folder folder;
+            {
+                Store store = fixtures::open(folder / "a.sqlite", Durability::whole_run);
+                for (int number = 1; number <= participants; ++number) takePart(store, study, number);
+                store.commit();
+            }
+            const StepCount count;
+            REQUIRE(results::showParticipant(folder / "a.sqlite", "P0007"));
+            looked.push_back(static_cast<double>(steps));
+        }
+        CHECK(looked[0] > 100);
+        CHECK(looked[1] < 1.1 * looked[0]);
+    }
+}

@@ -1,0 +1,61 @@
+// Texts that a server cannot hold, in databases of earlier versions.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <doctest/doctest.h>
+
+#include "fixtures.hpp"
+#include "results/participants.hpp"
+#include "results/server.hpp"
+#include "text.hpp"
+
+using namespace deixis;
+using deixis::tests::contains;
+
+TEST_SUITE("results/texts") {
+    TEST_CASE("A push names file, table and row of a text that no server can hold, before it connects") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        const auto study = fixtures::study({"direct"});
+        const auto plan = fixtures::plan(study, "P01", 1);
+        {
+            results::Store store = fixtures::open(path);
+            fixtures::store(store, study, plan);
+            store.beginSession(fixtures::session("P01", false));
+            store.record(studies::Note{"operator_note", 3, {1.0, 1.7e9}, "a phone rang"}, study, plan, {});
+            store.endSession(studies::SessionOutcome::quit, 1.7e9 + 9.0);
+        }
+        const char* const nowhere = "postgresql://nobody@127.0.0.1:1/x?connect_timeout=2";
+        const auto unreached = results::pushDatabase(path, nowhere);
+        REQUIRE_FALSE(unreached);
+        CHECK(contains(unreached.error().message, "no server was reached"));
+        SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
+            .exec("UPDATE events SET detail = CAST(x'5AFC72696368' AS TEXT) WHERE kind = 'operator_note'");
+        const auto refused = results::pushDatabase(path, nowhere);
+        REQUIRE_FALSE(refused);
+        CHECK(refused.error().where == path.string());
+        CHECK(contains(refused.error().message, "table events, row with id 1: the column detail"));
+        CHECK(contains(refused.error().message, "Z\xEF\xBF\xBDrich"));
+    }
+
+    TEST_CASE("What is no text of a person's is kept as well as can be; a reason is refused") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        const auto study = fixtures::study({"direct"});
+        const auto plan = fixtures::plan(study, "P01", 1);
+        {
+            results::Store store = fixtures::open(path);
+            fixtures::store(store, study, plan);
+            auto session = fixtures::session("P01", false);
+            session.station.details =
+                "driver \xFF"
+                "7";
+            store.beginSession(session);
+        }
+        CHECK(
+            SQLite::Database(path.string()).execAndGet("SELECT station_details FROM sessions").getString() ==
+            "driver \xEF\xBF\xBD"
+            "7");
+        const auto refused = results::excludeParticipant(path, "P01", "Z\xFCrich");
+        REQUIRE_FALSE(refused);
+        CHECK(contains(refused.error().message, "UTF-8"));
+    }
+}
