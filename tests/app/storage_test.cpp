@@ -107,7 +107,7 @@ TEST_SUITE("app/storage") {
                   (scratch / "r"),
               "export " + database + " -o " + (scratch / "export"),
               "simulate pointing2023 --participants 1 --db " + (scratch / "simulated.sqlite"),
-              "merge " + database + " -o " + (scratch / "merged.sqlite"),
+              "merge " + database + " " + database + " -o " + (scratch / "merged.sqlite"),
               "evaluate " + (scratch / "stimuli") + "/direct-*/manifest.csv -o " +
                   (scratch / "evaluation.html") + " --csv " + (scratch / "evaluation")}) {
             const auto done = program(arguments, open);
