@@ -107,11 +107,4 @@ bool makeOwnFile(const fs::path& file) {
     return true;
 }
 
-void syncFolder(const fs::path& folder) {
-    const int open = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (open < 0) return;
-    ::fsync(open);
-    ::close(open);
-}
-
 }  // namespace deixis::results

@@ -26,7 +26,4 @@ namespace deixis::results {
 /// cannot be made.
 [[nodiscard]] bool makeOwnFile(const std::filesystem::path& file);
 
-/// Waits until the folder's entries are on the disk, as far as the file system allows.
-void syncFolder(const std::filesystem::path& folder);
-
 }  // namespace deixis::results

@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "core/durable.hpp"
 #include "database_files.hpp"
 #include "database_open.hpp"
 #include "store_impl.hpp"
