@@ -70,6 +70,9 @@ class GameTrial : public ClipTrial {
     std::optional<ScaleAnswer> confidence_{};
 
     [[nodiscard]] bool committed() const override { return chosen_; }
+    void forgetAnswer() override {
+        if (confidence_) confidence_->forget();
+    }
 
     void openAnswer(const InputFrame& input) override {
         if (chosen_) {
