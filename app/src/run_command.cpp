@@ -210,7 +210,9 @@ Result<void> runOn(const RunArguments& options, const Prepared& prepared, result
         studies::trialsLeft(setup.study, enrolment.plan, store.resume(participant, utcNow_s()).answered);
     tellOutcome(participant, session.outcome(), left.size());
     auto reported = report(options);
-    if (const auto why = (*station)->failure()) return tl::unexpected(*why);
+    if (const auto why = (*station)->failure())
+        return fail(fmt::format("{}: {}: {}", setup.study.file.string(), participant, why->where),
+                    why->message, why->mend);
     const Screenshots& pictures = *options.station.screenshots;
     if (reported && !pictures.wanted.empty())
         return fail("--screenshot",
