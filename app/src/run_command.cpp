@@ -180,7 +180,7 @@ Result<void> runOn(const RunArguments& options, const Prepared& prepared, result
     const auto history = store.secondsPerUnit();
     const bool keyboard = info.kind != "headset";
     studies::SessionRunner session(setup.study, enrolment.plan, stimuli, avatar.skeleton, idle,
-                                   enrolment.resume, keyboard);
+                                   enrolment.resume, keyboard, info.hint);
     store.beginSession({participant, info, programVersion(), avatar.content_hash, utcNow_s()});
     try {
         // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before
