@@ -204,7 +204,7 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     const auto history = store.secondsPerUnit();
     const bool keyboard = info.kind != "headset";
     studies::SessionRunner session(setup.study, enrolment.plan, stimuli, avatar.skeleton, idle,
-                                   enrolment.resume, keyboard);
+                                   enrolment.resume, keyboard, info.hint);
     store.beginSession({participant, info, programVersion(), avatar.content_hash, utcNow_s()});
     try {
         // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before
@@ -238,7 +238,9 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
         studies::trialsLeft(setup.study, enrolment.plan, store.resume(participant, utcNow_s()).answered);
     tellOutcome(participant, session.outcome(), left.size());
     auto reported = report(options);
-    if (const auto why = (*station)->failure()) return tl::unexpected(*why);
+    if (const auto why = (*station)->failure())
+        return fail(fmt::format("{}: {}: {}", setup.study.file.string(), participant, why->where),
+                    why->message, why->mend);
     const Screenshots& pictures = *options.station.screenshots;
     if (reported && !pictures.wanted.empty())
         return fail("--screenshot",

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
@@ -31,16 +33,21 @@ struct SimulateArguments {
 };
 
 // All sittings of one participant. Returns how many units were answered.
-int takePart(const StudySetup& setup, const studies::StudyPlan& plan, const assets::Avatar& avatar,
-             const StimulusLibrary& stimuli, const studies::SimulatedParameters& parameters,
-             results::Store& store) {
+Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, const assets::Avatar& avatar,
+                     const StimulusLibrary& stimuli, const studies::SimulatedParameters& parameters,
+                     results::Store& store) {
     const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
     const auto records = stimuli.records();
+    const std::string where = fmt::format("{}: {}", setup.study.file.string(), plan.participant);
     int answers = 0;
     double now_s = 0.0;
+    std::optional<std::size_t> answered_before;
     for (;;) {
         const studies::Resume resume = store.resume(plan.participant, now_s);
         if (studies::trialsLeft(setup.study, plan, resume.answered).empty()) return answers;
+        if (answered_before == resume.answered.size())
+            return fail(where, "a sitting ended without an answer, and trials are left");
+        answered_before = resume.answered.size();
         studies::SimulatedStation station(parameters, avatar.skeleton, simulatedSeed(plan));
         const studies::StationInfo info = station.info();
         studies::SessionRunner session(setup.study, plan, stimuli, avatar.skeleton, idle, resume, true);
@@ -49,8 +56,36 @@ int takePart(const StudySetup& setup, const studies::StudyPlan& plan, const asse
         now_s = runSession(session, station, recorder).utc_s;
         answers += recorder.answered();
         store.endSession(session.outcome(), now_s);
+        if (const auto why = station.failure()) return fail(where, why->message, why->mend);
         if (session.outcome() != studies::SessionOutcome::finished) return answers;
     }
+}
+
+// Everybody, into a database that is made. Returns how many units were answered.
+Result<int> simulateInto(const fs::path& database, const SimulateArguments& options, const StudySetup& setup,
+                         const assets::Avatar& avatar, const studies::SimulatedParameters& parameters) {
+    auto store = results::Store::open(database, results::Durability::whole_run);
+    if (!store) return tl::unexpected(store.error());
+    std::vector<studies::StudyPlan> plans;
+    for (int i = 1; i <= options.participants; ++i) {
+        const auto enrolment = enrol(setup, *store, fmt::format("S{:03}", i), 0.0);
+        if (!enrolment) return tl::unexpected(enrolment.error());
+        if (auto stored = store->storePlan(setup.study, enrolment->registration, enrolment->plan); !stored)
+            return tl::unexpected(stored.error());
+        plans.push_back(enrolment->plan);
+    }
+    const fs::path stimuli_folder =
+        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+    const auto stimuli = StimulusLibrary::load(setup, plans, avatar, stimuli_folder);
+    if (!stimuli) return tl::unexpected(stimuli.error());
+    int answers = 0;
+    for (const auto& plan : plans) {
+        const auto given = takePart(setup, plan, avatar, *stimuli, parameters, *store);
+        if (!given) return given;
+        answers += *given;
+    }
+    store->commit();
+    return answers;
 }
 
 Result<void> simulate(const SimulateArguments& options) {
@@ -69,31 +104,19 @@ Result<void> simulate(const SimulateArguments& options) {
     // Written beside and renamed at the end: an interrupted simulation leaves no half database.
     const fs::path partial = options.database + ".partial";
     if (partial.has_parent_path()) fs::create_directories(partial.parent_path(), code);
-    for (const char* suffix : {"", "-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
-    int answers = 0;
-    {
-        auto store = results::Store::open(partial, results::Durability::whole_run);
-        if (!store) return tl::unexpected(store.error());
-        std::vector<studies::StudyPlan> plans;
-        for (int i = 1; i <= options.participants; ++i) {
-            const auto enrolment = enrol(*setup, *store, fmt::format("S{:03}", i), {}, 0.0);
-            if (!enrolment) return tl::unexpected(enrolment.error());
-            if (auto stored = store->storePlan(setup->study, enrolment->registration, enrolment->plan);
-                !stored)
-                return stored;
-            plans.push_back(enrolment->plan);
-        }
-        const fs::path stimuli_folder =
-            options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
-        const auto stimuli = StimulusLibrary::load(*setup, plans, *avatar, stimuli_folder);
-        if (!stimuli) return tl::unexpected(stimuli.error());
-        for (const auto& plan : plans)
-            answers += takePart(*setup, plan, *avatar, *stimuli, *parameters, *store);
-        store->commit();
+    const auto remove = [&partial](std::initializer_list<const char*> suffixes) {
+        std::error_code ignored;
+        for (const char* suffix : suffixes) fs::remove(partial.string() + suffix, ignored);
+    };
+    remove({"", "-wal", "-shm"});
+    const auto answers = simulateInto(partial, options, *setup, *avatar, *parameters);
+    if (!answers) {
+        remove({"", "-wal", "-shm"});
+        return tl::unexpected(answers.error());
     }
     if (auto moved = moveFile(partial, options.database); !moved) return moved;
-    for (const char* suffix : {"-wal", "-shm"}) fs::remove(partial.string() + suffix, code);
-    fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants, answers,
+    remove({"-wal", "-shm"});
+    fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants, *answers,
                options.database);
     return {};
 }

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 #include "assets/data_paths.hpp"
 #include "assets/manifest.hpp"
+#include "core/room.hpp"
 #include "motion/generator.hpp"
 
 namespace deixis::app {
@@ -68,6 +70,43 @@ Result<std::vector<studies::TargetItem>> targetsOf(studies::Study& study) {
     return studies::drawDistractors(std::move(*items), study.targets, study.distances, study.seed);
 }
 
+/// Balls behind a wall, under the floor or over the ceiling are never seen, and cannot be chosen.
+void checkRoom(const studies::Study& study, const std::vector<studies::TargetItem>& targets,
+               std::vector<Error>& problems) {
+    const bool shows_balls =
+        std::any_of(study.stages.begin(), study.stages.end(),
+                    [](const studies::Stage& stage) { return stage.kind == studies::StageKind::game; });
+    if (!shows_balls) return;
+    const double radius_m = study.targets.ball_diameter_m / 2.0;
+    const auto inside = [radius_m](const Vec3& centre) {
+        constexpr double rounding_m = 1e-6;
+        return glm::all(glm::greaterThanEqual(centre, room_low + radius_m - rounding_m)) &&
+               glm::all(glm::lessThanEqual(centre, room_high - radius_m + rounding_m));
+    };
+    int outside = 0;
+    std::string first;
+    const auto visit = [&](const std::string& name, const Vec3& centre) {
+        if (inside(centre)) return;
+        if (outside++ == 0)
+            first = fmt::format("{} at ({:.2f}, {:.2f}, {:.2f}) m", name, centre.x, centre.y, centre.z);
+    };
+    for (const studies::TargetItem& item : targets) {
+        if (!item.placed) continue;
+        visit(item.id, item.target);
+        for (const auto& band : item.distractors)
+            for (const Vec3& distractor : band) visit("a distractor of " + item.id, distractor);
+    }
+    if (outside == 0) return;
+    problems.push_back(
+        {study.file.string() + ": targets",
+         fmt::format(
+             "{} of the balls that can be drawn {} outside the room, where nobody can see or choose {}: "
+             "{}. Expected x from {:g} to {:g}, y from {:g} to {:g}, z from {:g} to {:g} m",
+             outside, outside == 1 ? "stands" : "stand", outside == 1 ? "it" : "them", first, room_low.x,
+             room_high.x, room_low.y, room_high.y, room_low.z, room_high.z),
+         "Lower radius_m or height_m, or narrow arc_deg; the avatar stands at (0, 0, 0) and faces +z"});
+}
+
 }  // namespace
 
 tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& name,
@@ -83,6 +122,8 @@ tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& 
         if (error.where.find(".csv") == std::string::npos)
             error.where = study->file.string() + ": " + error.where;
         problems.push_back(std::move(error));
+    } else {
+        checkRoom(*study, *targets, problems);
     }
     if (!problems.empty()) return tl::unexpected(std::move(problems));
     return StudySetup{std::move(*study), std::move(*targets)};

@@ -42,18 +42,19 @@ void main() {
 }
 )";
 
-// A flat ring around the ball's centre that always faces the eye.
+// One or two flat rings around the ball's centre that always face the eye.
 const std::string_view ring_vertex_glsl = R"(
 layout(location = 0) uniform vec4 ball;  // centre, radius
+layout(location = 1) uniform int rings;
 out vec2 across;  // metres from the ring's centre
 flat out float pixel;
-const float reach = 1.9;  // of the radius
 
 void main() {
     vec3 centre = (this_view.eye_from_stage * vec4(ball.xyz, 1.0)).xyz;
     vec3 away = normalize(centre);
     vec3 right = normalize(cross(away, vec3(0.0, 1.0, 0.0)));
     pixel = this_view.eye.w * max(-centre.z, 0.05);
+    float reach = rings > 1 ? 2.4 : 1.9;  // of the radius
     vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)) * 2.0 - 1.0;
     across = corner * (reach * ball.w + 2.0 * pixel);
     gl_Position = this_view.clip_from_eye *
@@ -63,16 +64,18 @@ void main() {
 
 const std::string_view ring_fragment_glsl = R"(
 layout(location = 0) uniform vec4 ball;
+layout(location = 1) uniform int rings;
 in vec2 across;
 flat in float pixel;
 out vec4 colour;
 void main() {
     float off = abs(length(across) - 1.55 * ball.w);
+    if (rings > 1) off = min(off, abs(length(across) - 2.05 * ball.w));
     float half_width = max(0.10 * ball.w, 0.9 * pixel);
     float solid = 1.0 - smoothstep(half_width - 0.6 * pixel, half_width + 0.6 * pixel, off);
     float fall = clamp(1.0 - off / max(0.35 * ball.w, 2.0 * pixel), 0.0, 1.0);
     float alpha = max(0.95 * solid, 0.35 * fall * fall);
-    colour = vec4(vec3(0.80, 1.0, 0.84), 1.0) * alpha;
+    colour = vec4(vec3(0.90, 1.0, 0.93), 1.0) * alpha;
 }
 )";
 
@@ -131,7 +134,7 @@ void BallPass::place(const std::vector<Ball>& balls) {
     for (const Ball& ball : balls) {
         const glm::vec4 place(glm::vec3(ball.centre), static_cast<float>(ball.radius_m));
         placed_.push_back({place, ball.colour, ball.glow});
-        if (ball.ring) ringed_.push_back(place);
+        if (ball.rings > 0) ringed_.push_back({place, ball.rings});
     }
     if (placed_.empty()) return;
     const auto bytes = static_cast<GLsizeiptr>(placed_.size() * sizeof(Instance));
@@ -157,8 +160,9 @@ void BallPass::drawRings(Views views) {
     if (ringed_.empty()) return;
     ring_program_.use(views);
     glBindVertexArray(no_vertices_.name());
-    for (const glm::vec4& ball : ringed_) {
-        glUniform4fv(0, 1, glm::value_ptr(ball));
+    for (const Ringed& ball : ringed_) {
+        glUniform4fv(0, 1, glm::value_ptr(ball.place));
+        glUniform1i(1, ball.rings);
         glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     }
 }

@@ -25,8 +25,12 @@ class BallPass {
         glm::vec4 place;  // centre, radius
         glm::vec3 colour, glow;
     };
+    struct Ringed {
+        glm::vec4 place;
+        int rings;
+    };
     std::vector<Instance> placed_;
-    std::vector<glm::vec4> ringed_;
+    std::vector<Ringed> ringed_;
     ViewProgram program_, ring_program_;
     gl::Buffer sphere_, indices_, instances_;
     GLsizeiptr instance_capacity_ = 0;

@@ -14,7 +14,6 @@ constexpr int least_pixels = 9;
 constexpr int most_pixels = 240;
 constexpr double field_inset_m = 0.018;
 constexpr double field_line_m = 0.046;
-constexpr double slider_label_m = 0.036;
 constexpr double slider_label_drop_m = 0.028;  // under the track: its ticks, and the thumb
 
 float widthOf(const PlacedText& placed) {
@@ -54,12 +53,13 @@ float BoardLayout::stroke(double metres) const {
 }
 
 int BoardLayout::fontPixels(double size_m) const {
-    return std::clamp(static_cast<int>(std::lround(size_m * scale_)), least_pixels, most_pixels);
+    // No larger than laid out: the lines are as wide as their boxes.
+    constexpr double rounding = 1e-6;
+    return std::clamp(static_cast<int>(std::floor(size_m * scale_ + rounding)), least_pixels, most_pixels);
 }
 
 PlacedText BoardLayout::text(const BoardText& text) const {
     PlacedText placed{{text.bold, fontPixels(text.size_m)}, low(text.box), high(text.box), &text.text};
-    placed.wrapped = true;
     placed.level = text.level;
     if (text.centred) placed.middle = 0.5F * (placed.low.x + placed.high.x);
     return placed;
@@ -87,6 +87,7 @@ PlacedText BoardLayout::inButton(const BoardButton& button, double size_m, bool 
     const float half = 0.5F * static_cast<float>(pixels);
     const float inset = std::min(0.06F * (b.x - a.x), length(0.012));
     PlacedText placed{{bold, pixels}, {a.x + inset, middle - half}, {b.x - inset, middle + half}, text};
+    placed.level = true;
     placed.middle = 0.5F * (a.x + b.x);
     return placed;
 }
@@ -101,11 +102,10 @@ PlacedText BoardLayout::label(const BoardSlider& slider, std::size_t place) cons
     const double left = std::max(slider.box.x, tick - 0.48 * pitch);
     const double right = std::min(slider.box.x + slider.box.width, tick + 0.48 * pitch);
     PlacedText placed;
-    placed.key = {false, fontPixels(std::min(slider_label_m, top - foot))};
+    placed.key = {false, fontPixels(std::min(slider.label_size_m, top - foot))};
     placed.low = at(left, top);
     placed.high = at(right, foot);
     placed.text = &slider.labels[place];
-    placed.wrapped = true;
     placed.middle = at(tick, top).x;
     return placed;
 }
@@ -124,6 +124,7 @@ PlacedText BoardLayout::content(const BoardField& field) const {
         at(field.box.x + field.box.width - inset_m, field.box.y + field.box.height - down_m - lines * size_m);
     placed.text = field.text.empty() ? &field.hint : &field.text;
     placed.wrapped = lines > 1.5;
+    placed.level = !placed.wrapped;
     placed.shrinks = field.text.empty();
     if (field.active && field.text.empty()) placed.low.x += caretRoom();
     return placed;
@@ -140,8 +141,7 @@ FontKey BoardLayout::fittedFont(const PlacedText& placed) const {
             return line.width > width + 1.0F || (line.cut && !may_cut);
         });
         const float height = placed.high.y - placed.low.y;
-        return !wrong && (!placed.wrapped || static_cast<float>(lines.size()) * size <= height + 1.0F ||
-                          lines.size() == 1);
+        return !wrong && (static_cast<float>(lines.size()) * size <= height + 1.0F || lines.size() == 1);
     };
     // The largest size that fits, rather somewhat smaller than with a word cut.
     for (const bool may_cut : {false, true}) {
@@ -205,7 +205,7 @@ FittedText BoardLayout::fitted(const PlacedText& placed, const FontKey& key) con
                                                                        placed.high.x - line.width))
                                      : placed.low.x));
     out.top = placed.low.y;
-    if (!placed.wrapped || placed.level) out.top += 0.5F * (placed.high.y - placed.low.y - out.height());
+    if (placed.level) out.top += 0.5F * (placed.high.y - placed.low.y - out.height());
     return out;
 }
 

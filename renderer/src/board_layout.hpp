@@ -17,7 +17,7 @@ struct PlacedText {
     FontKey key;
     ImVec2 low, high;
     const std::string* text = nullptr;
-    bool wrapped = false;
+    bool wrapped = false;           ///< what is typed; all else has its lines
     bool level = false;             ///< in the middle of its height; else from the top
     bool shrinks = true;            ///< to fit; else its beginning is left out
     std::optional<float> middle{};  ///< each line is centred here, but kept within the box; none: at its left

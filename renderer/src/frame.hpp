@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/pose.hpp"
-#include "renderer/room.hpp"
+#include "core/room.hpp"
 #include "renderer/scene.hpp"
 #include "views.hpp"
 

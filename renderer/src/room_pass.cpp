@@ -104,7 +104,7 @@ void main() {
 )";
 
 std::string roomSizeGlsl() {
-    const auto constant = [](const char* name, const glm::vec3& v) {
+    const auto constant = [](const char* name, const Vec3& v) {
         return fmt::format("const vec3 {} = vec3({:.3f}, {:.3f}, {:.3f});\n", name, v.x, v.y, v.z);
     };
     return constant("room_low", room_low) + constant("room_high", room_high);
@@ -123,11 +123,11 @@ std::vector<RoomCorner> roomCorners() {
         glm::vec3 normal(0.0F);
         normal[axis] = high ? -1.0F : 1.0F;
         const auto corner = [&](bool u_high, bool v_high) {
-            glm::vec3 p;
+            Vec3 p;
             p[axis] = high ? room_high[axis] : room_low[axis];
             p[u] = u_high ? room_high[u] : room_low[u];
             p[v] = v_high ? room_high[v] : room_low[v];
-            corners.push_back({p, normal});
+            corners.push_back({glm::vec3(p), normal});
         };
         corner(false, false);
         corner(true, false);

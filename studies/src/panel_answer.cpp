@@ -12,7 +12,7 @@ namespace {
 constexpr double row_gap_m = 0.014;
 constexpr double play_width_m = 0.2;  // with its words as a caption
 constexpr double play_height_m = 0.15;
-constexpr double many_height_m = 0.11;  // five or six rows, one under the other
+constexpr double many_height_m = 0.1;  // four rows and more, one under the other
 
 const std::string& playWord(PlayState state, const LanguageTable& words) {
     switch (state) {
@@ -62,7 +62,7 @@ Grid gridOf(const ParallelBoard& board, double inner_m) {
     const bool narrow = (board.scale.kind == ScaleKind::slider || board.scale.steps() <= 5) &&
                         panel::labelsFit(board.scale, scale_m);
     if (count > 3 && narrow) return {2, (count + 1) / 2, play_height_m};
-    return {1, count, count > 4 ? many_height_m : panel::button_height_m};
+    return {1, count, count > 3 ? many_height_m : panel::button_height_m};
 }
 
 }  // namespace

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "studies/text_layout.hpp"
+
 namespace deixis::studies::panel {
 
 namespace {
 
-constexpr double line_spacing = 1.15;  // leaves room for fonts that run a little wider than estimated
+constexpr double least_share = 0.75;  // of its size: a text with a word too long for its width
 constexpr double progress_height_m = 0.03;
 constexpr double button_inset_m = 0.03;  // on either side of a label
 constexpr double least_button_m = 0.26;
@@ -66,15 +68,14 @@ Span labelSpan(const Scale& scale, std::size_t place, double x, double width_m) 
     return labelSpan(slider.track(), scale.labels.size(), place, slider.box);
 }
 
-double longestWord(const std::string& text, double size_m) {
-    double longest_m = 0.0;
-    for (std::size_t from = 0; from < text.size();) {
-        const std::size_t to = std::min(text.find_first_of(" \n", from), text.size());
-        longest_m =
-            std::max(longest_m, estimateWidth(std::string_view(text).substr(from, to - from), size_m));
-        from = to + 1;
-    }
-    return longest_m;
+/// The size, or less where a word is too long for the width.
+double fittedSize(const std::string& text, double size_m, double width_m, bool bold) {
+    const double widest_m = widestWord(text, size_m, bold);
+    return widest_m <= width_m ? size_m : size_m * std::max(least_share, width_m / widest_m);
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 bool everyStepLabelled(const Scale& scale) {
@@ -84,25 +85,27 @@ bool everyStepLabelled(const Scale& scale) {
 
 }  // namespace
 
-double textHeight(const std::string& text, double size_m, double width_m) {
-    return text.empty() ? 0.0 : estimateLines(text, size_m, width_m) * size_m * line_spacing;
+double textHeight(const std::string& text, double size_m, double width_m, bool bold) {
+    if (text.empty()) return 0.0;
+    const double fitted_m = fittedSize(text, size_m, width_m, bold);
+    return static_cast<double>(wrapText(text, fitted_m, width_m, bold).size()) * fitted_m;
 }
 
 double buttonWidth(const std::string& label, ButtonRole role) {
     const double mark_m = role == ButtonRole::play ? play_mark_m : 0.0;
-    return std::max(least_button_m, estimateWidth(label, button_size_m) + 2.0 * button_inset_m + mark_m);
+    return std::max(least_button_m, textWidth(label, button_size_m, true) + 2.0 * button_inset_m + mark_m);
 }
 
 bool fitsAsLabel(const std::string& text, double button_m) {
-    constexpr double least_share = 0.7;
+    constexpr double least_label = 0.7;
     return text.find('\n') == std::string::npos &&
-           estimateWidth(text, least_share * button_size_m) <= button_m - 2.0 * label_inset_m;
+           textWidth(text, least_label * button_size_m, true) <= button_m - 2.0 * label_inset_m;
 }
 
 bool fitAsCaptions(const std::vector<std::string>& labels, double button_m) {
     return std::all_of(labels.begin(), labels.end(), [&](const std::string& label) {
         return label.find('\n') == std::string::npos &&
-               estimateWidth(label, label_size_m) <= button_m - 2.0 * label_inset_m;
+               textWidth(label, label_size_m) <= button_m - 2.0 * label_inset_m;
     });
 }
 
@@ -110,7 +113,7 @@ bool labelsFit(const Scale& scale, double width_m) {
     if (scale.kind == ScaleKind::steps && !everyStepLabelled(scale)) return true;
     for (std::size_t i = 0; i < scale.labels.size(); ++i) {
         const Span span = labelSpan(scale, i, 0.0, width_m);
-        if (longestWord(scale.labels[i], label_size_m) > span.high - span.low) return false;
+        if (widestWord(scale.labels[i], label_size_m) > span.high - span.low) return false;
     }
     return true;
 }
@@ -118,10 +121,11 @@ bool labelsFit(const Scale& scale, double width_m) {
 double Builder::text(const std::string& words, double x, double top, double width_m, const TextStyle& style) {
     if (words.empty()) return 0.0;
     PanelText made;
-    const double height_m = std::max(style.least_height_m, textHeight(words, style.size_m, width_m));
+    made.size_m = style.fitted ? style.size_m : fittedSize(words, style.size_m, width_m, style.bold);
+    const auto lines = wrapText(words, made.size_m, width_m, style.bold);
+    const double height_m = std::max(style.least_height_m, static_cast<double>(lines.size()) * made.size_m);
     made.box = {x, top - height_m, width_m, height_m};
-    made.text = words;
-    made.size_m = style.size_m;
+    made.text = joined(lines);
     made.bold = style.bold;
     made.centred = style.centred;
     made.faint = style.faint;
@@ -182,6 +186,12 @@ double Builder::steps(const ScalePart& part, double x, double top, double width_
     const double height_m =
         captions ? std::max(caption_height_m, part.button_height_m) : part.button_height_m;
 
+    TextStyle label_style{label_size_m, false, true};
+    label_style.fitted = true;
+    for (const std::string& label : scale.labels)
+        label_style.size_m =
+            std::min(label_style.size_m, fittedSize(label, label_size_m, grid.step_m, false));
+
     double used_m = 0.0;
     for (int row = 0; row < grid.rows; ++row) {
         if (row > 0) used_m += grid.pitch_m - grid.step_m;
@@ -200,8 +210,8 @@ double Builder::steps(const ScalePart& part, double x, double top, double width_
             else if (captions)
                 lastButton().caption = label;
             else
-                labels_m = std::max(labels_m, text(label, at, row_top - height_m - label_gap_m, grid.step_m,
-                                                   {label_size_m, false, true}));
+                labels_m = std::max(
+                    labels_m, text(label, at, row_top - height_m - label_gap_m, grid.step_m, label_style));
         }
         used_m += height_m + (labels_m > 0.0 ? label_gap_m + labels_m : 0.0);
     }
@@ -219,12 +229,21 @@ double Builder::slider(const ScalePart& part, double x, double top, double width
     made.box = {x, top, width_m, std::max(slider_height_m, part.labelled ? 0.0 : part.button_height_m)};
     if (part.labelled && !part.scale.labels.empty()) {
         made.labels = part.scale.labels;
-        int lines = 1;
-        for (std::size_t i = 0; i < made.labels.size(); ++i) {
+        const auto widthOf = [&](std::size_t i) {
             const Span span = labelSpan(made.track(), made.labels.size(), i, made.box);
-            lines = std::max(lines, estimateLines(made.labels[i], label_size_m, span.high - span.low));
+            return span.high - span.low;
+        };
+        made.label_size_m = label_size_m;
+        for (std::size_t i = 0; i < made.labels.size(); ++i)
+            made.label_size_m =
+                std::min(made.label_size_m, fittedSize(made.labels[i], label_size_m, widthOf(i), false));
+        std::size_t most = 1;
+        for (std::size_t i = 0; i < made.labels.size(); ++i) {
+            const auto lines = wrapText(made.labels[i], made.label_size_m, widthOf(i));
+            most = std::max(most, lines.size());
+            made.labels[i] = joined(lines);
         }
-        made.box.height = slider_label_drop_m + lines * label_size_m * line_spacing;
+        made.box.height = slider_label_drop_m + static_cast<double>(most) * made.label_size_m;
     }
     const double height_m = made.box.height;
     made.box.y = top - height_m;
@@ -243,14 +262,21 @@ double Builder::scaleLabels(const Scale& scale, double x, double top, double wid
     if (labels.size() == 2)
         return endLabels(labels.front(), labels.back(), steps ? grid.left : x, top,
                          steps ? grid.width_m : width_m);
-    double height_m = 0.0;
+    std::vector<Span> spans;
+    TextStyle style{label_size_m, false, true};
+    style.fitted = true;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         Span span = labelSpan(scale, i, x, width_m);
         if (!steps && i == 0) span.low -= label_reach_m;
         if (!steps && i + 1 == labels.size()) span.high += label_reach_m;
-        height_m = std::max(
-            height_m, text(labels[i], span.low, top, span.high - span.low, {label_size_m, false, true}));
+        spans.push_back(span);
+        style.size_m =
+            std::min(style.size_m, fittedSize(labels[i], label_size_m, span.high - span.low, false));
     }
+    double height_m = 0.0;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        height_m =
+            std::max(height_m, text(labels[i], spans[i].low, top, spans[i].high - spans[i].low, style));
     return height_m;
 }
 
@@ -258,7 +284,7 @@ double Builder::endLabels(const std::string& low, const std::string& high, doubl
                           double width_m) {
     const double most_m = (1.0 - label_apart) / 2.0 * width_m;
     const auto width = [&](const std::string& label) {
-        return std::min(most_m, estimateWidth(label, label_size_m) + 1e-6);
+        return std::min(most_m, textWidth(label, label_size_m) + 1e-6);
     };
     const double low_m = text(low, x, top, width(low), {label_size_m});
     const double high_m =
@@ -282,7 +308,7 @@ void Builder::question(const std::string& question, const std::string& hint,
         style.least_height_m = least_m;  // level with the button
         row_m = text(question, margin_m, top_, width_m, style);
     } else {
-        const double question_m = textHeight(question, question_size_m, width_m);
+        const double question_m = textHeight(question, question_size_m, width_m, true);
         const double texts_m = question_m + label_gap_m + textHeight(hint, label_size_m, width_m);
         row_m = std::max(texts_m, least_m);
         const double texts_top = top_ - (row_m - texts_m) / 2.0;

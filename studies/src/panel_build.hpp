@@ -34,9 +34,10 @@ struct TextStyle {
     bool centred = false;
     bool faint = false;
     double least_height_m = 0.0;  ///< of its box, in the middle of which it stands then
+    bool fitted = false;          ///< its size is what fits several texts alike
 };
 
-[[nodiscard]] double textHeight(const std::string& text, double size_m, double width_m);
+[[nodiscard]] double textHeight(const std::string& text, double size_m, double width_m, bool bold = false);
 
 /// Wide enough for its label on one line, and for the mark of a play button.
 [[nodiscard]] double buttonWidth(const std::string& label, ButtonRole role = ButtonRole::other);

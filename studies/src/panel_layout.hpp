@@ -8,7 +8,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "studies/language.hpp"
@@ -27,11 +26,11 @@ struct ButtonSpec {
 
 // Pages.
 
-/// Title, body and (bold) emphasis above a row of buttons; as wide and high as the text needs. No progress
-/// bar where `progress` is negative.
+/// Title, body and (bold) emphasis above a row of buttons, and a faint line at the foot; as wide and high as
+/// the text needs. No progress bar where `progress` is negative.
 [[nodiscard]] Panel messagePanel(const std::string& title, const std::string& body,
                                  const std::string& emphasis, const std::vector<ButtonSpec>& buttons,
-                                 double progress);
+                                 double progress, const std::string& foot = {});
 
 // Answers to one question.
 
@@ -148,15 +147,23 @@ struct QuestionnaireBoard {
 /// place, so that face and torso stay free. A high board stands lower and lies flatter. Ratings.
 [[nodiscard]] Pose lecternPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
-/// Like it, but low enough that the avatar is free from the hips up: boards that are open while clips play
+/// Like it, but low enough that the avatar is free from the hips up, and so far away that all of it is in a
+/// flat screen's view with the avatar's head and a sign above that: boards that are open while clips play
 /// (parallel ratings, pairs).
 [[nodiscard]] Pose benchPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
-/// Lower and nearer still, where balls are shown that it must not cover: the game.
+/// Lower and nearer still: the game.
 [[nodiscard]] Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
-/// Like it, but turned aside by as much as it takes to hide none of the balls from the viewer's eyes. Where
-/// they are all around, it stands where it would without them.
+/// Whether a ball lies before or behind the panel for these eyes, or nearly.
+[[nodiscard]] bool overlapsBall(const Panel& panel, const Vec3& eyes, const BallView& ball);
+
+/// The lectern's place, or the lower desk's, or turned aside by as much as it takes that it overlaps no ball
+/// for the viewer's eyes. None where balls are all around.
+[[nodiscard]] std::optional<Pose> poseBesideBalls(const Panel& panel, const Pose& stage_from_viewer,
+                                                  double eye_height_m, const std::vector<BallView>& balls);
+
+/// The same for the desk's place alone, where it would stand without balls if there is no other.
 [[nodiscard]] Pose deskPoseBesideBalls(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
                                        const std::vector<BallView>& balls);
 
@@ -176,15 +183,5 @@ struct PanelHit {
 /// Where along the panel's +x the ray meets its plane, also beyond the board: a slider that is dragged
 /// follows a ray that has left it. None for a ray that does not meet the plane.
 [[nodiscard]] std::optional<double> alongPanel(const Panel& panel, const Ray& ray);
-
-// Text.
-
-/// Lines that a text takes at a line height, wrapped between words, if its characters are a little wider than
-/// those of common sans-serif fonts; a Korean one (or another wide one) takes 0.8 of the height. At least one
-/// line a paragraph.
-[[nodiscard]] int estimateLines(std::string_view text, double size_m, double width_m);
-
-/// Width of a text on one line, by the same measure.
-[[nodiscard]] double estimateWidth(std::string_view text, double size_m);
 
 }  // namespace deixis::studies

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <initializer_list>
 
 #include "panel_layout.hpp"
 
@@ -14,11 +15,15 @@ constexpr double lectern_distance_m = 1.3;
 constexpr double lectern_below_eyes_m = 0.47;
 constexpr double lectern_top_below_eyes_m = 0.25;  // of a board that is too high for that
 constexpr double lectern_tilt_rad = radiansFromDegrees(18.0);
-constexpr double bench_top_below_eyes_m = 0.39;  // 15 degrees: the hips of an avatar 3 m away
+constexpr double bench_top_below_eyes = 0.30;  // of its distance: 15 degrees, the hips of an avatar 3 m away
+constexpr double bench_foot_rad =
+    radiansFromDegrees(-46.5);  // no lower: what a flat screen shows, with a sign
+constexpr double bench_farthest_m = 2.05;
+constexpr double bench_step_m = 0.1;
 constexpr double desk_distance_m = 1.1;
 constexpr double desk_below_eyes_m = 0.72;
 constexpr double desk_tilt_rad = radiansFromDegrees(32.0);
-constexpr double desk_step_rad = radiansFromDegrees(5.0);  // to one side or the other of balls that it hides
+constexpr double desk_step_rad = radiansFromDegrees(5.0);  // to one side or the other of balls
 constexpr int desk_steps = 12;                             // 60 degrees
 constexpr double clear_of_ball = 1.3;                      // radii of a ball around its centre
 constexpr double above_floor_m = 0.15;                     // a board's foot, before a seated person
@@ -54,14 +59,14 @@ Pose stand(const Panel& panel, const Pose& stage_from_viewer, double distance_m,
 }
 
 /// A lectern, or lower and lying flatter where its top would reach higher than told.
-Pose lectern(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
-             double top_below_eyes_m) {
+Pose lectern(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m, double top_below_eyes_m,
+             double distance_m = lectern_distance_m, double bearing = 0.0) {
     const double half_m = panel.height_m / 2.0 * std::cos(lectern_tilt_rad);
     const double below_eyes_m = std::max(lectern_below_eyes_m, top_below_eyes_m + half_m);
     // Square to the line of sight, as far as the usual one is.
-    const double tilt_rad = lectern_tilt_rad + std::atan2(below_eyes_m, lectern_distance_m) -
+    const double tilt_rad = lectern_tilt_rad + std::atan2(below_eyes_m, distance_m) -
                             std::atan2(lectern_below_eyes_m, lectern_distance_m);
-    return stand(panel, stage_from_viewer, lectern_distance_m, eye_height_m - below_eyes_m, tilt_rad);
+    return stand(panel, stage_from_viewer, distance_m, eye_height_m - below_eyes_m, tilt_rad, bearing);
 }
 
 Pose desk(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m, double bearing) {
@@ -69,8 +74,34 @@ Pose desk(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m
                  bearing);
 }
 
-/// Whether the eyes see less than all of the ball and a little around it.
-bool hides(const Panel& panel, const Vec3& eyes, const BallView& ball) {
+using Stand = Pose (*)(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
+                       double bearing);
+
+Pose lecternAt(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m, double bearing) {
+    return lectern(panel, stage_from_viewer, eye_height_m, lectern_top_below_eyes_m, lectern_distance_m,
+                   bearing);
+}
+
+/// The first of these places, turned aside step by step to either side, at which no ball is overlapped.
+std::optional<Pose> freePose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
+                             const std::vector<BallView>& balls, std::initializer_list<Stand> places) {
+    const Vec3 eyes = stage_from_viewer.position + Vec3(0.0, eye_height_m, 0.0);
+    Panel placed = panel;
+    for (int step = 0; step <= desk_steps; ++step)
+        for (const Stand place : places)
+            for (const double bearing : {step * desk_step_rad, -step * desk_step_rad}) {
+                placed.stage_from_panel = place(panel, stage_from_viewer, eye_height_m, bearing);
+                const bool free = std::none_of(balls.begin(), balls.end(), [&](const BallView& ball) {
+                    return overlapsBall(placed, eyes, ball);
+                });
+                if (free) return placed.stage_from_panel;
+            }
+    return std::nullopt;
+}
+
+}  // namespace
+
+bool overlapsBall(const Panel& panel, const Vec3& eyes, const BallView& ball) {
     const Vec3 sight = ball.centre - eyes;
     const Vec3 aside = glm::normalize(glm::cross(sight, up));
     const Vec3 above = glm::normalize(glm::cross(aside, sight));
@@ -78,24 +109,28 @@ bool hides(const Panel& panel, const Vec3& eyes, const BallView& ball) {
     for (int i = 0; i < around; ++i) {
         const double angle = 2.0 * pi * i / around;
         const Vec3 edge = clear_of_ball * ball.radius_m * (std::cos(angle) * aside + std::sin(angle) * above);
-        const auto hit = meetPanel(panel, {eyes, glm::normalize(sight + edge)});
-        if (hit && hit->distance_m < glm::length(sight)) return true;
+        if (meetPanel(panel, {eyes, glm::normalize(sight + edge)})) return true;
     }
     return false;
 }
-
-}  // namespace
 
 Pose messagePose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
     return stand(panel, stage_from_viewer, message_distance_m, eye_height_m - message_below_eyes_m, 0.0);
 }
 
 Pose lecternPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
-    return lectern(panel, stage_from_viewer, eye_height_m, lectern_top_below_eyes_m);
+    return lecternAt(panel, stage_from_viewer, eye_height_m, 0.0);
 }
 
 Pose benchPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
-    return lectern(panel, stage_from_viewer, eye_height_m, bench_top_below_eyes_m);
+    const Vec3 foot(panel.width_m / 2.0, 0.0, 0.0);
+    for (double distance_m = lectern_distance_m;; distance_m += bench_step_m) {
+        const Pose pose =
+            lectern(panel, stage_from_viewer, eye_height_m, bench_top_below_eyes * distance_m, distance_m);
+        const Vec3 seen = transformPoint(inverse(stage_from_viewer) * pose, foot);
+        const double foot_rad = std::atan2(seen.y - eye_height_m, std::hypot(seen.x, seen.z));
+        if (foot_rad >= bench_foot_rad || distance_m + bench_step_m > bench_farthest_m) return pose;
+    }
 }
 
 Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m) {
@@ -104,15 +139,13 @@ Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_heig
 
 Pose deskPoseBesideBalls(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
                          const std::vector<BallView>& balls) {
-    const Vec3 eyes = stage_from_viewer.position + Vec3(0.0, eye_height_m, 0.0);
-    Panel placed = panel;
-    for (int step = 0; step <= desk_steps; ++step)
-        for (const double bearing : {step * desk_step_rad, -step * desk_step_rad}) {
-            placed.stage_from_panel = desk(panel, stage_from_viewer, eye_height_m, bearing);
-            const auto hidden = [&](const BallView& ball) { return hides(placed, eyes, ball); };
-            if (std::none_of(balls.begin(), balls.end(), hidden)) return placed.stage_from_panel;
-        }
-    return desk(panel, stage_from_viewer, eye_height_m, 0.0);
+    return freePose(panel, stage_from_viewer, eye_height_m, balls, {desk})
+        .value_or(desk(panel, stage_from_viewer, eye_height_m, 0.0));
+}
+
+std::optional<Pose> poseBesideBalls(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
+                                    const std::vector<BallView>& balls) {
+    return freePose(panel, stage_from_viewer, eye_height_m, balls, {lecternAt, desk});
 }
 
 Pose signPose(const Panel& sign, const Vec3& avatar_head, const Vec3& eyes) {

@@ -5,6 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
 
+#include "ball_met.hpp"
 #include "session_avatar.hpp"
 #include "studies/standing.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr double before_s = 1.0;        // of a trial of which nothing is known before its first clip
 constexpr double after_s = 1.0;         // that are shown of the answer given
 constexpr double longest_gap_s = 0.25;  // between samples that are joined
-constexpr double ray_length_m = 5.0;    // of a ray that meets nothing
 
 using TrackedPart = const TrackedPose& (*)(const TrackingSample&, std::size_t);
 
@@ -65,25 +65,17 @@ std::size_t pointingHand(const RecordedTrial& recorded) {
     return best;
 }
 
-struct Met {
-    int place = -1;
-    double distance_m = 0.0;
-};
-
-Met firstBall(const RecordedTrial& recorded, const Ray& ray) {
-    Met met{-1, ray_length_m};
-    for (int place = 0; place < static_cast<int>(recorded.trial.ball_order.size()); ++place) {
-        const double distance_m =
-            distanceToSphere(ray, recorded.trial.ball(place), recorded.ball_diameter_m / 2.0);
-        if (distance_m >= 0.0 && distance_m < met.distance_m) met = {place, distance_m};
-    }
-    return met;
+std::vector<BallView> ballsOf(const RecordedTrial& recorded) {
+    std::vector<BallView> balls;
+    for (int place = 0; place < static_cast<int>(recorded.trial.ball_order.size()); ++place)
+        balls.push_back({recorded.trial.ball(place), recorded.ball_diameter_m / 2.0, BallLook::waiting});
+    return balls;
 }
 
 }  // namespace
 
 int ballMetBy(const RecordedTrial& recorded, const Ray& ray) {
-    return firstBall(recorded, ray).place;
+    return nearestBall(ballsOf(recorded), ray).place;
 }
 
 TrialReplay::TrialReplay(const RecordedTrial& recorded, const ClipSource& clips,
@@ -137,16 +129,17 @@ PresentedFrame TrialReplay::at(double time_s) const {
     const auto pointed = pointer(time_s);
     const bool open = time_s >= recorded_.open_s;
     const bool answered = time_s >= recorded_.answered_s;
-    Met met{-1, ray_length_m};
-    if (pointed && open) met = firstBall(recorded_, *pointed);
-    for (int place = 0; place < static_cast<int>(recorded_.trial.ball_order.size()); ++place) {
-        BallView ball{recorded_.trial.ball(place), recorded_.ball_diameter_m / 2.0, BallLook::waiting};
-        if (open) ball.look = BallLook::selectable;
-        if (open && !answered && place == met.place) ball.look = BallLook::hovered;
-        if (answered && place == recorded_.chosen_place) ball.look = BallLook::chosen;
-        frame.balls.push_back(ball);
+    frame.balls = ballsOf(recorded_);
+    BallMet met;
+    if (pointed && open) met = nearestBall(frame.balls, *pointed);
+    for (std::size_t i = 0; i < frame.balls.size(); ++i) {
+        const int place = static_cast<int>(i);
+        BallLook& look = frame.balls[i].look;
+        if (open) look = BallLook::selectable;
+        if (open && !answered && place == met.place) look = BallLook::hovered;
+        if (answered && place == recorded_.chosen_place) look = BallLook::chosen;
     }
-    if (pointed && open) frame.ray = RayView{*pointed, met.distance_m};
+    if (pointed && open) frame.ray = RayView{*pointed, met.place >= 0 ? met.distance_m : free_ray_m};
     return frame;
 }
 

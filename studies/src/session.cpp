@@ -26,11 +26,11 @@ std::string practiceFailed(const Stage& practice) {
 
 SessionRunner::State::State(const Study& study_in, const StudyPlan& plan_in, const ClipSource& clips,
                             const motion::Skeleton& avatar, const motion::LocalPose& idle, Resume resume,
-                            bool keyboard)
+                            bool keyboard, std::string hint)
     : study(study_in),
       plan(plan_in),
       begun(resume.begun),
-      core(study_in, clips, avatar, idle, keyboard),
+      core(study_in, clips, avatar, idle, keyboard, std::move(hint)),
       course(study_in, plan_in, resume.answered, resume.gap_s),
       checks(study_in, plan_in, resume),
       place_guard(study_in.headset.place_tolerance_m) {}
@@ -194,6 +194,7 @@ void SessionRunner::State::step(const InputFrame& input) {
         stepUnit(input);
     }
     guard(input);
+    view.frame.avatar_visible = !isFullPage(view.frame.state);
     // A pause freezes the avatar as it is; but it must be there, also where the first frame is paused.
     if (!paused || view.frame.avatar_joints.empty()) core.writeAvatars();
 }
@@ -240,8 +241,9 @@ void SessionRunner::State::shown(const FrameReport& report) {
 
 SessionRunner::SessionRunner(const Study& study, const StudyPlan& plan, const ClipSource& clips,
                              const motion::Skeleton& avatar, const motion::LocalPose& idle_pose,
-                             Resume resume, bool keyboard)
-    : state_(std::make_unique<State>(study, plan, clips, avatar, idle_pose, std::move(resume), keyboard)) {}
+                             Resume resume, bool keyboard, std::string hint)
+    : state_(std::make_unique<State>(study, plan, clips, avatar, idle_pose, std::move(resume), keyboard,
+                                     std::move(hint))) {}
 
 SessionRunner::~SessionRunner() = default;
 

@@ -94,7 +94,8 @@ void ClipTrial::resume(const InputFrame& input, double away_s) {
         return;
     }
     ++draft_.pauses;
-    const bool repeat = core_.study.after_interruption == AfterInterruption::repeat && !committed();
+    if (startsOver()) forgetAnswer();
+    const bool repeat = startsOver() && !committed();
     if (repeat) {
         core_.note("trial_repeated");
         plays_left_ = task_.plays;

@@ -25,6 +25,7 @@ class ClipTrial : public TrialUnit {
 
     virtual void openAnswer(const InputFrame& input) = 0;  ///< also after a pause
     virtual void stepAnswer(const InputFrame& input) = 0;
+    virtual void forgetAnswer() {}  ///< what was begun of the answer and not given
     /// Whether the first of several answers has been given: the clip does not come again.
     [[nodiscard]] virtual bool committed() const { return false; }
 

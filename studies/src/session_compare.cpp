@@ -124,9 +124,24 @@ void ComparePage::shown(std::uint64_t frame, const Moment& at) {
     showState(openState());
 }
 
-/// What was set stays; a clip that was interrupted starts over.
+/// As if nothing had been shown yet.
+void ComparePage::startOver() {
+    if (begun_) core_.note("trial_repeated");
+    draft_.plays.assign(count(), 0);
+    draft_.paused_s = 0.0;
+    core_.poser.blendTo(core_.idle, core_.now.time_s);
+    core_.right_poser.blendTo(core_.idle, core_.now.time_s);
+    playing_.reset();
+    leading_in_ = false;
+}
+
+/// What was set stays, and a clip that was interrupted starts over; or the whole page does.
 void ComparePage::resume(const InputFrame& input, double away_s) {
     ++draft_.pauses;
+    if (startsOver()) {
+        forgetAnswer();
+        if (!beyondBoard()) startOver();
+    }
     if (beyondBoard()) {
         resumeBeyond(input);
         return;
@@ -136,7 +151,7 @@ void ComparePage::resume(const InputFrame& input, double away_s) {
         leading_in_ = true;
         playbacks_[*playing_].start(core_.study.inter_trial_s, core_.now.time_s);
         showState(PresentedState::waiting);
-    } else {
+    } else if (!startsOver()) {
         draft_.paused_s += away_s;
     }
     gate_.close();

@@ -39,6 +39,7 @@ class ComparePage : public TrialUnit {
     [[nodiscard]] virtual bool beyondBoard() const { return false; }
     virtual void stepBeyond(const InputFrame& /*input*/) {}
     virtual void resumeBeyond(const InputFrame& /*input*/) {}
+    virtual void forgetAnswer() {}  ///< what was begun of the answer and not given
 
     [[nodiscard]] std::size_t count() const { return playbacks_.size(); }
     [[nodiscard]] bool seen(std::size_t i) const { return draft_.plays[i] >= task_.plays; }
@@ -57,6 +58,7 @@ class ComparePage : public TrialUnit {
     void play(std::size_t i);
     void stepPlaying(const InputFrame& input);
     void settleGate();
+    void startOver();
 };
 
 }  // namespace deixis::studies

@@ -24,12 +24,13 @@ double selectTime(const InputFrame& input) {
 }
 
 SessionCore::SessionCore(const Study& study_in, const ClipSource& clips_in, const motion::Skeleton& avatar_in,
-                         const motion::LocalPose& idle_in, bool keyboard_in)
+                         const motion::LocalPose& idle_in, bool keyboard_in, std::string hint_in)
     : study(study_in),
       clips(clips_in),
       avatar(avatar_in),
       idle(idle_in),
       keyboard(keyboard_in),
+      hint(std::move(hint_in)),
       poser(avatar_in, idle_in),
       right_poser(avatar_in, idle_in) {}
 

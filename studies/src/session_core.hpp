@@ -18,13 +18,14 @@ namespace deixis::studies {
 
 struct SessionCore {
     SessionCore(const Study& study_in, const ClipSource& clips_in, const motion::Skeleton& avatar_in,
-                const motion::LocalPose& idle_in, bool keyboard_in);
+                const motion::LocalPose& idle_in, bool keyboard_in, std::string hint_in);
 
     const Study& study;
     const ClipSource& clips;
     const motion::Skeleton& avatar;
     const motion::LocalPose& idle;
     bool keyboard;
+    std::string hint;         ///< how to take part, at the foot of pages that begin or go on; may be empty
     AvatarPoser poser;        ///< the avatar; of a pair the left one
     AvatarPoser right_poser;  ///< of a pair
     bool pair = false;        ///< two avatars are shown

@@ -58,6 +58,16 @@ std::optional<double> numberTyped(const Question& question, const std::string& t
 
 QuestionForm::QuestionForm(SessionCore& core, std::vector<const Question*> questions, FormSetting setting)
     : core_(core), setting_(std::move(setting)), questions_(std::move(questions)), given_(questions_.size()) {
+    activateFirstField();
+}
+
+void QuestionForm::forget() {
+    given_.assign(questions_.size(), {});
+    activateFirstField();
+}
+
+void QuestionForm::activateFirstField() {
+    active_ = -1;
     for (std::size_t i = 0; i < questions_.size() && active_ < 0 && core_.keyboard; ++i)
         if (typedAnswer(i)) active_ = static_cast<int>(i);
 }

@@ -29,7 +29,8 @@ class QuestionForm {
     /// Questions must outlive the form.
     QuestionForm(SessionCore& core, std::vector<const Question*> questions, FormSetting setting);
 
-    void open(const InputFrame& input);  ///< also after a pause: what was entered stays
+    void open(const InputFrame& input);  ///< also after a pause: what was entered stays,
+    void forget();                       ///< until it is forgotten
     [[nodiscard]] std::optional<Left> step(const InputFrame& input);
     /// Those given, in the questions' order; only once it was left they are complete.
     [[nodiscard]] std::vector<Answer> answers() const;
@@ -41,6 +42,7 @@ class QuestionForm {
     std::vector<AnswerView> given_;
     int active_ = -1;  ///< the question whose field takes what is typed
 
+    void activateFirstField();
     [[nodiscard]] bool typedAnswer(std::size_t i) const;
     [[nodiscard]] bool given(std::size_t i) const;
     [[nodiscard]] std::string missing() const;  ///< what keeps the page from being left; empty: nothing

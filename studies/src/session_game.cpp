@@ -70,6 +70,9 @@ class GameTrial : public ClipTrial {
     std::optional<ScaleAnswer> confidence_{};
 
     [[nodiscard]] bool committed() const override { return chosen_; }
+    void forgetAnswer() override {
+        if (confidence_) confidence_->forget();
+    }
 
     void openAnswer(const InputFrame& input) override {
         if (chosen_) {
@@ -148,7 +151,12 @@ class GameTrial : public ClipTrial {
     void openConfidence(const InputFrame& input) {
         showState(PresentedState::confidence);
         core_.view.lookAtBalls(BallLook::waiting, draft_.chosen_place, BallLook::chosen);
-        confidence_->open(input, std::nullopt, lecternPose);
+        confidence_->open(
+            input, std::nullopt,
+            [balls = core_.view.frame.balls](const Panel& panel, const Pose& viewer, double eye_m) {
+                return poseBesideBalls(panel, viewer, eye_m, balls)
+                    .value_or(lecternPose(panel, viewer, eye_m));
+            });
         core_.view.aim(input.pointer, input.stage_from_head, false);
     }
 

@@ -83,7 +83,12 @@ class PageUnit : public Unit {
         }
         return messagePanel(page_.title, page_.body, emphasis,
                             {{page_.button, button_id::go_on, ButtonRole::go_on, shown_left_ == 0}},
-                            core_.share_done);
+                            core_.share_done, tellsHow() ? core_.hint : "");
+    }
+
+    /// Where somebody begins or comes back.
+    [[nodiscard]] bool tellsHow() const {
+        return page_.kind == PageKind::instructions || page_.kind == PageKind::welcome_back;
     }
 
     void tellLeft() {
@@ -158,7 +163,7 @@ class ConsentUnit : public TrialUnit {
         return messagePanel(title, body, emphasis,
                             {{words("agree"), button_id::agree, ButtonRole::go_on, shown_left_ == 0},
                              {words("decline"), button_id::decline, ButtonRole::leave}},
-                            -1.0);
+                            -1.0, core_.hint);
     }
 };
 

@@ -22,6 +22,11 @@ class PairwiseTrial : public ComparePage {
     std::optional<QuestionForm> reasons_{};
     bool asking_ = false;  ///< for the reasons
 
+    /// The preference was given when the reasons are asked for.
+    void forgetAnswer() override {
+        if (reasons_) reasons_->forget();
+    }
+
     [[nodiscard]] AvatarPoser& poserOf(std::size_t i) override {
         return i == 0 ? core_.poser : core_.right_poser;
     }

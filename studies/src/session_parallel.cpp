@@ -15,6 +15,8 @@ class ParallelTrial : public ComparePage {
   private:
     std::vector<std::optional<int>> values_;
 
+    void forgetAnswer() override { values_.assign(values_.size(), std::nullopt); }
+
     [[nodiscard]] AvatarPoser& poserOf(std::size_t /*i*/) override { return core_.poser; }
     [[nodiscard]] PresentedState openState() const override { return PresentedState::listening; }
 

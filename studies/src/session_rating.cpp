@@ -20,6 +20,8 @@ class RatingTrial : public ClipTrial {
   private:
     ScaleAnswer scale_;
 
+    void forgetAnswer() override { scale_.forget(); }
+
     void openAnswer(const InputFrame& input) override {
         showState(PresentedState::rating);
         scale_.open(input, replayButton(), lecternPose);

@@ -20,11 +20,12 @@ class ScaleAnswer {
     /// Both must outlive it.
     ScaleAnswer(SessionCore& core, const std::string& question, const Scale& scale);
 
-    /// Also after a pause: a slider keeps its value.
+    /// Also after a pause: a slider keeps its value, until it is forgotten.
     void open(const InputFrame& input, std::optional<ButtonSpec> replay, PanelPlace place);
     /// `select` and keys count from when `gate` accepts.
     [[nodiscard]] std::optional<ScaleGiven> step(const InputFrame& input, const Aim& met,
                                                  const AnswerGate& gate, bool select);
+    void forget() { value_.reset(); }
     /// Shows a value as given.
     void confirm(int value);
 

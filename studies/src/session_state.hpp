@@ -18,7 +18,8 @@ namespace deixis::studies {
 
 struct SessionRunner::State {
     State(const Study& study_in, const StudyPlan& plan_in, const ClipSource& clips,
-          const motion::Skeleton& avatar, const motion::LocalPose& idle, Resume resume, bool keyboard);
+          const motion::Skeleton& avatar, const motion::LocalPose& idle, Resume resume, bool keyboard,
+          std::string hint);
 
     const Study& study;
     const StudyPlan& plan;

@@ -61,6 +61,10 @@ class TrialUnit : public Unit {
     Response draft_{};          ///< what is known of the answer by now
     bool onset_known_ = false;  ///< of the draft
 
+    /// Whether the study wants what was interrupted to start over.
+    [[nodiscard]] bool startsOver() const {
+        return core_.study.after_interruption == AfterInterruption::repeat;
+    }
     void showState(PresentedState state);
     /// The number of a check, beside the head of the avatar that shows stimulus `i`.
     [[nodiscard]] bool checked(int i) const;

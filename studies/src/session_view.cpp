@@ -2,20 +2,21 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <utility>
 
+#include "ball_met.hpp"
 #include "studies/standing.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
-constexpr double ray_length_m = 5.0;                    // of a ray that meets nothing
 constexpr double sight_rad = radiansFromDegrees(60.0);  // off the looking direction: farther, nothing is seen
 
 double distanceToFloor(const Ray& ray) {
-    if (ray.direction.y >= 0.0 || ray.origin.y <= 0.0) return ray_length_m;
-    return std::min(ray_length_m, -ray.origin.y / ray.direction.y);
+    if (ray.direction.y >= 0.0 || ray.origin.y <= 0.0) return std::numeric_limits<double>::infinity();
+    return -ray.origin.y / ray.direction.y;
 }
 
 bool sees(const Pose& stage_from_head, const Vec3& point) {
@@ -92,10 +93,11 @@ Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_h
     Aim met;
     frame.ray.reset();
     if (pointer) {
-        double length_m = distanceToFloor(*pointer);
+        double reach_m = distanceToFloor(*pointer);
+        double length_m = std::min(reach_m, free_ray_m);
         const auto hit = frame.panel ? meetPanel(*frame.panel, *pointer) : std::nullopt;
-        if (hit && hit->distance_m < length_m) {
-            length_m = hit->distance_m;
+        if (hit && hit->distance_m < reach_m) {
+            reach_m = length_m = hit->distance_m;
             const auto idOf = [](const auto& parts, int index) {
                 return index < 0 ? 0 : parts[static_cast<std::size_t>(index)].id;
             };
@@ -103,13 +105,11 @@ Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_h
             met.slider = idOf(frame.panel->sliders, hit->slider);
             met.field = idOf(frame.panel->fields, hit->field);
         }
-        for (std::size_t i = 0; at_balls && i < frame.balls.size(); ++i) {
-            const BallView& ball = frame.balls[i];
-            const double distance_m = distanceToSphere(*pointer, ball.centre, ball.radius_m);
-            if (distance_m < 0.0 || distance_m >= length_m) continue;
-            length_m = distance_m;
+        const BallMet ball = at_balls ? nearestBall(frame.balls, *pointer, reach_m) : BallMet{};
+        if (ball.place >= 0) {
+            length_m = ball.distance_m;
             met = {};
-            met.ball = static_cast<int>(i);
+            met.ball = ball.place;
         }
         frame.ray = RayView{*pointer, length_m};
         if (!sees(stage_from_head, pointer->origin + length_m * pointer->direction)) met = {};

@@ -174,9 +174,11 @@ Vec3 placeToLook(const PresentedFrame& frame, const Vec3& eyes, int head_joint, 
         const double avatar_share = glm::dot(to_avatar, ahead) > 0.7 ? 0.5 : 0.1;
         return eyes + avatar_share * to_avatar + (1.0 - avatar_share) * glm::normalize(middle - eyes);
     }
-    if (reads_board && frame.panel)
-        return pointOnPanel(*frame.panel, frame.panel->width_m / 2.0, frame.panel->height_m / 2.0);
-    return avatar;
+    if (!frame.panel) return avatar;
+    const Vec3 board = pointOnPanel(*frame.panel, frame.panel->width_m / 2.0, frame.panel->height_m / 2.0);
+    if (reads_board) return board;
+    // Both at once, where the board is open beside who is shown.
+    return eyes + 0.5 * glm::normalize(avatar - eyes) + 0.5 * glm::normalize(board - eyes);
 }
 
 }  // namespace deixis::studies

@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/room.hpp"
 #include "motion/reference_humanoid.hpp"
-#include "renderer/room.hpp"
 
 using namespace deixis;
 using namespace deixis::app;
@@ -50,8 +50,8 @@ TEST_SUITE("immersive/replay_scene") {
                         CAPTURE(azimuth);
                         CAPTURE(elevation);
                         CAPTURE(distance_m);
-                        CHECK(glm::all(glm::greaterThan(p, renderer::room_low + 0.1F)));
-                        CHECK(glm::all(glm::lessThan(p, renderer::room_high - 0.1F)));
+                        CHECK(glm::all(glm::greaterThan(Vec3(p), room_low + 0.1)));
+                        CHECK(glm::all(glm::lessThan(Vec3(p), room_high - 0.1)));
                         // The middle between participant and avatar stays in the middle of the picture.
                         const Vec3 middle{layout.viewer_x_m / 2.0, 1.0, layout.viewer_z_m / 2.0};
                         const Vec3 seen = transformPoint(inverse(at), middle);

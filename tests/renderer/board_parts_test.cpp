@@ -298,23 +298,6 @@ TEST_SUITE("renderer/letters") {
         CHECK(gl.renderer->missingCharacters() == "\u0915\u0916");
     }
 
-    TEST_CASE("Korean breaks at its spaces, and a word longer than the line within") {
-        Gl gl;
-        Scene scene = bareBoardScene();
-        // Each word needs a line of its own in this box.
-        scene.boards[0].texts = {{{0.05, 0.05, 0.3, 0.42}, "가나다라마 바사아자차", 0.06}};
-        Image image = boardPicture(gl, scene);
-        CHECK(region(image, scene, {0.05, 0.415, 0.3, 0.05}).brightest > 150);
-        CHECK(region(image, scene, {0.05, 0.355, 0.3, 0.05}).brightest > 150);
-        CHECK(region(image, scene, {0.05, 0.27, 0.3, 0.06}).brightest < 70);
-        CHECK(region(image, scene, {0.37, 0.05, 0.6, 0.42}).brightest < 70);
-        scene.boards[0].texts[0].text = "가나다라마바사아자차카타파하가나다라마바사아자차카타파하";
-        image = boardPicture(gl, scene);
-        CHECK(region(image, scene, {0.05, 0.355, 0.3, 0.05}).brightest > 150);
-        CHECK(region(image, scene, {0.05, 0.295, 0.3, 0.05}).brightest > 150);
-        CHECK(region(image, scene, {0.37, 0.05, 0.6, 0.42}).brightest < 70);
-    }
-
     TEST_CASE("A word a little too long for its box is made smaller rather than cut") {
         Gl gl;
         Scene scene = bareBoardScene();

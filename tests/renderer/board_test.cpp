@@ -61,20 +61,22 @@ TEST_SUITE("renderer/board") {
         CHECK(std::adjacent_find(means.begin(), means.end()) == means.end());
     }
 
-    TEST_CASE("Long text wraps within its box: its right margin stays free and lines follow below") {
+    TEST_CASE("A text has the lines that it is given, one under the other, and no more") {
         Gl gl;
         Scene scene = boardScene();
         scene.boards[0].buttons.clear();
         scene.boards[0].texts = {
-            {{0.05, 0.05, 0.5, 0.42},
-             "These words are far too many for a single line of the box that they are in.",
-             0.06,
-             false,
-             false,
-             false}};
+            {{0.05, 0.05, 0.5, 0.42}, "mmmm mmmm\nmmmm\n\nmmmm", 0.06, false, false, false}};
         const Image image = gl.renderer->capture(scene, board_picture_width, board_picture_height);
-        CHECK(region(image, scene, {0.05, 0.41, 0.5, 0.06}).brightest > 190);
-        CHECK(region(image, scene, {0.05, 0.29, 0.5, 0.06}).brightest > 190);
+        const auto lit = [&](double x, int line) {
+            return region(image, scene, {x, 0.47 - 0.06 * (line + 1) + 0.01, 0.15, 0.04}).brightest > 150;
+        };
+        CHECK(lit(0.05, 0));
+        CHECK(lit(0.25, 0));
+        CHECK(lit(0.05, 1));
+        CHECK_FALSE(lit(0.27, 1));
+        CHECK_FALSE(lit(0.05, 2));
+        CHECK(lit(0.05, 3));
         CHECK(region(image, scene, {0.57, 0.05, 0.4, 0.42}).brightest < 70);
     }
 

@@ -173,7 +173,7 @@ TEST_SUITE("renderer/ring") {
             scene.camera = lookingFrom(from, centre);
             scene.balls = {{centre, 0.1, glm::vec3(0.02F), {}}};
             const Image plain = gl.renderer->capture(scene, picture_width, picture_height);
-            scene.balls[0].ring = true;
+            scene.balls[0].rings = 1;
             const Image ringed = gl.renderer->capture(scene, picture_width, picture_height);
             const Vec3 towards = glm::normalize(from - centre);
             const Vec3 side = glm::normalize(glm::cross(up, towards));

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/random.hpp"
 #include "panel_layout.hpp"
+#include "studies/text_layout.hpp"
 
 namespace deixis::tests {
 
@@ -64,21 +66,35 @@ inline bool overlap(const PanelRect& a, const PanelRect& b) {
            b.y + touch_m < a.y + a.height;
 }
 
+/// Whether the laid-out lines of a text fit its box: words stay whole unless they are very long.
+inline void checkLines(const std::string& text, double size_m, bool bold, const PanelRect& box) {
+    int lines = 0;
+    int too_wide = 0;
+    for (std::size_t from = 0; from <= text.size(); ++lines) {
+        const std::size_t to = std::min(text.find('\n', from), text.size());
+        if (textWidth(std::string_view(text).substr(from, to - from), size_m, bold) > box.width + 1e-6)
+            ++too_wide;
+        from = to + 1;
+    }
+    CHECK_MESSAGE(too_wide == 0, text);
+    CHECK_MESSAGE(lines * size_m <= box.height + 1e-9, text);
+}
+
 /// Everything inside the panel and its margin, nothing on top of anything else, nothing too small to be read
 /// or hit, and room for every text.
 inline void checkTidy(const Panel& panel, double least_button_m) {
     std::vector<PanelRect> boxes;
     for (const PanelText& text : panel.texts) {
         boxes.push_back(text.box);
-        CHECK(text.size_m >= 0.035);
-        CHECK(estimateLines(text.text, text.size_m, text.box.width) * text.size_m <= text.box.height + 1e-9);
+        CHECK(text.size_m >= 0.75 * 0.036 - 1e-9);
+        checkLines(text.text, text.size_m, text.bold, text.box);
     }
     for (const PanelButton& button : panel.buttons) {
         boxes.push_back(button.box);
         CHECK(button.box.width >= least_button_m - 1e-9);
         CHECK(button.box.height >= least_button_m - 1e-9);
         // The label on one line, at no less than 0.7 of its size.
-        CHECK(estimateWidth(button.label, 0.7 * 0.05) <= button.box.width - 0.02);
+        CHECK(textWidth(button.label, 0.7 * 0.05, true) <= button.box.width - 0.02);
     }
     for (const PanelSlider& slider : panel.sliders) {
         boxes.push_back(slider.box);
@@ -89,8 +105,13 @@ inline void checkTidy(const Panel& panel, double least_button_m) {
         CHECK(track.x + track.width <= slider.box.x + slider.box.width);
         CHECK(track.y > slider.box.y);
         const double pitch_m = track.width / std::max(1.0, static_cast<double>(slider.labels.size()) - 1.0);
-        for (const std::string& label : slider.labels)
-            CHECK(estimateLines(label, 0.036, 0.98 * pitch_m) * 0.036 <= track.y - slider.box.y - 0.028);
+        for (std::size_t i = 0; i < slider.labels.size(); ++i) {
+            const double tick = track.x + static_cast<double>(i) * pitch_m;
+            const double left = std::max(slider.box.x, tick - 0.49 * pitch_m);
+            const double right = std::min(slider.box.x + slider.box.width, tick + 0.49 * pitch_m);
+            checkLines(slider.labels[i], slider.label_size_m, false,
+                       {left, slider.box.y, right - left, track.y - slider.box.y - 0.028});
+        }
         CHECK(track.y + track.height < slider.box.y + slider.box.height);
     }
     for (const PanelField& field : panel.fields) {

@@ -82,6 +82,23 @@ TEST_SUITE("studies/replay") {
         // From the side all three stand in one line: the nearest is met.
         CHECK(ballMetBy(recorded, {{2.0, 1.0, 1.0}, {-1.0, 0.0, 0.0}}) == 2);
         CHECK(ballMetBy(recorded, {{-2.0, 1.0, 1.0}, {1.0, 0.0, 0.0}}) == 0);
+        // However far away they are.
+        CHECK(ballMetBy(recorded, {{0.0, 1.0, 12.0}, {0.0, 0.0, -1.0}}) == 1);
+    }
+
+    TEST_CASE("A ray is drawn up to the ball that it meets, and five metres where it meets none") {
+        const OneClip clips;
+        const motion::Skeleton avatar = motion::referenceHumanoid();
+        for (const bool meets : {true, false}) {
+            RecordedTrial recorded = game();
+            for (TrackingSample& sample : recorded.tracking)
+                sample.aim[0].stage_from_device.position = {meets ? 0.0 : 0.2, 1.0, 9.0};
+            recorded.pointer = Ray{{0.0, 1.0, 9.0}, {0.0, 0.0, -1.0}};
+            const PresentedFrame frame = TrialReplay(recorded, clips, avatar, clips.idle).at(11.5);
+            REQUIRE(frame.ray.has_value());
+            CHECK(frame.ray->length_m == doctest::Approx(meets ? 7.95 : 5.0));
+            CHECK(frame.balls[1].look == (meets ? BallLook::hovered : BallLook::selectable));
+        }
     }
 
     TEST_CASE("Balls look as they did: black, then white, lit by the hand that pointed, then chosen") {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "session_study.hpp"
+#include "text.hpp"
 
 namespace deixis::tests {
 
@@ -76,7 +77,7 @@ inline int ratingOf(const Response& response) {
 
 inline std::string textOf(const Panel& panel) {
     std::string all;
-    for (const PanelText& text : panel.texts) all += text.text + "\n";
+    for (const PanelText& text : panel.texts) all += unwrapped(text.text) + "\n";
     return all;
 }
 

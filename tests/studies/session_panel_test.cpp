@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "session_fixture.hpp"
+#include "studies/text_layout.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;
@@ -63,9 +64,9 @@ TEST_SUITE("studies/session_panel") {
             REQUIRE(driver.frame.panel.has_value());
             const Panel& panel = *driver.frame.panel;
             checkTidy(panel);
-            // Room for the text at half its height a character, which is what common sans-serif fonts need.
+            // Room for the whole text, set on one line.
             const PanelText& body = panel.texts[1];
-            const double area_m2 = static_cast<double>(body.text.size()) * 0.5 * body.size_m * body.size_m;
+            const double area_m2 = textWidth(unwrapped(body.text), body.size_m) * body.size_m;
             CHECK(body.box.width * body.box.height >= area_m2);
             const Vec3 eye = driver.frame.stage_from_viewer.position + Vec3(0.0, 1.65, 0.0);
             const double distance_m = glm::length(centreOf(panel) - eye);

@@ -175,6 +175,36 @@ TEST_SUITE("studies/session_select") {
         CHECK(driver.responses[0].chosen_place == 0);
     }
 
+    TEST_CASE("a ball is lit and chosen however far away, up to the floor; the ray is drawn up to it") {
+        for (const double away_m : {4.0, 5.5, 9.0, 19.0}) {
+            CAPTURE(away_m);
+            Driver driver(1, 0.5, false);
+            driver.start(ratings_answered);
+            REQUIRE(driver.toAnswer());
+            const Vec3 eye = driver.frame.stage_from_viewer.position + Vec3(0.0, 1.65, 0.0);
+            const Vec3 ahead = driver.frame.stage_from_viewer.orientation * Vec3(0.0, 0.0, -1.0);
+            const Vec3 ball = eye + away_m * ahead;
+            driver.plan.trials[static_cast<std::size_t>(driver.session->trialUnderWay())].target = ball;
+            driver.session.reset();
+            driver.frame = {};
+            driver.start(ratings_answered);
+            REQUIRE(driver.toAnswer());
+            const int place =
+                driver.plan.trials[static_cast<std::size_t>(driver.session->trialUnderWay())].targetPlace();
+            driver.step(driver.pointing(ball, false));
+            CHECK(driver.frame.balls[static_cast<std::size_t>(place)].look == BallLook::hovered);
+            CHECK(driver.frame.ray->length_m == doctest::Approx(away_m - 0.05).epsilon(0.01));
+            driver.step(driver.pointing(ball, true));
+            REQUIRE(driver.responses.size() == 1);
+            CHECK(driver.responses[0].chosen_place == place);
+        }
+        Driver driver(1, 0.5, false);
+        driver.start(ratings_answered);
+        REQUIRE(driver.toAnswer());
+        driver.step(driver.pointing(driver.frame.stage_from_viewer.position + Vec3(0.0, 2.5, -9.0), false));
+        CHECK_MESSAGE(driver.frame.ray->length_m == 5.0, "it meets nothing");
+    }
+
     TEST_CASE("a button out of sight cannot be pressed, but a key can") {
         Driver driver(1, 0.5, false);
         driver.start();

@@ -358,7 +358,7 @@ studies::StationInfo DesktopStation::info() const {
     return {"desktop",
             fmt::format("{}x{} pixels, {:.0f} Hz, {}", size.width, size.height, 1.0 / state_->period_s,
                         state_->renderer->driver()),
-            false, state_->options.controls};
+            false, state_->options.controls, state_->options.controls};
 }
 
 studies::InputFrame DesktopStation::beginFrame() {
@@ -411,8 +411,6 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
                          glfwGetWindowAttrib(s.window->handle(), GLFW_ICONIFIED) == GLFW_FALSE;
     if (visible) {
         renderer::Scene scene = sceneFromFrame(frame, s.head());
-        if (explainsControls(frame) && !s.options.controls.empty())
-            addFootLine(scene.boards.front(), s.options.controls);
         addNotice(scene, frame.notice);
         s.renderer->draw(scene, size.width, size.height);
         if (s.operators) s.operators->drawn(size);

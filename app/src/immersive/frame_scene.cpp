@@ -1,8 +1,9 @@
 #include "frame_scene.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdlib>
+#include <utility>
+
+#include "studies/notice.hpp"
 
 namespace deixis::app {
 
@@ -24,13 +25,14 @@ renderer::Ball ballFromView(const studies::BallView& view) {
             ball.glow = glm::vec3(0.35F, 0.20F, 0.03F);
             break;
         case studies::BallLook::chosen:
-            ball.colour = glm::vec3(0.95F, 0.55F, 0.10F);
-            ball.glow = glm::vec3(0.75F, 0.38F, 0.05F);
+            ball.colour = glm::vec3(0.04F, 0.16F, 0.80F);
+            ball.glow = glm::vec3(0.01F, 0.10F, 0.42F);
+            ball.rings = 1;
             break;
         case studies::BallLook::revealed:
             ball.colour = glm::vec3(0.10F, 0.60F, 0.22F);
             ball.glow = glm::vec3(0.03F, 0.42F, 0.10F);
-            ball.ring = true;
+            ball.rings = 2;
             break;
     }
     return ball;
@@ -64,6 +66,7 @@ renderer::BoardSlider sliderFrom(const studies::PanelSlider& slider) {
         made.value = static_cast<double>(*slider.value - slider.low) /
                      static_cast<double>(std::max(1, slider.high - slider.low));
     made.labels = slider.labels;
+    made.label_size_m = slider.label_size_m;
     made.enabled = slider.enabled;
     made.hovered = slider.hovered;
     return made;
@@ -84,19 +87,6 @@ renderer::Board boardFromPanel(const studies::Panel& panel) {
     for (const auto& f : panel.fields)
         board.fields.push_back({rectFrom(f.box), f.text, f.hint, f.active, f.enabled, f.hovered});
     return board;
-}
-
-// At the two spaces between sentences that are nearest to the middle.
-std::string brokenInTheMiddle(const std::string& words) {
-    const auto middle = static_cast<std::ptrdiff_t>(words.size() / 2);
-    std::size_t best = std::string::npos;
-    for (std::size_t at = words.find("  "); at != std::string::npos; at = words.find("  ", at + 2)) {
-        const auto off = [&](std::size_t place) {
-            return std::abs(static_cast<std::ptrdiff_t>(place) - middle);
-        };
-        if (best == std::string::npos || off(at) < off(best)) best = at;
-    }
-    return best == std::string::npos ? words : words.substr(0, best) + "\n" + words.substr(best + 2);
 }
 
 }  // namespace
@@ -121,22 +111,7 @@ renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose&
 }
 
 renderer::Board noticeBoard(const std::string& sentence, double line_m) {
-    renderer::Board board;
-    double letters = 0.0;
-    for (const char byte : sentence) {
-        const auto lead = static_cast<unsigned char>(byte);
-        if (lead < 0x80U || lead >= 0xC0U) letters += lead < 0xE0U ? 0.52 : 0.75;
-    }
-    board.width_m = std::clamp(letters * line_m + 3.5 * line_m, 11.0 * line_m, 26.0 * line_m);
-    board.height_m = 3.2 * line_m;
-    renderer::BoardText text;
-    text.box = {0.9 * line_m, 0.5 * line_m, board.width_m - 1.8 * line_m, 2.2 * line_m};
-    text.text = sentence;
-    text.size_m = line_m;
-    text.centred = true;
-    text.level = true;
-    board.texts.push_back(text);
-    return board;
+    return boardFromPanel(studies::noticePanel(sentence, line_m));
 }
 
 void addNotice(renderer::Scene& scene, const std::string& notice) {
@@ -149,39 +124,6 @@ void addNotice(renderer::Scene& scene, const std::string& notice) {
         scene.camera.stage_from_eye *
         Pose{{-board.width_m / 2.0, above_m - board.height_m / 2.0, -away_m}, no_rotation};
     scene.boards.push_back(std::move(board));
-}
-
-bool explainsControls(const studies::PresentedFrame& frame) {
-    using studies::PresentedState;
-    return frame.panel &&
-           (frame.state == PresentedState::consent || frame.state == PresentedState::instructions ||
-            frame.state == PresentedState::welcome_back || frame.state == PresentedState::paused);
-}
-
-void addFootLine(renderer::Board& board, const std::string& words) {
-    constexpr double line_m = 0.036;
-    constexpr double letter_m = 0.45 * line_m;
-    const double width_m = board.width_m - 0.08;
-    const bool two_lines = letter_m * static_cast<double>(words.size()) > width_m;
-    const double lines = two_lines ? 2.0 : 1.0;
-    const double foot_m = board.progress >= 0.0 ? 1.1 * line_m : line_m;  // over the bar
-    const double added_m = foot_m + (lines + 0.4) * line_m;
-    for (auto& text : board.texts) text.box.y += added_m;
-    for (auto& button : board.buttons) button.box.y += added_m;
-    for (auto& field : board.fields) field.box.y += added_m;
-    for (auto& slider : board.sliders) {
-        slider.box.y += added_m;
-        slider.track.y += added_m;
-    }
-    board.stage_from_board.position -= board.stage_from_board.orientation * Vec3(0.0, added_m, 0.0);
-    board.height_m += added_m;
-    renderer::BoardText line;
-    line.box = {0.04, foot_m, width_m, lines * line_m};
-    line.text = two_lines ? brokenInTheMiddle(words) : words;
-    line.size_m = line_m;
-    line.centred = true;
-    line.faint = true;
-    board.texts.push_back(line);
 }
 
 }  // namespace deixis::app

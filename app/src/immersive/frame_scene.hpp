@@ -18,11 +18,4 @@ namespace deixis::app {
 /// On a screen: the frame's notice, if it has one, above the middle of the view and before all else.
 void addNotice(renderer::Scene& scene, const std::string& notice);
 
-/// Whether this frame's panel should say how to take part: a page of instructions or consent, the welcome
-/// back, and a pause.
-[[nodiscard]] bool explainsControls(const studies::PresentedFrame& frame);
-
-/// Adds a faint line under what the board says; the rest of it stays where it is in the world.
-void addFootLine(renderer::Board& board, const std::string& words);
-
 }  // namespace deixis::app

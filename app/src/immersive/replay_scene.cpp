@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/room.hpp"
 #include "frame_scene.hpp"
-#include "renderer/room.hpp"
 #include "studies/standing.hpp"
 
 namespace deixis::app {
@@ -25,8 +25,8 @@ Pose assumedHead(const studies::RecordedTrial& trial) {
 // How far a camera may go from a point within the room before it would stand in a wall or nearly so.
 double wayToWall(const Vec3& from, const Vec3& direction) {
     constexpr double clearance_m = 0.15;
-    const Vec3 low = Vec3(renderer::room_low) + clearance_m;
-    const Vec3 high = Vec3(renderer::room_high) - clearance_m;
+    const Vec3 low = room_low + clearance_m;
+    const Vec3 high = room_high - clearance_m;
     double way_m = 100.0;
     for (int axis = 0; axis < 3; ++axis) {
         const double to = direction[axis] < 0.0 ? low[axis] : high[axis];

@@ -25,7 +25,7 @@ struct Ball {
     double radius_m = 0.06;
     glm::vec3 colour{0.02F};
     glm::vec3 glow{0.0F};  ///< emitted light, for hover and choice
-    bool ring = false;     ///< a bright ring around it, whoever looks: told apart without colours
+    int rings = 0;         ///< bright ones around it, up to two, whoever looks: told apart without colours
 };
 
 /// A thin glowing tube.
@@ -55,7 +55,7 @@ struct BoardRect {
 };
 struct BoardText {
     BoardRect box{};
-    std::string text;  ///< UTF-8; wrapped to the box's width from its top, shrunk (to 60 %) to fit its height
+    std::string text;  ///< UTF-8; a line for each line feed, from the box's top; shrunk (to 60 %) to fit it
     double size_m = 0.04;  ///< height of a line
     bool bold = false;
     bool centred = false;  ///< across the box
@@ -81,12 +81,14 @@ struct BoardButton {
     ButtonLook look = ButtonLook::plain;
     friend bool operator==(const BoardButton&, const BoardButton&) = default;
 };
-/// A track with a thumb. Each label has a tick: the first at the track's start, the last at its end.
+/// A track with a thumb. Each label has a tick: the first at the track's start, the last at its end; its
+/// lines are parted by line feeds.
 struct BoardSlider {
     BoardRect box{};
     BoardRect track{};
     std::optional<double> value{};  ///< 0..1 along the track; none: no thumb
     std::vector<std::string> labels{};
+    double label_size_m = 0.036;  ///< height of a line
     bool enabled = true;
     bool hovered = false;
     friend bool operator==(const BoardSlider&, const BoardSlider&) = default;

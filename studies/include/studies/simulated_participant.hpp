@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/error.hpp"
@@ -81,7 +82,9 @@ class SimulatedParticipant {
 };
 
 /// The station around it: virtual time at a steady frame rate, no waiting, nothing drawn. A viewer may be
-/// attached that is given every frame, to draw it (the pilot without a display) or to take pictures.
+/// attached that is given every frame, to draw it (the pilot without a display) or to take pictures. A
+/// session that gets nowhere is ended: where the same trial or page stays for patience_s, failure() says what
+/// was waited for.
 class SimulatedStation : public Station {
   public:
     /// `keyboard`: whether the participant has one, as the session must be told too.
@@ -90,6 +93,9 @@ class SimulatedStation : public Station {
     [[nodiscard]] StationInfo info() const override;
     [[nodiscard]] InputFrame beginFrame() override;
     FrameReport present(const PresentedFrame& frame) override;
+    [[nodiscard]] std::optional<Error> failure() const override { return failure_; }
+
+    static constexpr double patience_s = 1800.0;  ///< of virtual time
 
     /// Called with each presented frame and the participant's input before the frame counts as shown.
     using Viewer = std::function<void(const PresentedFrame&, const InputFrame&)>;
@@ -102,6 +108,11 @@ class SimulatedStation : public Station {
     InputFrame input_{};
     std::string details_;
     Viewer viewer_;
+    std::string under_way_{};  ///< the stage and trial, or page, seen last, and
+    double since_s_ = 0.0;     ///< since when
+    std::optional<Error> failure_{};
+
+    void watchProgress(const PresentedFrame& frame);
 };
 
 }  // namespace deixis::studies

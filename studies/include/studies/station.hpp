@@ -79,12 +79,13 @@ struct Rgb {
     float r = 1.0F, g = 1.0F, b = 1.0F;  ///< linear light, 0..1
 };
 
+/// Told apart without colours too: by lightness, and by rings around the ball.
 enum class BallLook : unsigned char {
     waiting,     ///< black
     selectable,  ///< white
-    hovered,     ///< lit
-    chosen,      ///< lit and confirmed
-    revealed     ///< green: feedback, this was the target
+    hovered,     ///< lit yellow, as long as the ray is on it
+    chosen,      ///< blue, with a ring
+    revealed     ///< green, with two rings: feedback, this was the target
 };
 
 struct BallView {
@@ -100,7 +101,7 @@ struct PanelRect {
 
 struct PanelText {
     PanelRect box{};
-    std::string text;
+    std::string text;  ///< as laid out: a line feed ends each of its lines, and none is wider than the box
     double size_m = 0.04;  ///< height of a line
     bool bold = false;
     bool centred = false;
@@ -135,7 +136,8 @@ struct PanelSlider {
     int low = 0;
     int high = 100;
     std::optional<int> value{};         ///< none: untouched, no thumb is drawn
-    std::vector<std::string> labels{};  ///< spread evenly under the track
+    std::vector<std::string> labels{};  ///< spread evenly under the track; as laid out, in lines
+    double label_size_m = 0.036;        ///< height of their lines
     bool enabled = true;
     bool hovered = false;
     /// The track, from low to high, in the panel's metres; the thumb stays within it.
@@ -169,13 +171,13 @@ struct Panel {
 
 struct RayView {
     Ray ray{};
-    double length_m = 5.0;  ///< up to what it meets
+    double length_m = 5.0;  ///< that is drawn: up to what it meets
 };
 
 /// Everything that a participant can see or hear in one frame; nothing about what the right answer is.
 struct PresentedFrame {
-    std::uint64_t number = 0;  ///< counts up; a frame report refers to it
-    bool avatar_visible = true;
+    std::uint64_t number = 0;         ///< counts up; a frame report refers to it
+    bool avatar_visible = true;       ///< not behind a page, from under which its feet would show
     std::vector<Pose> avatar_joints;  ///< stage_from_joint, in the avatar skeleton's order
     /// Pairwise: the other avatar, which stands at the participant's right; empty: there is none.
     std::vector<Pose> right_avatar_joints{};
@@ -248,6 +250,7 @@ struct StationInfo {
     std::string details;     ///< device, driver, display and refresh rate in words
     bool synthetic = false;  ///< no person answers here
     std::string controls{};  ///< how to take part, one line; empty where there is nothing to tell
+    std::string hint{};      ///< the same for the participant, under the first pages and where a pause begins
     /// Name and value, for the record: "runtime", "runtime_version", "system", "refresh_rate_hz", "ipd_m",
     /// ...
     std::vector<std::pair<std::string, std::string>> properties{};

@@ -178,13 +178,6 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
     std::exchange(asked, {}).putInto(in);
 }
 
-// With a line on the first page, and where a pause begins, that says how to select.
-renderer::Scene HeadsetStation::State::sceneOf(const studies::PresentedFrame& of_frame) const {
-    renderer::Scene scene = sceneFromFrame(of_frame, {});
-    if (explainsControls(of_frame)) addFootLine(scene.boards.front(), options.hint);
-    return scene;
-}
-
 bool HeadsetStation::State::drawFrame(const studies::PresentedFrame& shown_frame) {
     XrLayers layers;
     bool shown = false;
@@ -192,7 +185,8 @@ bool HeadsetStation::State::drawFrame(const studies::PresentedFrame& shown_frame
         if (head.valid() || shown_frame.notice.empty())
             picture->setNotice(shown_frame.notice, head.stage_from_device);
         layers = picture->draw(
-            sceneOf(shown_frame), [this] { return session->locateEyes(*frame); }, place.placement());
+            sceneFromFrame(shown_frame, {}), [this] { return session->locateEyes(*frame); },
+            place.placement());
         shown = layers.eyes.has_value();
         has_picture = has_picture || shown;
         if (shown)
@@ -267,7 +261,7 @@ void HeadsetStation::State::showOperator() {
     if (!operator_window->due()) return;
     const WindowSize mirror = operator_window->mirrorSize();
     renderer::Scene scene;
-    if (has_picture) scene = sceneOf(presented);
+    if (has_picture) scene = sceneFromFrame(presented, {});
     picture->drawMirror(scene, mirror.width, mirror.height);
     operator_window->show(operatorView());
 }

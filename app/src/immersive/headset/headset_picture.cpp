@@ -76,7 +76,7 @@ void HeadsetPicture::warmUp(const assets::Avatar& avatar) {
     motion::worldPose(avatar.skeleton, motion::restPose(avatar.skeleton), scene.avatars.emplace_back());
     const Pose head{{0.0, 1.6, 3.0}, no_rotation};
     scene.balls.push_back({{0.5, 1.2, 1.0}});
-    scene.balls.back().ring = true;
+    scene.balls.back().rings = 2;
     scene.beams.push_back({{{0.2, 1.2, 2.8}, {0.0, 0.0, -1.0}}});
     constexpr double side_rad = radiansFromDegrees(45.0);
     XrEyes eyes;
@@ -124,7 +124,8 @@ void HeadsetPicture::setNotice(const std::string& text, const Pose& tracking_fro
         notice_.reset();
         return;
     }
-    if (!notice_ || notice_->texts.front().text != text) {
+    if (!notice_ || notice_text_ != text) {
+        notice_text_ = text;
         notice_ = noticeBoard(text, notice_line_m);
         notice_->stage_from_board = noticePose(*notice_, tracking_from_head);
     }

@@ -57,6 +57,7 @@ class HeadsetPicture {
     XrSessionLoop& session_;
     renderer::StereoMode mode_;
     Shown page_, notice_picture_;
+    std::string notice_text_{};
     std::optional<renderer::Board> notice_;  ///< its pose is in the tracking space
     renderer::Eye left_{};
 };

@@ -84,7 +84,6 @@ struct HeadsetStation::State {
     void noteEyes(const XrEyes& eyes);
     [[nodiscard]] std::string pauseReason();
     void readInput(studies::InputFrame& input);
-    [[nodiscard]] renderer::Scene sceneOf(const studies::PresentedFrame& of_frame) const;
     bool drawFrame(const studies::PresentedFrame& shown_frame);
     [[nodiscard]] studies::TrackingSample sample(std::uint64_t number) const;
     [[nodiscard]] OperatorView operatorView() const;

@@ -111,6 +111,7 @@ studies::StationInfo HeadsetStation::info() const {
     if (!s.session->knowsFloor())
         info.details += fmt::format(", no floor known: the eyes are taken to be {} m above it", assumed_m);
     info.controls = "Trigger: select.  Menu button: pause.  Thumbstick held for a second: recentre.";
+    info.hint = state_->options.hint;
     const auto yesNo = [](bool yes) { return std::string(yes ? "yes" : "no"); };
     info.properties = {
         {"runtime", s.runtime.name()},
