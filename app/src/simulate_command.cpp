@@ -68,7 +68,7 @@ Result<int> simulateInto(const fs::path& database, const SimulateArguments& opti
     if (!store) return tl::unexpected(store.error());
     std::vector<studies::StudyPlan> plans;
     for (int i = 1; i <= options.participants; ++i) {
-        const auto enrolment = enrol(setup, *store, fmt::format("S{:03}", i), 0.0);
+        const auto enrolment = enrol(setup, *store, fmt::format("S{:03}", i), {}, 0.0);
         if (!enrolment) return tl::unexpected(enrolment.error());
         if (auto stored = store->storePlan(setup.study, enrolment->registration, enrolment->plan); !stored)
             return tl::unexpected(stored.error());
@@ -116,8 +116,8 @@ Result<void> simulate(const SimulateArguments& options) {
     }
     if (auto moved = moveFile(partial, options.database); !moved) return moved;
     remove({"-wal", "-shm"});
-    fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants, *answers,
-               options.database);
+    fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants,
+               *answers, options.database);
     return {};
 }
 

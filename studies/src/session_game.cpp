@@ -179,7 +179,9 @@ class GameTrial : public ClipTrial {
 
     void showDone() {
         const bool chosen = draft_.chosen_place >= 0;
-        showState(revealed_ ? PresentedState::feedback : chosen ? PresentedState::chosen : PresentedState::waiting);
+        showState(revealed_ ? PresentedState::feedback
+                  : chosen  ? PresentedState::chosen
+                            : PresentedState::waiting);
         core_.view.lookAtBalls(chosen ? BallLook::selectable : BallLook::waiting, draft_.chosen_place,
                                BallLook::chosen);
         if (!revealed_) return;
