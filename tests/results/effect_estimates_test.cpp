@@ -15,11 +15,13 @@ namespace {
 /// A large study's answers under the effects.
 ResponseTable drawn(const Study& study, const AssumedEffects& effects, int participants) {
     std::vector<StudyPlan> plans;
-    GroupSizes taken;
+    std::vector<Groups> taken;
+    GroupSizes sizes;
     for (int number = 1; number <= participants; ++number) {
-        const Groups groups = assignGroups(study, taken, number);
-        ++taken[groups];
-        plans.push_back(buildPlan(study, plan_fixture::targetsFor(study, 100), "S1", number, groups).value());
+        taken.push_back(assignGroups(study, sizes, number));
+        ++sizes[taken.back()];
+        plans.push_back(
+            buildPlan(study, plan_fixture::targetsFor(study, 100), "S1", number, taken.back()).value());
     }
     const AssumedAnswers answers(study, effects, plans);
     std::vector<double> values(answers.planned().size());
