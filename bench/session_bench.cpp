@@ -82,7 +82,8 @@ void simulate(benchmark::State& state, const std::string& study) {
     std::vector<double> steps_us;
     for (auto _ : state) {
         state.PauseTiming();
-        const auto enrolled = bench::valueOf(app::enrol(setup, store, fmt::format("S{:03}", ++number), 0.0));
+        const auto enrolled =
+            bench::valueOf(app::enrol(setup, store, fmt::format("S{:03}", ++number), {}, 0.0));
         if (!store.storePlan(setup.study, enrolled.registration, enrolled.plan))
             return state.SkipWithError("the plan cannot be stored");
         const auto clips =

@@ -71,7 +71,7 @@ class Life {
     bool run(const std::string& participant) const {
         auto store = results::Store::open(database_, results::Durability::each_answer);
         if (!store) return false;
-        const auto enrolment = app::enrol(*setup_, *store, participant, 2e9);
+        const auto enrolment = app::enrol(*setup_, *store, participant, {}, 2e9);
         if (!enrolment) return false;
         if (enrolment->left.empty()) return true;
         if (!store->storePlan(setup_->study, enrolment->registration, enrolment->plan)) return false;
