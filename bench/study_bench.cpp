@@ -27,7 +27,7 @@ void targets(benchmark::State& state) {
     const studies::Study study = bench::valueOf(app::loadStudySetup("pointing2023")).study;
     for (auto _ : state)
         benchmark::DoNotOptimize(
-            bench::valueOf(studies::sampleTargets(study.targets, study.distances, study.seed)).data());
+            bench::valueOf(studies::sampleTargets(study)).data());
 }
 BENCHMARK(targets)->Name("study/sample_100_targets")->Unit(benchmark::kMicrosecond);
 

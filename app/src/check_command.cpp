@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "studies/plan.hpp"
 #include "study_setup.hpp"
+#include "visibility_text.hpp"
 
 namespace deixis::app {
 
@@ -100,6 +101,7 @@ void describe(const StudySetup& setup, const assets::Avatar& avatar,
             fmt::print("\n");
         }
     }
+    fmt::print("{}", visibilityText(setup, avatar));
 }
 
 Result<void> check(const std::string& name) {

@@ -23,6 +23,7 @@
 #include "simulated_setup.hpp"
 #include "stations.hpp"
 #include "stimuli.hpp"
+#include "studies/standing.hpp"
 #include "study_setup.hpp"
 #include "trace.hpp"
 
@@ -203,8 +204,9 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     const auto records = stimuli.records();
     const auto history = store.secondsPerUnit();
     const bool keyboard = info.kind != "headset";
-    studies::SessionRunner session(setup.study, enrolment.plan, stimuli, avatar.skeleton, idle,
-                                   enrolment.resume, keyboard, info.hint);
+    const studies::Study stood = studies::atStation(setup.study, info.kind);
+    studies::SessionRunner session(stood, enrolment.plan, stimuli, avatar.skeleton, idle, enrolment.resume,
+                                   keyboard, info.hint);
     store.beginSession({participant, info, programVersion(), avatar.content_hash, utcNow_s()});
     try {
         // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before

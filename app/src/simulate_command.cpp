@@ -17,6 +17,7 @@
 #include "stimuli.hpp"
 #include "studies/plan.hpp"
 #include "studies/simulated_participant.hpp"
+#include "studies/standing.hpp"
 
 namespace deixis::app {
 
@@ -37,6 +38,7 @@ Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, co
                      const StimulusLibrary& stimuli, const studies::SimulatedParameters& parameters,
                      results::Store& store) {
     const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
+    const studies::Study stood = studies::atStation(setup.study, "simulated");
     const auto records = stimuli.records();
     const std::string where = fmt::format("{}: {}", setup.study.file.string(), plan.participant);
     int answers = 0;
@@ -50,7 +52,7 @@ Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, co
         answered_before = resume.answered.size();
         studies::SimulatedStation station(parameters, avatar.skeleton, simulatedSeed(plan));
         const studies::StationInfo info = station.info();
-        studies::SessionRunner session(setup.study, plan, stimuli, avatar.skeleton, idle, resume, true);
+        studies::SessionRunner session(stood, plan, stimuli, avatar.skeleton, idle, resume, true);
         store.beginSession({plan.participant, info, programVersion(), avatar.content_hash, now_s});
         DirectRecorder recorder(store, setup.study, plan, records);
         now_s = runSession(session, station, recorder).utc_s;

@@ -61,13 +61,13 @@ Result<void> fillTargetSpace(studies::Study& study) {
 
 Result<std::vector<studies::TargetItem>> targetsOf(studies::Study& study) {
     if (auto filled = fillTargetSpace(study); !filled) return tl::unexpected(filled.error());
-    if (study.targets.from_manifest.empty())
-        return studies::sampleTargets(study.targets, study.distances, study.seed);
+    if (study.targets.from_manifest.empty()) return studies::sampleTargets(study);
     auto items = itemsOfManifest(study.targets.from_manifest);
     if (!items) return items;
     study.targets.count = static_cast<int>(items->size());
     if (study.distances.empty()) return items;
-    return studies::drawDistractors(std::move(*items), study.targets, study.distances, study.seed);
+    return studies::drawDistractors(std::move(*items), study.targets, study.distances, study.seed,
+                                    studies::askedViewpoints(study));
 }
 
 /// Balls behind a wall, under the floor or over the ceiling are never seen, and cannot be chosen.

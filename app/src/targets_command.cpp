@@ -13,6 +13,7 @@
 #include "studies/targets.hpp"
 #include "study_setup.hpp"
 #include "training_targets.hpp"
+#include "visibility_text.hpp"
 
 namespace deixis::app {
 
@@ -52,7 +53,11 @@ Result<void> printTargets(const TargetsArguments& options) {
         if (auto written = writeFile(picture, svg); !written) return written;
         fmt::print(stderr, "picture: {}\n", picture);
     }
-    fmt::print("{}", studies::targetsCsv(setup->targets, setup->study.distances));
+    fmt::print("{}", studies::targetsCsv(setup->study, setup->targets));
+    if (auto avatar = loadStudyAvatar(setup->study))
+        fmt::print(stderr, "{}", visibilityText(*setup, *avatar));
+    else
+        return tl::unexpected(avatar.error());
     return {};
 }
 

@@ -60,6 +60,12 @@ ExportTable responsesTable() {
             {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
             {{"check_passed", truth, "Attention check: 1 passed, 0 failed"}, "check_passed"},
             {{"layout", text, "Where the participant stood"}, "layout"},
+            {{"viewer_x_m", number, "Where the participant was asked to stand, in the avatar's frame", "m"},
+             "viewer_x_m"},
+            {{"viewer_z_m", number, "", "m"}, "viewer_z_m"},
+            {{"viewer_heading_deg", number,
+              "Where the participant was to face: 0 as the avatar does, 180 back at it", "degrees"},
+             "heading_deg"},
             {{"distance", text, "Game: band of the distractors' distance"}, "distance"},
             {{"target_id", text, "Item of the trial"}, "target_id"},
             {{"response_time_s", number, "From the end of the motion to the answer, less pauses", "s"},
@@ -104,35 +110,45 @@ ExportTable responsesTable() {
 }
 
 ExportTable trialsTable() {
-    return {"trials.csv",
-            "What was planned: one row for each unit that is answered.",
-            "FROM trials AS t WHERE participant = ?1 ORDER BY trial_index",
-            {
-                participant_column,
-                trial_index,
-                {{"stage", text, "Name of the stage in the study file"}, "stage"},
-                {{"kind", text, "Kind of the stage"}, "kind"},
-                {{"practice", truth, "1: practice, which is not analysed"}, "practice"},
-                {{"attempt", whole, "Practice: which attempt, from 0"}, "attempt"},
-                {{"page", whole, "Questionnaire: which page, from 0"}, "page"},
-                {{"stimuli", text, "Clips in the order shown, SYSTEM/ITEM parted by ';'"},
-                 "(SELECT group_concat(one, ';') FROM (SELECT s.system || '/' || s.item AS one FROM "
-                 "trial_stimuli AS s WHERE "
-                 "s.participant = t.participant AND s.trial_index = t.trial_index ORDER BY s.position))"},
-                {{"layout", text, "Where the participant stands"}, "layout"},
-                {{"distance", text, "Game: band of the distractors' distance"}, "distance"},
-                {{"target_id", text, "Item of the trial"}, "target_id"},
-                {{"target_x_m", number, "Target in the avatar's frame", "m"}, "target_x_m"},
-                {{"target_y_m", number, "", "m"}, "target_y_m"},
-                {{"target_z_m", number, "", "m"}, "target_z_m"},
-                {{"balls", text, "Game: centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},
-                 "balls"},
-                {{"target_place", whole, "Game: which of the balls is the target, from 0"}, "target_place"},
-                {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
-                {{"check_stimulus", whole, "Number: the clip with which it is shown"}, "check_stimulus"},
-                {{"check_expected", number, "Number: the number to be given"}, "check_expected"},
-                {{"check_of_trial", whole, "Repeat: the trial that is repeated"}, "check_of_trial"},
-            }};
+    return {
+        "trials.csv",
+        "What was planned: one row for each unit that is answered.",
+        "FROM trials AS t WHERE participant = ?1 ORDER BY trial_index",
+        {
+            participant_column,
+            trial_index,
+            {{"stage", text, "Name of the stage in the study file"}, "stage"},
+            {{"kind", text, "Kind of the stage"}, "kind"},
+            {{"practice", truth, "1: practice, which is not analysed"}, "practice"},
+            {{"attempt", whole, "Practice: which attempt, from 0"}, "attempt"},
+            {{"page", whole, "Questionnaire: which page, from 0"}, "page"},
+            {{"stimuli", text, "Clips in the order shown, SYSTEM/ITEM parted by ';'"},
+             "(SELECT group_concat(one, ';') FROM (SELECT s.system || '/' || s.item AS one FROM "
+             "trial_stimuli AS s WHERE "
+             "s.participant = t.participant AND s.trial_index = t.trial_index ORDER BY s.position))"},
+            {{"layout", text, "Where the participant stands"}, "layout"},
+            {{"distance", text, "Game: band of the distractors' distance"}, "distance"},
+            {{"target_id", text, "Item of the trial"}, "target_id"},
+            {{"target_x_m", number, "Target in the avatar's frame", "m"}, "target_x_m"},
+            {{"target_y_m", number, "", "m"}, "target_y_m"},
+            {{"target_z_m", number, "", "m"}, "target_z_m"},
+            {{"balls", text, "Game: centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},
+             "balls"},
+            {{"target_place", whole, "Game: which of the balls is the target, from 0"}, "target_place"},
+            {{"visibility", text,
+              "Game: share of each ball's disc that is seen from the layout's places, with the avatar at "
+              "rest and pointing, JSON"},
+             "visibility"},
+            {{"least_seen_headset", number,
+              "Game: the least of these shares of any ball, at the place for a headset"},
+             "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
+            {{"least_seen_desktop", number, "The same at the place for a desktop"},
+             "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
+            {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
+            {{"check_stimulus", whole, "Number: the clip with which it is shown"}, "check_stimulus"},
+            {{"check_expected", number, "Number: the number to be given"}, "check_expected"},
+            {{"check_of_trial", whole, "Repeat: the trial that is repeated"}, "check_of_trial"},
+        }};
 }
 
 ExportTable sessionsTable() {

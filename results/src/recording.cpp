@@ -160,7 +160,8 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
         "r.answered_s, "
         "r.response_time_s, r.superseded IS NOT NULL, e.station, e.synthetic, "
         "r.head_x_m, r.head_y_m, r.head_z_m, r.head_qw, r.head_qx, r.head_qy, r.head_qz, "
-        "r.ray_x_m, r.ray_y_m, r.ray_z_m, r.ray_dx, r.ray_dy, r.ray_dz, e.avatar_hash "
+        "r.ray_x_m, r.ray_y_m, r.ray_z_m, r.ray_dx, r.ray_dy, r.ray_dz, e.avatar_hash, "
+        "r.viewer_x_m, r.viewer_z_m, r.viewer_heading_deg "
         "FROM responses AS r JOIN sessions AS e ON e.id = r.session WHERE r.participant = ? ORDER BY r.id");
     responses.bind(1, participant);
     // By session and trial: when the answer before was given.
@@ -179,6 +180,9 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
         studies::RecordedTrial& trial = out.trial;
         trial.trial = *planned;
         trial.layout = setting->layouts[planned->layout];
+        if (!responses.getColumn(26).isNull())  // else from before it was kept: the layout's own
+            trial.layout = {planned->layout, responses.getColumn(26).getDouble(),
+                            responses.getColumn(27).getDouble(), responses.getColumn(28).getDouble()};
         trial.ball_diameter_m = setting->ball_diameter_m;
         trial.station = responses.getColumn(10).getString();
         trial.synthetic = responses.getColumn(11).getInt() != 0;

@@ -244,13 +244,13 @@ void Store::Impl::insertPlan(const studies::StudyPlan& plan, const std::string& 
 void Store::Impl::insertTrial(const std::string& participant, const studies::Trial& trial) {
     auto row = query(
         "INSERT INTO trials (participant, trial_index, stage, kind, practice, attempt, page, layout, "
-        "distance, "
+        "distance, visibility, "
         "target_id, target_x_m, target_y_m, target_z_m, distractors, balls, target_place, check_kind, "
         "check_stimulus, check_expected, check_of_trial) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     row << participant << trial.index << trial.stage << studies::stageKindName(trial.kind) << trial.practice
         << trial.attempt << trial.page;
-    row.textOrNull(trial.layout).textOrNull(trial.distance);
+    row.textOrNull(trial.layout).textOrNull(trial.distance).textOrNull(studies::visibilityJson(trial));
     if (trial.stimuli.empty())
         row.null(4);
     else

@@ -32,15 +32,15 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
                                  const studies::StudyPlan& plan, const ClipRecords& clips) {
     const studies::Trial& trial = plan.trials.at(static_cast<std::size_t>(response.trial_index));
     const studies::Stage& stage = stageOf(study, trial);
-    if (stage.kind == studies::StageKind::consent)
-        supersedeRefusal(response.trial_index, response.answered);
+    if (stage.kind == studies::StageKind::consent) supersedeRefusal(response.trial_index, response.answered);
     auto row = query(
         "INSERT INTO responses (participant, trial_index, session, status, chosen_place, correct, "
         "check_passed, onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, "
-        "response_time_s, paused_s, replays, pauses, begun_before, reason, input, head_x_m, head_y_m, "
+        "response_time_s, paused_s, replays, pauses, begun_before, viewer_x_m, viewer_z_m, "
+        "viewer_heading_deg, reason, input, head_x_m, head_y_m, "
         "head_z_m, head_qw, head_qx, head_qy, head_qz, ray_x_m, ray_y_m, ray_z_m, ray_dx, ray_dy, ray_dz) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?, ?, ?)");
+        "?, ?, ?, ?, ?, ?)");
     row << plan.participant << response.trial_index << session
         << studies::responseStatusName(response.status);
     if (response.chosen_place >= 0)
@@ -50,7 +50,8 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
     row << response.check_passed << response.onset.time_s << response.onset.utc_s
         << response.motion_end.time_s << response.motion_end.utc_s << response.answered.time_s
         << response.answered.utc_s << response.response_time_s << response.paused_s << response.replays
-        << response.pauses << response.begun_before;
+        << response.pauses << response.begun_before << response.viewer.x_m << response.viewer.z_m
+        << response.viewer.heading_deg;
     const Quat& turn = response.stage_from_head.orientation;
     row.textOrNull(response.reason) << response.input << response.stage_from_head.position << turn.w << turn.x
                                     << turn.y << turn.z;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
 #include <span>
 
@@ -136,6 +138,33 @@ void placePages(const Study& study, std::vector<Trial>& trials) {
     }
 }
 
+/// What is seen of the balls of each game trial, past the reference avatar. All systems show an item with the
+/// same balls, so that it is worked out once for each.
+void noteVisibility(const Study& study, std::vector<Trial>& trials) {
+    const std::vector<Viewpoint> from = viewpoints(study);
+    std::map<std::array<std::string, 3>, std::vector<SeenBalls>> known;  // the target first
+    for (Trial& trial : trials) {
+        if (trial.kind != StageKind::game) continue;
+        const std::array<std::string, 3> key{trial.stimuli.front().item, trial.distance, trial.layout};
+        const auto [entry, fresh] = known.try_emplace(key);
+        if (fresh) {
+            const double radius_m = study.targets.ball_diameter_m / 2;
+            std::vector<Sphere> balls{{trial.target, radius_m}};
+            for (const Vec3& distractor : trial.distractors) balls.push_back({distractor, radius_m});
+            for (const Viewpoint& viewpoint : from)
+                if (viewpoint.layout == trial.layout)
+                    entry->second.push_back(seenFrom(viewpoint, StandingAvatar::reference(), balls));
+        }
+        trial.seen = entry->second;
+        for (std::size_t i = 0; i < trial.seen.size(); ++i)
+            for (std::size_t place = 0; place < trial.ball_order.size(); ++place) {
+                const auto ball = static_cast<std::size_t>(trial.ball_order[place]);
+                trial.seen[i].at_rest[place] = entry->second[i].at_rest[ball];
+                trial.seen[i].pointing[place] = entry->second[i].pointing[ball];
+            }
+    }
+}
+
 }  // namespace
 
 const Vec3& Trial::ball(int place) const {
@@ -191,6 +220,7 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
         }
     }
     placePages(study, plan.trials);
+    noteVisibility(study, plan.trials);
     return plan;
 }
 

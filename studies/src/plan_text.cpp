@@ -34,25 +34,34 @@ Json checkJson(const TrialCheck& check) {
             {"of_trial", check.of_trial}};
 }
 
+Json seenJson(const std::vector<SeenBalls>& seen) {
+    Json out = Json::object();
+    for (const SeenBalls& one : seen)
+        out[std::string(standingName(one.standing))] = {{"at_rest", one.at_rest}, {"pointing", one.pointing}};
+    return out;
+}
+
 Json trialJson(const Trial& trial) {
     Json stimuli = Json::array();
     for (const Stimulus& stimulus : trial.stimuli)
         stimuli.push_back({{"system", stimulus.system}, {"item", stimulus.item}});
     Json distractors = Json::array();
     for (const Vec3& distractor : trial.distractors) distractors.push_back(positionJson(distractor));
-    return {{"index", trial.index},
-            {"stage", trial.stage},
-            {"kind", stageKindName(trial.kind)},
-            {"practice", trial.practice},
-            {"attempt", trial.attempt},
-            {"page", trial.page},
-            {"stimuli", stimuli},
-            {"layout", trial.layout},
-            {"distance", trial.distance},
-            {"target", trial.target == Vec3(0.0) ? Json() : positionJson(trial.target)},
-            {"distractors", distractors},
-            {"ball_order", trial.ball_order},
-            {"check", trial.check ? checkJson(*trial.check) : Json()}};
+    Json out = {{"index", trial.index},
+                {"stage", trial.stage},
+                {"kind", stageKindName(trial.kind)},
+                {"practice", trial.practice},
+                {"attempt", trial.attempt},
+                {"page", trial.page},
+                {"stimuli", stimuli},
+                {"layout", trial.layout},
+                {"distance", trial.distance},
+                {"target", trial.target == Vec3(0.0) ? Json() : positionJson(trial.target)},
+                {"distractors", distractors},
+                {"ball_order", trial.ball_order},
+                {"check", trial.check ? checkJson(*trial.check) : Json()}};
+    if (!trial.seen.empty()) out["visibility"] = seenJson(trial.seen);
+    return out;
 }
 
 /// An object read key by key: every key must be there, of its type, and no other.
@@ -180,8 +189,36 @@ std::optional<TrialCheck> readCheck(const Reader& trial, const Trial& read) {
     return check;
 }
 
+std::vector<double> readShares(const Reader& reader, const char* key, std::size_t balls) {
+    const Json& json = reader.list(key);
+    std::vector<double> out;
+    for (const Json& share : json)
+        if (share.is_number() && share.get<double>() >= 0.0 && share.get<double>() <= 1.0)
+            out.push_back(share.get<double>());
+    if (out.size() != balls || json.size() != balls)
+        reader.bad(key, json, "a share from 0 to 1 for each ball");
+    return out;
+}
+
+/// Plans from before it was kept have none.
+std::vector<SeenBalls> readSeen(const Reader& trial, const Trial& read) {
+    const Json& json = trial.get("visibility");
+    const Reader stands(json, trial.name("visibility"), 2);
+    std::vector<SeenBalls> out;
+    for (const Standing standing : {Standing::headset, Standing::desktop}) {
+        const std::string name(standingName(standing));
+        constexpr std::size_t keys = 2;
+        const Reader one(stands.get(name.c_str()), stands.name(name), keys);
+        const std::size_t balls = read.ball_order.size();
+        out.push_back(
+            {read.layout, standing, readShares(one, "at_rest", balls), readShares(one, "pointing", balls)});
+    }
+    return out;
+}
+
 Trial readTrial(const Json& json, std::size_t index, const std::vector<std::string>& stages) {
-    constexpr std::size_t keys = 13;
+    const bool seen = json.is_object() && json.contains("visibility");
+    const std::size_t keys = seen ? 14 : 13;
     const Reader reader(json, fmt::format("trials[{}]", index), keys);
     Trial trial;
     if (reader.count("index") != index)
@@ -212,6 +249,7 @@ Trial readTrial(const Json& json, std::size_t index, const std::vector<std::stri
         reader.bad("distractors", reader.get("distractors"), "none where no balls are shown");
     trial.ball_order = readBallOrder(reader, game ? trial.distractors.size() + 1 : 0);
     trial.check = readCheck(reader, trial);
+    if (seen) trial.seen = readSeen(reader, trial);
     return trial;
 }
 
@@ -304,6 +342,10 @@ Result<StudyPlan> planFromJson(std::string_view json) {
     } catch (const Json::exception& error) {
         return fail("plan", fmt::format("this JSON cannot be read: {}", error.what()));
     }
+}
+
+std::string visibilityJson(const Trial& trial) {
+    return trial.seen.empty() ? std::string() : seenJson(trial.seen).dump();
 }
 
 std::string planTable(const StudyPlan& plan) {

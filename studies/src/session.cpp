@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "session_state.hpp"
+#include "studies/standing.hpp"
 
 namespace deixis::studies {
 
@@ -108,6 +109,7 @@ void SessionRunner::State::stepUnit(const InputFrame& input) {
 void SessionRunner::State::keepAnswer(Response response) {
     const Trial& trial = *item->trial;
     response.begun_before = begun.count(trial.index) > 0;
+    response.viewer = viewerPlace(*item->layout, Standing::headset);  // the one that it has here
     const auto check = checks.judge(response);
     if (check) response.check_passed = check->passed;
     checks.keep(response);

@@ -39,12 +39,23 @@ void readNamed(StudyReader& reader, std::string_view section, bool required, Key
 
 Layout readLayout(TomlTable& table, const std::string& name) {
     constexpr double body_m = 0.3;
-    const auto [x, z] = table.pair("viewer_m", -20.0, 20.0);
-    if (table.sound("viewer_m") && std::hypot(x, z) < body_m)
-        table.problem("viewer_m", fmt::format("found [{}, {}], expected at least {} m from [0, 0], where the "
-                                              "avatar stands",
-                                              x, z, body_m));
-    return {name, x, z, table.number("heading_deg", -360.0, 360.0)};
+    const auto place = [&](std::string_view key) {
+        const auto [x, z] = table.pair(key, -20.0, 20.0);
+        if (table.sound(key) && std::hypot(x, z) < body_m)
+            table.problem(key, fmt::format("found [{}, {}], expected at least {} m from [0, 0], where the "
+                                           "avatar stands",
+                                           x, z, body_m));
+        return ViewerPlace{x, z, 0.0};
+    };
+    const ViewerPlace viewer = place("viewer_m");
+    Layout layout{name, viewer.x_m, viewer.z_m, table.number("heading_deg", -360.0, 360.0)};
+    if (!table.has("desktop_viewer_m")) {
+        table.refuse("desktop_heading_deg", "without desktop_viewer_m, whose heading it is");
+        return layout;
+    }
+    layout.desktop = place("desktop_viewer_m");
+    layout.desktop->heading_deg = table.number("desktop_heading_deg", -360.0, 360.0, layout.heading_deg);
+    return layout;
 }
 
 SystemSource readSystem(TomlTable& table, const std::string& name, const fs::path& folder) {
@@ -213,6 +224,9 @@ void readTargets(StudyReader& reader) {
     }
     const double ball_m = table.number("ball_diameter_m", 0.01, 1.0, space.ball_diameter_m);
     if (!table.faulty("ball_diameter_m")) space.ball_diameter_m = ball_m;
+    constexpr std::string_view visibilities[] = {"clear", "any"};
+    space.clear_view = table.choice("visibility", visibilities, false).value_or(0) == 0;
+    if (!reader.has_game) table.refuse("visibility", "since no game shows balls");
     if (table.has("from_manifest")) {
         space.count = 0;
         space.from_manifest = readPath(table, "from_manifest", reader.folder);

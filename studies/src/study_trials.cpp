@@ -39,16 +39,18 @@ void checkRoomForPair(TomlTable& table, const Study& study, const std::vector<st
     for (const std::string& name : layouts) {
         const Layout* layout = study.findLayout(name);
         if (layout == nullptr || table.faulty("layouts")) continue;
-        const Pose viewer = viewerPose(*layout);
-        for (const Vec3& place : pairPlaces(viewer))
-            if (const double away_m = glm::length(place - viewer.position); away_m < least_m) {
-                table.problem(
-                    "layouts",
-                    fmt::format("found \"{}\", where one avatar of a pair would stand {:.2f} m from the "
-                                "participant; expected a layout with at least {} m",
-                                name, away_m, least_m));
-                return;
-            }
+        for (const Standing standing : {Standing::headset, Standing::desktop}) {
+            const Pose viewer = viewerPose(viewerPlace(*layout, standing));
+            for (const Vec3& place : pairPlaces(viewer))
+                if (const double away_m = glm::length(place - viewer.position); away_m < least_m) {
+                    table.problem(
+                        "layouts",
+                        fmt::format("found \"{}\", where one avatar of a pair would stand {:.2f} m from the "
+                                    "participant; expected a layout with at least {} m",
+                                    name, away_m, least_m));
+                    return;
+                }
+        }
     }
 }
 

@@ -87,10 +87,12 @@ constexpr std::string_view study_keys[] = {
     "name",      "title",           "description",   "reference",          "seed",
     "languages", "eye_height_m",    "inter_trial_s", "after_interruption", "instructions_again_after_s",
     "avatar",    "avatar_height_m", "text_status"};
-constexpr std::string_view targets_keys[] = {"count",        "height_m",      "arc_deg",        "radius_m",
-                                             "fit_manifest", "from_manifest", "ball_diameter_m"};
+constexpr std::string_view targets_keys[] = {"count",           "height_m",     "arc_deg",
+                                             "radius_m",        "fit_manifest", "from_manifest",
+                                             "ball_diameter_m", "visibility"};
 constexpr std::string_view distances_keys[] = {"name", "distance_m", "distractors"};
-constexpr std::string_view layouts_keys[] = {"name", "viewer_m", "heading_deg"};
+constexpr std::string_view layouts_keys[] = {"name", "viewer_m", "heading_deg", "desktop_viewer_m",
+                                             "desktop_heading_deg"};
 constexpr std::string_view systems_keys[] = {"name",           "generator", "manifest", "hold_s",
                                              "unsteadiness_m", "keep",      "fingers",  "levels"};
 constexpr std::string_view between_keys[] = {"name", "levels"};

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <utility>
 
 #include "core/random.hpp"
 
@@ -79,22 +80,28 @@ std::optional<Error> problemWith(const DistanceBand& band) {
 }
 
 /// Draws until a position fits; empty after a bounded search (about a tenth of a second). With the ranges of
-/// the paper's size about one draw in 30 fits.
+/// the paper's size about one draw in 30 is near enough, and most of these are seen.
 std::optional<GridPoint> drawDistractor(const TargetSpace& space, const DistanceBand& band,
                                         const GridPoint& target, const std::vector<GridPoint>& others,
-                                        Random& random) {
+                                        const ClearView* view, Random& random) {
     constexpr int most_draws = 1'000'000;
+    constexpr int most_hidden = 3000;
     const std::int64_t diameter = gridUnits(space.ball_diameter_m);
     const std::int64_t nearest = std::max(gridUnits(band.distance_m.low), diameter);
     const std::int64_t farthest = gridUnits(band.distance_m.high);
-    for (int draw = 0; draw < most_draws; ++draw) {
+    std::vector<Vec3> seen_beside;
+    std::transform(others.begin(), others.end(), std::back_inserter(seen_beside), metres);
+    int hidden = 0;
+    for (int draw = 0; draw < most_draws && hidden < most_hidden; ++draw) {
         const GridPoint point = drawPosition(space, random);
         const std::int64_t from_target = squaredDistance(point, target);
         if (from_target < nearest * nearest || from_target > farthest * farthest) continue;
         const bool free = std::none_of(others.begin(), others.end(), [&](const GridPoint& other) {
             return squaredDistance(point, other) < diameter * diameter;
         });
-        if (free) return point;
+        if (!free) continue;
+        if (view == nullptr || view->admits(seen_beside, metres(point))) return point;
+        ++hidden;
     }
     return std::nullopt;
 }
@@ -106,22 +113,25 @@ std::string csvPosition(const Vec3& position) {
 /// All bands take from the same row of draws. Bands that share no distance thus get distractors that are
 /// independent of each other; one that differs from another only in their number has the same ones and more.
 Result<std::vector<Vec3>> bandDistractors(const TargetItem& item, const TargetSpace& space,
-                                          const DistanceBand& band, std::uint64_t seed) {
+                                          const DistanceBand& band, std::uint64_t seed,
+                                          const ClearView* view) {
     Random random(seed, "distractors of " + item.id);
     const GridPoint target{gridUnits(item.target.x), gridUnits(item.target.y), gridUnits(item.target.z)};
     std::vector<GridPoint> points;
     while (static_cast<int>(points.size()) < band.distractors) {
-        const std::optional<GridPoint> point = drawDistractor(space, band, target, points, random);
+        const std::optional<GridPoint> point = drawDistractor(space, band, target, points, view, random);
         if (!point)
             return fail(
                 fmt::format("distances.{}.distance_m", band.name),
                 fmt::format("found no place for distractor {} of target {} ({} m): it must lie "
                             "within {}, {} to {} m from the target and {} m (a ball's diameter) "
-                            "from the others",
+                            "from the others{}",
                             points.size() + 1, item.id, csvPosition(item.target), describeRanges(space),
-                            band.distance_m.low, band.distance_m.high, space.ball_diameter_m),
-                "Widen its distance_m or the ranges of height, arc and radius, or ask for fewer "
-                "distractors or smaller balls");
+                            band.distance_m.low, band.distance_m.high, space.ball_diameter_m,
+                            view != nullptr ? ", be seen, and hide none of them" : ""),
+                fmt::format("Widen its distance_m or the ranges of height, arc and radius, or ask for fewer "
+                            "distractors or smaller balls{}",
+                            view != nullptr ? ", or for targets.visibility = \"any\"" : ""));
         points.push_back(*point);
     }
     std::vector<Vec3> out;
@@ -129,10 +139,33 @@ Result<std::vector<Vec3>> bandDistractors(const TargetItem& item, const TargetSp
     return out;
 }
 
+/// The position drawn first where it is seen, else one of the target's own numbers that is; empty after a
+/// bounded search.
+std::optional<Vec3> seenTarget(const TargetSpace& space, const std::string& id, const Vec3& first,
+                               std::uint64_t seed, const std::vector<Viewpoint>& from) {
+    constexpr int most_draws = 1000;
+    Random random(seed, "another place for " + id);
+    Vec3 position = first;
+    for (int draw = 0; draw < most_draws; ++draw) {
+        if (ClearView(from, position, space.ball_diameter_m / 2).seesTarget()) return position;
+        position = metres(drawPosition(space, random));
+    }
+    return std::nullopt;
+}
+
+std::string listedPlaces(const std::vector<Viewpoint>& from) {
+    std::string out;
+    for (const Viewpoint& viewpoint : from)
+        out += fmt::format("{}{} ({})", out.empty() ? "" : ", ", viewpoint.layout,
+                           standingName(viewpoint.standing));
+    return out;
+}
+
 }  // namespace
 
 Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
-                                              const std::vector<DistanceBand>& bands, std::uint64_t seed) {
+                                              const std::vector<DistanceBand>& bands, std::uint64_t seed,
+                                              const std::vector<Viewpoint>& from) {
     if (const std::optional<Error> problem = problemWith(space)) return tl::unexpected(*problem);
     if (space.count < 1)
         return fail("targets.count", fmt::format("found {}, expected at least 1", space.count));
@@ -142,12 +175,23 @@ Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
         TargetItem& item = items.emplace_back();
         item.id = fmt::format("T{:03}", i + 1);
         item.target = metres(drawPosition(space, random));
+        if (from.empty()) continue;
+        const std::optional<Vec3> seen = seenTarget(space, item.id, item.target, seed, from);
+        if (!seen)
+            return fail(
+                "targets.visibility",
+                fmt::format("found no place for target {} within {} that is seen past the avatar from "
+                            "all places of the participant: {}",
+                            item.id, describeRanges(space), listedPlaces(from)),
+                "Move the places in [[layouts]], or ask for targets.visibility = \"any\"");
+        item.target = *seen;
     }
-    return drawDistractors(std::move(items), space, bands, seed);
+    return drawDistractors(std::move(items), space, bands, seed, from);
 }
 
 Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items, const TargetSpace& space,
-                                                const std::vector<DistanceBand>& bands, std::uint64_t seed) {
+                                                const std::vector<DistanceBand>& bands, std::uint64_t seed,
+                                                const std::vector<Viewpoint>& from) {
     for (TargetItem& item : items) item.distractors.clear();
     if (bands.empty()) return items;
     if (const std::optional<Error> problem = problemWith(space)) return tl::unexpected(*problem);
@@ -155,13 +199,24 @@ Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items, c
         if (const std::optional<Error> problem = problemWith(band)) return tl::unexpected(*problem);
     for (TargetItem& item : items) {
         if (!item.placed) continue;
+        const ClearView view(from, item.target, space.ball_diameter_m / 2);
+        const bool asked = !from.empty() && view.seesTarget();
         for (const DistanceBand& band : bands) {
-            Result<std::vector<Vec3>> drawn = bandDistractors(item, space, band, seed);
+            Result<std::vector<Vec3>> drawn =
+                bandDistractors(item, space, band, seed, asked ? &view : nullptr);
             if (!drawn) return tl::unexpected(drawn.error());
             item.distractors.push_back(std::move(*drawn));
         }
     }
     return items;
+}
+
+std::vector<Viewpoint> askedViewpoints(const Study& study) {
+    return study.targets.clear_view ? viewpoints(study) : std::vector<Viewpoint>{};
+}
+
+Result<std::vector<TargetItem>> sampleTargets(const Study& study) {
+    return sampleTargets(study.targets, study.distances, study.seed, askedViewpoints(study));
 }
 
 Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions) {
@@ -194,20 +249,64 @@ Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& p
     return space;
 }
 
-std::string targetsCsv(const std::vector<TargetItem>& targets, const std::vector<DistanceBand>& bands) {
+std::vector<SeenBalls> seenOf(const Study& study, const TargetItem& item, std::size_t band,
+                              const std::vector<Viewpoint>& from, const StandingAvatar& avatar) {
+    const double radius_m = study.targets.ball_diameter_m / 2;
+    std::vector<Sphere> balls{{item.target, radius_m}};
+    for (const Vec3& distractor : item.distractors.at(band)) balls.push_back({distractor, radius_m});
+    std::vector<SeenBalls> out;
+    for (const Viewpoint& viewpoint : from) out.push_back(seenFrom(viewpoint, avatar, balls));
+    return out;
+}
+
+namespace {
+
+using MoreColumns = std::vector<std::pair<std::string, std::vector<std::string>>>;  // name, a cell by target
+
+std::string csvOf(const std::vector<TargetItem>& targets, const std::vector<DistanceBand>& bands,
+                  const MoreColumns& more) {
     std::string out = "target_id,x,y,z";
     for (const DistanceBand& band : bands)
         for (int i = 1; i <= band.distractors; ++i)
             out += fmt::format(",{0}d{1}_x,{0}d{1}_y,{0}d{1}_z", bands.size() > 1 ? band.name + "_" : "", i);
+    for (const auto& column : more) out += "," + column.first;
     out += '\n';
-    for (const TargetItem& item : targets) {
+    for (std::size_t row = 0; row < targets.size(); ++row) {
+        const TargetItem& item = targets[row];
         out += item.id + "," + (item.placed ? csvPosition(item.target) : ",,");
         for (std::size_t b = 0; b < bands.size(); ++b)
             for (int i = 0; i < bands[b].distractors; ++i)
                 out += "," + (item.placed ? csvPosition(item.distractors.at(b).at(i)) : ",,");
+        for (const auto& column : more) out += "," + column.second[row];
         out += '\n';
     }
     return out;
+}
+
+}  // namespace
+
+std::string targetsCsv(const std::vector<TargetItem>& targets, const std::vector<DistanceBand>& bands) {
+    return csvOf(targets, bands, {});
+}
+
+std::string targetsCsv(const Study& study, const std::vector<TargetItem>& targets) {
+    const std::vector<Viewpoint> from = viewpoints(study);
+    MoreColumns more;
+    for (std::size_t band = 0; band < study.distances.size(); ++band) {
+        const std::size_t first = more.size();
+        for (const Viewpoint& viewpoint : from)
+            more.push_back({fmt::format("{}seen_{}_{}",
+                                        study.distances.size() > 1 ? study.distances[band].name + "_" : "",
+                                        viewpoint.layout, standingName(viewpoint.standing)),
+                            {}});
+        for (const TargetItem& item : targets) {
+            const auto seen = item.placed ? seenOf(study, item, band, from, StandingAvatar::reference())
+                                          : std::vector<SeenBalls>(from.size());
+            for (std::size_t i = 0; i < from.size(); ++i)
+                more[first + i].second.push_back(item.placed ? fmt::format("{:.3f}", seen[i].least()) : "");
+        }
+    }
+    return csvOf(targets, study.distances, more);
 }
 
 }  // namespace deixis::studies

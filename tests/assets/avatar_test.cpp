@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
@@ -16,6 +17,7 @@
 
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "motion/body_shape.hpp"
 #include "motion/hand_shapes.hpp"
 #include "motion/reference_humanoid.hpp"
 
@@ -287,5 +289,32 @@ TEST_SUITE("assets/avatar") {
         CHECK(*first == *second);
         CHECK(avatar().content_hash == sha256Hex(*first));
         std::filesystem::remove(again);
+    }
+
+    TEST_CASE("the body's capsules hold the figure at ease, and are no broader") {
+        const Avatar& a = avatar();
+        const auto idle = motion::worldPose(a.skeleton, motion::relaxedPose(a.skeleton));
+        const std::vector<motion::Capsule> shape = motion::bodyShape(a.skeleton, a.humanoid, idle);
+        const std::vector<Vec3> skin = skinned_file(a, motion::relaxedPose(a.skeleton));
+        int outside = 0;
+        Vec3 low(1.0), high(-1.0), shape_low(1.0), shape_high(-1.0);
+        for (const Vec3& p : skin) {
+            double nearest = 1.0;
+            for (const motion::Capsule& part : shape)
+                nearest = std::min(nearest, motion::capsuleDistance({p, p, 0.0}, part));
+            outside += nearest > 0.02;
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        CHECK(outside < static_cast<int>(0.03 * static_cast<double>(skin.size())));
+        for (const motion::Capsule& part : shape)
+            for (const Vec3& end : {part.from, part.to}) {
+                shape_low = glm::min(shape_low, end - part.radius_m);
+                shape_high = glm::max(shape_high, end + part.radius_m);
+            }
+        for (int axis = 0; axis < 3; ++axis) {
+            CHECK(std::abs(shape_low[axis] - low[axis]) < 0.05);
+            CHECK(std::abs(shape_high[axis] - high[axis]) < 0.05);
+        }
     }
 }

@@ -13,6 +13,7 @@
 #include "fixtures.hpp"
 #include "results/data_export.hpp"
 #include "results/participants.hpp"
+#include "results/recording.hpp"
 #include "text.hpp"
 
 using namespace deixis;
@@ -252,5 +253,55 @@ TEST_SUITE("results/export") {
         const Table responses = tableOf(folder / "out/responses.csv");
         REQUIRE(responses.rows.size() == 1);
         CHECK(responses.cell(0, "value") == "4");
+    }
+
+    TEST_CASE("Where the participant stood and what was to be seen are kept, replayed and exported") {
+        const fixtures::Folder folder;
+        const auto study = fixtures::study({"direct"});
+        auto plan = fixtures::plan(study, "P01", 1);
+        studies::Trial& beside = plan.trials[3];
+        REQUIRE(beside.layout == "side-by-side");
+        beside.seen = {{"side-by-side", studies::Standing::headset, {1.0, 0.957, 1.0}, {1.0, 1.0, 0.942}},
+                       {"side-by-side", studies::Standing::desktop, {1.0, 0.3, 1.0}, {0.9, 1.0, 1.0}}};
+        {
+            Store store = fixtures::open(folder / "a.sqlite");
+            fixtures::store(store, study, plan);
+            store.beginSession(fixtures::session("P01", false));
+            for (const int trial : {2, 3}) {
+                auto choice = fixtures::answer(plan.trials[static_cast<std::size_t>(trial)], 1);
+                if (trial == 3) choice.viewer = {0.75, -1.25, 20.0};
+                store.record(choice, study, plan, fixtures::clips(plan));
+            }
+        }
+        REQUIRE(exportCsv(folder / "a.sqlite", folder / "out", {}));
+        const Table trials = tableOf(folder / "out/trials.csv");
+        CHECK(trials.cell(2, "visibility").empty());
+        CHECK(trials.cell(2, "least_seen_headset").empty());
+        CHECK(trials.cell(3, "visibility") ==
+              R"({"headset":{"at_rest":[1.0,0.957,1.0],"pointing":[1.0,1.0,0.942]},)"
+              R"("desktop":{"at_rest":[1.0,0.3,1.0],"pointing":[0.9,1.0,1.0]}})");
+        CHECK(trials.cell(3, "least_seen_headset") == "0.942");
+        CHECK(trials.cell(3, "least_seen_desktop") == "0.3");
+        const Table responses = tableOf(folder / "out/responses.csv");
+        REQUIRE(responses.rows.size() == 2);
+        CHECK(responses.cell(1, "viewer_x_m") == "0.75");
+        CHECK(responses.cell(1, "viewer_z_m") == "-1.25");
+        CHECK(responses.cell(1, "viewer_heading_deg") == "20");
+        const auto replayed = loadRecording(folder / "a.sqlite", "P01");
+        REQUIRE(replayed);
+        REQUIRE(replayed->answers.size() == 2);
+        CHECK(replayed->answers[1].trial.layout.name == "side-by-side");
+        CHECK(replayed->answers[1].trial.layout.viewer_z_m == -1.25);
+        CHECK(replayed->answers[1].trial.layout.heading_deg == 20.0);
+
+        // From before it was kept: the layout's own place.
+        SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE)
+            .exec("UPDATE responses SET viewer_x_m = NULL, viewer_z_m = NULL, viewer_heading_deg = NULL");
+        const auto older = loadRecording(folder / "a.sqlite", "P01");
+        REQUIRE(older);
+        CHECK(older->answers[1].trial.layout.viewer_x_m == 0.5);
+        CHECK(older->answers[1].trial.layout.viewer_z_m == 0.0);
+        REQUIRE(exportCsv(folder / "a.sqlite", folder / "older", {}));
+        CHECK(tableOf(folder / "older/responses.csv").cell(1, "viewer_x_m") == "0.5");
     }
 }

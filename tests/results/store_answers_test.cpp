@@ -72,6 +72,7 @@ TEST_SUITE("results/store answers") {
             choice.pauses = 2;
             choice.paused_s = 7.5;
             choice.begun_before = true;
+            choice.viewer = {0.25, 2.5, 170.0};  // not the layout's own place
             store.record(choice, study, plan, fixtures::clips(plan));
             store.endSession(SessionOutcome::quit, 1.7e9 + 99.0);
         }
@@ -102,7 +103,9 @@ TEST_SUITE("results/store answers") {
         CHECK(row.getColumn("system").getString() == "stiff");
         CHECK(row.getColumn("layout").getString() == "across");
         CHECK(row.getColumn("distance").getString() == "near");
-        CHECK(row.getColumn("viewer_z_m").getDouble() == 2.0);
+        CHECK(row.getColumn("viewer_x_m").getDouble() == 0.25);
+        CHECK(row.getColumn("viewer_z_m").getDouble() == 2.5);
+        CHECK(row.getColumn("heading_deg").getDouble() == 170.0);
         CHECK(row.getColumn("question").isNull());
         CHECK(row.getColumn("chosen_place").getInt() == 2);
         CHECK(row.getColumn("target_place").getInt() == 1);

@@ -105,7 +105,7 @@ TEST_SUITE("studies/first_look") {
                 for (const motion::Bone bone : {arm.upper_arm, arm.lower_arm, arm.hand})
                     arm_points.push_back(held[static_cast<std::size_t>(map[bone])].position);
                 for (const Layout& layout : prepared.study.layouts) {
-                    const Pose viewer = viewerPose(layout);
+                    const Pose viewer = viewerPose(viewerPlace(layout, Standing::desktop));
                     for (const std::vector<Vec3>& distractors : item.distractors) {
                         std::vector<Sphere> balls{{item.target, 0.05}};
                         for (const Vec3& ball : distractors) balls.push_back({ball, 0.05});

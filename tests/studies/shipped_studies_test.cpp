@@ -62,7 +62,7 @@ StudyPlan planOf(const Study& study, const std::vector<TargetItem>& targets, int
 }
 
 std::vector<TargetItem> targetsOf(const Study& study) {
-    const Result<std::vector<TargetItem>> targets = sampleTargets(study.targets, study.distances, study.seed);
+    const Result<std::vector<TargetItem>> targets = sampleTargets(study);
     if (!targets) FAIL(study.name << ": " << targets.error().text());
     return *targets;
 }

@@ -19,6 +19,7 @@
 #include "motion/reference_humanoid.hpp"
 #include "studies/session.hpp"
 #include "studies/simulated_participant.hpp"
+#include "studies/standing.hpp"
 
 namespace deixis::tests {
 
@@ -72,11 +73,13 @@ class GeneratedClips : public ClipSource {
 struct Prepared {
     explicit Prepared(Study made, int number = 1)
         : study(std::move(made)),
+          stood(atStation(study, "simulated")),
           targets(sampled(study)),
           plan(planned(study, targets, number)),
           clips(study, targets) {}
 
     Study study;
+    Study stood;  ///< as simulated participants meet it
     std::vector<TargetItem> targets;
     StudyPlan plan;
     GeneratedClips clips;
@@ -84,7 +87,7 @@ struct Prepared {
     motion::LocalPose idle = motion::relaxedPose(avatar);
 
     static std::vector<TargetItem> sampled(const Study& study) {
-        auto targets = sampleTargets(study.targets, study.distances, study.seed);
+        auto targets = sampleTargets(study);
         REQUIRE_MESSAGE(targets.has_value(), (targets ? "" : targets.error().text()));
         return std::move(*targets);
     }
@@ -114,7 +117,7 @@ struct Outcome {
 /// One sitting. `disturb` may change what the station tells, such as a pause.
 inline void sit(const Prepared& prepared, const StudyPlan& plan, SimulatedStation& station, bool keyboard,
                 Resume resume, Outcome& outcome, const std::function<void(InputFrame&)>& disturb = {}) {
-    SessionRunner session(prepared.study, plan, prepared.clips, prepared.avatar, prepared.idle,
+    SessionRunner session(prepared.stood, plan, prepared.clips, prepared.avatar, prepared.idle,
                           std::move(resume), keyboard);
     std::optional<RayView> shown_ray;
     const auto keep = [&outcome](std::vector<SessionEvent> events) {

@@ -100,9 +100,9 @@ TEST_SUITE("studies/study_file") {
         CHECK(study.findLayout("behind") == nullptr);
         CHECK(across->viewer_z_m > study.targets.radius_m.high);
         CHECK(across->heading_deg == 180.0);
-        CHECK(std::abs(beside->viewer_x_m) < 1.0);
+        CHECK(std::abs(beside->viewer_x_m) < 1.5);
         CHECK(std::abs(beside->viewer_x_m) > 0.5);
-        CHECK(std::abs(beside->heading_deg) < 30.0);
+        CHECK(std::abs(beside->heading_deg) <= 30.0);
     }
 
     TEST_CASE("Every study that ships loads in each of its four languages, with other texts and one hash.") {
@@ -178,6 +178,13 @@ TEST_SUITE("studies/study_file") {
         CHECK(study.instructions_again_after_s == 60.0);
         CHECK(study.avatar == fixtures / "figures/child.vrm");
         CHECK(study.targets.ball_diameter_m == 0.08);
+        CHECK_FALSE(study.targets.clear_view);
+        REQUIRE(study.layouts.size() == 2);
+        CHECK_FALSE(study.layouts[0].desktop.has_value());
+        REQUIRE(study.layouts[1].desktop.has_value());
+        CHECK(study.layouts[1].desktop->x_m == -0.7);
+        CHECK(study.layouts[1].desktop->z_m == -1.2);
+        CHECK(study.layouts[1].desktop->heading_deg == 5.0);
         REQUIRE(study.distances.size() == 2);
         CHECK(study.distances[1].distractors == 1);
         const SystemSource* system = study.findSystem("long");

@@ -58,6 +58,7 @@ struct Response {
     std::string input;             ///< "ray", "key"; "" where nothing was answered
     Pose stage_from_head{};        ///< at the answer
     std::optional<Ray> pointer{};  ///< at the answer
+    ViewerPlace viewer{};          ///< where the participant was asked to stand
 };
 
 /// The operator has the last answered trial done again: its answer is kept, and marked.

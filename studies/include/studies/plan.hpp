@@ -49,6 +49,9 @@ struct Trial {
     /// The balls in the order in which they are shown (and numbered in the record): indices into
     /// {target, distractors...}, shuffled, so that place in the list never gives the target away. Game only.
     std::vector<int> ball_order{};
+    /// What is seen of each ball, in the order in which they are shown, from the layout's places. Game only;
+    /// empty in plans from before it was kept.
+    std::vector<SeenBalls> seen{};
     std::optional<TrialCheck> check{};
 
     /// Position of the ball shown at `place`.
@@ -125,6 +128,10 @@ struct Turn {
 /// docs/database.md.
 [[nodiscard]] std::string planJson(const StudyPlan& plan);
 [[nodiscard]] Result<StudyPlan> planFromJson(std::string_view json);
+
+/// Trial::seen as JSON: {"headset": {"at_rest": [...], "pointing": [...]}, "desktop": {...}}, shares of each
+/// ball's disc in the order in which the balls are shown; empty where it was not kept.
+[[nodiscard]] std::string visibilityJson(const Trial& trial);
 
 /// The same for people: a table, one line a trial.
 [[nodiscard]] std::string planTable(const StudyPlan& plan);

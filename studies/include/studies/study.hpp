@@ -23,13 +23,21 @@ struct Range {
     double high = 0.0;
 };
 
-/// Where the participant stands in one layout, in the avatar's frame.
+/// A place on the floor where a participant stands, in the avatar's frame.
+struct ViewerPlace {
+    double x_m = 0.0;
+    double z_m = 0.0;
+    double heading_deg =
+        0.0;  ///< 0 looks along +z (as the avatar does), 180 looks back at it; positive towards +x
+};
+
+/// Where the participant stands in one layout.
 struct Layout {
     std::string name;  ///< "across", "side-by-side", or a study's own
     double viewer_x_m = 0.0;
     double viewer_z_m = 0.0;
-    double heading_deg =
-        0.0;  ///< 0 looks along +z (as the avatar does), 180 looks back at it; positive towards +x
+    double heading_deg = 0.0;
+    std::optional<ViewerPlace> desktop{};  ///< at a flat screen, where that is another place
 };
 
 /// How many distractors there are and how far from the target: one level of the factor "distance".
@@ -51,6 +59,7 @@ struct TargetSpace {
     std::string from_manifest{};  ///< path (resolved) of a manifest whose items are the study's; then there
                                   ///< are no ranges unless a game draws distractors
     double ball_diameter_m = 0.1;
+    bool clear_view = true;  ///< balls that a participant could not see are drawn anew; else the bare rule
 };
 
 /// One of the systems compared. Exactly one of `generator` and `manifest` is set.

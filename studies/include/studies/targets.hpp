@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/pose.hpp"
 #include "studies/study.hpp"
+#include "studies/visibility.hpp"
 
 namespace deixis::studies {
 
@@ -25,20 +26,32 @@ struct TargetItem {
 /// included) and no nearer to each other or to the target than a ball's diameter. Fails with a clear error
 /// after a bounded search where the ranges cannot be met.
 ///
-/// Depends on space, bands and seed alone; a band's distractors do not depend on the other bands. A position
-/// is rounded to 0.1 mm before any distance is looked at, and distances are compared in whole tenths of a
-/// millimetre: two mathematics libraries whose sines differ in the last bit give the same targets. The
-/// targets do not depend on the distractors' settings, nor the first n of them on the count.
+/// Seen `from` somewhere, balls must be clear to see from there (ClearView): a target that is not is drawn
+/// anew from numbers of its own, and so is a distractor that is hidden or hides another ball. Without
+/// viewpoints this is the bare rule of the paper. A target that is seen is the same by both.
+///
+/// Depends on space, bands, seed and viewpoints alone; a band's distractors do not depend on the other bands.
+/// A position is rounded to 0.1 mm before any distance is looked at, and distances are compared in whole
+/// tenths of a millimetre: two mathematics libraries whose sines differ in the last bit give the same
+/// targets. The targets do not depend on the distractors' settings, nor the first n of them on the count.
 [[nodiscard]] Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
                                                             const std::vector<DistanceBand>& bands,
-                                                            std::uint64_t seed);
+                                                            std::uint64_t seed,
+                                                            const std::vector<Viewpoint>& from = {});
 
 /// The same around given targets (the items of TargetSpace::from_manifest), whose distractors are replaced.
-/// Items that are not placed stay without.
+/// Items that are not placed stay without; one whose target is hidden itself gets them by the bare rule.
 [[nodiscard]] Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items,
                                                               const TargetSpace& space,
                                                               const std::vector<DistanceBand>& bands,
-                                                              std::uint64_t seed);
+                                                              std::uint64_t seed,
+                                                              const std::vector<Viewpoint>& from = {});
+
+/// From where the balls of a study must be seen: viewpoints(), or none where it asks for the bare rule.
+[[nodiscard]] std::vector<Viewpoint> askedViewpoints(const Study& study);
+
+/// Those of a study whose ranges stand in its file.
+[[nodiscard]] Result<std::vector<TargetItem>> sampleTargets(const Study& study);
 
 /// `space` with its three ranges replaced by those of `positions` (the targets of a manifest's clips): least
 /// and greatest height, azimuth and radius. Fails where there are none, or where one
@@ -49,6 +62,13 @@ struct TargetItem {
 /// ",d1_x,d1_y,d1_z"), then a row each.
 [[nodiscard]] std::string targetsCsv(const std::vector<TargetItem>& targets,
                                      const std::vector<DistanceBand>& bands);
+/// The same for a study, with a column for each band and viewpoint: the least share of a ball's disc that is
+/// seen from there, "seen_LAYOUT_headset" and "seen_LAYOUT_desktop" (of several bands with the band before).
+[[nodiscard]] std::string targetsCsv(const Study& study, const std::vector<TargetItem>& targets);
+
+/// What is seen of an item's balls in one band, past an avatar: by viewpoint; of each the target first.
+[[nodiscard]] std::vector<SeenBalls> seenOf(const Study& study, const TargetItem& item, std::size_t band,
+                                            const std::vector<Viewpoint>& from, const StandingAvatar& avatar);
 
 /// A picture like the paper's Figure 1: the targets (and, where given, the positions that a manifest's clips
 /// were made for) in a perspective view and from above and the side. A whole SVG document.
