@@ -25,6 +25,7 @@
 #include "stimuli.hpp"
 #include "study_setup.hpp"
 #include "trace.hpp"
+#include "version.hpp"
 
 namespace deixis::app {
 
@@ -205,7 +206,7 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     const bool keyboard = info.kind != "headset";
     studies::SessionRunner session(setup.study, enrolment.plan, stimuli, avatar.skeleton, idle,
                                    enrolment.resume, keyboard, info.hint);
-    store.beginSession({participant, info, programVersion(), avatar.content_hash, utcNow_s()});
+    store.beginSession({participant, withProgram(info), programVersion(), avatar.content_hash, utcNow_s()});
     try {
         // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before
         // the store is used again.

@@ -17,6 +17,7 @@
 #include "stimuli.hpp"
 #include "studies/plan.hpp"
 #include "studies/simulated_participant.hpp"
+#include "version.hpp"
 
 namespace deixis::app {
 
@@ -49,7 +50,7 @@ Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, co
             return fail(where, "a sitting ended without an answer, and trials are left");
         answered_before = resume.answered.size();
         studies::SimulatedStation station(parameters, avatar.skeleton, simulatedSeed(plan));
-        const studies::StationInfo info = station.info();
+        const studies::StationInfo info = withProgram(station.info());
         studies::SessionRunner session(setup.study, plan, stimuli, avatar.skeleton, idle, resume, true);
         store.beginSession({plan.participant, info, programVersion(), avatar.content_hash, now_s});
         DirectRecorder recorder(store, setup.study, plan, records);
