@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "database_open.hpp"
+#include "locked_history.hpp"
 #include "questionnaire_scores.hpp"
 #include "response_details.hpp"
 #include "response_reading.hpp"
@@ -237,6 +238,7 @@ Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& 
     readStudy(database, table);
     readMeasures(database, table);
     readSessions(database, table);
+    table.notes = changeNotes(database);
     readLeftOut(database, table);
     readChoices(database, table);
     readRatings(database, table);
