@@ -75,6 +75,9 @@ void simulate(benchmark::State& state, const std::string& study) {
     const auto parameters = bench::valueOf(
         studies::loadSimulatedParameters(assets::dataFile("simulated_participant.toml").string()));
     results::Store store = fixtures::open(folder / "study.sqlite", results::Durability::whole_run);
+    const auto hash = app::lockStudy(setup, {folder / "study.sqlite", folder / "stimuli", {}, {}, false});
+    if (!hash) return state.SkipWithError("the study cannot be locked");
+    const app::LockedStudy locked = bench::valueOf(app::openLocked(folder / "study.sqlite", *hash));
 
     int number = 0;
     double session_s = 0.0;
@@ -86,8 +89,7 @@ void simulate(benchmark::State& state, const std::string& study) {
             bench::valueOf(app::enrol(setup, store, fmt::format("S{:03}", ++number), {}, 0.0));
         if (!store.storePlan(setup.study, enrolled.registration, enrolled.plan))
             return state.SkipWithError("the plan cannot be stored");
-        const auto clips =
-            bench::valueOf(app::StimulusLibrary::load(setup, {enrolled.plan}, avatar, folder / "stimuli"));
+        const auto clips = bench::valueOf(app::StimulusLibrary::load(locked, {enrolled.plan}, avatar));
         const results::ClipRecords records = clips.records();
         state.ResumeTiming();
 

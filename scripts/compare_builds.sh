@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Two builds of the program, such as one by gcc and one by clang, must give the same plans, the same clips, the same
-# simulated answers and the same reports, byte for byte, in every study that ships.
+# locked study, simulated answers and the same reports, byte for byte, in every study that ships. That a report names its program's
+# compiler and build type is left out.
 #   scripts/compare_builds.sh build/dev/deixis build/offline/deixis
 set -euo pipefail
 scratch=$(mktemp -d)
@@ -17,8 +18,11 @@ for which in 1 2; do
         sqlite3 -readonly study.sqlite \
             "select participant, trial_index, status, chosen_place, response_time_s, question, stimulus, value, text
              from responses left join answers on response = id order by 1, 2, position" >"$study-answers.txt"
+        sed -i -E 's#<dt>(Compiler|Build type)</dt><dd>[^<]*</dd>##g' "$study.html"
+        sed -i -E '/^ +"(compiler|build_type)": /d' "$study.json"
         [ "$(wc -l <"$study-answers.txt")" -ge 40 ]
-        rm -f study.*
+        cp study.locked/*/locked.sha256 "$study-locked.sha256"
+        rm -rf study.*
     done
     cd "$OLDPWD"
 done

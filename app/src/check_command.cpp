@@ -1,19 +1,24 @@
 // deixis check: every problem of a study file at once.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "assets/manifest.hpp"
 #include "commands.hpp"
 #include "studies/plan.hpp"
+#include "study_clips.hpp"
 #include "study_setup.hpp"
 #include "visibility_text.hpp"
 
 namespace deixis::app {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 // Each cell of the factors between participants.
 std::vector<studies::Groups> cells(const studies::Study& study) {
@@ -45,22 +50,43 @@ Result<std::vector<studies::StudyPlan>> plansOf(const StudySetup& setup) {
     return plans;
 }
 
-// The lab's clips that the study names.
-void checkManifests(const StudySetup& setup, std::vector<Error>& problems) {
-    for (const auto& system : setup.study.systems) {
+// What need not be wrong, but would be noticed late.
+std::vector<std::string> doubtsOf(const studies::Study& study) {
+    std::vector<std::string> out;
+    const fs::path folder = fs::absolute(study.file).parent_path();
+    const auto doubtPath = [&](const std::string& key, const fs::path& file) {
+        if (file.empty()) return;
+        const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(folder);
+        if (relative.empty() || *relative.begin() == "..")
+            out.push_back(
+                fmt::format("{}: {} lies outside the study's folder, which does not hold all that it "
+                            "needs on another machine",
+                            study.place(key), file.string()));
+    };
+    doubtPath("study.avatar", study.avatar);
+    doubtPath("targets.fit_manifest", study.targets.fit_manifest);
+    doubtPath("targets.from_manifest", study.targets.from_manifest);
+    for (const auto& system : study.systems) {
+        const std::string key = "systems." + system.name;
+        doubtPath(key, system.manifest);
         if (system.manifest.empty()) continue;
         const auto manifest = assets::readManifest(system.manifest);
-        if (!manifest) {
-            problems.push_back(manifest.error());
-            continue;
-        }
-        for (const auto& row : manifest->rows) {
-            std::error_code code;
-            if (!std::filesystem::is_regular_file(manifest->file.parent_path() / row.clip, code))
-                problems.push_back({manifest->file.string() + ": clip " + row.clip, "No such file",
-                                    "Clips are looked for beside their manifest"});
-        }
+        if (!manifest) continue;
+        for (const auto* row : rowsOfSystem(*manifest, system.name))
+            if (fs::path(row->clip).is_absolute())
+                out.push_back(
+                    fmt::format("{}: {}:{}: clip: {} is an absolute path, which another machine may "
+                                "not have",
+                                study.place(key), system.manifest, row->line, row->clip));
     }
+    constexpr double full_turn_rad = 6.2832;
+    for (const auto& layout : study.layouts)
+        if (std::abs(layout.heading_deg) <= full_turn_rad &&
+            layout.heading_deg != std::round(layout.heading_deg))
+            out.push_back(fmt::format("{}: {} looks like radians, expected degrees ({:.0f}?)",
+                                      study.place("layouts." + layout.name), layout.heading_deg,
+                                      layout.heading_deg * 57.29577951308232));
+    return out;
 }
 
 Result<void> failWith(const std::string& study, const std::vector<Error>& problems) {
@@ -108,13 +134,17 @@ Result<void> check(const std::string& name) {
     const auto setup = checkStudySetup(name);
     if (!setup) return failWith(name, setup.error());
     std::vector<Error> problems;
-    checkManifests(*setup, problems);
     const auto avatar = loadStudyAvatar(setup->study);
     if (!avatar) problems.push_back(avatar.error());
+    // As the first run does, which takes them.
+    const auto nothing = [](const studies::SystemSource&, const StudyClip&) { return Result<void>(); };
+    for (Error& problem : readStudyClips({*setup, avatar ? &*avatar : nullptr}, nothing))
+        problems.push_back(std::move(problem));
     const auto plans = plansOf(*setup);
     if (!plans) problems.push_back(plans.error());
     if (!problems.empty()) return failWith(name, problems);
     describe(*setup, *avatar, *plans);
+    for (const std::string& doubt : doubtsOf(setup->study)) fmt::print("doubtful: {}\n", doubt);
     return {};
 }
 

@@ -1,7 +1,6 @@
 #include "clip_output.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <system_error>
@@ -12,6 +11,7 @@
 #include "assets/gltf_clip.hpp"
 #include "assets/joint_positions.hpp"
 #include "core/files.hpp"
+#include "core/unique_name.hpp"
 
 namespace deixis::app {
 
@@ -57,7 +57,7 @@ std::string clipStem(const fs::path& file) {
 }
 
 OutputFolder::OutputFolder(fs::path folder, bool force)
-    : folder_(std::move(folder)), staging_(folder_ / fmt::format(".partial{}", ::getpid())), force_(force) {
+    : folder_(std::move(folder)), staging_(folder_ / (".partial" + uniqueName())), force_(force) {
     std::error_code code;
     made_folder_ = !fs::exists(folder_, code);
 }

@@ -4,15 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <string>
 
 #include "core/error.hpp"
 
 namespace deixis::app {
 
 using Command = std::function<Result<void>()>;
-
-[[nodiscard]] std::string programVersion();
 
 void addRunCommand(CLI::App& cli, Command& chosen);
 void addSimulateCommand(CLI::App& cli, Command& chosen);

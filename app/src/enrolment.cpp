@@ -51,9 +51,9 @@ Result<Enrolment> enrol(const StudySetup& setup, const results::Store& store, co
     auto registration = registrationOf(study, store, participant, number);
     if (!registration) return tl::unexpected(registration.error());
     out.registration = std::move(*registration);
-    auto stored = store.plan(participant);
-    if (stored && stored->study_hash == study.hash) {
+    if (auto stored = store.plan(participant)) {
         out.plan = std::move(*stored);
+        out.planned_before = true;
     } else {
         auto plan =
             studies::buildPlan(study, setup.targets, participant, out.registration.number,
@@ -66,8 +66,9 @@ Result<Enrolment> enrol(const StudySetup& setup, const results::Store& store, co
     return out;
 }
 
-Result<bool> storeEnrolment(const StudySetup& setup, results::Store& store, Enrolment& enrolment,
-                            std::optional<int> number, double now_utc_s) {
+Result<bool> storeEnrolment(const StudySetup& setup, const std::string& locked_hash, results::Store& store,
+                            Enrolment& enrolment, std::optional<int> number, double now_utc_s) {
+    if (enrolment.planned_before) return false;
     bool drawn_anew = false;
     const auto stored = store.exclusively([&]() -> Result<void> {
         const std::string participant = enrolment.registration.participant;
@@ -79,7 +80,7 @@ Result<bool> storeEnrolment(const StudySetup& setup, results::Store& store, Enro
                          now->plan.number_in_cell != enrolment.plan.number_in_cell;
             if (drawn_anew) enrolment = std::move(*now);
         }
-        return store.storePlan(setup.study, enrolment.registration, enrolment.plan);
+        return store.storePlan(setup.study, enrolment.registration, enrolment.plan, locked_hash);
     });
     if (!stored) return tl::unexpected(stored.error());
     return drawn_anew;

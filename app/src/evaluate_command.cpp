@@ -20,6 +20,7 @@
 #include "report.hpp"
 #include "results/evaluation.hpp"
 #include "training_targets.hpp"
+#include "version.hpp"
 
 namespace deixis::app {
 
@@ -182,6 +183,7 @@ Result<void> evaluateClips(const EvaluateArguments& options) {
     input.training_source = std::move(training->source);
     input.training_synthetic = training->synthetic;
     input.program = programVersion();
+    input.build = buildProperties();
     input.files = std::move(listed.files);
 
     const auto evaluation = results::evaluate(std::move(input));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "locked_set.hpp"
 #include "results/data_export.hpp"
 
 namespace deixis::app {
@@ -47,6 +48,16 @@ Result<void> merge(const MergeRequest& request) {
     }
     fmt::print("{} databases joined: {}\n", databases.size(), request.output);
     for (const std::string& id : merged->withdrawn) fmt::print("left out, since withdrawn: {}\n", id);
+    const auto sets = results::lockedSets(request.output);
+    if (!sets) return tl::unexpected(sets.error());
+    const auto lacking = copyLockedSets(databases, request.output, *sets);
+    if (!lacking) return tl::unexpected(lacking.error());
+    for (const std::string& hash : *lacking)
+        fmt::print(
+            stderr,
+            "note: the locked study {:.16} is beside none of the databases: sessions cannot go on in the "
+            "joined one until it lies in {}\n",
+            hash, lockedFolder(request.output).string());
     return {};
 }
 

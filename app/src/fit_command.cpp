@@ -91,7 +91,7 @@ Result<ChoicesMade> choicesMade(const FitArguments& options, motion::PointingRay
         all.answers.insert(all.answers.end(), recording.answers.begin(), recording.answers.end());
     const auto avatar = recordedAvatar(all, options.database, options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
-    const auto clips = RecordedClips::load(*records, *avatar, options.stimuli);
+    const auto clips = RecordedClips::load(*records, *avatar, options.stimuli, options.database);
     if (!clips) return tl::unexpected(clips.error());
     const motion::LocalPose idle = motion::relaxedPose(avatar->skeleton);
     ChoicesMade out;

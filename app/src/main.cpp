@@ -19,6 +19,7 @@
 #include "core/text.hpp"
 #include "progress_line.hpp"
 #include "results/long_check.hpp"
+#include "version.hpp"
 
 namespace {
 
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
     // Line by line also into a pipe: what is told of the details comes before what they come to.
     std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
     CLI::App cli{"Deixis: evaluate how an embodied agent points", "deixis"};
-    cli.set_version_flag("--version", programVersion());
+    cli.set_version_flag("--version", versionText());
     cli.require_subcommand(1);
     cli.fallthrough(false);
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "locked_set.hpp"
 #include "studies/study_source.hpp"
 #include "study_setup.hpp"
 
@@ -41,6 +42,17 @@ Result<assets::Avatar> recordedAvatar(const results::Recording& recording, const
     if (!instead.empty()) return assets::loadAvatar(instead, size);
     std::set<std::string> hashes;
     for (const results::RecordedAnswer& answer : recording.answers) hashes.insert(answer.avatar_hash);
+    // Locked with the study.
+    if (hashes.size() == 1 && !hashes.contains("")) {
+        std::error_code code;
+        for (const auto& set : fs::directory_iterator(lockedFolder(database), code))
+            for (const auto& file : fs::directory_iterator(set.path() / "avatar", code)) {
+                const std::string ending = file.path().extension().string();
+                if (ending != ".glb" && ending != ".gltf" && ending != ".vrm") continue;
+                auto avatar = assets::loadAvatar(file.path(), size);
+                if (avatar && hashes.contains(avatar->content_hash)) return avatar;
+            }
+    }
     const std::string named = studies::avatarNamedIn(recording.study_source);
     if (named.empty() || hashes.empty()) return shippedAvatarFor(hashes);
     if (hashes.size() > 1)

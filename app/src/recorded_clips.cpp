@@ -2,12 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <map>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "clip_files.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "locked_set.hpp"
 
 namespace deixis::app {
 
@@ -15,14 +18,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Under `folder`, wherever there is a file of this name with these bytes.
-Result<fs::path> findClip(const results::ClipRecord& record, const fs::path& folder) {
+// The file of each content that is locked beside the database; sets that are broken are passed over.
+std::map<std::string, fs::path> lockedClips(const fs::path& database) {
+    std::map<std::string, fs::path> out;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(lockedFolder(database), code)) {
+        const auto files = readLockedList(entry.path());
+        if (!files) continue;
+        for (const auto& [name, hash] : *files) out.emplace(hash, entry.path() / name);
+    }
+    return out;
+}
+
+// Locked, or under `folder`, wherever there is a file of this name with these bytes.
+Result<fs::path> findClip(const results::ClipRecord& record, const fs::path& folder,
+                          const std::map<std::string, fs::path>& locked) {
     const auto isIt = [&](const fs::path& file) {
         const auto bytes = readFile(file);
         return bytes && sha256Hex(*bytes) == record.content_hash;
     };
     std::error_code code;
     bool met = false;
+    if (const auto kept = locked.find(record.content_hash); kept != locked.end()) {
+        if (isIt(kept->second)) return kept->second;
+        met = true;
+    }
     if (!folder.empty())
         for (const auto& entry : fs::recursive_directory_iterator(folder, code)) {
             if (entry.path().filename() != fs::path(record.file).filename()) continue;
@@ -43,10 +63,11 @@ Result<fs::path> findClip(const results::ClipRecord& record, const fs::path& fol
 }  // namespace
 
 Result<RecordedClips> RecordedClips::load(const results::ClipRecords& records, const assets::Avatar& avatar,
-                                          const fs::path& folder) {
+                                          const fs::path& folder, const fs::path& database) {
     RecordedClips out;
+    const auto locked = lockedClips(database);
     for (const auto& [stimulus, record] : records) {
-        const auto file = findClip(record, folder);
+        const auto file = findClip(record, folder, locked);
         if (!file) return tl::unexpected(file.error());
         const auto read = assets::importClip(*file);
         if (!read) return tl::unexpected(read.error());

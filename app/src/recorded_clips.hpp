@@ -13,11 +13,12 @@ namespace deixis::app {
 
 class RecordedClips : public studies::ClipSource {
   public:
-    /// Clips are looked for at their recorded paths and, where `folder` is given, under it by their names. A
-    /// file whose bytes are not those that were shown is an error.
+    /// Clips are looked for in what is locked beside the database, where `folder` is given under it by their
+    /// names, and at their recorded paths. A file whose bytes are not those that were shown is an error.
     [[nodiscard]] static Result<RecordedClips> load(const results::ClipRecords& records,
                                                     const assets::Avatar& avatar,
-                                                    const std::filesystem::path& folder);
+                                                    const std::filesystem::path& folder,
+                                                    const std::filesystem::path& database);
 
     [[nodiscard]] const motion::Clip& clip(const studies::Stimulus& stimulus) const override;
 

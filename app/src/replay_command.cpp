@@ -114,7 +114,7 @@ Result<void> replay(ReplayArguments options) {
     for (const auto& answer : recording->answers) records.insert(answer.clips.begin(), answer.clips.end());
     const auto avatar = recordedAvatar(*recording, options.database, options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
-    const auto clips = RecordedClips::load(records, *avatar, options.stimuli);
+    const auto clips = RecordedClips::load(records, *avatar, options.stimuli, options.database);
     if (!clips) return tl::unexpected(clips.error());
     if (options.choices) return printChoices(*recording, *clips, *avatar);
 #ifdef DEIXIS_IMMERSIVE
@@ -136,11 +136,13 @@ void addReplayCommand(CLI::App& cli, Command& chosen) {
     command->add_flag("--list", options->list, "Print the trials and what was answered");
     command->add_flag("--choices", options->choices,
                       "Print each choice of the game and what the recorded rays give");
-    command->add_option("--stimuli", options->stimuli,
-                        "Folder of the clips that were shown [where they lay]");
-    command->add_option("--avatar", options->avatar,
-                        "The avatar that was shown, glTF or VRM [the study's, from the database's folder on; "
-                        "else Deixis's own]");
+    command->add_option(
+        "--stimuli", options->stimuli,
+        "Folder of the clips that were shown [what is locked beside the database; else where they lay]");
+    command->add_option(
+        "--avatar", options->avatar,
+        "The avatar that was shown, glTF or VRM [the one locked beside the database; else the "
+        "study's, from the database's folder on, or Deixis's own]");
 #ifdef DEIXIS_IMMERSIVE
     command->add_option("--view", options->view.view, "first: by the participant's eyes; third: from outside")
         ->check(CLI::IsMember({"first", "third"}))

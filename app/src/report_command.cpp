@@ -17,6 +17,7 @@
 #include "results/analysis_tables.hpp"
 #include "results/long_table.hpp"
 #include "results/server.hpp"
+#include "version.hpp"
 
 namespace deixis::app {
 
@@ -87,6 +88,7 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
     if (!table) return tl::unexpected(table.error());
     results::AnalysisOptions named = options;
     named.program = programVersion();
+    named.build = buildProperties();
     const auto analysis = results::analyse(std::move(*table), named);
     // Tables may hold millions of answers: they are made beside the page.
     const bool wants_csv = !files.csv.empty() || !files.r.empty();

@@ -25,7 +25,9 @@
 #include "stimuli.hpp"
 #include "studies/standing.hpp"
 #include "study_setup.hpp"
+#include "study_under_way.hpp"
 #include "trace.hpp"
+#include "version.hpp"
 
 namespace deixis::app {
 
@@ -41,6 +43,7 @@ struct RunArguments {
     std::string database;
     std::string report;
     std::string stimuli;
+    std::string accept_changes;
     std::vector<std::string> screenshots;
     std::string trace;
     StationRequest station;
@@ -128,17 +131,18 @@ Result<void> report(const RunArguments& options) {
     return {};
 }
 
-// In the language asked for, or that of somebody who has been here before.
-Result<StudySetup> setupFor(const RunArguments& options, const results::Store& store,
-                            const std::string& participant, StudySetup setup) {
-    const auto registered = store.registration(participant);
-    if (!registered || registered->language == setup.study.language) return setup;
-    if (!options.language.empty())
-        return fail(options.database,
-                    fmt::format("{} takes part in the language '{}'; found --language {}", participant,
-                                registered->language, options.language),
-                    "Leave --language out");
-    return loadStudySetup(options.study, registered->language);
+// The database asked for; else one named after the study.
+Result<std::string> databaseFor(const RunArguments& options) {
+    std::error_code code;
+    const bool there = fs::exists(options.database, code);
+    if (there) return options.database;
+    if (options.study.empty())
+        return fail(options.database, "no such database",
+                    fmt::format("'deixis run STUDY --db {}' begins a study", options.database));
+    // No database is begun for a study that has a mistake.
+    const auto setup = loadStudySetup(options.study, options.language);
+    if (!setup) return tl::unexpected(setup.error());
+    return options.database.empty() ? setup->study.name + ".sqlite" : options.database;
 }
 
 // Whoever left the study is not asked again by mistake.
@@ -157,12 +161,8 @@ Result<void> checkTakesPart(const RunArguments& options, const results::Store& s
                     participant, declined ? "be asked for consent anew" : "go on"));
 }
 
-fs::path stimuliFolderOf(const RunArguments& options) {
-    return options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
-}
-
 struct Prepared {
-    StudySetup setup;
+    LockedStudy locked;
     Enrolment enrolment;
     assets::Avatar avatar;
     StimulusLibrary stimuli;
@@ -171,7 +171,8 @@ struct Prepared {
 // The session itself: the station's frames, until it has an outcome.
 Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Store& store,
                    std::optional<std::ofstream> trace_file, const results::RecordingOptions& recording) {
-    auto& [setup, enrolment, avatar, stimuli] = prepared;
+    auto& [locked, enrolment, avatar, stimuli] = prepared;
+    const StudySetup& setup = locked.setup;
     const std::string& participant = enrolment.registration.participant;
     const auto feed = std::make_shared<OperatorFeed>();
     StationRequest request = options.station;
@@ -186,10 +187,10 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
                                 info.synthetic ? "simulated participant" : "person"),
                     "Name another participant with --participant, or another database with --db");
     // Nothing is kept of a participant before all that the session needs is there.
-    const auto drawn_anew = storeEnrolment(setup, store, enrolment, options.number, utcNow_s());
+    const auto drawn_anew = storeEnrolment(setup, locked.hash, store, enrolment, options.number, utcNow_s());
     if (!drawn_anew) return tl::unexpected(drawn_anew.error());
     if (*drawn_anew) {
-        auto others = StimulusLibrary::load(setup, {enrolment.plan}, avatar, stimuliFolderOf(options));
+        auto others = StimulusLibrary::load(locked, {enrolment.plan}, avatar);
         if (!others) return tl::unexpected(others.error());
         stimuli = std::move(*others);
     }
@@ -207,7 +208,7 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     const studies::Study stood = studies::atStation(setup.study, info.kind);
     studies::SessionRunner session(stood, enrolment.plan, stimuli, avatar.skeleton, idle, enrolment.resume,
                                    keyboard, info.hint);
-    store.beginSession({participant, info, programVersion(), avatar.content_hash, utcNow_s()});
+    store.beginSession({participant, withProgram(info), programVersion(), avatar.content_hash, utcNow_s()});
     try {
         // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before
         // the store is used again.
@@ -252,12 +253,12 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
 }
 
 Result<void> run(RunArguments options) {
-    auto setup = loadStudySetup(options.study, options.language);
-    if (!setup) return tl::unexpected(setup.error());
+    auto database = databaseFor(options);
+    if (!database) return tl::unexpected(database.error());
+    options.database = std::move(*database);
     auto screenshots = parseScreenshots(options.screenshots);
     if (!screenshots) return tl::unexpected(screenshots.error());
     options.station.screenshots->wanted = std::move(*screenshots);
-    if (options.database.empty()) options.database = setup->study.name + ".sqlite";
     const auto recording = recordingOptions();
     if (!recording) return tl::unexpected(recording.error());
 
@@ -268,19 +269,23 @@ Result<void> run(RunArguments options) {
     const auto seat = takeSeat(options, *store);
     if (!seat) return tl::unexpected(seat.error());
     const std::string& participant = seat->participant;
-    setup = setupFor(options, *store, participant, std::move(*setup));
-    if (!setup) return tl::unexpected(setup.error());
-    auto avatar = loadStudyAvatar(setup->study);
-    if (!avatar) return tl::unexpected(avatar.error());
     if (auto takes_part = checkTakesPart(options, *store, participant); !takes_part) return takes_part;
-    auto enrolment = enrol(*setup, *store, participant, options.number, utcNow_s());
+    const fs::path made =
+        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+    auto locked = studyUnderWay(
+        {options.study, options.database, made, participant, options.language, options.accept_changes},
+        *store);
+    if (!locked) return tl::unexpected(locked.error());
+    auto avatar = loadStudyAvatar(locked->setup.study);
+    if (!avatar) return tl::unexpected(avatar.error());
+    auto enrolment = enrol(locked->setup, *store, participant, options.number, utcNow_s());
     if (!enrolment) return tl::unexpected(enrolment.error());
     if (enrolment->left.empty()) {
         fmt::print("{} has answered every trial already\n", participant);
         return report(options);
     }
 
-    auto stimuli = StimulusLibrary::load(*setup, {enrolment->plan}, *avatar, stimuliFolderOf(options));
+    auto stimuli = StimulusLibrary::load(*locked, {enrolment->plan}, *avatar);
     if (!stimuli) return tl::unexpected(stimuli.error());
 
     std::optional<std::ofstream> trace_file;
@@ -289,7 +294,7 @@ Result<void> run(RunArguments options) {
         if (!opened) return tl::unexpected(opened.error());
         trace_file = std::move(*opened);
     }
-    Prepared prepared{std::move(*setup), std::move(*enrolment), std::move(*avatar), std::move(*stimuli)};
+    Prepared prepared{std::move(*locked), std::move(*enrolment), std::move(*avatar), std::move(*stimuli)};
     return runOn(options, prepared, *store, std::move(trace_file), *recording);
 }
 
@@ -298,7 +303,8 @@ Result<void> run(RunArguments options) {
 void addRunCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<RunArguments>();
     CLI::App* command = cli.add_subcommand("run", "Run one participant's session; resumes where it was left");
-    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    command->add_option("STUDY", options->study,
+                        "Study file, or the name of one that ships [with --db: the study that it holds]");
     command->add_option("--participant", options->participant,
                         "Pseudonymous id [the next free of P01, P02, ...]");
     command
@@ -316,6 +322,14 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
         ->check(CLI::IsMember({"desktop", "headset", "simulated"}))
         ->capture_default_str();
     command->add_option("--db", options->database, "Database to add to [STUDY.sqlite]");
+    command
+        ->add_option("--accept-changes", options->accept_changes,
+                     "REASON for which the study's files were changed since it began; it is kept, and new "
+                     "participants get the new files")
+        ->check([](const std::string& reason) {
+            return reason.find_first_not_of(" \t") == std::string::npos ? "needs a reason in words"
+                                                                        : std::string();
+        });
     command->add_option("--report", options->report, "HTML report to write [beside the database]");
     command->add_option("--stimuli", options->stimuli,
                         "Folder for the built-in systems' clips [beside the database]");
@@ -339,7 +353,11 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--trace", options->trace,
                         "File to which a JSON line is added for each change of what is presented, while the "
                         "session runs");
-    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+    command->callback([options, &chosen] {
+        if (options->study.empty() && options->database.empty())
+            throw CLI::ValidationError("run", "Give STUDY, or with --db the database of a study under way");
+        chosen = [options] { return run(*options); };
+    });
 }
 
 }  // namespace deixis::app

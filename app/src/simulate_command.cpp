@@ -18,6 +18,7 @@
 #include "studies/plan.hpp"
 #include "studies/simulated_participant.hpp"
 #include "studies/standing.hpp"
+#include "version.hpp"
 
 namespace deixis::app {
 
@@ -51,7 +52,7 @@ Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, co
             return fail(where, "a sitting ended without an answer, and trials are left");
         answered_before = resume.answered.size();
         studies::SimulatedStation station(parameters, avatar.skeleton, simulatedSeed(plan));
-        const studies::StationInfo info = station.info();
+        const studies::StationInfo info = withProgram(station.info());
         studies::SessionRunner session(stood, plan, stimuli, avatar.skeleton, idle, resume, true);
         store.beginSession({plan.participant, info, programVersion(), avatar.content_hash, now_s});
         DirectRecorder recorder(store, setup.study, plan, records);
@@ -64,21 +65,23 @@ Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, co
 }
 
 // Everybody, into a database that is made. Returns how many units were answered.
-Result<int> simulateInto(const fs::path& database, const SimulateArguments& options, const StudySetup& setup,
-                         const assets::Avatar& avatar, const studies::SimulatedParameters& parameters) {
+Result<int> simulateInto(const fs::path& database, const SimulateArguments& options,
+                         const LockedStudy& locked, const assets::Avatar& avatar,
+                         const studies::SimulatedParameters& parameters) {
     auto store = results::Store::open(database, results::Durability::whole_run);
     if (!store) return tl::unexpected(store.error());
+    const StudySetup& setup = locked.setup;
     std::vector<studies::StudyPlan> plans;
     for (int i = 1; i <= options.participants; ++i) {
         const auto enrolment = enrol(setup, *store, fmt::format("S{:03}", i), {}, 0.0);
         if (!enrolment) return tl::unexpected(enrolment.error());
-        if (auto stored = store->storePlan(setup.study, enrolment->registration, enrolment->plan); !stored)
+        if (auto stored =
+                store->storePlan(setup.study, enrolment->registration, enrolment->plan, locked.hash);
+            !stored)
             return tl::unexpected(stored.error());
         plans.push_back(enrolment->plan);
     }
-    const fs::path stimuli_folder =
-        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
-    const auto stimuli = StimulusLibrary::load(setup, plans, avatar, stimuli_folder);
+    const auto stimuli = StimulusLibrary::load(locked, plans, avatar);
     if (!stimuli) return tl::unexpected(stimuli.error());
     int answers = 0;
     for (const auto& plan : plans) {
@@ -93,8 +96,6 @@ Result<int> simulateInto(const fs::path& database, const SimulateArguments& opti
 Result<void> simulate(const SimulateArguments& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
-    const auto avatar = loadStudyAvatar(setup->study);
-    if (!avatar) return tl::unexpected(avatar.error());
     const auto parameters = studies::loadSimulatedParameters(options.parameters);
     if (!parameters) return tl::unexpected(parameters.error());
 
@@ -102,6 +103,15 @@ Result<void> simulate(const SimulateArguments& options) {
     if (fs::exists(options.database, code))
         return fail(options.database, "exists already; a simulation never adds to or overwrites a database",
                     "Name another file with --db, or remove it");
+
+    const fs::path made =
+        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+    const auto hash = lockStudy(*setup, {options.database, made, {}, {}, false});
+    if (!hash) return tl::unexpected(firstOf(hash.error(), options.study));
+    const auto locked = openLocked(options.database, *hash);
+    if (!locked) return tl::unexpected(locked.error());
+    const auto avatar = loadStudyAvatar(locked->setup.study);
+    if (!avatar) return tl::unexpected(avatar.error());
 
     // Written beside and renamed at the end: an interrupted simulation leaves no half database.
     const fs::path partial = options.database + ".partial";
@@ -111,7 +121,7 @@ Result<void> simulate(const SimulateArguments& options) {
         for (const char* suffix : suffixes) fs::remove(partial.string() + suffix, ignored);
     };
     remove({"", "-wal", "-shm"});
-    const auto answers = simulateInto(partial, options, *setup, *avatar, *parameters);
+    const auto answers = simulateInto(partial, options, *locked, *avatar, *parameters);
     if (!answers) {
         remove({"", "-wal", "-shm"});
         return tl::unexpected(answers.error());

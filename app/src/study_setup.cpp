@@ -27,47 +27,86 @@ void checkGenerators(const studies::Study& study, std::vector<Error>& problems) 
                  fmt::format("found \"{}\", expected one of {}", system.generator, fmt::join(known, ", "))});
 }
 
+// A manifest that the study names; its problems with the study's line and key.
+tl::expected<assets::Manifest, std::vector<Error>> manifestNamed(const studies::Study& study,
+                                                                 const std::string& key,
+                                                                 const std::string& file) {
+    auto manifest = assets::checkManifest(file);
+    if (manifest) return manifest;
+    for (Error& error : manifest.error()) error.where = study.place(key) + ": " + error.where;
+    return manifest;
+}
+
 // The items of a manifest, each once, in its order.
-Result<std::vector<studies::TargetItem>> itemsOfManifest(const std::string& file) {
-    const auto manifest = assets::readManifest(file);
+tl::expected<std::vector<studies::TargetItem>, std::vector<Error>> itemsOfManifest(
+    const studies::Study& study) {
+    const std::string key = "targets.from_manifest";
+    const std::string& file = study.targets.from_manifest;
+    const auto manifest = manifestNamed(study, key, file);
     if (!manifest) return tl::unexpected(manifest.error());
     std::vector<studies::TargetItem> items;
+    std::vector<Error> problems;
+    const std::string where = study.place(key) + ": " + file;
     for (const auto& row : manifest->rows) {
         const auto known = std::find_if(items.begin(), items.end(),
                                         [&](const auto& item) { return item.id == row.target_id; });
-        if (known == items.end()) {
+        if (known == items.end())
             items.push_back({row.target_id, row.target.value_or(Vec3(0.0)), row.target.has_value(), {}});
-        } else if (known->placed != row.target.has_value() || (row.target && known->target != *row.target)) {
-            return fail(file, fmt::format("item {} has different targets in different rows", row.target_id),
-                        "The clips of one item are made for one target");
-        }
+        else if (known->placed != row.target.has_value() || (row.target && known->target != *row.target))
+            problems.push_back({fmt::format("{}:{}: target_x", where, row.line),
+                                fmt::format("item {} has different targets in different rows", row.target_id),
+                                "The clips of one item are made for one target"});
     }
-    if (items.empty()) return fail(file, "lists no clips");
+    if (items.empty()) problems.push_back({where, "lists no clips"});
+    if (!problems.empty()) return tl::unexpected(std::move(problems));
     return items;
 }
 
-Result<void> fillTargetSpace(studies::Study& study) {
-    if (study.targets.fit_manifest.empty()) return {};
-    const auto manifest = assets::readManifest(study.targets.fit_manifest);
+tl::expected<void, std::vector<Error>> fillTargetSpace(studies::Study& study) {
+    const std::string key = "targets.fit_manifest";
+    const std::string file = study.targets.fit_manifest;
+    if (file.empty()) return {};
+    const auto manifest = manifestNamed(study, key, file);
     if (!manifest) return tl::unexpected(manifest.error());
     std::vector<Vec3> positions;
     for (const auto& row : manifest->rows)
         if (row.target) positions.push_back(*row.target);
     const auto fitted = studies::fitTargetSpace(study.targets, positions);
-    if (!fitted) return tl::unexpected(fitted.error());
+    if (!fitted)
+        return tl::unexpected(std::vector<Error>{
+            {study.place(key) + ": " + file, fitted.error().message, fitted.error().mend}});
     study.targets = *fitted;
     return {};
 }
 
-Result<std::vector<studies::TargetItem>> targetsOf(studies::Study& study) {
+tl::expected<std::vector<studies::TargetItem>, std::vector<Error>> targetsOf(studies::Study& study) {
+    const auto inStudy = [&](Error error) {
+        error.where = study.file.string() + ": " + error.where;
+        return tl::unexpected(std::vector<Error>{std::move(error)});
+    };
     if (auto filled = fillTargetSpace(study); !filled) return tl::unexpected(filled.error());
-    if (study.targets.from_manifest.empty()) return studies::sampleTargets(study);
-    auto items = itemsOfManifest(study.targets.from_manifest);
+    if (study.targets.from_manifest.empty()) {
+        auto targets = studies::sampleTargets(study);
+        if (!targets) return inStudy(targets.error());
+        return std::move(*targets);
+    }
+    auto items = itemsOfManifest(study);
     if (!items) return items;
     study.targets.count = static_cast<int>(items->size());
     if (study.distances.empty()) return items;
-    return studies::drawDistractors(std::move(*items), study.targets, study.distances, study.seed,
-                                    studies::askedViewpoints(study));
+    auto targets = studies::drawDistractors(std::move(*items), study.targets, study.distances, study.seed,
+                                            studies::askedViewpoints(study));
+    if (!targets) return inStudy(targets.error());
+    return std::move(*targets);
+}
+
+// Where there are no targets to look for clips of, the manifests of the systems are still read.
+void checkManifests(const studies::Study& study, std::vector<Error>& problems) {
+    for (const auto& system : study.systems) {
+        if (system.manifest.empty()) continue;
+        const auto manifest = manifestNamed(study, "systems." + system.name, system.manifest);
+        if (!manifest) problems.insert(problems.end(), manifest.error().begin(), manifest.error().end());
+    }
 }
 
 /// Balls behind a wall, under the floor or over the ceiling are never seen, and cannot be chosen.
@@ -118,10 +157,8 @@ tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& 
     checkGenerators(*study, problems);
     auto targets = targetsOf(*study);
     if (!targets) {
-        Error error = targets.error();
-        if (error.where.find(".csv") == std::string::npos)
-            error.where = study->file.string() + ": " + error.where;
-        problems.push_back(std::move(error));
+        problems.insert(problems.end(), targets.error().begin(), targets.error().end());
+        checkManifests(*study, problems);
     } else {
         checkRoom(*study, *targets, problems);
     }
@@ -129,16 +166,20 @@ tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& 
     return StudySetup{std::move(*study), std::move(*targets)};
 }
 
+Error firstOf(const std::vector<Error>& problems, const std::string& study) {
+    Error first = problems.front();
+    if (const std::size_t others = problems.size() - 1; others > 0) {
+        if (!first.mend.empty()) first.mend += ". ";
+        first.mend += fmt::format("'deixis check {}' lists {} more {}", study, others,
+                                  others == 1 ? "problem" : "problems");
+    }
+    return first;
+}
+
 Result<StudySetup> loadStudySetup(const std::string& name, const std::string& language) {
     auto setup = checkStudySetup(name, language);
     if (setup) return std::move(*setup);
-    Error first = setup.error().front();
-    if (const std::size_t others = setup.error().size() - 1; others > 0) {
-        if (!first.mend.empty()) first.mend += ". ";
-        first.mend += fmt::format("'deixis check {}' lists {} more {}", name, others,
-                                  others == 1 ? "problem" : "problems");
-    }
-    return tl::unexpected(std::move(first));
+    return tl::unexpected(firstOf(setup.error(), name));
 }
 
 Result<assets::Avatar> loadShippedAvatar() {
@@ -154,7 +195,7 @@ Result<assets::Avatar> loadStudyAvatar(const studies::Study& study) {
     auto avatar = loadAvatarOrShipped(study.avatar, {study.avatar_height_m});
     if (!avatar) {
         Error error = avatar.error();
-        error.where = study.file.string() + ": study.avatar: " + error.where;
+        error.where = study.place("study.avatar") + ": " + error.where;
         return tl::unexpected(std::move(error));
     }
     return avatar;

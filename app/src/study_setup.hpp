@@ -25,6 +25,9 @@ struct StudySetup {
 /// The same with the first problem alone, which says where to find the others.
 [[nodiscard]] Result<StudySetup> loadStudySetup(const std::string& name, const std::string& language = {});
 
+/// The first of several problems, with where to find the others.
+[[nodiscard]] Error firstOf(const std::vector<Error>& problems, const std::string& study);
+
 /// The product's own avatar.
 [[nodiscard]] Result<assets::Avatar> loadShippedAvatar();
 

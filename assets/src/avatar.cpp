@@ -388,6 +388,7 @@ Result<Avatar> avatarOf(const AvatarFile& read, const std::string& file, const H
     if (options.height_m)
         avatar->content_hash =
             sha256Hex(fmt::format("{}, {:.17g} m", avatar->content_hash, *options.height_m));
+    avatar->files = read.beside;
     return avatar;
 }
 
@@ -398,7 +399,9 @@ Result<Avatar> loadAvatar(const std::filesystem::path& path, const AvatarOptions
     if (!read) return tl::unexpected(read.error());
     const auto said = humanoidWordsBeside(path);
     if (!said) return tl::unexpected(said.error());
-    return avatarOf(*read, path.string(), *said ? &**said : nullptr, options);
+    auto avatar = avatarOf(*read, path.string(), *said ? &**said : nullptr, options);
+    if (avatar) avatar->files.insert(avatar->files.begin(), path);
+    return avatar;
 }
 
 Result<Avatar> readAvatar(std::string_view bytes, const std::string& name, const AvatarOptions& options) {

@@ -22,6 +22,7 @@ struct Beside {
     std::optional<fs::path> folder;
     std::string problem;  ///< the first
     std::string hashes;   ///< of the files read, in their order
+    std::vector<fs::path> files{};
 
     /// Whether the file lies in the folder, by its name and wherever links lead.
     [[nodiscard]] bool holds(const fs::path& file) const {
@@ -61,6 +62,7 @@ bool readBeside(std::vector<unsigned char>* out, std::string* problem, const std
         return false;
     }
     beside.hashes += sha256Hex(*bytes);
+    beside.files.emplace_back(file);
     out->assign(bytes->begin(), bytes->end());
     return true;
 }
@@ -176,7 +178,7 @@ Result<AvatarFile> readAvatarBytes(std::string_view bytes, const std::string& fi
         return fail(file, "larger than 2 GiB, expected a figure");
     if (auto good = checkUris(jsonOf(bytes), file); !good) return tl::unexpected(good.error());
 
-    Beside beside{folder, {}, {}};
+    Beside beside{folder, {}, {}, {}};
     const std::string base = folder ? folder->string() : std::string();
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keepImage, nullptr);
@@ -204,6 +206,7 @@ Result<AvatarFile> readAvatarBytes(std::string_view bytes, const std::string& fi
             return fail(file, fmt::format("needs the extension {}, which is not read", extension),
                         "Export without compression, and with PNG or JPEG textures");
     out.content_hash = beside.hashes.empty() ? sha256Hex(bytes) : sha256Hex(sha256Hex(bytes) + beside.hashes);
+    out.beside = std::move(beside.files);
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -15,6 +16,7 @@ namespace deixis::assets {
 struct AvatarFile {
     tinygltf::Model model;     ///< images hold their files' bytes, not yet decoded
     std::string content_hash;  ///< SHA-256 of the file; where it names others, of all of them together
+    std::vector<std::filesystem::path> beside{};  ///< the files that it names
 };
 
 /// GLB or glTF JSON, told apart by the first bytes. Only files in the folder of `path` and below are opened.

@@ -166,30 +166,52 @@ Result<std::array<std::size_t, manifest_columns.size()>> findColumns(const CsvRe
     return places;
 }
 
-}  // namespace
-
-Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name) {
+tl::expected<Manifest, std::vector<Error>> checkManifestText(std::string_view text,
+                                                             const std::filesystem::path& name) {
     const std::string file = name.string();
+    const auto one = [](Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); };
     const auto records = parseCsv(text, file);
-    if (!records) return tl::unexpected(records.error());
+    if (!records) return one(records.error());
     if (records->empty())
-        return fail(file, "the manifest is empty", fmt::format("Its first line is {}", header()));
+        return one({file, "the manifest is empty", fmt::format("Its first line is {}", header())});
     const CsvRecord& first = records->front();
     const auto places = findColumns(first, file);
-    if (!places) return tl::unexpected(places.error());
+    if (!places) return one(places.error());
     Manifest manifest;
     manifest.file = name;
+    std::vector<Error> problems;
     for (std::size_t i = 1; i < records->size(); ++i) {
         const CsvRecord& record = (*records)[i];
-        if (record.fields.size() != first.fields.size())
-            return fail(fmt::format("{}:{}", file, record.line),
-                        fmt::format("found {} fields, expected {} as in the header", record.fields.size(),
-                                    first.fields.size()));
+        if (record.fields.size() != first.fields.size()) {
+            problems.push_back({fmt::format("{}:{}", file, record.line),
+                                fmt::format("found {} fields, expected {} as in the header",
+                                            record.fields.size(), first.fields.size())});
+            continue;
+        }
         auto row = readRow(RowReader(record, *places, file));
-        if (!row) return tl::unexpected(row.error());
+        if (!row) {
+            problems.push_back(row.error());
+            continue;
+        }
+        row->line = static_cast<std::size_t>(record.line);
         manifest.rows.push_back(std::move(*row));
     }
+    if (!problems.empty()) return tl::unexpected(std::move(problems));
     return manifest;
+}
+
+}  // namespace
+
+tl::expected<Manifest, std::vector<Error>> checkManifest(const std::filesystem::path& path) {
+    const auto text = readFile(path);
+    if (!text) return tl::unexpected(std::vector<Error>{text.error()});
+    return checkManifestText(*text, path);
+}
+
+Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name) {
+    auto manifest = checkManifestText(text, name);
+    if (!manifest) return tl::unexpected(std::move(manifest.error().front()));
+    return std::move(*manifest);
 }
 
 Result<Manifest> readManifest(const std::filesystem::path& path) {

@@ -13,6 +13,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "core/unique_name.hpp"
+
 namespace deixis {
 
 namespace {
@@ -99,7 +101,7 @@ Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes
     }
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
     std::filesystem::path partial = path;
-    partial += ".partial" + std::to_string(::getpid());
+    partial += ".partial" + uniqueName();
     errno = 0;
     {
         std::ofstream out(partial, std::ios::binary | std::ios::trunc);

@@ -113,7 +113,8 @@ CREATE TABLE plans (
     participant TEXT PRIMARY KEY REFERENCES participants (id),
     seed        TEXT NOT NULL,
     hash        TEXT NOT NULL,
-    json        TEXT NOT NULL
+    json        TEXT NOT NULL,
+    locked_hash TEXT                     -- of the locked set that the plan was made from
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE trials (

@@ -301,8 +301,12 @@ std::string analysisJson(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     Json out;
     out["schema"] = {{"name", "deixis-analysis"}, {"version", 3}};
-    out["program"] = {
-        {"name", "deixis"}, {"analysed_by", result.options.program}, {"recorded_by", table.program_versions}};
+    out["program"] = {{"name", "deixis"},
+                      {"analysed_by", result.options.program},
+                      {"build", Json::object()},
+                      {"recorded_by", table.program_versions},
+                      {"recorded_on", table.operating_systems}};
+    for (const auto& [name, value] : result.options.build) out["program"]["build"][name] = value;
     out["study"] = {{"name", table.study_name},
                     {"title", table.study_title},
                     {"hash", table.study_hash},

@@ -164,6 +164,7 @@ std::string provenance(const Evaluation& evaluation) {
         out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
     };
     entry("Program", escapeHtml(input.program));
+    for (const auto& [name, value] : input.build) entry(propertyLabel(name), escapeHtml(value));
     entry("Training targets", escapeHtml(input.training_source));
     for (const InputFile& file : input.files)
         entry("File", escapeHtml(file.path) + "<br/>SHA-256 " + escapeHtml(file.sha256));

@@ -110,6 +110,8 @@ std::string evaluationJson(const Evaluation& evaluation) {
     out["format"] = "deixis-evaluation";
     out["version"] = 1;
     out["program"] = input.program;
+    out["build"] = Json::object();
+    for (const auto& [name, value] : input.build) out["build"][name] = value;
     out["settings"] = settingsJson(evaluation);
     Json files = Json::array();
     for (const InputFile& file : input.files) files.push_back({{"path", file.path}, {"sha256", file.sha256}});

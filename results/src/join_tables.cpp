@@ -124,6 +124,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         out.groups.insert(next.groups.begin(), next.groups.end());
         out.failed_checks.insert(next.failed_checks.begin(), next.failed_checks.end());
         addOnce(out.program_versions, next.program_versions);
+        addOnce(out.operating_systems, next.operating_systems);
         addOnce(out.avatar_hashes, next.avatar_hashes);
         joinMeasures(out.measures, next.measures);
         joinChecks(out.checks, next.checks);

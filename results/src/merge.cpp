@@ -2,6 +2,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "core/durable.hpp"
 #include "core/hash.hpp"
 #include "database_open.hpp"
+#include "locked_history.hpp"
 #include "results/data_export.hpp"
 #include "tables.hpp"
 #include "withdrawals.hpp"
@@ -40,6 +42,7 @@ struct Source {
     fs::path path;
     std::string study_hash;
     std::string study_name;
+    LockedHistory locked;
     std::vector<std::string> participants;
     std::map<std::string, int> numbers;
     std::map<std::string, std::optional<std::string>> tokens;
@@ -80,6 +83,7 @@ Result<Source> readSource(const fs::path& path) {
         source.study_name = study.getColumn(0).getString();
         source.study_hash = study.getColumn(1).getString();
         source.withdrawals = Withdrawals().addFrom(database);
+        source.locked = readLockedHistory(database);
         Statement people(database, "SELECT id, number, token FROM participants ORDER BY id");
         while (people.executeStep()) {
             const std::string id = people.getColumn(0).getString();
@@ -104,6 +108,14 @@ std::vector<std::string> leaveOutWithdrawn(std::vector<Source>& sources, const W
     return {out.begin(), out.end()};
 }
 
+// The one whose locked set the joined database has: it has had all the others' sets.
+std::vector<Source>::const_iterator newest(const std::vector<Source>& sources) {
+    return std::find_if(sources.begin(), sources.end(), [&](const Source& one) {
+        return std::all_of(sources.begin(), sources.end(),
+                           [&](const Source& other) { return one.locked.includes(other.locked); });
+    });
+}
+
 // Everything for which the databases cannot be joined.
 std::vector<Error> findClashes(const std::vector<Source>& sources) {
     std::vector<Error> problems;
@@ -111,6 +123,16 @@ std::vector<Error> findClashes(const std::vector<Source>& sources) {
         const Source* source;
         std::string participant;
     };
+    if (newest(sources) == sources.end()) {
+        std::string sets;
+        for (const Source& source : sources)
+            sets += fmt::format("{}{} has {:.16}", sets.empty() ? "" : ", ", source.path.string(),
+                                source.locked.in_force);
+        problems.push_back(
+            {"", "the databases' studies were locked with other files: " + sets,
+             "Compare the lists locked.sha256 in the folders NAME.locked beside them, and take one "
+             "of these files to all stations with 'deixis run --accept-changes'"});
+    }
     std::map<std::string, const Source*> by_id;
     std::map<int, Known> by_number;
     for (const Source& source : sources) {
@@ -152,6 +174,12 @@ class Copier {
 
     void study() {
         for (const char* table : study_tables) copy({table, nullptr, nullptr, nullptr, "?1 = ?1", ""}, "");
+        Statement changes(from_, "SELECT utc_s, what, reason FROM locked_changes ORDER BY id");
+        while (changes.executeStep()) {
+            Statement insert(to_, "INSERT INTO locked_changes (utc_s, what, reason) VALUES (?, ?, ?)");
+            for (int i = 0; i < 3; ++i) bindSame(insert, i + 1, changes.getColumn(i));
+            insert.exec();
+        }
     }
     void participant(const std::string& id) {
         for (const PeopleTable& table : people_tables) copy(table, id);
@@ -266,6 +294,8 @@ tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<
     MergeOutcome outcome{leaveOutWithdrawn(sources, withdrawals)};
     for (Error& clash : findClashes(sources)) problems.push_back(std::move(clash));
     if (!problems.empty()) return tl::unexpected(std::move(problems));
+    const auto first = newest(sources) - sources.begin();
+    std::rotate(sources.begin(), sources.begin() + first, sources.begin() + first + 1);
 
     // Written beside and renamed at the end: no half database.
     const fs::path partial = output.string() + ".partial";

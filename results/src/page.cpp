@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "figure.hpp"
 #include "report_text.hpp"
 
@@ -84,6 +87,12 @@ std::string remarksHtml(const std::vector<std::string>& remarks) {
 
 std::string pageEnd(const std::string& elsewhere) {
     return figuresEnd(elsewhere) + "\n</body>\n</html>\n";
+}
+
+std::string propertyLabel(std::string name) {
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    return name;
 }
 
 }  // namespace deixis::results

@@ -15,4 +15,7 @@ namespace deixis::results {
 /// is off.
 [[nodiscard]] std::string pageEnd(const std::string& elsewhere);
 
+/// "uncommitted_changes" -> "Uncommitted changes".
+[[nodiscard]] std::string propertyLabel(std::string name);
+
 }  // namespace deixis::results

@@ -161,9 +161,12 @@ std::string provenance(const AnalysisResult& result) {
         entry("Study", escapeHtml(table.study_name));
         entry("Study file (SHA-256)", escapeHtml(table.study_hash));
         entry("Recorded by", joined(table.program_versions));
+        if (!table.operating_systems.empty()) entry("Recorded on", joined(table.operating_systems));
         entry("Avatar (SHA-256)", joined(table.avatar_hashes));
     }
     if (!result.options.program.empty()) entry("Analysed by", escapeHtml(result.options.program));
+    for (const auto& [name, value] : result.options.build)
+        entry(propertyLabel(name).c_str(), escapeHtml(value));
     entry("Settings",
           fmt::format("&#945; = {}, intervals at {:g}&#160;%, {} bootstrap resamples, seed {}", result.alpha,
                       100.0 * result.options.level, result.options.resamples, result.options.seed));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "database_open.hpp"
+#include "locked_history.hpp"
 #include "questionnaire_scores.hpp"
 #include "response_details.hpp"
 #include "response_reading.hpp"
@@ -117,6 +118,8 @@ void readSessions(SQLite::Database& database, ResponseTable& table) {
         table.stations.push_back({stations.getColumn(0).getString(), stations.getColumn(1).getString(),
                                   stations.getColumn(2).getInt() != 0, stations.getColumn(3).getInt()});
     table.program_versions = textColumn(database, "SELECT DISTINCT program_version FROM sessions ORDER BY 1");
+    table.operating_systems = textColumn(
+        database, "SELECT DISTINCT value FROM session_properties WHERE name = 'operating_system' ORDER BY 1");
     table.avatar_hashes = textColumn(database, "SELECT DISTINCT avatar_hash FROM sessions ORDER BY 1");
 }
 
@@ -235,6 +238,7 @@ Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& 
     readStudy(database, table);
     readMeasures(database, table);
     readSessions(database, table);
+    table.notes = changeNotes(database);
     readLeftOut(database, table);
     readChoices(database, table);
     readRatings(database, table);

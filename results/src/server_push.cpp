@@ -3,6 +3,7 @@
 #include <map>
 
 #include "database_open.hpp"
+#include "locked_history.hpp"
 #include "push_people.hpp"
 #include "results/server.hpp"
 #include "server_schema.hpp"
@@ -45,6 +46,7 @@ class StudyPush {
         PeoplePush people(file_, path_, server_, address_, outcome_);
         if (entered->made)
             for (const char* table : study_tables) people.pushWhole(table);
+        if (auto locked = pushLocked(); !locked) return tl::unexpected(locked.error());
         pushWithdrawals();
         eraseWithdrawn();
         if (auto clash = checkNumbers(); !clash) return tl::unexpected(clash.error());
@@ -75,6 +77,44 @@ class StudyPush {
         for (int i = 0; i < static_cast<int>(rows.size()); ++i)
             out[*textOf(rows, i, 0)] = {std::stoi(*textOf(rows, i, 1)), textOf(rows, i, 2)};
         return out;
+    }
+
+    /// The set in force is that of the file or of the server which has had the other's.
+    Result<void> pushLocked() {
+        const LockedHistory here = readLockedHistory(file_);
+        LockedHistory there;
+        there.in_force = server_.value("SELECT coalesce(max(locked_hash), '') FROM study").value_or("");
+        there.had.insert(there.in_force);
+        const pqxx::result changes = server_.run("SELECT what FROM locked_changes");
+        for (int i = 0; i < static_cast<int>(changes.size()); ++i)
+            if (auto before = lockedBefore(textOf(changes, i, 0).value_or("")))
+                there.had.insert(std::move(*before));
+        if (!here.includes(there)) {
+            if (there.includes(here)) return {};
+            return fail(path_.string(),
+                        fmt::format("its study was locked with other files ({:.16}) than that on {} ({:.16})",
+                                    here.in_force, address_.shown, there.in_force),
+                        "Take one of these files to all stations with 'deixis run --accept-changes'");
+        }
+        if (here.in_force != there.in_force) {
+            server_.run("UPDATE study SET locked_hash = " + server_.quoted(here.in_force));
+            ++outcome_.changed;
+        }
+        Statement rows(file_, "SELECT utc_s, what, reason FROM locked_changes ORDER BY id");
+        while (rows.executeStep()) {
+            const std::string what = server_.quoted(rows.getColumn(1).getString());
+            if (server_.value("SELECT count(*) FROM locked_changes WHERE what = " + what).value_or("0") !=
+                "0")
+                continue;
+            server_.run(fmt::format(
+                "INSERT INTO locked_changes (id, utc_s, what, reason) SELECT coalesce(max(id), 0) + 1, {}, "
+                "{}, "
+                "{} FROM locked_changes",
+                rows.getColumn(0).getDouble(), what,
+                rows.getColumn(2).isNull() ? "NULL" : server_.quoted(rows.getColumn(2).getString())));
+            ++outcome_.rows;
+        }
+        return {};
     }
 
     /// Those of all files together.

@@ -74,6 +74,7 @@ SQLite::Database fetchStudy(ServerTransaction& server) {
     database.exec("BEGIN");
     for (const char* table : study_tables) fetchTable(server, database, table);
     fetchTable(server, database, "withdrawals");
+    fetchTable(server, database, "locked_changes");
     for (const PeopleTable& table : people_tables) fetchTable(server, database, table.name);
     database.exec("COMMIT");
     return database;

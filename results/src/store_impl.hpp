@@ -150,11 +150,14 @@ struct Store::Impl {
     /// What stands in the way of storing the plan; none: nothing, or it is stored already.
     [[nodiscard]] std::optional<Error> objection(const studies::Study& study,
                                                  const Registration& registration,
-                                                 const studies::StudyPlan& plan);
-    void insertStudy(const studies::Study& study);
+                                                 const studies::StudyPlan& plan,
+                                                 const std::string& locked_hash);
+    /// Where the database holds another study than this one.
+    [[nodiscard]] std::optional<Error> studyObjection(const studies::Study& study);
+    void insertStudy(const studies::Study& study, const std::string& locked_hash);
     void insertStage(const studies::Stage& stage, int position);
     void insertRegistration(const Registration& registration);
-    void insertPlan(const studies::StudyPlan& plan, const std::string& json);
+    void insertPlan(const studies::StudyPlan& plan, const std::string& json, const std::string& locked_hash);
     void insertTrial(const std::string& participant, const studies::Trial& trial);
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant);
     /// `people`: of which participants, as in a FROM clause.

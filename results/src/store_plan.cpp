@@ -81,19 +81,19 @@ std::optional<studies::StudyPlan> Store::plan(const std::string& participant) co
 }
 
 Result<void> Store::storePlan(const studies::Study& study, const Registration& registration,
-                              const studies::StudyPlan& plan) {
+                              const studies::StudyPlan& plan, const std::string& locked_hash) {
     Result<void> outcome{};
     impl_->transaction([&] {
-        if (auto objection = impl_->objection(study, registration, plan)) {
+        if (auto objection = impl_->objection(study, registration, plan, locked_hash)) {
             outcome = tl::unexpected(std::move(*objection));
             return;
         }
-        if (!impl_->query("SELECT 1 FROM study").next()) impl_->insertStudy(study);
+        if (!impl_->query("SELECT 1 FROM study").next()) impl_->insertStudy(study, locked_hash);
         auto known = impl_->query("SELECT 1 FROM plans WHERE participant = ?");
         known << plan.participant;
         if (known.next()) return;
         impl_->insertRegistration(registration);
-        impl_->insertPlan(plan, studies::planJson(plan));
+        impl_->insertPlan(plan, studies::planJson(plan), locked_hash);
     });
     return outcome;
 }
@@ -113,24 +113,20 @@ Result<void> Store::exclusively(const std::function<Result<void>()>& work) {
 }
 
 std::optional<Error> Store::Impl::objection(const studies::Study& study, const Registration& registration,
-                                            const studies::StudyPlan& plan) {
+                                            const studies::StudyPlan& plan, const std::string& locked_hash) {
     const std::string where = path.string();
     if (registration.participant != plan.participant || registration.number != plan.number ||
         registration.groups != plan.groups)
         throw std::logic_error(fmt::format("Store::storePlan: participant {} is registered, the plan is {}'s",
                                            registration.participant, plan.participant));
-    if (plan.study_hash != study.hash)
-        return Error{where,
-                     fmt::format("the plan of participant {} was made for another study file (hash {:.12}, "
-                                 "not {:.12})",
-                                 plan.participant, plan.study_hash, study.hash)};
-    if (auto known = query("SELECT name, hash FROM study"); known.next() && known.text(1) != study.hash)
-        return Error{
-            where,
-            fmt::format("the database holds study '{}' (hash {:.12}), but this is '{}' (hash {:.12}){}",
-                        known.text(0), known.text(1), study.name, study.hash,
-                        listed(studyDifferences(database, study))),
-            "Use the study file that it was begun with, or another database"};
+    if (locked_hash.empty()) {
+        if (plan.study_hash != study.hash)
+            return Error{where,
+                         fmt::format("the plan of participant {} was made for another study file (hash "
+                                     "{:.12}, not {:.12})",
+                                     plan.participant, plan.study_hash, study.hash)};
+        if (auto other = studyObjection(study)) return other;
+    }
     auto earlier = query("SELECT hash FROM plans WHERE participant = ?");
     earlier << plan.participant;
     if (earlier.next()) {
@@ -143,6 +139,15 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
                         listed(planDifferences(*this->plan(plan.participant), plan))),
             "Go on with the stored plan, or use another participant id"};
     }
+    if (!locked_hash.empty()) {
+        auto known = query("SELECT name, coalesce(locked_hash, '') FROM study");
+        if (known.next() && known.text(1) != locked_hash)
+            return Error{where,
+                         fmt::format("the database holds study '{}' with other files (locked as {:.12}, not "
+                                     "{:.12}): another station has begun it, or changed it, meanwhile",
+                                     known.text(0), known.text(1), locked_hash),
+                         "Run this anew: it then tells what differs"};
+    }
     auto namesake = query("SELECT id FROM participants WHERE number = ?");
     namesake << registration.number;
     if (namesake.next())
@@ -153,12 +158,14 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
     return std::nullopt;
 }
 
-void Store::Impl::insertStudy(const studies::Study& study) {
+void Store::Impl::insertStudy(const studies::Study& study, const std::string& locked_hash) {
     auto row = query(
-        "INSERT INTO study (id, name, title, hash, source, alpha, ball_diameter_m) VALUES (1, ?, ?, ?, ?, ?, "
-        "?)");
+        "INSERT INTO study (id, name, title, hash, source, alpha, ball_diameter_m, locked_hash) VALUES (1, "
+        "?, ?, "
+        "?, ?, ?, ?, ?)");
     row << study.name << study.title << study.hash;
     row.textOrNull(study.source) << study.alpha << study.targets.ball_diameter_m;
+    row.textOrNull(locked_hash);
     row.run();
     int position = 0;
     for (const auto& system : study.systems) {
@@ -234,9 +241,11 @@ void Store::Impl::insertRegistration(const Registration& registration) {
         if (*sizes) ++(**sizes)[registration.groups];
 }
 
-void Store::Impl::insertPlan(const studies::StudyPlan& plan, const std::string& json) {
-    auto row = query("INSERT INTO plans VALUES (?, ?, ?, ?)");
+void Store::Impl::insertPlan(const studies::StudyPlan& plan, const std::string& json,
+                             const std::string& locked_hash) {
+    auto row = query("INSERT INTO plans (participant, seed, hash, json, locked_hash) VALUES (?, ?, ?, ?, ?)");
     row << plan.participant << std::to_string(plan.seed) << sha256Hex(json) << json;
+    row.textOrNull(locked_hash);
     row.run();
     for (const auto& trial : plan.trials) insertTrial(plan.participant, trial);
 }

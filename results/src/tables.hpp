@@ -35,7 +35,7 @@ inline constexpr std::array<PeopleTable, 16> people_tables{{
     {"participants", nullptr, nullptr, nullptr, "id = ?1", "id", "status, reason, registered_utc_s"},
     {"participant_groups", nullptr, nullptr, nullptr, of_participant, "factor"},
     {"participant_fields", nullptr, nullptr, nullptr, of_participant, "field", "value, text"},
-    {"plans", nullptr, nullptr, nullptr, of_participant, "participant"},
+    {"plans", nullptr, nullptr, nullptr, of_participant, "participant", "locked_hash"},
     {"trials", nullptr, nullptr, nullptr, of_participant, "trial_index"},
     {"trial_stimuli", nullptr, nullptr, nullptr, of_participant, "trial_index, position"},
     {"sessions", "id", nullptr, nullptr, of_participant, "id", "ended_utc_s, outcome"},

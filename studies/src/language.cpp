@@ -184,6 +184,26 @@ Result<LanguageTable> LanguageTable::load(const std::filesystem::path& file) {
     return readWords(*table, file.string(), "", file.stem().string());
 }
 
+Result<LanguageTable> LanguageTable::loadKept(const std::filesystem::path& file,
+                                              const std::filesystem::path& today) {
+    const auto table = readToml(file);
+    if (!table) return tl::unexpected(table.error());
+    const auto now = load(today);
+    const LanguageTable& base = now ? *now : english();
+    std::vector<Problem> problems;
+    Texts texts;
+    for (const auto& [key, english_text] : languageKeys()) {
+        const toml::node* node = table->get(key);
+        problems.clear();
+        if (node != nullptr) checkText(key, english_text, *node, problems);
+        const bool fits = node != nullptr && problems.empty();
+        texts.emplace_back(key, fits ? node->as_string()->get() : base(key));
+    }
+    problems.clear();
+    const TextStatus status = readStatus(*table, problems);
+    return LanguageTable(file.stem().string(), status, std::move(texts));
+}
+
 const LanguageTable& LanguageTable::english() {
     static const LanguageTable table("en", TextStatus::written,
                                      Texts(languageKeys().begin(), languageKeys().end()));

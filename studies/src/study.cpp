@@ -34,14 +34,21 @@ void readWordsOf(const std::string& language, const toml::table* own, TomlTable&
     }
     std::optional<LanguageTable> words;
     if (ships) {
-        Result<LanguageTable> shipped = LanguageTable::load(path);
+        reader.study.language_files.push_back(path);
+        const fs::path& since = reader.folders.words_since;
+        Result<LanguageTable> shipped = since.empty()
+                                            ? LanguageTable::load(path)
+                                            : LanguageTable::loadKept(path, since / path.filename());
         if (!shipped) return reader.problems.add(table.place("languages"), {shipped.error()});
         words = std::move(*shipped);
     }
     if (own != nullptr) {
         const std::string prefix = fmt::format("words.{}.", language);
         Result<LanguageTable> read =
-            readWords(*own, reader.study.file.string(), prefix, language, words ? &*words : nullptr);
+            readWords(*own, reader.study.file.string(), prefix, language,
+                      words                                ? &*words
+                      : reader.folders.words_since.empty() ? nullptr
+                                                           : &LanguageTable::english());
         if (!read) return reader.problems.add(own->source().begin, {read.error()});
         words = std::move(*read);
     }
@@ -105,14 +112,18 @@ void readLanguage(TomlTable& table, StudyReader& reader, TextBook& texts, const 
     if (!table.faulty("languages") || table.sound("languages")) readAllWords(table, reader);
 }
 
-void readHead(TomlTable& table, const fs::path& folder, Study& study) {
+void readHead(TomlTable& table, StudyReader& reader) {
+    Study& study = reader.study;
     study.name = table.name("name");
     study.title = table.text("title");
     study.description = table.note("description", "");
     study.reference = table.note("reference", "");
     study.seed = static_cast<std::uint64_t>(table.whole("seed", 0, std::numeric_limits<std::int64_t>::max()));
     study.eye_height_m = table.number("eye_height_m", 0.5, 2.5, study.eye_height_m);
-    if (table.has("avatar")) study.avatar = (folder / table.note("avatar")).lexically_normal();
+    if (table.has("avatar")) {
+        study.avatar = (reader.folder / table.note("avatar")).lexically_normal();
+        reader.keepPlace("study.avatar", table, "avatar");
+    }
     if (table.has("avatar_height_m")) {
         study.avatar_height_m = table.number("avatar_height_m", 0.3, 3.0);
         if (study.avatar.empty()) table.refuse("avatar_height_m", "without an avatar of the study's own");
@@ -143,7 +154,7 @@ void readStudy(StudyReader& reader, TextBook& texts, const std::string& language
     foresee(reader);
     TomlTable head = reader.root.below("study", reader.root.section("study", true), keys::study);
     readLanguage(head, reader, texts, language);
-    readHead(head, reader.folder, reader.study);
+    readHead(head, reader);
     readTargets(reader);
     readDistances(reader);
     readLayouts(reader);
@@ -165,6 +176,10 @@ const Entry* findNamed(const std::vector<Entry>& entries, std::string_view wante
 
 }  // namespace
 
+std::string Study::place(const std::string& key) const {
+    const auto found = places.find(key);
+    return found == places.end() ? file.string() : found->second;
+}
 const Layout* Study::findLayout(std::string_view wanted) const {
     return findNamed(layouts, wanted);
 }

@@ -143,7 +143,11 @@ void readDistances(StudyReader& reader) {
 }
 
 void readLayouts(StudyReader& reader) {
-    readNamed(reader, "layouts", reader.shows_clips, keys::layouts, reader.study.layouts, readLayout);
+    readNamed(reader, "layouts", reader.shows_clips, keys::layouts, reader.study.layouts,
+              [&](TomlTable& table, const std::string& name) {
+                  reader.keepPlace("layouts." + name, table, "heading_deg");
+                  return readLayout(table, name);
+              });
 }
 
 void readSystems(StudyReader& reader) {
@@ -152,6 +156,8 @@ void readSystems(StudyReader& reader) {
               [&](TomlTable& table, const std::string& name) {
                   SystemSource system = readSystem(table, name, reader.folder);
                   tables.push_back(table);
+                  reader.keepPlace("systems." + name, table,
+                                   system.manifest.empty() ? "generator" : "manifest");
                   return system;
               });
     checkLevels(tables, reader.study.systems);
@@ -193,12 +199,14 @@ void readBetween(StudyReader& reader) {
 
 namespace {
 
-void readRanges(TomlTable& table, const fs::path& folder, TargetSpace& space) {
+void readRanges(TomlTable& table, StudyReader& reader) {
+    TargetSpace& space = reader.study.targets;
     constexpr std::string_view ranges[] = {"height_m", "arc_deg", "radius_m"};
     if (table.has("fit_manifest")) {
         for (const std::string_view key : ranges)
             table.refuse(key, "together with fit_manifest, which gives this range");
-        space.fit_manifest = readPath(table, "fit_manifest", folder);
+        space.fit_manifest = readPath(table, "fit_manifest", reader.folder);
+        reader.keepPlace("targets.fit_manifest", table, "fit_manifest");
         return;
     }
     space.height_m = asRange(table.range("height_m", 0.0, 4.0));
@@ -230,6 +238,7 @@ void readTargets(StudyReader& reader) {
     if (table.has("from_manifest")) {
         space.count = 0;
         space.from_manifest = readPath(table, "from_manifest", reader.folder);
+        reader.keepPlace("targets.from_manifest", table, "from_manifest");
         table.refuse("count", "together with from_manifest, which gives the items");
         if (!reader.has_game)
             for (const std::string_view key : {"height_m", "arc_deg", "radius_m", "fit_manifest"})
@@ -238,7 +247,7 @@ void readTargets(StudyReader& reader) {
         space.count = table.count("count", 1, 10000);
         if (table.faulty("count")) space.count = 0;  // asks no more of it
     }
-    if (reader.has_game || !table.has("from_manifest")) readRanges(table, reader.folder, space);
+    if (reader.has_game || !table.has("from_manifest")) readRanges(table, reader);
 }
 
 void readHeadset(StudyReader& reader) {

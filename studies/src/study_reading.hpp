@@ -1,6 +1,8 @@
 // The parts of a study file, read one after another; private to studies.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -36,6 +38,12 @@ struct StudyReader {
     bool shows_clips = false;  ///< any stage of the file
     bool has_game = false;
     std::string questionnaire_bytes{};  ///< of the files named, each once, in order
+
+    /// Keeps where the study file has `key` of `table`, for Study::places.
+    void keepPlace(const std::string& name, const TomlTable& table, std::string_view key) {
+        study.places[name] =
+            fmt::format("{}:{}: {}", study.file.string(), table.place(key).line, table.dotted(key));
+    }
 };
 
 // study_parts.cpp, in the order in which they need each other

@@ -16,4 +16,10 @@ std::optional<double> avatarHeightIn(std::string_view source) {
     return (*table)["study"]["avatar_height_m"].value<double>();
 }
 
+std::string studyNamedIn(std::string_view source) {
+    const auto table = parseToml("", source);
+    if (!table) return {};
+    return (*table)["study"]["name"].value_or(std::string());
+}
+
 }  // namespace deixis::studies

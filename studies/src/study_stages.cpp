@@ -80,6 +80,7 @@ class QuestionnaireShelf {
             return {};
         }
         reader_.questionnaire_bytes += file->bytes;
+        reader_.study.questionnaire_files.push_back(path);
         for (const std::string& language : reader_.study.languages)
             if (std::find(file->languages.begin(), file->languages.end(), language) == file->languages.end())
                 table.problem("file",

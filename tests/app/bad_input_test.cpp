@@ -165,8 +165,12 @@ TEST_SUITE("app/bad-input") {
         const auto wrong =
             shell("sqlite3 -readonly " + (scratch / "out.sqlite") +
                   " \"select count(*) from responses_flat where system in ('direct', 'drifting') and "
-                  "clip_file not like '%/' || system || '_T%'\"");
+                  "clip_file not like 'clips/' || system || '/T%'\"");
         CHECK(wrong.out == "0\n");
+        const fs::path set = fs::directory_iterator(scratch / "out.locked")->path();
+        for (const std::string system : {"direct", "drifting"})
+            CHECK(slurp(set / "clips" / system / "T007.bvh") ==
+                  slurp(scratch / ("clips/" + system + "/" + system + "_T007.bvh")));
         fs::remove(scratch / "out.sqlite");
         spill(scratch / "study.toml", replaced(study, "name = \"drifting\"", "name = \"mine\""));
         CHECK_FAILS_SAYING(runIn(scratch), "both.csv", "direct, drifting", "mine");

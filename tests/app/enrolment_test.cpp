@@ -59,10 +59,10 @@ TEST_SUITE("app/enrolment") {
         auto anna = enrolled(setup, one, "anna");
         auto bob = enrolled(setup, other, "bob");
         CHECK(anna.registration.number == bob.registration.number);
-        const auto first = app::storeEnrolment(setup, one, anna, {}, 0.0);
+        const auto first = app::storeEnrolment(setup, "", one, anna, {}, 0.0);
         REQUIRE(first);
         CHECK_FALSE(*first);
-        const auto second = app::storeEnrolment(setup, other, bob, {}, 0.0);
+        const auto second = app::storeEnrolment(setup, "", other, bob, {}, 0.0);
         REQUIRE_MESSAGE(second, second.error().text());
         CHECK(*second);
         CHECK(anna.registration.number == 1);
@@ -80,7 +80,7 @@ TEST_SUITE("app/enrolment") {
         auto anna = enrolled(setup, store, "anna", 101);
         CHECK(anna.registration.number == 101);
         CHECK_FALSE(anna.plan.number_in_cell.has_value());
-        REQUIRE(app::storeEnrolment(setup, store, anna, 101, 0.0));
+        REQUIRE(app::storeEnrolment(setup, "", store, anna, 101, 0.0));
         CHECK(enrolled(setup, store, "anna", 101).registration.number == 101);
         const auto taken = app::enrol(setup, store, "bob", 101, 0.0);
         REQUIRE_FALSE(taken);
@@ -92,8 +92,8 @@ TEST_SUITE("app/enrolment") {
         auto carla = enrolled(setup, store, "carla", 102);
         results::Store station = openStore(scratch / "a.sqlite");
         auto dora = enrolled(setup, station, "dora", 102);
-        REQUIRE(app::storeEnrolment(setup, station, dora, 102, 0.0));
-        const auto late = app::storeEnrolment(setup, store, carla, 102, 0.0);
+        REQUIRE(app::storeEnrolment(setup, "", station, dora, 102, 0.0));
+        const auto late = app::storeEnrolment(setup, "", store, carla, 102, 0.0);
         REQUIRE_FALSE(late);
         CHECK(contains(late.error().text(), "102"));
         CHECK_FALSE(store.registration("carla").has_value());

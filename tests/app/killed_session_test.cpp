@@ -13,6 +13,7 @@
 #include "assets/data_paths.hpp"
 #include "core/random.hpp"
 #include "enrolment.hpp"
+#include "locked_study.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "program.hpp"
 #include "recorders.hpp"
@@ -59,8 +60,13 @@ class Life {
             REQUIRE(plan);
             plans.push_back(std::move(*plan));
         }
-        stimuli_ = std::make_unique<Result<app::StimulusLibrary>>(app::StimulusLibrary::load(
-            *setup_, plans, *avatar_, fs::path(DEIXIS_BINARY_DIR) / "killed-session-stimuli"));
+        const auto hash = app::lockStudy(
+            *setup_, {database_, fs::path(DEIXIS_BINARY_DIR) / "killed-session-stimuli", {}, {}, false});
+        REQUIRE(hash);
+        const auto locked = app::openLocked(database_, *hash);
+        REQUIRE(locked);
+        stimuli_ = std::make_unique<Result<app::StimulusLibrary>>(
+            app::StimulusLibrary::load(*locked, plans, *avatar_));
         REQUIRE(*stimuli_);
     }
 

@@ -89,16 +89,17 @@ TEST_SUITE("app/study_avatar") {
         // The database and the figure alone, in another folder.
         spill(scratch / "moved/mine.glb", bytes);
         fs::copy_file(scratch / "lab/s.sqlite", scratch / "moved/s.sqlite");
-        CHECK(replayed("moved").status == 0);
+        const std::string clips = " --stimuli " + (scratch / "lab/s.locked");
+        CHECK(replayed("moved", clips).status == 0);
         bytes[bytes.find("Deixis_make_avatar")] = 'E';
         spill(scratch / "moved/mine.glb", bytes);
         CHECK_FAILS_SAYING(
-            replayed("moved"), (scratch / "moved/figures/mine.glb") + " is not there",
+            replayed("moved", clips), (scratch / "moved/figures/mine.glb") + " is not there",
             (scratch / "moved/mine.glb") + " is another one (SHA-256 " + deixis::sha256Hex(bytes) + ")",
             avatarHashes(scratch / "moved/s.sqlite"), "name it with --avatar");
-        CHECK(replayed("moved", " --avatar " + (scratch / "moved/mine.glb")).status == 0);
+        CHECK(replayed("moved", clips + " --avatar " + (scratch / "moved/mine.glb")).status == 0);
         spill(scratch / "moved/mine.glb", "no figure");
-        CHECK_FAILS_SAYING(replayed("moved"), "not a glTF binary");
+        CHECK_FAILS_SAYING(replayed("moved", clips), "not a glTF binary");
     }
 
     TEST_CASE("A figure without fingers and eyes carries a whole session") {

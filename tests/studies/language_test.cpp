@@ -240,4 +240,33 @@ TEST_SUITE("studies/language") {
         CHECK_FALSE(contains(message, ", e: unknown key"));
         CHECK(contains(message, "and 1 more"));
     }
+
+    TEST_CASE(
+        "Words kept by an earlier program stay; new ones are today's, those that are gone are passed over") {
+        std::string bytes = bytesOf("de");
+        const auto cut = [&](const std::string& key) {
+            const std::size_t from = bytes.find("\n" + key + " = ") + 1;
+            REQUIRE(from > 0);
+            bytes.erase(from, bytes.find('\n', from) + 1 - from);
+        };
+        const std::string first(languageKeys().front().first);
+        const std::string last(languageKeys().back().first);
+        cut(first);
+        cut(last);
+        bytes += "\n" + last + " = \"wie damals\"\ngone = \"vorbei\"\n";
+        const auto file = std::filesystem::temp_directory_path() / "deixis_kept_words_test.toml";
+        REQUIRE(writeFile(file, bytes).has_value());
+        const auto today = LanguageTable::load(shipped / "de.toml");
+        REQUIRE(today);
+        CHECK_FALSE(LanguageTable::load(file));
+        const auto kept = LanguageTable::loadKept(file, shipped / "de.toml");
+        REQUIRE(kept);
+        CHECK((*kept)(first) == (*today)(first));
+        const bool plain = !contains(languageKeys().back().second, "{");
+        CHECK((*kept)(last) == (plain ? "wie damals" : (*today)(last)));
+        const auto alone = LanguageTable::loadKept(file, "none.toml");
+        REQUIRE(alone);
+        CHECK((*alone)(first) == LanguageTable::english()(first));
+        std::filesystem::remove(file);
+    }
 }

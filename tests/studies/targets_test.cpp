@@ -366,4 +366,22 @@ TEST_SUITE("studies/targets") {
         CHECK(count(both, "nan") == 0);
         CHECK(count(both, "inf") == 0);
     }
+
+    TEST_CASE("Kept targets come back bit by bit, with those that have no place") {
+        std::vector<TargetItem> targets = sampled(paperLike(), 7, {paper_band, {"far", {0.8, 1.2}, 3}});
+        targets[3].target = Vec3(0.1 + 0.2, 1.0 / 3.0, -1e-17);
+        targets.push_back({"wave", Vec3(0.0), false, {}});
+        const auto back = targetsFromJson(targetsJson(targets));
+        REQUIRE(back);
+        REQUIRE(back->size() == targets.size());
+        for (std::size_t i = 0; i < targets.size(); ++i) {
+            CHECK((*back)[i].id == targets[i].id);
+            CHECK((*back)[i].placed == targets[i].placed);
+            CHECK((*back)[i].target == targets[i].target);
+            CHECK((*back)[i].distractors == targets[i].distractors);
+        }
+        for (const char* broken : {"", "[", "{\"id\": 1}", "[{\"id\": \"T\"}]",
+                                   "[{\"id\": \"T\", \"target\": [1, 2], \"distractors\": []}]"})
+            CHECK_FALSE(targetsFromJson(broken));
+    }
 }

@@ -63,6 +63,8 @@ struct Avatar {
     /// SHA-256 of the file; of more where the figure hangs on more: files that it names, NAME.humanoid.toml,
     /// the height asked for.
     std::string content_hash;
+    std::vector<std::filesystem::path>
+        files{};                         ///< the file, then those that it names; none: read from bytes
     std::vector<std::string> remarks{};  ///< for people: what was adapted or left out
 };
 

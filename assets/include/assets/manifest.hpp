@@ -2,6 +2,7 @@
 // docs/manifest.md.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -36,6 +37,7 @@ struct ManifestRow {
     /// Where the clip was retargeted: the error of its pointing ray as recorded, and on the avatar; degrees.
     std::optional<double> source_error_deg{};
     std::optional<double> avatar_error_deg{};
+    std::size_t line = 0;  ///< of the file on which the row begins; 0: it comes from no file
 };
 
 struct Manifest {
@@ -47,7 +49,9 @@ struct Manifest {
 /// a manifest does not know are passed over. Errors name file, line and column. Whether the clips are there
 /// is not looked at.
 [[nodiscard]] Result<Manifest> readManifest(const std::filesystem::path& path);
-/// The same from text; `name` stands for the file in errors and in the result.
+/// The same with every problem: of a broken row its first, of a broken header that alone.
+[[nodiscard]] tl::expected<Manifest, std::vector<Error>> checkManifest(const std::filesystem::path& path);
+/// The first problem alone, from text; `name` stands for the file in errors and in the result.
 [[nodiscard]] Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name);
 /// Header and rows, with the columns of the errors where a row has one; every number with as many digits as
 /// bring the same number back.

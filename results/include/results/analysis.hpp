@@ -23,6 +23,7 @@ struct AnalysisOptions {
     int resamples = 10000;          ///< of bootstraps, at least 1
     std::uint64_t seed = 1;         ///< of bootstraps
     std::string program{};          ///< that analyses, and its version; for provenance
+    std::vector<std::pair<std::string, std::string>> build{};  ///< of the program: name, value; likewise
 };
 
 struct Summary {

@@ -37,4 +37,7 @@ struct MergeOutcome {
 [[nodiscard]] tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(
     const std::vector<std::filesystem::path>& databases, const std::filesystem::path& output);
 
+/// Hashes of the locked sets that a database speaks of: that in force, and those of the plans.
+[[nodiscard]] Result<std::vector<std::string>> lockedSets(const std::filesystem::path& database);
+
 }  // namespace deixis::results

@@ -53,8 +53,9 @@ struct EvaluationInput {
     std::string training_source;  ///< for people
     bool training_synthetic = false;
     std::variant<BandwidthRule, std::vector<double>> bandwidth = BandwidthRule::normal_reference;
-    std::optional<double> mean_shift_bandwidth{};  ///< none: estimated
-    std::string program;                           ///< name and version
+    std::optional<double> mean_shift_bandwidth{};              ///< none: estimated
+    std::string program;                                       ///< name and version
+    std::vector<std::pair<std::string, std::string>> build{};  ///< of the program: name, value
     std::vector<InputFile> files{};
     std::string motion_digest{};  ///< SHA-256 over elbow and hand positions of all clips
 };

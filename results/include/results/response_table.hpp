@@ -118,9 +118,10 @@ struct ResponseTable {
     std::set<std::string> failed_checks{};  ///< participants who count and failed an attention check
     std::string database{};                 ///< file names without their folders, joined by ", "
     std::vector<StationUse> stations{};
-    std::vector<std::string> program_versions{};  ///< that recorded the sessions, in order of their text
-    std::vector<std::string> avatar_hashes{};     ///< likewise
-    std::vector<std::string> notes{};             ///< on how the file was read, for the reader of the report
+    std::vector<std::string> program_versions{};   ///< that recorded the sessions, in order of their text
+    std::vector<std::string> operating_systems{};  ///< on which they were recorded, likewise; none: not kept
+    std::vector<std::string> avatar_hashes{};      ///< likewise
+    std::vector<std::string> notes{};              ///< on how the file was read, for the reader of the report
     std::vector<ResponseRow> rows{};  ///< of participants who count; ordered by participant, then trial
     /// Likewise, of participants who are excluded or dropped out but did not refuse their consent.
     std::vector<ResponseRow> left_out_rows{};

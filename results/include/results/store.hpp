@@ -103,13 +103,36 @@ class Store {
     [[nodiscard]] studies::GroupSizes groupsRegistered() const;  ///< of everybody, drop-outs too
     /// The stored plan of a participant, if any.
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
-    /// Stores study, registration and plan, all or nothing. Fails where the database holds another study
-    /// (other hash), another plan of the participant, or the number for somebody else.
+    /// Stores study, registration and plan, all or nothing. `locked_hash` is of the locked set that the plan
+    /// was made from; where it is empty, nothing was locked. Fails where the database holds another study
+    /// (another locked set in force, or another hash where nothing was locked), another plan of the
+    /// participant, or the number for somebody else.
     [[nodiscard]] Result<void> storePlan(const studies::Study& study, const Registration& registration,
-                                         const studies::StudyPlan& plan);
+                                         const studies::StudyPlan& plan, const std::string& locked_hash = {});
     /// Runs `work` under the database's write lock, all or nothing: what it reads still holds when it stores
     /// a plan. Nothing is kept where it fails.
     [[nodiscard]] Result<void> exclusively(const std::function<Result<void>()>& work);
+
+    // What is locked of the study (docs/database.md).
+    /// Hash of the locked set in force; empty: nothing was locked when the study began. None: there is no
+    /// study yet.
+    [[nodiscard]] std::optional<std::string> lockedHash() const;
+    /// The set that a participant's stored plan was made from; none where no plan is stored.
+    [[nodiscard]] std::optional<std::string> lockedHashOf(const std::string& participant) const;
+    /// Fails where the database holds another study than this one (other hash), and says how they differ.
+    [[nodiscard]] Result<void> checkStudy(const studies::Study& study) const;
+    /// Of a study that began with nothing locked: study and plans are of this set from now on.
+    void lockOlder(const std::string& hash);
+    /// Another set is in force from now on: `what` (JSON) has changed, for a reason. Fails where `from` is
+    /// not the one in force.
+    [[nodiscard]] Result<void> changeLocked(const std::string& from, const std::string& to,
+                                            const std::string& what, const std::string& reason, double utc_s);
+    /// Of the study with which the database began: its file's text.
+    [[nodiscard]] std::string studySource() const;
+    /// Each target that any stored plan shows, once by item and place.
+    [[nodiscard]] std::vector<studies::TargetItem> plannedTargets() const;
+    /// By system, the file of a clip that was shown.
+    [[nodiscard]] std::map<std::string, std::string> shownClips() const;
     /// What earlier sittings left; `now_utc_s` gives the gap.
     [[nodiscard]] studies::Resume resume(const std::string& participant, double now_utc_s) const;
     /// Whether the participant has had a session with a simulated participant (`synthetic`) or with a person.

@@ -37,6 +37,11 @@ class LanguageTable {
     /// Reads LANGUAGE.toml: a flat table of texts and its `status`. Every key of languageKeys() must be there
     /// with the same placeholders ("{number}") as in languageKeys(), and no other key.
     [[nodiscard]] static Result<LanguageTable> load(const std::filesystem::path& file);
+    /// Words that were kept, maybe by an earlier program: those that it lacked, or that say something else by
+    /// now, are as in the file `today` (where there is none, in English); those that are gone are passed
+    /// over.
+    [[nodiscard]] static Result<LanguageTable> loadKept(const std::filesystem::path& file,
+                                                        const std::filesystem::path& today);
     /// The built-in English words, from the same place as the keys. For tests and as the reference.
     [[nodiscard]] static const LanguageTable& english();
 

@@ -14,6 +14,10 @@
 
 namespace deixis::studies {
 
+/// Version of what buildPlan() does: it grows whenever the same study, targets and participant get another
+/// plan than before. A study under way is planned by one version (docs/running-a-study.md).
+inline constexpr int planner_version = 1;
+
 /// A clip to be shown: a system's for an item.
 struct Stimulus {
     std::string system;

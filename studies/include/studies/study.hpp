@@ -249,7 +249,14 @@ struct Study {
     std::filesystem::path file{};  ///< where it was read from
     std::string source{};          ///< the file's text; kept with the data
     std::string hash{};            ///< SHA-256 of the file's bytes and of the questionnaire files it names
+    std::vector<std::filesystem::path> questionnaire_files{};  ///< those it names, each once, in their order
+    std::vector<std::filesystem::path> language_files{};       ///< of the program's words, likewise
+    /// Where the study file says something that only other files can tell to be wrong, as "FILE:LINE: key":
+    /// "study.avatar", "targets.fit_manifest", "targets.from_manifest", "systems.NAME", "layouts.NAME".
+    std::map<std::string, std::string> places{};
 
+    /// Of `places`; the file where there is none.
+    [[nodiscard]] std::string place(const std::string& key) const;
     [[nodiscard]] const Layout* findLayout(std::string_view name) const;
     [[nodiscard]] const DistanceBand* findDistance(std::string_view name) const;
     [[nodiscard]] const SystemSource* findSystem(std::string_view name) const;
@@ -260,6 +267,9 @@ struct Study {
 struct StudyFolders {
     std::filesystem::path languages;       ///< LANGUAGE.toml
     std::filesystem::path questionnaires;  ///< NAME.toml
+    /// Where `languages` were kept by an earlier program: LANGUAGE.toml of this one, which has the words that
+    /// are new since.
+    std::filesystem::path words_since{};
 };
 
 /// Reads and checks a study file in all its languages; the texts of the result are in `language` (empty: the

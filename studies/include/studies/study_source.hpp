@@ -14,4 +14,7 @@ namespace deixis::studies {
 /// How tall it is to be (`study.avatar_height_m`), metres; none where the text does not say.
 [[nodiscard]] std::optional<double> avatarHeightIn(std::string_view source);
 
+/// The name of the study; empty where it has none, or does not parse.
+[[nodiscard]] std::string studyNamedIn(std::string_view source);
+
 }  // namespace deixis::studies

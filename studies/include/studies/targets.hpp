@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -69,6 +70,11 @@ struct TargetItem {
 /// What is seen of an item's balls in one band, past an avatar: by viewpoint; of each the target first.
 [[nodiscard]] std::vector<SeenBalls> seenOf(const Study& study, const TargetItem& item, std::size_t band,
                                             const std::vector<Viewpoint>& from, const StandingAvatar& avatar);
+
+/// All of the items, to be kept and read again: the positions come back bit by bit.
+[[nodiscard]] std::string targetsJson(const std::vector<TargetItem>& targets);
+/// What targetsJson() wrote; an error names what does not fit.
+[[nodiscard]] Result<std::vector<TargetItem>> targetsFromJson(std::string_view json);
 
 /// A picture like the paper's Figure 1: the targets (and, where given, the positions that a manifest's clips
 /// were made for) in a perspective view and from above and the side. A whole SVG document.

@@ -1,0 +1,22 @@
+// The files of a lab's own that a study is made of, and how they have changed since it was locked.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "assets/avatar.hpp"
+#include "core/error.hpp"
+#include "locked_study.hpp"
+#include "study_setup.hpp"
+
+namespace deixis::app {
+
+/// Whether a file is part of what ships with the program.
+[[nodiscard]] bool isShipped(const std::filesystem::path& file);
+
+/// The study file, then the questionnaires beside it, manifests, clips and what is said about their bones,
+/// and the avatar with the files that it names. None where the study ships with the program.
+[[nodiscard]] Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Avatar& avatar);
+
+}  // namespace deixis::app
