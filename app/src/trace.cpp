@@ -127,6 +127,11 @@ Json rayJson(const std::optional<studies::RayView>& ray) {
             {"length_m", ray->length_m}};
 }
 
+Json lookJson(const std::optional<studies::FirstLook>& look) {
+    if (!look) return nullptr;
+    return Json::array({look->yaw_rad, look->pitch_rad, look->half_width, look->half_height});
+}
+
 Json notesJson(const std::vector<studies::StationNote>& notes) {
     Json out = Json::array();
     for (const auto& note : notes) out.push_back({{"kind", note.kind}, {"detail", note.detail}});
@@ -160,9 +165,9 @@ Result<std::ofstream> openTrace(const std::filesystem::path& path) {
 }
 
 bool Trace::changed(const studies::PresentedFrame& frame) const {
-    if (!begun_ || presentedStateName(frame) != state_ || frame.stage != stage_ || frame.viewer_place != place_ ||
-        frame.status != status_ || frame.notice != notice_ || signText(frame) != sign_ ||
-        frame.panel.has_value() != panel_.has_value())
+    if (!begun_ || presentedStateName(frame) != state_ || frame.stage != stage_ ||
+        frame.viewer_place != place_ || frame.status != status_ || frame.notice != notice_ ||
+        signText(frame) != sign_ || frame.panel.has_value() != panel_.has_value())
         return true;
     if (panel_ && !(same(frame.panel->buttons, panel_->buttons, sameButton) &&
                     same(frame.panel->sliders, panel_->sliders, sameSlider) &&
@@ -208,6 +213,7 @@ void Trace::presented(const studies::InputFrame& input, const studies::Presented
                     {"fields", fieldsJson(frame)},
                     {"sign", signText(frame)},
                     {"ray", rayJson(frame.ray)},
+                    {"first_look", lookJson(frame.first_look)},
                     {"head", json(input.stage_from_head)},
                     {"notes", notesJson(input.notes)}};
     // A device's name may be in any encoding.

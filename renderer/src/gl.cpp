@@ -131,6 +131,18 @@ void beginPicture(const Framebuffer& framebuffer, int width, int height) {
     glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &farthest);
 }
 
+void bindForeign(GLuint framebuffer, int width, int height) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, width, height);
+}
+
+void copyPicture(const Framebuffer& from, GLuint to, int width, int height) {
+    bindForeign(to, width, height);
+    glDisable(GL_FRAMEBUFFER_SRGB);
+    glBlitNamedFramebuffer(from.name(), to, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                           GL_NEAREST);
+}
+
 void requireComplete(const Framebuffer& framebuffer, std::string_view what) {
     const GLenum status = glCheckNamedFramebufferStatus(framebuffer.name(), GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)

@@ -87,6 +87,14 @@ template <typename T>
 /// Throws std::runtime_error naming `what` where the framebuffer is incomplete.
 void requireComplete(const Framebuffer& framebuffer, std::string_view what);
 
+/// Binds a framebuffer of others (0: the window's) with a viewport of this size. Drivers learn only so that a
+/// window has another size by now: what is copied into it unbound stays cut to the size before (Mesa).
+void bindForeign(GLuint framebuffer, int width, int height);
+
+/// Copies a finished picture into a framebuffer of others, which stays bound. Bytes go over as they are,
+/// whether or not the window says that it is sRGB.
+void copyPicture(const Framebuffer& from, GLuint to, int width, int height);
+
 /// Makes the framebuffer current and clears it, black and far; linear colours written are stored as sRGB.
 void beginPicture(const Framebuffer& framebuffer, int width, int height);
 

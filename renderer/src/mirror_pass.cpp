@@ -60,6 +60,7 @@ void MirrorPass::draw(StereoSamples& samples, ScenePasses& passes, const Scene& 
     gl::resetDrawingState();
     glDisable(GL_FRAMEBUFFER_SRGB);
     if (samples.width() == 0) {
+        gl::bindForeign(framebuffer, width, height);
         const std::array<GLfloat, 4> black{0.0F, 0.0F, 0.0F, 1.0F};
         glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, black.data());
         return;
@@ -95,10 +96,7 @@ void MirrorPass::draw(StereoSamples& samples, ScenePasses& passes, const Scene& 
         passes.boards().draw(scene.boards.front(), Views::one);
         glDisable(GL_BLEND);
     }
-    // With conversion off the bytes go over as they are, whether or not the window says that it is sRGB.
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glBlitNamedFramebuffer(mirror_target_.name(), framebuffer, 0, 0, width, height, 0, 0, width, height,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl::copyPicture(mirror_target_, framebuffer, width, height);
 }
 
 }  // namespace deixis::renderer

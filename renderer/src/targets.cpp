@@ -42,10 +42,7 @@ void Targets::resolve() {
 }
 
 void Targets::copyTo(GLuint framebuffer) const {
-    // With conversion off the bytes go over as they are, whether or not the window says that it is sRGB.
-    glDisable(GL_FRAMEBUFFER_SRGB);
-    glBlitNamedFramebuffer(resolved_.name(), framebuffer, 0, 0, width_, height_, 0, 0, width_, height_,
-                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl::copyPicture(resolved_, framebuffer, width_, height_);
 }
 
 void Targets::read(void* rgb) const {

@@ -105,7 +105,8 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
 
         // The stations' own.
         {"station_desktop_controls",
-         "Mouse: look and aim.  Left button: select.  Enter: continue.  1-9: rate.  Esc: pause."},
+         "Mouse: point.  Left button: select.  Hold the right button: look around.  Enter: continue.  "
+         "1-9: rate.  Esc: pause."},
         {"station_headset_controls",
          "Trigger: select.  Menu button: pause.  Hold the thumbstick for a second: recentre."},
         {"station_headset_hint", "Point the ray at a button and pull the trigger."},

@@ -121,9 +121,9 @@ void ClipTrial::noteEarlySelect(const InputFrame& input) {
 
 bool ClipTrial::select(const InputFrame& input) {
     if (!input.select || !gate_.accepts()) return false;
-    const double select_s = selectTime(input);
     // What was pressed before the open answer could be seen is no answer to it.
-    if (gate_.admits(select_s)) return true;
+    if (gate_.admitsSelect(input)) return true;
+    const double select_s = earliestSelectTime(input);
     core_.noteAt(core_.momentAt(select_s), "early_select",
                  fmt::format("{:.3f} s before the answer was open", gate_.since_s() - select_s));
     return false;

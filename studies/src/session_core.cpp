@@ -23,6 +23,14 @@ double selectTime(const InputFrame& input) {
     return input.select_time_s.value_or(keyTime(input));
 }
 
+double earliestKeyTime(const InputFrame& input) {
+    return input.read_before_s.value_or(keyTime(input));
+}
+
+double earliestSelectTime(const InputFrame& input) {
+    return input.select_time_s.value_or(earliestKeyTime(input));
+}
+
 SessionCore::SessionCore(const Study& study_in, const ClipSource& clips_in, const motion::Skeleton& avatar_in,
                          const motion::LocalPose& idle_in, bool keyboard_in, std::string hint_in)
     : study(study_in),

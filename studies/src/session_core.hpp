@@ -15,6 +15,9 @@ namespace deixis::studies {
 /// When an answer was given: keys are read with the frame, a press of select may be known more exactly.
 [[nodiscard]] double keyTime(const InputFrame& input);
 [[nodiscard]] double selectTime(const InputFrame& input);
+/// The earliest that it can have been.
+[[nodiscard]] double earliestKeyTime(const InputFrame& input);
+[[nodiscard]] double earliestSelectTime(const InputFrame& input);
 
 struct SessionCore {
     SessionCore(const Study& study_in, const ClipSource& clips_in, const motion::Skeleton& avatar_in,
@@ -66,11 +69,15 @@ class AnswerGate {
     void shown(std::uint64_t frame, double at_s);
     [[nodiscard]] bool isOpen() const { return frame_.has_value(); }
     [[nodiscard]] bool accepts() const { return shown_s_.has_value(); }
-    /// Whether what went down at that time is an answer.
-    [[nodiscard]] bool admits(double time_s) const { return shown_s_ && time_s >= *shown_s_; }
+    /// Whether a key or select that went down is an answer: it was open already.
+    [[nodiscard]] bool admitsKey(const InputFrame& input) const { return admits(earliestKeyTime(input)); }
+    [[nodiscard]] bool admitsSelect(const InputFrame& input) const {
+        return admits(earliestSelectTime(input));
+    }
     [[nodiscard]] double since_s() const { return *shown_s_; }  ///< where it accepts
 
   private:
+    [[nodiscard]] bool admits(double time_s) const { return shown_s_ && time_s >= *shown_s_; }
     std::optional<std::uint64_t> frame_{};
     std::optional<double> shown_s_{};
 };

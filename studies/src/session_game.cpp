@@ -85,6 +85,7 @@ class GameTrial : public ClipTrial {
             core_.openPanel(gamePanel(task_.question, again), input, besideBalls());
         else
             core_.view.closePanel();
+        core_.view.openBalls();
         core_.view.aim(input.pointer, input.stage_from_head, true);
     }
 
@@ -163,7 +164,7 @@ class GameTrial : public ClipTrial {
     void stepConfidence(const InputFrame& input) {
         const Aim met = core_.view.aim(input.pointer, input.stage_from_head, false);
         if (!core_.settled()) return;
-        const bool selected = input.select && gate_.admits(selectTime(input));
+        const bool selected = input.select && gate_.admitsSelect(input);
         const auto given = confidence_->step(input, met, gate_, selected);
         if (!given) return;
         draft_.answers.push_back({"confidence", -1, static_cast<double>(given->value), {}});

@@ -45,6 +45,7 @@ class PageUnit : public Unit {
         least_.start(core_.now.time_s);
         shown_left_ = least_.left(core_.now.time_s);
         core_.openPanel(board(), input, messagePose);
+        core_.view.admitRestingRay();
         tellLeft();
     }
 

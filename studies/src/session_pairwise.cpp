@@ -46,10 +46,9 @@ class PairwiseTrial : public ComparePage {
 
     bool stepBoard(const InputFrame& input, const Aim& met) override {
         const int place = met.button - button_id::first_rating;
-        if (input.select && place >= 0 && place < preferences && gate_.admits(selectTime(input)))
+        if (input.select && place >= 0 && place < preferences && gate_.admitsSelect(input))
             prefer(input, place, selectTime(input), "ray");
-        else if (input.digit && *input.digit >= 1 && *input.digit <= preferences &&
-                 gate_.admits(keyTime(input)))
+        else if (input.digit && *input.digit >= 1 && *input.digit <= preferences && gate_.admitsKey(input))
             prefer(input, *input.digit - 1, keyTime(input), "key");
         return false;
     }

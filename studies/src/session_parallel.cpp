@@ -48,9 +48,9 @@ class ParallelTrial : public ComparePage {
             changed = rate(option / 100, task_.scale.low + option % 100) || changed;
         }
         const bool pressed = input.select && met.button == button_id::go_on;
-        if (pressed && gate_.admits(selectTime(input)))
+        if (pressed && gate_.admitsSelect(input))
             answer(input, selectTime(input), "ray");
-        else if (input.confirm && gate_.admits(keyTime(input)))
+        else if (input.confirm && gate_.admitsKey(input))
             answer(input, keyTime(input), "key");
         return changed;
     }

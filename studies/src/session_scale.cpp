@@ -35,14 +35,13 @@ std::optional<ScaleGiven> ScaleAnswer::step(const InputFrame& input, const Aim& 
         }
         if (!value_) return std::nullopt;
         if (select && met.button == button_id::go_on) return ScaleGiven{*value_, selectTime(input), "ray"};
-        if (input.confirm && gate.admits(keyTime(input))) return ScaleGiven{*value_, keyTime(input), "key"};
+        if (input.confirm && gate.admitsKey(input)) return ScaleGiven{*value_, keyTime(input), "key"};
         return std::nullopt;
     }
     const int place = met.button - button_id::first_rating;
     if (select && place >= 0 && place < scale_.steps())
         return ScaleGiven{scale_.low + place, selectTime(input), "ray"};
-    if (input.digit && *input.digit >= scale_.low && *input.digit <= scale_.high &&
-        gate.admits(keyTime(input)))
+    if (input.digit && *input.digit >= scale_.low && *input.digit <= scale_.high && gate.admitsKey(input))
         return ScaleGiven{*input.digit, keyTime(input), "key"};
     return std::nullopt;
 }

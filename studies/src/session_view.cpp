@@ -31,6 +31,7 @@ void SessionView::beginFrame() {
     frame.key_moment = false;
     frame.tick = false;
     met_before_ = std::exchange(met_, {});
+    onset_.beginFrame();
 }
 
 void SessionView::show(PresentedState state, bool in_game) {
@@ -51,6 +52,7 @@ void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace stand) 
     stand_ = std::move(stand);
     met_ = {};  // its buttons are others, also where their ids are the same
     grabbed_ = 0;
+    onset_.open();
     updatePanel(std::move(panel));
 }
 
@@ -114,6 +116,7 @@ Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_h
         frame.ray = RayView{*pointer, length_m};
         if (!sees(stage_from_head, pointer->origin + length_m * pointer->direction)) met = {};
     }
+    met = onset_.admit(met, pointer);
     lightUp(met);
     if (at_balls) lookAtBalls(BallLook::selectable, met.ball, BallLook::hovered);
     met_ = met;

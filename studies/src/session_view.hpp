@@ -6,20 +6,11 @@
 #include <string_view>
 
 #include "panel_layout.hpp"
+#include "session_aim.hpp"
 #include "studies/station.hpp"
 #include "studies/study.hpp"
 
 namespace deixis::studies {
-
-/// What a ray meets first: the id of a button, a slider or a field (0: none), or the place of a ball (-1:
-/// none).
-struct Aim {
-    int button = 0;
-    int slider = 0;
-    int field = 0;
-    int ball = -1;
-    bool operator==(const Aim&) const = default;
-};
 
 /// A slider is at this value now.
 struct SliderSet {
@@ -40,6 +31,7 @@ class SessionView {
     void show(PresentedState state, bool in_game = false);
     /// Moves the viewer; false where the participant stands there already.
     bool place(const Layout& layout);
+    /// What the ray rests on as it opens is not met until the ray has moved.
     void openPanel(Panel panel, double eye_height_m, PanelPlace stand);
     /// The same panel with other contents: it stays where it is, and what the ray meets or drags.
     void updatePanel(Panel panel);
@@ -47,6 +39,10 @@ class SessionView {
     void showSign(const std::string& sentence, const std::string& large, const Vec3& avatar_head,
                   const Vec3& eyes);
     void closeSign();
+    /// The balls can be chosen from now on; likewise.
+    void openBalls() { onset_.open(); }
+    /// Lets the ray meet at once what it rests on: a board from which there is no answer to be had.
+    void admitRestingRay() { onset_.release(); }
     void lookAtBalls(BallLook all, int place = -1, BallLook one = BallLook::waiting);
     /// Shows the ray up to what it meets and lights that up, with a tick where it was not met in the frame
     /// before. Balls are met only `at_balls`; what the participant cannot see, because the head is turned
@@ -62,7 +58,8 @@ class SessionView {
   private:
     Aim met_{};         ///< in this frame
     Aim met_before_{};  ///< in the one before
-    int grabbed_ = 0;   ///< the slider that is dragged; 0: none
+    OnsetGuard onset_{};
+    int grabbed_ = 0;  ///< the slider that is dragged; 0: none
     double eye_height_m_ = 0.0;
     PanelPlace stand_{};
 

@@ -114,6 +114,7 @@ struct Driver {
     std::optional<Quat> looking;         ///< of the head; none: along the ray, or straight ahead
     std::optional<double> select_ago_s;  ///< how long before the frame select went down; none: not told
     PresentedFrame frame;                ///< the last one
+    bool just_opened = false;            ///< it is the first of an open answer
     bool keyboard = false;
     std::vector<Response> responses;  ///< of what counts
     std::vector<Response> practised;
@@ -193,8 +194,10 @@ struct Driver {
         input.off_place_m = place_offset_m;
         input.answers_kept = kept;
         input.recording_failed = recording_failed;
+        const bool was_open = answersOpen(frame);
         const SessionStep step = session->step(input);
         frame = step.frame;
+        just_opened = answersOpen(frame) && !was_open;
         keep(step.events);
         keep(session->shown({frame.number, was_shown, time_s + display_delay_s}));
     }
@@ -206,8 +209,15 @@ struct Driver {
         return input;
     }
 
-    void press(int id) { step(pointing(buttonCentre(*frame.panel, id), true)); }
-    void choose(int place) { step(pointing(frame.balls[static_cast<std::size_t>(place)].centre, true)); }
+    /// Where the answer has only just come up, the ray comes from elsewhere first.
+    void press(int id) {
+        if (just_opened) step();
+        step(pointing(buttonCentre(*frame.panel, id), true));
+    }
+    void choose(int place) {
+        if (just_opened) step();
+        step(pointing(frame.balls[static_cast<std::size_t>(place)].centre, true));
+    }
     void digit(int value) {
         InputFrame input;
         input.digit = value;

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 #include <thread>
+#include <tuple>
 #include <utility>
 
+#include "desktop_view.hpp"
 #include "frame_scene.hpp"
 #include "operator/desktop_operator.hpp"
 #include "typed_text.hpp"
@@ -25,33 +26,14 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double look_rad_per_pixel = radiansFromDegrees(0.07);
 constexpr double max_pitch_rad = radiansFromDegrees(80.0);
-constexpr double resting_pitch_rad =
-    radiansFromDegrees(-6.0);  // a standing person's gaze rests a little down
 constexpr double max_lean_m = 0.25;
 constexpr double lean_speed_per_s = 4.0;
-const Vec3 eye_to_hand{0.20, -0.28, -0.20};  // in the head's frame turned upright
-constexpr double farthest_aim_m = 8.0;
 constexpr double settles_after_focus_s = 0.3;
 constexpr double longest_gap_s = 3600.0;  // between frames, for counting those dropped
-
-// Whether a board stands there to be read first, not one beside a task.
-bool pageOpen(const studies::PresentedFrame& frame) {
-    return frame.panel && isFullPage(frame.state);
-}
-
-// Whether clips are to be played by buttons: the board and who is shown belong together.
-bool playsByButtons(const studies::PresentedFrame& frame) {
-    return frame.state == studies::PresentedState::listening ||
-           frame.state == studies::PresentedState::comparing;
-}
 
 bool typing(const studies::PresentedFrame& frame) {
     return frame.panel && std::any_of(frame.panel->fields.begin(), frame.panel->fields.end(),
                                       [](const studies::PanelField& field) { return field.active; });
-}
-
-Vec3 middleOf(const studies::Panel& panel) {
-    return transformPoint(panel.stage_from_panel, {0.5 * panel.width_m, 0.5 * panel.height_m, 0.0});
 }
 
 studies::TrackedPose tracked(const Pose& pose) {
@@ -73,15 +55,18 @@ struct DesktopStation::State {
     double last_begin_s = 0.0;
     std::optional<double> last_shown_s;  // when the last frame with a picture was
     Pose told_head{};                    // with the frame begun last
-    Ray told_hand{};
+    Ray told_ray{};
     double focused_at_s = 0.0;
     bool in_front = true;  // has the mouse and the keyboard
 
-    double yaw_rad = 0.0;  // to the left of the viewer's heading
-    double pitch_rad = resting_pitch_rad;
+    Look look{};
     Vec3 lean_m{0.0};
-    double cursor_x = 0.0, cursor_y = 0.0;
-    double later_right_px = 0.0, later_down_px = 0.0;  // moved after a press, within one frame
+    double cursor_x = 0.0, cursor_y = 0.0;      // on the window, in its own units
+    double reported_x = 0.0, reported_y = 0.0;  // the same; while the view is turned, elsewhere
+    bool turning = false;                       // the button that turns the view is down
+    // Moved after a press, within one frame.
+    double later_right_px = 0.0, later_down_px = 0.0;
+    std::optional<std::pair<double, double>> later_cursor;
 
     studies::InputFrame pending{};  // what has happened since the last frame
     TypedText typed;
@@ -97,12 +82,16 @@ struct DesktopStation::State {
     [[nodiscard]] OperatorRequest pollEvents();
     void onFocus(bool focused);
     void onCursor(double x, double y);
+    void onWindowMoved();
+    void onSelect(bool down);
+    void onTurning(bool down);
     void turn(double right_px, double down_px);
+    void moveOn();
     void toggleFullscreen();
     void updateLean(double elapsed_s);
-    void lookAtTask(const studies::PresentedFrame& frame);
     [[nodiscard]] Pose head() const;
-    [[nodiscard]] Ray handRay(const Pose& stage_from_head) const;
+    [[nodiscard]] Ray cursorRay(const Pose& stage_from_head) const;
+    [[nodiscard]] double aspect() const;
     [[nodiscard]] int droppedFrames() const;
     [[nodiscard]] studies::TrackingSample sample(std::uint64_t number, bool rendered) const;
     void noteMissingCharacters();
@@ -138,6 +127,7 @@ OperatorRequest DesktopStation::State::pollEvents() {
 
 void DesktopStation::State::onFocus(bool focused) {
     held = false;
+    onTurning(false);
     in_front = focused;
     if (focused) {
         focused_at_s = now_s();
@@ -148,23 +138,54 @@ void DesktopStation::State::onFocus(bool focused) {
 }
 
 void DesktopStation::State::onCursor(double x, double y) {
-    const double right_px = x - std::exchange(cursor_x, x);
-    const double down_px = y - std::exchange(cursor_y, y);
-    // What the mouse did elsewhere, and what brings it back, turns nobody's head.
-    if (!in_front || now_s() - focused_at_s < settles_after_focus_s) return;
-    // What is selected is what was in the middle of the view when the button went down, also where the mouse
-    // has gone on since, in a slow frame far: that turns the view in the next one.
-    if (pending.select) {
+    const double right_px = x - std::exchange(reported_x, x);
+    const double down_px = y - std::exchange(reported_y, y);
+    // What is selected is what the mouse was on when the button went down, also where it has gone on since,
+    // in a slow frame far: that counts in the next one.
+    if (turning && pending.select) {
         later_right_px += right_px;
         later_down_px += down_px;
-    } else {
+    } else if (turning) {
         turn(right_px, down_px);
+    } else if (pending.select) {
+        later_cursor = {x, y};
+    } else {
+        cursor_x = x;
+        cursor_y = y;
     }
 }
 
+// The window has moved under the cursor.
+void DesktopStation::State::onWindowMoved() {
+    if (turning) return;
+    glfwGetCursorPos(window->handle(), &cursor_x, &cursor_y);
+    reported_x = cursor_x;
+    reported_y = cursor_y;
+}
+
+void DesktopStation::State::onSelect(bool down) {
+    // The click that brings the window back is no answer.
+    const bool meant = now_s() - focused_at_s > settles_after_focus_s;
+    held = down && meant;
+    if (held) pending.select = true;
+}
+
+// While it is down the mouse turns the view, as far as it likes; the cursor is then where it was.
+void DesktopStation::State::onTurning(bool down) {
+    if (down == turning || (down && !in_front)) return;
+    turning = down;
+    glfwSetInputMode(window->handle(), GLFW_CURSOR, down ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    glfwGetCursorPos(window->handle(), &reported_x, &reported_y);
+}
+
 void DesktopStation::State::turn(double right_px, double down_px) {
-    yaw_rad -= right_px * look_rad_per_pixel;
-    pitch_rad = std::clamp(pitch_rad - down_px * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
+    look.yaw_rad -= right_px * look_rad_per_pixel;
+    look.pitch_rad = std::clamp(look.pitch_rad - down_px * look_rad_per_pixel, -max_pitch_rad, max_pitch_rad);
+}
+
+void DesktopStation::State::moveOn() {
+    turn(std::exchange(later_right_px, 0.0), std::exchange(later_down_px, 0.0));
+    if (later_cursor) std::tie(cursor_x, cursor_y) = *std::exchange(later_cursor, std::nullopt);
 }
 
 void DesktopStation::State::toggleFullscreen() {
@@ -196,73 +217,28 @@ void DesktopStation::State::updateLean(double elapsed_s) {
     lean_m += (wanted - lean_m) * std::min(1.0, lean_speed_per_s * elapsed_s);
 }
 
-// Turns the view to where a person who has just been placed here would turn: to a page's middle, to between
-// those who are shown and the board of their buttons, or to the middle between the avatar and the balls, so
-// that none is missed on a flat screen.
-void DesktopStation::State::lookAtTask(const studies::PresentedFrame& frame) {
-    yaw_rad = 0.0;
-    pitch_rad = resting_pitch_rad;
-    const auto seen = [&](const Vec3& point) {
-        return transformPoint(inverse(frame.stage_from_viewer), point);
-    };
-    const auto yawTo = [&](const Vec3& point) { return std::atan2(-seen(point).x, -seen(point).z); };
-    const auto pitchTo = [&](const Vec3& point) {
-        const Vec3 p = seen(point);
-        return std::atan2(p.y - options.eye_height_m, std::hypot(p.x, p.z));
-    };
-    if (frame.panel && playsByButtons(frame)) {
-        const Vec3 board = middleOf(*frame.panel);
-        yaw_rad = yawTo(board);
-        pitch_rad = 0.5 * (resting_pitch_rad + pitchTo(board));
-        return;
-    }
-    if (frame.panel) {
-        yaw_rad = yawTo(middleOf(*frame.panel));
-        if (pageOpen(frame)) pitch_rad = pitchTo(middleOf(*frame.panel));
-        return;
-    }
-    if (frame.balls.empty()) return;
-    Vec3 middle{0.0};
-    for (const auto& ball : frame.balls) middle += ball.centre / static_cast<double>(frame.balls.size());
-    yaw_rad = 0.5 * (yawTo(Vec3(0.0)) + yawTo(middle));
-}
-
 Pose DesktopStation::State::head() const {
-    const Quat yaw = yawRotation(yaw_rad);
-    const Quat pitch = glm::angleAxis(pitch_rad, Vec3(1, 0, 0));
+    const Quat yaw = yawRotation(look.yaw_rad);
+    const Quat pitch = glm::angleAxis(look.pitch_rad, Vec3(1, 0, 0));
     return presented.stage_from_viewer *
            Pose{Vec3(0.0, options.eye_height_m, 0.0) + yaw * lean_m, yaw * pitch};
 }
 
-// From the hand to the first thing in the middle of the view: what the person looks at is what the ray meets.
-Ray DesktopStation::State::handRay(const Pose& stage_from_head) const {
-    const Ray gaze{stage_from_head.position, stage_from_head.orientation * Vec3(0, 0, -1)};
-    // Where the gaze passes the balls by, the ray ends at the depth of the nearest one to it: beside it, as
-    // the gaze does, and not at another one behind.
-    double distance = farthest_aim_m;
-    double least_angle_rad = pi / 4.0;
-    for (const auto& ball : presented.balls) {
-        const double angle_rad = angleBetween(gaze.direction, ball.centre - gaze.origin);
-        if (angle_rad >= least_angle_rad) continue;
-        least_angle_rad = angle_rad;
-        const double hit = distanceToSphere(gaze, ball.centre, ball.radius_m);
-        distance = hit > 0.0 ? hit : glm::dot(gaze.direction, ball.centre - gaze.origin);
-    }
-    if (presented.panel) {
-        const Pose& board = presented.panel->stage_from_panel;
-        const Vec3 normal = board.orientation * Vec3(0, 0, 1);
-        const double towards = -glm::dot(gaze.direction, normal);
-        if (towards > 1e-6) {
-            const double hit = glm::dot(gaze.origin - board.position, normal) / towards;
-            const Vec3 on_board = transformPoint(inverse(board), gaze.origin + hit * gaze.direction);
-            const bool inside = on_board.x >= 0.0 && on_board.x <= presented.panel->width_m &&
-                                on_board.y >= 0.0 && on_board.y <= presented.panel->height_m;
-            if (hit > 0.0 && inside) distance = std::min(distance, hit);
-        }
-    }
-    const Quat upright = presented.stage_from_viewer.orientation * yawRotation(yaw_rad);
-    const Vec3 hand = stage_from_head.position + upright * eye_to_hand;
-    return {hand, glm::normalize(gaze.origin + distance * gaze.direction - hand)};
+double DesktopStation::State::aspect() const {
+    const WindowSize size = window->framebufferSize();
+    return size.width > 0 && size.height > 0 ? static_cast<double>(size.width) / size.height : 1.0;
+}
+
+// From the eye through the cursor: what the person clicks on is what the ray meets.
+Ray DesktopStation::State::cursorRay(const Pose& stage_from_head) const {
+    WindowSize size;
+    glfwGetWindowSize(window->handle(), &size.width, &size.height);
+    // Of a pixel its middle; a cursor that has left the window stays at its edge.
+    const auto along = [](double pixel, int pixels) {
+        return pixels > 0 ? std::clamp(2.0 * (pixel + 0.5) / pixels - 1.0, -1.0, 1.0) : 0.0;
+    };
+    return rayThrough(stage_from_head, verticalView_rad(presented, aspect()), aspect(),
+                      {along(cursor_x, size.width), -along(cursor_y, size.height)});
 }
 
 // Display periods that passed without a new picture since the last one.
@@ -272,7 +248,7 @@ int DesktopStation::State::droppedFrames() const {
     return std::max(0, static_cast<int>(std::lround(gap_s / period_s)) - 1);
 }
 
-// The mouse in the place of a tracked head and a right hand.
+// The mouse in the place of a tracked head and a right hand, which points from the eye.
 studies::TrackingSample DesktopStation::State::sample(std::uint64_t number, bool rendered) const {
     constexpr auto right = static_cast<std::size_t>(studies::Hand::right);
     studies::TrackingSample out;
@@ -283,7 +259,7 @@ studies::TrackingSample DesktopStation::State::sample(std::uint64_t number, bool
     out.dropped_frames = rendered ? droppedFrames() : 0;
     out.rendered = rendered;
     out.head = tracked(told_head);
-    out.aim[right] = tracked({told_hand.origin, glm::quatLookAt(told_hand.direction, up)});
+    out.aim[right] = tracked({told_ray.origin, glm::quatLookAt(told_ray.direction, up)});
     return out;
 }
 
@@ -311,18 +287,19 @@ void DesktopStation::State::connectCallbacks() {
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int button, int action, int) {
         auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
-        if (button != GLFW_MOUSE_BUTTON_LEFT) return;
-        // The click that brings the window back is no answer.
-        const bool meant = state->now_s() - state->focused_at_s > settles_after_focus_s;
-        state->held = action == GLFW_PRESS && meant;
-        if (state->held) state->pending.select = true;
+        if (button == GLFW_MOUSE_BUTTON_LEFT) state->onSelect(action == GLFW_PRESS);
+        if (button == GLFW_MOUSE_BUTTON_RIGHT) state->onTurning(action == GLFW_PRESS);
     });
     glfwSetWindowFocusCallback(w, [](GLFWwindow* from, int focused) {
         static_cast<State*>(glfwGetWindowUserPointer(from))->onFocus(focused == GLFW_TRUE);
     });
-    glfwSetInputMode(w, GLFW_CURSOR, GLFW_CURSOR_DISABLED);
-    if (glfwRawMouseMotionSupported() == GLFW_TRUE) glfwSetInputMode(w, GLFW_RAW_MOUSE_MOTION, GLFW_TRUE);
-    glfwGetCursorPos(w, &cursor_x, &cursor_y);
+    glfwSetWindowPosCallback(w, [](GLFWwindow* from, int, int) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->onWindowMoved();
+    });
+    glfwSetWindowSizeCallback(w, [](GLFWwindow* from, int, int) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->onWindowMoved();
+    });
+    onWindowMoved();
 }
 
 DesktopStation::DesktopStation(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -369,10 +346,10 @@ studies::InputFrame DesktopStation::beginFrame() {
     const double ready_s = s.last_begin_s + 0.9 * s.period_s;
     if (const double wait_s = ready_s - s.now_s(); wait_s > 0.0)
         std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
-    s.turn(std::exchange(s.later_right_px, 0.0), std::exchange(s.later_down_px, 0.0));
+    s.moveOn();
     const OperatorRequest asked = s.pollEvents();
     studies::InputFrame input = std::exchange(s.pending, {});
-    s.last_begin_s = s.now_s();
+    input.read_before_s = std::exchange(s.last_begin_s, s.now_s());
     input.input_time_s = s.last_begin_s;
     // Swapping returns when the display has taken the frame: at the next refresh at the earliest.
     input.time_s = std::max({s.last_time_s, s.last_begin_s, s.last_swap_s + s.period_s});
@@ -380,9 +357,9 @@ studies::InputFrame DesktopStation::beginFrame() {
     s.updateLean(input.time_s - s.last_time_s);
     s.last_time_s = input.time_s;
     s.told_head = s.head();
-    s.told_hand = s.handRay(s.told_head);
+    s.told_ray = s.cursorRay(s.told_head);
     input.stage_from_head = s.told_head;
-    input.pointer = s.told_hand;
+    input.pointer = s.told_ray;
     input.select_held = s.held || input.select;  // a click shorter than a frame was held too
     TypedText::Part text = s.typed.take();
     if (typing(s.presented)) {
@@ -396,13 +373,7 @@ studies::InputFrame DesktopStation::beginFrame() {
 
 studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
     State& s = *state_;
-    const bool new_trial = frame.state == studies::PresentedState::waiting &&
-                           s.presented.state != studies::PresentedState::waiting;
-    const bool new_comparison = playsByButtons(frame) && pageOpen(s.presented);
-    const bool new_page = frame.panel && pageOpen(frame) && !pageOpen(s.presented);
-    if (frame.viewer_place != s.presented.viewer_place || new_page || new_comparison ||
-        (new_trial && !frame.balls.empty()))
-        s.lookAtTask(frame);
+    if (looksAnew(frame, s.presented)) s.look = lookAtTask(frame, s.options.eye_height_m);
     if (frame.status != s.presented.status)
         glfwSetWindowTitle(s.window->handle(), (s.options.title + " - " + frame.status).c_str());
     s.presented = frame;
@@ -411,6 +382,7 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
                          glfwGetWindowAttrib(s.window->handle(), GLFW_ICONIFIED) == GLFW_FALSE;
     if (visible) {
         renderer::Scene scene = sceneFromFrame(frame, s.head());
+        scene.camera.vertical_fov_rad = verticalView_rad(frame, s.aspect());
         addNotice(scene, frame.notice);
         s.renderer->draw(scene, size.width, size.height);
         if (s.operators) s.operators->drawn(size);

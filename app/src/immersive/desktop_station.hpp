@@ -1,10 +1,10 @@
-// The desktop station, mock-VR: a window, a first-person camera at standing eye height, a ray from the right
-// hand.
+// The desktop station, mock-VR: a window with a first-person camera at standing eye height.
 //
-// Mouse: look around; the ray goes from the hand to what is in the middle of the view. Left button: select;
-// held, it drags a slider. 1-9: rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc:
-// pause. F11: full screen on and off. F10: to the experimenter's window, where there is one. While a text
-// field takes what is typed, letters, digits and the space are only that.
+// Mouse: the cursor is free; a ray goes from the eye through it. Left button: select; held, it drags a
+// slider. Right button held: the mouse turns the view, which goes back to the task with each page and trial.
+// 1-9: rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc: pause. F11: full screen on
+// and off. F10: to the experimenter's window, where there is one. While a text field takes what is typed,
+// letters, digits and the space are only that.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,8 @@ struct DesktopOptions {
     /// How to take part, one line in the participant's language: at the foot of the first pages and of the
     /// pause.
     std::string controls =
-        "Mouse: look and aim.  Left button: select.  Enter: continue.  1-9: rate.  Esc: pause.";
+        "Mouse: point.  Left button: select.  Hold the right button: look around.  Enter: continue.  "
+        "1-9: rate.  Esc: pause.";
     bool operator_window = false;                         ///< one for the experimenter too
     std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells there
 };

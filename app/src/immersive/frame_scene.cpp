@@ -1,6 +1,7 @@
 #include "frame_scene.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "studies/notice.hpp"
@@ -36,6 +37,17 @@ renderer::Ball ballFromView(const studies::BallView& view) {
             break;
     }
     return ball;
+}
+
+// A ray from the very eye would be seen as a point that hides what it is on: it is drawn from the hand.
+renderer::Beam beamFrom(const studies::RayView& view, const Pose& stage_from_eye) {
+    constexpr double at_eye_m = 0.01;
+    const Vec3 hand{0.20, -0.28, -0.20};
+    const auto& [ray, length_m] = view;
+    if (glm::length(ray.origin - stage_from_eye.position) > at_eye_m) return {ray, length_m};
+    const Vec3 from = transformPoint(stage_from_eye, hand);
+    const Vec3 way = ray.origin + length_m * ray.direction - from;
+    return {{from, glm::normalize(way)}, glm::length(way)};
 }
 
 renderer::BoardRect rectFrom(const studies::PanelRect& r) {
@@ -99,12 +111,7 @@ renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose&
         if (!frame.right_avatar_joints.empty()) scene.avatars.push_back(frame.right_avatar_joints);
     }
     for (const auto& ball : frame.balls) scene.balls.push_back(ballFromView(ball));
-    if (frame.ray) {
-        renderer::Beam beam;
-        beam.ray = frame.ray->ray;
-        beam.length_m = frame.ray->length_m;
-        scene.beams.push_back(beam);
-    }
+    if (frame.ray) scene.beams.push_back(beamFrom(*frame.ray, stage_from_eye));
     if (frame.panel) scene.boards.push_back(boardFromPanel(*frame.panel));
     if (frame.sign) scene.boards.push_back(boardFromPanel(*frame.sign));
     return scene;

@@ -46,6 +46,9 @@ struct InputFrame {
     double utc_s = 0.0;   ///< the same moment as UTC seconds since 1970 (simulated stations: virtual)
     /// When the input was read, on the same clock; none: at time_s. An answer by key is given at this time.
     std::optional<double> input_time_s;
+    /// When input was read before, on the same clock: a key went down, or select where its time is not known,
+    /// at some time since. Only what surely came after the onset is an answer. None: at input_time_s.
+    std::optional<double> read_before_s;
     Pose stage_from_head{};      ///< -z looks forward, +y up
     std::optional<Ray> pointer;  ///< hand or mouse ray in the stage's frame; none while it is not tracked
     bool select = false;         ///< the select button went down

@@ -1,5 +1,5 @@
-"""Turns to things, clicks them, drags and types, as somebody does who watches the screen: each move of the mouse is
-followed by a look at where it led."""
+"""Points at things, clicks them, drags and types, as somebody does who watches the screen: each move of the mouse is
+followed by a look at what it led to."""
 
 import math
 import time
@@ -8,7 +8,7 @@ import borrowed  # noqa: F401
 from geometry import Pose, add, length, rotate, scaled, subtract
 from session_trace import TraceTimeout
 
-DEG_PER_PIXEL = 0.07  # of the mouse: look_rad_per_pixel in desktop_station.cpp
+DEG_PER_PIXEL = 0.07  # of the mouse that looks around: look_rad_per_pixel in desktop_station.cpp
 AIMING_S = 20.0
 ANSWER_S = 20.0  # until a click or a key must have done something; frames may be slow
 READING_S = 0.6  # a board takes no input right after it came up
@@ -18,19 +18,33 @@ def head_of(line):
     return Pose(tuple(line["head"][:3]), tuple(line["head"][3:]))
 
 
+def half_height(line, aspect):
+    """Tangent of half the vertical field of view: 60 degrees, in the game as many as its first look needs with a
+    twentieth free, up to 84, for 16:9; a narrower window shows as much across."""
+    half = math.tan(math.radians(30.0))
+    if line["first_look"]:
+        _, _, width, height = line["first_look"]
+        half = min(max(half, max(height, width * 9.0 / 16.0) / 0.9), math.tan(math.radians(42.0)))
+    return half * max(1.0, 16.0 / 9.0 / aspect)
+
+
+def pixel_of(line, point, size):
+    """Where on the window a point of the stage is seen; None behind the viewer."""
+    head = head_of(line)
+    w, *turn = head.orientation
+    x, y, z = rotate((w, *scaled(turn, -1.0)), subtract(point, head.position))
+    if z > -1e-6:
+        return None
+    width, height = size
+    half = half_height(line, width / height)
+    across, upwards = x / -z / (half * width / height), y / -z / half
+    return (across + 1.0) / 2.0 * width - 0.5, (1.0 - upwards) / 2.0 * height - 0.5
+
+
 def angles_deg(direction):
     """Yaw, positive to the left, and pitch, positive up, of a direction."""
     x, y, z = direction
     return math.degrees(math.atan2(-x, -z)), math.degrees(math.atan2(y, math.hypot(x, z)))
-
-
-def pixels_to(line, point):
-    """How far the mouse must go, right and down, until the point is in the middle of the view."""
-    head = head_of(line)
-    yaw, pitch = angles_deg(rotate(head.orientation, (0.0, 0.0, -1.0)))
-    wanted_yaw, wanted_pitch = angles_deg(subtract(point, head.position))
-    turn = (yaw - wanted_yaw + 180.0) % 360.0 - 180.0
-    return turn / DEG_PER_PIXEL, (pitch - wanted_pitch) / DEG_PER_PIXEL
 
 
 def button(line, number):
@@ -60,6 +74,8 @@ class Hands:
         self._clicks = 0
         self._board = None
         self._board_since_s = 0.0
+        self._tries = 0
+        self.turned = 0  # how often something was out of the view
 
     def look(self):
         """The latest line."""
@@ -84,35 +100,56 @@ class Hands:
         self.wait("time to read", lambda line: line["time_s"] >= self._board_since_s + READING_S)
         return self.look()
 
-    # Turning.
+    # Pointing.
 
-    def turn_to(self, what, point, there):
-        """Turns until `there(line)` holds and the point of the stage is in the middle of the view. `point(line)`: where
+    def point_at(self, what, point, there):
+        """Moves the mouse until `there(line)` holds and the cursor is on the point of the stage. `point(line)`: where
         it is, or None where it is gone. Whether it was found."""
         end = time.monotonic() + AIMING_S
+        at = None
         while time.monotonic() < end:
             line = self.look()
-            at = point(line)
-            if at is None:
+            wanted = point(line)
+            if wanted is None:
                 return False
-            right, down = pixels_to(line, at)
-            if max(abs(right), abs(down)) < 1.0:
-                if there(line):
-                    return True
-                if not self._soon(lambda now: point(now) is None or there(now), 1.0):
-                    return False
+            size = self.mouse.window_size()
+            pixel = pixel_of(line, wanted, size)
+            if pixel is None or not all(0.0 <= v <= most - 1 for v, most in zip(pixel, size)):
+                self._look_towards(line, wanted)
                 continue
-            self._move(round(right), round(down), line, at)
-        raise TraceTimeout(f"{what} did not come into the middle of the view; {self.trace.describe()}")
+            pixel = tuple(round(v) for v in pixel)
+            if pixel == at:  # it has been there all the time: as people do, away and back
+                self.mouse.move_to(pixel[0] + (25 if pixel[0] < size[0] / 2 else -25), pixel[1])
+                self._frames(line)
+            self.mouse.move_to(*pixel)
+            at = pixel
+            self._frames(line)
+            if self._soon(lambda now: point(now) is None or there(now), 1.0) and point(self.look()) is not None:
+                return True
+            if point(self.look()) is not None and self._settled(line):
+                return False
+        raise TraceTimeout(f"{what} could not be pointed at; {self.trace.describe()}")
 
-    def _move(self, right, down, line, at):
-        seen = line["frame"]
-        self.mouse.move(right, down)
+    def _settled(self, line):
+        """Whether the view is the same as in the line before: then it was pointed at, and hidden or not to be had."""
+        now = self.look()
+        self._tries = self._tries + 1 if now["head"] == line["head"] else 0
+        if self._tries < 3:
+            return False
+        self._tries = 0
+        return True
 
-        def arrived(now):
-            return now["frame"] > seen and max(abs(v) for v in pixels_to(now, at)) < 1.5
+    def _frames(self, line):
+        self._soon(lambda now: now["frame"] > line["frame"] + 1 or board(now) != board(line), 1.5)
 
-        self._soon(lambda now: arrived(now) or board(now) != board(line), 1.5)
+    def _look_towards(self, line, point):
+        head = head_of(line)
+        yaw, pitch = angles_deg(rotate(head.orientation, (0.0, 0.0, -1.0)))
+        wanted_yaw, wanted_pitch = angles_deg(subtract(point, head.position))
+        turn = (yaw - wanted_yaw + 180.0) % 360.0 - 180.0
+        self.mouse.look_around(round(turn / DEG_PER_PIXEL), round((pitch - wanted_pitch) / DEG_PER_PIXEL))
+        self.turned += 1
+        self._frames(self.look())
 
     def _soon(self, condition, timeout_s):
         try:
@@ -143,7 +180,7 @@ class Hands:
         done = done or (lambda now: board(now) != before or not enabled(now))
         for _ in range(3):
             self.read()
-            lit = self.turn_to(
+            lit = self.point_at(
                 f"button {number}",
                 lambda now: tuple(button(now, number)["centre"]) if enabled(now) else None,
                 lambda now: button(now, number)["hovered"],
@@ -183,7 +220,7 @@ class Hands:
         low, high = slider(line, number)["low"], slider(line, number)["high"]
         begin = low + (high - low) * (0.3 if value > (low + high) / 2 else 0.7)
         self.read()
-        self.turn_to(f"slider {number}", lambda now: point_at(now, begin), lambda now: True)
+        self.point_at(f"slider {number}", lambda now: point_at(now, begin), lambda now: True)
         at = self.mouse.press()
         try:
             self.wait(
@@ -195,7 +232,7 @@ class Hands:
                 return slider(now, number)["value"] == value
 
             for _ in range(4):
-                if self.turn_to(f"{value} on slider {number}", lambda now: point_at(now, value), there):
+                if self.point_at(f"{value} on slider {number}", lambda now: point_at(now, value), there):
                     break
             else:
                 raise TraceTimeout(f"slider {number} stays at {slider(self.look(), number)['value']}, not {value}")
@@ -212,14 +249,14 @@ class Hands:
         line = self.wait(f"field {number}", lambda now: field(now, number))
         self.read()
         if not field(line, number)["active"]:
-            self.turn_to(f"field {number}", lambda now: tuple(field(now, number)["centre"]), lambda now: True)
+            self.point_at(f"field {number}", lambda now: tuple(field(now, number)["centre"]), lambda now: True)
             self.click()
             self.wait(f"caret in field {number}", lambda now: field(now, number)["active"])
         self.mouse.type(text)
         self.wait(f"'{text}' in field {number}", lambda now: field(now, number)["text"] == text)
 
     def hover_ball(self, place):
-        """Turns to a ball until it lights up. Its centre; None where others hide it from here."""
+        """Points at a ball until it lights up. Its centre; None where others hide it from here."""
 
         def ball(line):
             return line["balls"][place] if place < len(line["balls"]) else None
@@ -237,6 +274,6 @@ class Hands:
                 side = scaled((-away[2], 0.0, away[0]), found["radius_m"] * right / length((away[0], 0.0, away[2])))
                 return add(add(found["centre"], side), (0.0, found["radius_m"] * up, 0.0))
 
-            if self.turn_to(f"ball {place}", point, lambda line: ball(line)["look"] == "hovered"):
+            if self.point_at(f"ball {place}", point, lambda line: ball(line)["look"] == "hovered"):
                 return tuple(found["centre"])
         return None

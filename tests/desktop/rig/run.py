@@ -14,6 +14,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import broken_off
+import rested
+import resized
 import studies
 from window import Desktop
 
@@ -29,6 +31,9 @@ SCENARIOS = {
     "killed": broken_off.killed,
     "paused": broken_off.paused,
     "declined": broken_off.declined,
+    "closing": resized.closing_in_view,
+    "rested": rested.rested,
+    "resized": resized.resized,
 }
 
 

@@ -1,6 +1,7 @@
 """A virtual display with the program's window on it, and a mouse and a keyboard, which are xdotool's."""
 
 import re
+import struct
 import subprocess
 import time
 
@@ -37,7 +38,7 @@ class Desktop(Rig):
             cwd=self.folder,
         )
         self.trace = Trace(path, self.deixis.alive)
-        self.mouse = Mouse(self.environment)
+        self.mouse = Mouse(self.environment, lambda: self.windows(PARTICIPANT)[0])
         # The clips of the built-in systems are made before the window opens.
         until("window", lambda: self.windows(PARTICIPANT) or not self.deixis.alive(), 180.0)
         if not self.deixis.alive():
@@ -54,22 +55,69 @@ class Desktop(Rig):
 
     def window_size(self):
         """Width and height on the screen."""
-        return self._geometry(self.windows(PARTICIPANT)[0])
+        return self.mouse.window_size()
 
-    def _geometry(self, window):
-        said = subprocess.run(
-            ["xdotool", "getwindowgeometry", "--shell", str(window)],
-            env=self.environment, capture_output=True, text=True, check=True,
-        ).stdout
-        values = dict(line.split("=") for line in said.split())
-        return int(values["WIDTH"]), int(values["HEIGHT"])
+    def screen(self):
+        """What is shown, as rows of pixels (blue, green, red, unused), in a window-sized cut."""
+        left, top, width, height = self.mouse.window_geometry()
+        return Screen(self.folder / "Xvfb_screen0").cut(left, top, width, height)
+
+
+class Screen:
+    """The display's own picture: an XWD file, which Xvfb keeps up to date."""
+
+    def __init__(self, path):
+        data = path.read_bytes()
+        header = struct.unpack(">25I", data[:100])
+        self._stride, colours = header[12], header[19]
+        if header[11] != 32:
+            raise RigError(f"{path}: {header[11]} bits a pixel, expected 32")
+        self._pixels = data[header[0] + 12 * colours:]
+
+    def cut(self, left, top, width, height):
+        rows = (self._stride * y + 4 * left for y in range(top, top + height))
+        return [self._pixels[row: row + 4 * width] for row in rows]
 
 
 class Mouse:
     """And the keyboard. All that the scripted person can do."""
 
-    def __init__(self, environment):
+    def __init__(self, environment, find_window):
         self._environment = environment
+        self._find_window = find_window
+        self._window = None
+
+    def window_geometry(self):
+        """Left, top, width and height on the screen."""
+        if self._window is None:
+            self._window = self._find_window()
+        said = subprocess.run(
+            ["xdotool", "getwindowgeometry", "--shell", str(self._window)],
+            env=self._environment, capture_output=True, text=True, check=True,
+        ).stdout
+        values = dict(line.split("=") for line in said.split())
+        return tuple(int(values[key]) for key in ("X", "Y", "WIDTH", "HEIGHT"))
+
+    def window_size(self):
+        return self.window_geometry()[2:]
+
+    def move_to(self, x, y):
+        """A pixel of the window."""
+        self.window_geometry()
+        return self.do("mousemove", "--window", self._window, x, y)
+
+    def resize(self, width, height):
+        """The window, as its frame would."""
+        self.window_geometry()
+        return self.do("windowsize", self._window, width, height)
+
+    def look_around(self, right_px, down_px):
+        """With the right button held."""
+        self.do("mousedown", 3)
+        time.sleep(0.3)  # the cursor is put elsewhere meanwhile
+        self.move(right_px, down_px)
+        time.sleep(0.3)
+        return self.do("mouseup", 3)
 
     def do(self, *arguments):
         """Returns when the command began and when it had ended (UTC)."""

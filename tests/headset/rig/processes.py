@@ -136,7 +136,8 @@ class Rig:
     def _start_display(self):
         read, write = os.pipe()
         self._start(
-            ["Xvfb", "-displayfd", write, "-screen", "0", f"{self._screen}x24", "-nolisten", "tcp", "-noreset"],
+            ["Xvfb", "-displayfd", write, "-screen", "0", f"{self._screen}x24", "-nolisten", "tcp", "-noreset"]
+            + ["-fbdir", self.folder],  # where Screen reads what is shown
             "xvfb",
             pass_fds=[write],
         )

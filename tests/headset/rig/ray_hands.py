@@ -70,7 +70,7 @@ class RayHands(Hands):
         super()._notice_board()
         self._watch(self.trace.now)
 
-    def turn_to(self, what, point, there):
+    def point_at(self, what, point, there):
         """Points at it, from another side where it does not light up. Whether it was found."""
         for _ in self.body.reaches():
             at = point(self.look())

@@ -1,0 +1,83 @@
+#include "desktop_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace deixis::app {
+
+namespace {
+
+using studies::PresentedFrame;
+using studies::PresentedState;
+
+constexpr double resting_pitch_rad =
+    radiansFromDegrees(-6.0);  // a standing person's gaze rests a little down
+constexpr double wide_picture = 16.0 / 9.0;
+constexpr double nearest_m = 1e-6;
+
+// Whether a board stands there to be read first, not one beside a task.
+bool pageOpen(const PresentedFrame& frame) {
+    return frame.panel && isFullPage(frame.state);
+}
+
+// Whether clips are to be played by buttons: the board and who is shown belong together.
+bool playsByButtons(const PresentedFrame& frame) {
+    return frame.panel &&
+           (frame.state == PresentedState::listening || frame.state == PresentedState::comparing);
+}
+
+bool beginsTrial(const PresentedFrame& frame, const PresentedFrame& before) {
+    if (frame.state == PresentedState::waiting && !frame.panel)
+        return before.state != PresentedState::waiting;
+    return playsByButtons(frame) && before.state == PresentedState::rated;
+}
+
+Vec3 middleOf(const studies::Panel& panel) {
+    return transformPoint(panel.stage_from_panel, {0.5 * panel.width_m, 0.5 * panel.height_m, 0.0});
+}
+
+}  // namespace
+
+bool looksAnew(const PresentedFrame& frame, const PresentedFrame& before) {
+    if (frame.state == PresentedState::rated) return false;  // a page of reasons, for a moment still
+    const bool another_page = frame.state != before.state || frame.stage != before.stage;
+    return frame.viewer_place != before.viewer_place || pageOpen(frame) != pageOpen(before) ||
+           (pageOpen(frame) && another_page) || beginsTrial(frame, before);
+}
+
+Look lookAtTask(const PresentedFrame& frame, double eye_height_m) {
+    Look look{0.0, resting_pitch_rad};
+    if (!frame.panel) {
+        if (frame.first_look) look = {frame.first_look->yaw_rad, frame.first_look->pitch_rad};
+        return look;
+    }
+    const Vec3 board = transformPoint(inverse(frame.stage_from_viewer), middleOf(*frame.panel));
+    const double pitch_rad = std::atan2(board.y - eye_height_m, std::hypot(board.x, board.z));
+    look.yaw_rad = std::atan2(-board.x, -board.z);
+    if (pageOpen(frame)) look.pitch_rad = pitch_rad;
+    if (playsByButtons(frame)) look.pitch_rad = 0.5 * (resting_pitch_rad + pitch_rad);
+    return look;
+}
+
+double verticalView_rad(const PresentedFrame& frame, double aspect) {
+    const double wide_rad =
+        frame.first_look ? frame.first_look->verticalView_rad(wide_picture) : studies::least_view_rad;
+    return 2.0 * std::atan(std::tan(0.5 * wide_rad) * std::max(1.0, wide_picture / aspect));
+}
+
+Ray rayThrough(const Pose& stage_from_eye, double vertical_view_rad, double aspect, const PicturePoint& at) {
+    const double half = std::tan(0.5 * vertical_view_rad);
+    const Vec3 direction = stage_from_eye.orientation * Vec3(at.x * half * aspect, at.y * half, -1.0);
+    return {stage_from_eye.position, glm::normalize(direction)};
+}
+
+std::optional<PicturePoint> inPicture(const Pose& stage_from_eye, double vertical_view_rad, double aspect,
+                                      const Vec3& point) {
+    const Vec3 seen = transformPoint(inverse(stage_from_eye), point);
+    if (seen.z > -nearest_m) return std::nullopt;
+    const double half = std::tan(0.5 * vertical_view_rad);
+    return PicturePoint{seen.x / -seen.z / (half * aspect), seen.y / -seen.z / half};
+}
+
+}  // namespace deixis::app
