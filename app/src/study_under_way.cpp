@@ -16,6 +16,7 @@
 #include "lab_files.hpp"
 #include "studies/plan.hpp"
 #include "studies/study_source.hpp"
+#include "studies/targets.hpp"
 #include "study_structure.hpp"
 
 namespace deixis::app {
@@ -77,6 +78,16 @@ Result<StudySetup> setupAsBegun(const StudyRequest& request, const results::Stor
     return setup;
 }
 
+/// Targets and distractors by the rule of the older program, which did not ask whether they are seen: later
+/// participants meet the same ones as earlier.
+Result<std::vector<studies::TargetItem>> targetsAsBegun(const StudySetup& setup) {
+    const studies::Study& study = setup.study;
+    if (study.targets.from_manifest.empty())
+        return studies::sampleTargets(study.targets, study.distances, study.seed);
+    if (study.distances.empty()) return setup.targets;
+    return studies::drawDistractors(setup.targets, study.targets, study.distances, study.seed);
+}
+
 /// Of a database that an older program began: what is there now is locked.
 Result<std::string> lockOlder(const StudyRequest& request, results::Store& store) {
     const std::string database = request.database.string();
@@ -90,6 +101,9 @@ Result<std::string> lockOlder(const StudyRequest& request, results::Store& store
     // Of one that ships, questionnaires are the program's and may be others by now.
     if (!isShipped(setup->study.file) || setup->study.source != store.studySource())
         if (auto same = store.checkStudy(setup->study); !same) return tl::unexpected(same.error());
+    auto targets = targetsAsBegun(*setup);
+    if (!targets) return tl::unexpected(targets.error());
+    setup->targets = std::move(*targets);
     const auto hash = lockNow(*setup, request, store, true);
     if (!hash) return hash;
     store.lockOlder(*hash);
