@@ -103,7 +103,7 @@ void simulate(benchmark::State& state, const std::string& study) {
 
         state.PauseTiming();
         session_s += end_s;
-        answers += recorder.answers();
+        answers += recorder.answered();
         steps_us.insert(steps_us.end(), station.stepsUs().begin(), station.stepsUs().end());
         state.ResumeTiming();
     }
