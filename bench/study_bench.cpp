@@ -25,9 +25,7 @@ BENCHMARK_CAPTURE(read, rating, "sgtoolkit2021")
 
 void targets(benchmark::State& state) {
     const studies::Study study = bench::valueOf(app::loadStudySetup("pointing2023")).study;
-    for (auto _ : state)
-        benchmark::DoNotOptimize(
-            bench::valueOf(studies::sampleTargets(study)).data());
+    for (auto _ : state) benchmark::DoNotOptimize(bench::valueOf(studies::sampleTargets(study)).data());
 }
 BENCHMARK(targets)->Name("study/sample_100_targets")->Unit(benchmark::kMicrosecond);
 

@@ -47,7 +47,8 @@ const std::vector<std::pair<std::string_view, std::string_view>>& languageKeys()
          "Your answers did not meet what this study requires, so it cannot continue. Thank you for your "
          "time."},
         {"stopped_title", "The session stops here"},
-        {"stopped_text", "There is a technical problem. You did nothing wrong. Please tell the experimenter."},
+        {"stopped_text",
+         "There is a technical problem. You did nothing wrong. Please tell the experimenter."},
         {"attention_title", "Please pay attention"},
         {"attention_text",
          "One of your answers was not what we had asked for. Please watch every movement to the end and "

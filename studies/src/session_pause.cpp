@@ -43,20 +43,20 @@ void SessionRunner::State::openPausePanel(const InputFrame& input) {
     const LanguageTable& words = study.words;
     const PauseWords keys = pauseWords(pause_reason);
     core.openPanel(messagePanel(words(keys.title), words(keys.text) + " " + words("paused_end_hint"), "",
-                               {{words("resume"), button_id::resume, ButtonRole::go_on},
-                                {words("end_session"), button_id::end_session, ButtonRole::leave}},
-                               -1.0, core.hint),
-                  input, messagePose);
+                                {{words("resume"), button_id::resume, ButtonRole::go_on},
+                                 {words("end_session"), button_id::end_session, ButtonRole::leave}},
+                                -1.0, core.hint),
+                   input, messagePose);
 }
 
 // One press must not end a study.
 void SessionRunner::State::askWhetherToEnd(const InputFrame& input) {
     const LanguageTable& words = study.words;
     core.openPanel(messagePanel(words("end_title"), words("end_text"), "",
-                               {{words("go_back"), button_id::back},
-                                {words("end_yes"), button_id::end_for_good, ButtonRole::leave}},
-                               -1.0, core.hint),
-                  input, messagePose);
+                                {{words("go_back"), button_id::back},
+                                 {words("end_yes"), button_id::end_for_good, ButtonRole::leave}},
+                                -1.0, core.hint),
+                   input, messagePose);
 }
 
 void SessionRunner::State::stepPaused(const InputFrame& input) {

@@ -64,8 +64,8 @@ class SimulatedHead {
     double seen_s_ = 0.0;
 };
 
-/// What to look at while nothing is pressed: the avatar, the balls and it, or the board, where it is read, else
-/// between both.
+/// What to look at while nothing is pressed: the avatar, the balls and it, or the board, where it is read,
+/// else between both.
 [[nodiscard]] Vec3 placeToLook(const PresentedFrame& frame, const Vec3& eyes, int head_joint,
                                bool reads_board);
 

@@ -24,8 +24,8 @@ struct StudyProgress {
 
 [[nodiscard]] StudyProgress studyProgress(std::string_view status);
 
-/// What the participant does in a frame, for somebody who knows the study but not the program: "Aims at a ball
-/// (side-by-side)". Empty before the first.
+/// What the participant does in a frame, for somebody who knows the study but not the program: "Aims at a
+/// ball (side-by-side)". Empty before the first.
 [[nodiscard]] std::string stateInWords(const studies::PresentedFrame& frame);
 
 struct DeviceWords {
