@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+namespace studies = deixis::studies;
 using namespace deixis::app;
 
 TEST_SUITE("operator/operator_words") {
@@ -50,8 +51,8 @@ TEST_SUITE("operator/operator_words") {
         std::set<std::string> words;
         for (int i = 1; i <= static_cast<int>(studies::PresentedState::over); ++i) {
             frame.state = static_cast<studies::PresentedState>(i);
-            CAPTURE(presentedStateName(frame));
-            CHECK(stateInWords(frame) != presentedStateName(frame));
+            CAPTURE(studies::presentedStateName(frame));
+            CHECK(stateInWords(frame) != studies::presentedStateName(frame));
             CHECK(words.insert(stateInWords(frame)).second);
         }
     }
