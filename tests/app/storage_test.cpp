@@ -158,7 +158,8 @@ TEST_SUITE("app/storage") {
             CHECK(refused.err.find("UTF-8") != std::string::npos);
         }
         spill(scratch / "study.toml", replaced(shippedStudy(), "title = \"", "title = \"A\\u0000B "));
-        CHECK_FAILS_SAYING(program("check " + (scratch / "study.toml")), "study.toml:", "U+0000");
+        CHECK_FAILS_SAYING(program("plan " + (scratch / "study.toml") + " --participant P01"),
+                           "study.toml:", "U+0000");
         spill(scratch / "answers.csv", "participant,system,naturalness\nP01,Z\xFCrich,3\n");
         CHECK_FAILS_SAYING(program("report " + (scratch / "answers.csv") + " -o " + (scratch / "r.html")),
                            "answers.csv:2", "UTF-8");
