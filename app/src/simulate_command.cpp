@@ -41,7 +41,7 @@ Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, co
     const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
     const studies::Study stood = studies::atStation(setup.study, "simulated");
     const auto records = stimuli.records();
-    const std::string where = fmt::format("{}: {}", setup.study.file.string(), plan.participant);
+    const std::string where = fmt::format("study '{}': {}", setup.study.name, plan.participant);
     int answers = 0;
     double now_s = 0.0;
     std::optional<std::size_t> answered_before;

@@ -72,7 +72,7 @@ TEST_SUITE("app/reach") {
                                  (scratch / "s.sqlite"));
         INFO(ran.err);
         REQUIRE(ran.status == 0);
-        CHECK(ran.out.find("72 answers") != std::string::npos);
+        CHECK(ran.out.find("72 trials and pages answered") != std::string::npos);
         const auto far = shell("sqlite3 -readonly " + (scratch / "s.sqlite") +
                                " 'select count(*) from trials where target_z_m < 0.2'");
         CHECK_MESSAGE(std::stoi(far.out) > 4, far.out);
@@ -96,7 +96,7 @@ TEST_SUITE("app/reach") {
         spill(scratch / "slow.toml", study("[1.9, 2.2]", page, "60.0"));
         CHECK_FAILS_SAYING(program("simulate " + (scratch / "slow.toml") + " --participants 2 --db " +
                                    (scratch / "s.sqlite")),
-                           "slow.toml: S001", "stage \"pages\"", "30 minutes of virtual time", "waited for");
+                           ": S001", "stage \"pages\"", "30 minutes of virtual time", "waited for");
         CHECK_FALSE(fs::exists(scratch / "s.sqlite"));
         CHECK_FALSE(fs::exists(scratch / "s.sqlite.partial"));
     }

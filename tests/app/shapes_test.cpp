@@ -31,11 +31,11 @@ TEST_SUITE("app/shapes") {
         const Scratch scratch;
         const auto finished = program("targets pointing2023 --picture " + (scratch / "fig1.svg"));
         REQUIRE(finished.status == 0);
-        CHECK(finished.out.rfind("target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z\n", 0) == 0);
+        CHECK(finished.out.rfind("target_id,x,y,z,d1_x,d1_y,d1_z,d2_x,d2_y,d2_z,seen_", 0) == 0);
         const auto rows = table(finished.out);
         REQUIRE(rows.size() == 101);
         for (std::size_t i = 1; i < rows.size(); ++i) {
-            REQUIRE(rows[i].size() == 10);
+            REQUIRE(rows[i].size() == 14);  // and what is seen from four places
             const auto at = [&](std::size_t column, std::size_t k) { return std::stod(rows[i][column + k]); };
             for (const std::size_t distractor : {4U, 7U}) {
                 double d2 = 0.0;

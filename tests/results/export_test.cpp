@@ -296,7 +296,9 @@ TEST_SUITE("results/export") {
 
         // From before it was kept: the layout's own place.
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE)
-            .exec("UPDATE responses SET viewer_x_m = NULL, viewer_z_m = NULL, viewer_heading_deg = NULL");
+            .exec(
+                "UPDATE responses SET viewer_x_m = NULL, viewer_z_m = NULL, viewer_heading_deg = NULL, "
+                "hash = NULL");
         const auto older = loadRecording(folder / "a.sqlite", "P01");
         REQUIRE(older);
         CHECK(older->answers[1].trial.layout.viewer_x_m == 0.5);

@@ -170,9 +170,8 @@ TEST_SUITE("results/participants") {
             CHECK(countsTaken() == (given == 1.0 ? 3 : 2));
         }
         // What an earlier version, or anybody's SQL, left: the status alone lets nobody in.
-        consent(0.0);
         SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
-            .exec("UPDATE participants SET status = 'active', reason = NULL");
+            .exec("UPDATE consents SET agreed = 0 WHERE participant = 'P02'");
         CHECK(row().status == "dropped");
         CHECK(row().reason == "consent was declined");
         CHECK_FALSE(results::mayTakePart(row()));

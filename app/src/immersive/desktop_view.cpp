@@ -33,6 +33,12 @@ bool beginsTrial(const PresentedFrame& frame, const PresentedFrame& before) {
     return playsByButtons(frame) && before.state == PresentedState::rated;
 }
 
+// Whether a board stands there that asks about a choice among balls: it may stand away from them.
+bool asksAfterChoice(const PresentedFrame& frame) {
+    return frame.panel &&
+           (frame.state == PresentedState::chosen || frame.state == PresentedState::confidence);
+}
+
 Vec3 middleOf(const studies::Panel& panel) {
     return transformPoint(panel.stage_from_panel, {0.5 * panel.width_m, 0.5 * panel.height_m, 0.0});
 }
@@ -43,7 +49,8 @@ bool looksAnew(const PresentedFrame& frame, const PresentedFrame& before) {
     if (frame.state == PresentedState::rated) return false;  // a page of reasons, for a moment still
     const bool another_page = frame.state != before.state || frame.stage != before.stage;
     return frame.viewer_place != before.viewer_place || pageOpen(frame) != pageOpen(before) ||
-           (pageOpen(frame) && another_page) || beginsTrial(frame, before);
+           (pageOpen(frame) && another_page) || beginsTrial(frame, before) ||
+           (asksAfterChoice(frame) && !before.panel);
 }
 
 Look lookAtTask(const PresentedFrame& frame, double eye_height_m) {
@@ -55,7 +62,7 @@ Look lookAtTask(const PresentedFrame& frame, double eye_height_m) {
     const Vec3 board = transformPoint(inverse(frame.stage_from_viewer), middleOf(*frame.panel));
     const double pitch_rad = std::atan2(board.y - eye_height_m, std::hypot(board.x, board.z));
     look.yaw_rad = std::atan2(-board.x, -board.z);
-    if (pageOpen(frame)) look.pitch_rad = pitch_rad;
+    if (pageOpen(frame) || asksAfterChoice(frame)) look.pitch_rad = pitch_rad;
     if (playsByButtons(frame)) look.pitch_rad = 0.5 * (resting_pitch_rad + pitch_rad);
     return look;
 }

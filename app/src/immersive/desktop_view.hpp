@@ -22,7 +22,7 @@ struct PicturePoint {
 };
 
 /// Whether the view goes back to lookAtTask() with this frame: a page or a trial begins, a pause is over, the
-/// viewer is moved.
+/// viewer is moved, or a board asks about a choice that was made.
 [[nodiscard]] bool looksAnew(const studies::PresentedFrame& frame, const studies::PresentedFrame& before);
 
 /// Where a person who has just been placed here would turn: to a page's middle, to between those who are
