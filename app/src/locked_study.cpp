@@ -96,8 +96,11 @@ Json description(const StudySetup& setup, const assets::Avatar& avatar, const st
 /// Paths as the study file writes them: where the set lies is no matter of the study's.
 void asWritten(studies::Study& study, const fs::path& folder) {
     const auto written = [&](std::string& path) {
-        if (!path.empty() && !fs::path(path).is_absolute())
-            path = fs::path(path).lexically_relative(folder.lexically_normal()).generic_string();
+        if (path.empty()) return;
+        const fs::path relative = fs::path(path).lexically_relative(folder.lexically_normal());
+        // One that is written whole leads elsewhere, and stays.
+        const bool within = !relative.empty() && *relative.begin() != "..";
+        if (within || !fs::path(path).is_absolute()) path = relative.generic_string();
     };
     for (auto& system : study.systems) written(system.manifest);
     written(study.targets.from_manifest);

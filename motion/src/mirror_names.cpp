@@ -49,16 +49,16 @@ char otherSide(char c) {
     }
 }
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> words{{{"left", "right"},
-                                                                              {"right", "left"},
-                                                                              {"Left", "Right"},
-                                                                              {"Right", "Left"},
-                                                                              {"LEFT", "RIGHT"},
-                                                                              {"RIGHT", "LEFT"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> side_words{{{"left", "right"},
+                                                                                   {"right", "left"},
+                                                                                   {"Left", "Right"},
+                                                                                   {"Right", "Left"},
+                                                                                   {"LEFT", "RIGHT"},
+                                                                                   {"RIGHT", "LEFT"}}};
 
 const std::pair<std::string_view, std::string_view>* sideWordAt(std::string_view name, std::size_t i) {
     if (!wordBegins(name, i)) return nullptr;
-    for (const auto& word : words)
+    for (const auto& word : side_words)
         if (name.substr(i, word.first.size()) == word.first) return &word;
     return nullptr;
 }

@@ -31,14 +31,15 @@ SELECT p.id, p.number, p.language, p.status, coalesce(p.reason, ''),
        coalesce((SELECT CASE min(agreed) WHEN 1 THEN 'agreed' WHEN 0 THEN 'declined' END FROM consents AS c WHERE participant = p.id AND
                  session = (SELECT max(session) FROM consents WHERE participant = p.id AND stage = c.stage)),
                 '')
-  FROM {} AS p WHERE ?1 IS NULL OR p.id = ?1 ORDER BY p.number
+  FROM {} AS p {} ORDER BY p.number
 )sql";
 
 /// Of everybody, or of one participant.
 std::vector<ParticipantRow> readRows(SQLite::Database& database,
                                      const std::optional<std::string>& participant = std::nullopt) {
     std::vector<ParticipantRow> out;
-    SQLite::Statement row(database, fmt::format(rows_format, participantsStanding()));
+    SQLite::Statement row(
+        database, fmt::format(rows_format, participantsStanding(), participant ? "WHERE p.id = ?1" : ""));
     if (participant) row.bind(1, *participant);
     while (row.executeStep()) {
         ParticipantRow& one = out.emplace_back();

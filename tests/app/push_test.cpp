@@ -72,6 +72,8 @@ struct Stations {
 /// Takes away what version 5 added, in a file or on a server.
 constexpr const char* back_to_4 =
     "DROP VIEW responses_flat; ALTER TABLE study DROP COLUMN locked_hash;"
+    "ALTER TABLE plans DROP COLUMN locked_hash; DROP INDEX sessions_of_participant;"
+    "DROP INDEX responses_of_participant;"
     "ALTER TABLE participants DROP COLUMN token; ALTER TABLE trials DROP COLUMN visibility;"
     "ALTER TABLE responses DROP COLUMN viewer_x_m; ALTER TABLE responses DROP COLUMN viewer_z_m;"
     "ALTER TABLE responses DROP COLUMN viewer_heading_deg; ALTER TABLE responses DROP COLUMN hash;"

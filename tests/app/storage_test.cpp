@@ -67,7 +67,8 @@ TEST_SUITE("app/storage") {
                 program("run pointing2023 --station simulated --participant P01 --db " + database);
             INFO(again.err);
             CHECK(again.status == 0);
-            CHECK(again.out.find(std::to_string(kept) + " answers kept from before") != std::string::npos);
+            CHECK(again.out.find(std::to_string(kept) + " trials and pages answered before") !=
+                  std::string::npos);
         }
     }
 

@@ -44,7 +44,8 @@ TEST_SUITE("app/study_commands") {
             const auto checked = program("check " + study);
             CHECK_MESSAGE(checked.status == 0, checked.err);
             CHECK(contains(checked.out, "no problem found"));
-            CHECK(contains(checked.out, "languages: en, de, sv, ko"));
+            CHECK(contains(checked.out,
+                           "language ko: the program's words are translated, not reviewed by a speaker"));
             const auto plan = program("plan " + study + " --participant P07");
             CHECK(plan.status == 0);
             CHECK(plan.out == program("plan " + study + " --participant P07").out);

@@ -182,29 +182,32 @@ TEST_SUITE("immersive/desktop_view") {
             const auto setup = loadStudySetup(name);
             REQUIRE(setup.has_value());
             Screen screen(setup->study.eye_height_m);
-            play(studies::atStation(setup->study, "desktop"), planOf(*setup, 1), 3,
-                 [&](const PresentedFrame& frame) {
-                     screen.present(frame);
-                     if (!frame.panel || !frame.key_moment) return;
-                     double& worst = farthest[name + " " + presentedStateName(frame)];
-                     const auto see = [&](const Pose& stage_from_board, const studies::PanelRect& box) {
-                         for (const double aspect : aspects)
-                             for (const double x : {box.x, box.x + box.width})
-                                 for (const double y : {box.y, box.y + box.height})
-                                     worst = std::max(
-                                         worst, screen.farthest(transformPoint(stage_from_board, {x, y, 0.0}),
-                                                                aspect));
-                     };
-                     if (isFullPage(frame.state)) {
-                         see(frame.panel->stage_from_panel,
-                             {0.0, 0.0, frame.panel->width_m, frame.panel->height_m});
-                         return;
-                     }
-                     for (const auto& button : frame.panel->buttons)
-                         see(frame.panel->stage_from_panel, button.box);
-                     for (const auto& slider : frame.panel->sliders)
-                         see(frame.panel->stage_from_panel, slider.box);
-                 });
+            studies::Study study = studies::atStation(setup->study, "desktop");
+            for (studies::Stage& stage : study.stages)
+                if (name == "sgtoolkit2021")
+                    for (auto& check : stage.checks) check.rule = studies::CheckRule::end;
+            play(study, planOf(*setup, 1), 3, [&](const PresentedFrame& frame) {
+                screen.present(frame);
+                if (!frame.panel || !frame.key_moment) return;
+                double& worst = farthest[name + " " + presentedStateName(frame)];
+                const auto see = [&](const Pose& stage_from_board, const studies::PanelRect& box) {
+                    for (const double aspect : aspects)
+                        for (const double x : {box.x, box.x + box.width})
+                            for (const double y : {box.y, box.y + box.height})
+                                worst = std::max(
+                                    worst,
+                                    screen.farthest(transformPoint(stage_from_board, {x, y, 0.0}), aspect));
+                };
+                if (isFullPage(frame.state)) {
+                    see(frame.panel->stage_from_panel,
+                        {0.0, 0.0, frame.panel->width_m, frame.panel->height_m});
+                    return;
+                }
+                for (const auto& button : frame.panel->buttons)
+                    see(frame.panel->stage_from_panel, button.box);
+                for (const auto& slider : frame.panel->sliders)
+                    see(frame.panel->stage_from_panel, slider.box);
+            });
             CHECK_MESSAGE(farthest.count(name + " closing") + farthest.count(name + " instructions") > 0,
                           name);
         }
