@@ -213,9 +213,9 @@ TEST_SUITE("immersive/desktop_view") {
         }
         CHECK(farthest.count("sgtoolkit2021 closing") == 1);
         CHECK(farthest.size() >= 20);
-        for (const auto& [where, worst] : farthest) {
-            CAPTURE(where);
-            CHECK(worst < 1.0);
+        for (const auto& seen : farthest) {
+            CAPTURE(seen.first);
+            CHECK(seen.second < 1.0);
         }
     }
 
