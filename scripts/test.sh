@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs what the tests need, builds, runs every check and test, and ends with the counts.
-#   scripts/test.sh          everything: style, all tests by GCC and by Clang with sanitizers, the program by Clang
-#                            without graphics compared with GCC's, lint, and the program once more on Debian 13,
+# Installs what the tests need, builds, runs the tests, and ends with the counts.
+#   scripts/test.sh          style, and every test once, by Clang with address and undefined-behaviour sanitizers
+#   scripts/test.sh all      the same, and: the program by GCC, file by file; by Clang without graphics, compared with
+#                            GCC's; sessions at the desktop in real time; lint; and the program once more on Debian 13,
 #                            where the headset's tests run (needs root)
 #   scripts/test.sh dev      one preset's tests only
 set -euo pipefail
@@ -13,6 +14,7 @@ scripts/install.sh tests
 
 mkdir -p build/test-logs
 counts=()
+status=0
 say() { echo "== $* ($((SECONDS / 60)) min)"; }
 build() {
     say "$1: configure and build"
@@ -29,31 +31,38 @@ build() {
 run_preset() {
     build "$1" || return 1
     say "$1: tests"
-    local log=build/test-logs/$1.log status=0
-    ctest --preset "$1" -j2 --timeout 1200 2>&1 | tee "$log" || status=$?
+    local log=build/test-logs/$1.log result=0
+    ctest --preset "$1" -j2 --timeout 1200 2>&1 | tee "$log" || result=$?
     counts+=("$1: $(grep -E 'tests passed' "$log" || echo 'no result')")
-    return "$status"
+    return "$result"
 }
-
-presets=("$@")
-[ ${#presets[@]} -gt 0 ] || {
-    scripts/check_style.sh
-    presets=(dev asan)
-}
-status=0
-for preset in "${presets[@]}"; do run_preset "$preset" || status=1; done
-if [ $# -eq 0 ]; then
+run_rest() {
+    build dev --target deixis || status=1
     build offline --target deixis || status=1
     say "compare"
     scripts/compare_builds.sh build/dev/deixis build/offline/deixis || status=1
+    say "sessions at the desktop"
+    ctest --preset dev -R '^desktop/' || status=1
     say "lint"
     scripts/lint.sh || status=1
     say "headset"
     scripts/test_headset.sh --scenarios-only 2>&1 | tee build/test-logs/headset.log || status=1
     counts+=("$(grep -E '^headset: [0-9]+ passed' build/test-logs/headset.log || echo 'headset: no result')")
-fi
+}
+
+case ${1:-} in
+"" | all)
+    scripts/check_style.sh
+    run_preset asan || status=1
+    [ $# -eq 0 ] || run_rest
+    ;;
+*)
+    for preset in "$@"; do run_preset "$preset" || status=1; done
+    ;;
+esac
 
 echo
 printf '%s\n' "${counts[@]}"
+say "end"
 [ "$status" -eq 0 ] && echo "All passed." || echo "Something failed: see above."
 exit "$status"

@@ -177,7 +177,7 @@ TEST_SUITE("app/bad-input") {
     }
 
     TEST_CASE("a report is never written over a database") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
         const std::string before = slurp(database);
@@ -206,7 +206,7 @@ TEST_SUITE("app/bad-input") {
     }
 
     TEST_CASE("databases that cannot be used are refused and left as they are") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         const auto run = [&] {
             return program("run pointing2023 --station simulated --participant P01 --db " + database);

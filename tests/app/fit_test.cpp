@@ -6,7 +6,7 @@ using nlohmann::json;
 
 TEST_SUITE("app/fit") {
     TEST_CASE("The noise and lapses of simulated participants come back, and serve another simulation.") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         const std::string shipped =
             slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/simulated_participant.toml");
         spill(scratch / "known.toml",
@@ -43,7 +43,7 @@ TEST_SUITE("app/fit") {
     }
 
     TEST_CASE("A database without choices, and a ray that is none, are refused.") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         REQUIRE(
             program("simulate genea-pairwise --participants 1 --db " + (scratch / "pairs.sqlite")).status ==
             0);

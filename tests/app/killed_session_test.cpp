@@ -60,8 +60,7 @@ class Life {
             REQUIRE(plan);
             plans.push_back(std::move(*plan));
         }
-        const auto hash = app::lockStudy(
-            *setup_, {database_, fs::path(DEIXIS_BINARY_DIR) / "killed-session-stimuli", {}, {}, false});
+        const auto hash = app::lockStudy(*setup_, {database_, sharedStimuli(), {}, {}, false});
         REQUIRE(hash);
         const auto locked = app::openLocked(database_, *hash);
         REQUIRE(locked);

@@ -103,7 +103,7 @@ TEST_SUITE("app/power") {
     }
 
     TEST_CASE("Effects estimated from a database are written to a file that gives the same power.") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         REQUIRE(
             program("simulate pointing2023 --participants 12 --db " + (scratch / "pilot.sqlite")).status ==
             0);
@@ -139,7 +139,7 @@ TEST_SUITE("app/power") {
     }
 
     TEST_CASE("Groups of a pilot are estimated and tested, and a level that the study lacks is named.") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         REQUIRE(program("simulate distractor-distance --participants 8 --db " + (scratch / "pilot.sqlite"))
                     .status == 0);
         const std::string rest = " --participants 8 --studies 20 --json ";

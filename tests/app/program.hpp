@@ -41,6 +41,14 @@ inline int exitStatus(int wait_status) {
     return WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : 128 + WTERMSIG(wait_status);
 }
 
+/// The folder in which all tests share the clips that the program makes for shipped studies; sanitizers make
+/// them slow.
+inline std::string sharedStimuli() {
+    return (fs::path(DEIXIS_BINARY_DIR) / "test-stimuli").string();
+}
+
+struct WithSharedStimuli {};
+
 /// A folder of its own for one test case, removed at its end.
 class Scratch {
   public:
@@ -48,6 +56,11 @@ class Scratch {
         std::string name = (fs::temp_directory_path() / "deixis_test_XXXXXX").string();
         REQUIRE(mkdtemp(name.data()) != nullptr);
         path_ = name;
+    }
+    /// Where a database in this folder looks for its clips lie the shared ones.
+    explicit Scratch(WithSharedStimuli) : Scratch() {
+        fs::create_directories(sharedStimuli());
+        fs::create_directory_symlink(sharedStimuli(), path_ / "stimuli");
     }
     ~Scratch() {
         std::error_code code;

@@ -40,7 +40,7 @@ void leaveOut(const std::string& database, const std::string& ids) {
 /// Two stations' files of one study, three simulated participants each, the second with tracked frames of 8
 /// MB.
 struct Stations {
-    Scratch folder;
+    Scratch folder{WithSharedStimuli{}};
     std::string a = folder / "a.sqlite";
     std::string b = folder / "b.sqlite";
     std::string both = folder / "both.sqlite";

@@ -194,7 +194,7 @@ TEST_SUITE("app/report_r") {
             const std::string& study = one.first;
             const std::string& table = one.second;
             CAPTURE(study);
-            const Scratch scratch;
+            const Scratch scratch{WithSharedStimuli{}};
             const std::string db = scratch / "s.db";
             REQUIRE(program("simulate " + study + " --participants 7 --db " + db).status == 0);
             REQUIRE(program("participants exclude " + db + " S003 --reason test").status == 0);

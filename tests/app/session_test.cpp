@@ -69,7 +69,7 @@ TEST_SUITE("app/session") {
     }
 
     TEST_CASE("a participant who has finished is not asked again") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         const std::string run =
             "run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite");
         const auto first = program(run);
@@ -84,7 +84,7 @@ TEST_SUITE("app/session") {
     }
 
     TEST_CASE("two runs of one participant at once are refused, another participant is not") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         // Long, so that the first is still under way when the second comes.
         std::string study = replaced(shippedStudy(), "count = 100 ", "count = 140 ");
@@ -100,7 +100,7 @@ TEST_SUITE("app/session") {
     }
 
     TEST_CASE("a simulated participant does not go on with a person's session") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
         REQUIRE(
@@ -119,7 +119,7 @@ TEST_SUITE("app/session") {
     }
 
     TEST_CASE("the simulated participant answers the same drawn or not, here or in a whole study") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         REQUIRE(program("run pointing2023 --station simulated --participant S002 --db " +
                         (scratch / "one.sqlite"))
                     .status == 0);

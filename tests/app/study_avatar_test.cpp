@@ -45,7 +45,7 @@ TEST_SUITE("app/study_avatar") {
         bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
         spill(scratch / "figures/mine.glb", bytes);
         spill(scratch / "study.toml", withAvatar("figures/mine.glb"));
-        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const std::string stimuli = sharedStimuli();
         const auto checked = program("check " + (scratch / "study.toml"));
         CHECK_MESSAGE(checked.status == 0, checked.err);
         CHECK(checked.out.find("figures/mine.glb, 55 joints") != std::string::npos);
@@ -74,7 +74,7 @@ TEST_SUITE("app/study_avatar") {
         bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
         spill(scratch / "lab/figures/mine.glb", bytes);
         spill(scratch / "lab/study.toml", withAvatar("figures/mine.glb"));
-        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const std::string stimuli = sharedStimuli();
         const auto ran = program("simulate " + (scratch / "lab/study.toml") + " --participants 1 --db " +
                                  (scratch / "lab/s.sqlite") + " --stimuli " + stimuli);
         REQUIRE_MESSAGE(ran.status == 0, ran.err);
@@ -111,7 +111,7 @@ TEST_SUITE("app/study_avatar") {
         const Scratch scratch;
         spill(scratch / "study.toml", replaced(withAvatar(fs::weakly_canonical(figure).string()), "[study]\n",
                                                "[study]\navatar_height_m = 1.8\n"));
-        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const std::string stimuli = sharedStimuli();
         const auto ran = program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
                                  (scratch / "s.sqlite") + " --stimuli " + stimuli);
         REQUIRE_MESSAGE(ran.status == 0, ran.err);
@@ -137,7 +137,7 @@ TEST_SUITE("app/study_avatar") {
         const auto checked = program("check " + (scratch / "study.toml"));
         CHECK_MESSAGE(checked.status == 0, checked.err);
         CHECK(checked.out.find("scaled to 1.70 m, as asked for") != std::string::npos);
-        const std::string stimuli = (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
+        const std::string stimuli = sharedStimuli();
         const auto ran = program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
                                  (scratch / "s.sqlite") + " --stimuli " + stimuli);
         REQUIRE_MESSAGE(ran.status == 0, ran.err);

@@ -20,14 +20,10 @@ std::vector<std::string> shippedStudies() {
     return names;
 }
 
-std::string stimuli() {
-    return (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string();
-}
-
 /// A database of one or more simulated participants.
 Finished simulated(const std::string& study, int participants, const std::string& database) {
     return program("simulate " + study + " --participants " + std::to_string(participants) + " --db " +
-                   database + " --stimuli " + stimuli());
+                   database + " --stimuli " + sharedStimuli());
 }
 
 int count(const std::string& database, const std::string& query) {
@@ -199,7 +195,7 @@ TEST_SUITE("app/study_commands") {
         CHECK(contains(choices.out, "42 choices: 42 the same"));
         CHECK_FAILS_SAYING(program("replay " + database + " --participant S004 --list"), "S004");
         const auto moved =
-            program("replay " + database + " --participant S001 --choices --stimuli " + stimuli());
+            program("replay " + database + " --participant S001 --choices --stimuli " + sharedStimuli());
         CHECK(moved.status == 0);
     }
 }

@@ -48,7 +48,7 @@ const std::map<std::string, std::set<std::string>> follows{
 
 TEST_SUITE("app/trace") {
     TEST_CASE("a traced session tells the course of every trial, and where what is aimed at stands") {
-        const Scratch scratch;
+        const Scratch scratch{WithSharedStimuli{}};
         const std::string trace = scratch / "trace.jsonl";
         const std::string database = scratch / "s.sqlite";
         spill(trace, "{\"earlier\": true}\n");

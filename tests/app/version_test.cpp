@@ -48,7 +48,7 @@ TEST_SUITE("app/version") {
         const std::string first_line = told.substr(0, told.find('\n'));
         const std::string database = scratch / "s.sqlite";
         REQUIRE(program("simulate genea-pairwise --participants 1 --db " + database + " --stimuli " +
-                        (fs::path(DEIXIS_BINARY_DIR) / "study-commands-stimuli").string())
+                        sharedStimuli())
                     .status == 0);
         SQLite::Database db(database, SQLite::OPEN_READONLY);
         const auto property = [&](const std::string& name) {
