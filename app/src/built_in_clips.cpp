@@ -30,7 +30,7 @@ Result<void> makeClips(const studies::SystemSource& system, std::uint64_t seed,
     // Whole, or not there: whoever makes the same clips at the same time finds those of whoever was first.
     const fs::path making = folder.parent_path() / (".making-" + uniqueName());
     std::error_code code;
-    auto rows = generateClips(**generator, targets, seed, manner, making, true);
+    auto rows = generateClips(**generator, targets, seed, manner, making, true, false);
     if (rows) {
         // One without a manifest was left half by a program that was killed.
         if (!fs::exists(folder / "manifest.csv", code)) fs::remove_all(folder, code);

@@ -10,6 +10,7 @@
 #include "assets/bvh.hpp"
 #include "assets/gltf_clip.hpp"
 #include "assets/joint_positions.hpp"
+#include "core/durable.hpp"
 #include "core/files.hpp"
 #include "core/unique_name.hpp"
 
@@ -56,8 +57,11 @@ std::string clipStem(const fs::path& file) {
     return name.stem().string();
 }
 
-OutputFolder::OutputFolder(fs::path folder, bool force)
-    : folder_(std::move(folder)), staging_(folder_ / (".partial" + uniqueName())), force_(force) {
+OutputFolder::OutputFolder(fs::path folder, bool force, bool durable)
+    : folder_(std::move(folder)),
+      staging_(folder_ / (".partial" + uniqueName())),
+      force_(force),
+      durable_(durable) {
     std::error_code code;
     made_folder_ = !fs::exists(folder_, code);
 }
@@ -73,7 +77,7 @@ Result<void> OutputFolder::add(const fs::path& name, std::string_view bytes) {
     if (!names_.insert(name).second)
         return fail((folder_ / name).string(), "two clips would have this name",
                     "Give the clips names of their own");
-    return writeFile(staging_ / name, bytes);
+    return writeFileUnsynced(staging_ / name, bytes);
 }
 
 Result<void> OutputFolder::finish() {
@@ -81,6 +85,8 @@ Result<void> OutputFolder::finish() {
     const auto manifests = std::stable_partition(order.begin(), order.end(),
                                                  [](const fs::path& name) { return !isManifest(name); });
     std::error_code code;
+    if (durable_) syncFileSystem(staging_);
+    std::set<fs::path> folders{folder_, fs::absolute(folder_).parent_path()};
     // No manifest speaks of clips that are being replaced.
     for (auto manifest = manifests; manifest != order.end(); ++manifest)
         fs::remove(folder_ / *manifest, code);
@@ -88,7 +94,11 @@ Result<void> OutputFolder::finish() {
         fs::create_directories((folder_ / name).parent_path(), code);
         fs::rename(staging_ / name, folder_ / name, code);
         if (code) return fail((folder_ / name).string(), "cannot be written: " + code.message());
+        for (fs::path parent = (folder_ / name).parent_path(); folders.insert(parent).second;)
+            parent = parent.parent_path();
     }
+    if (durable_)
+        for (const fs::path& folder : folders) syncFolder(folder);
     return {};
 }
 

@@ -26,8 +26,9 @@ namespace deixis::app {
 /// moves them all to their places, manifests last; whatever ends the work before leaves none of them.
 class OutputFolder {
   public:
-    /// `force`: files that are there already are replaced.
-    OutputFolder(std::filesystem::path folder, bool force);
+    /// `force`: files that are there already are replaced. `durable`: what finish() has moved is on the disk,
+    /// which clips that can be made anew need not wait for.
+    OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
@@ -40,6 +41,7 @@ class OutputFolder {
     std::filesystem::path folder_;
     std::filesystem::path staging_;
     bool force_;
+    bool durable_;
     bool made_folder_ = false;
     std::set<std::filesystem::path> names_;
 };

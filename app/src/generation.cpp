@@ -11,8 +11,9 @@ namespace deixis::app {
 Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& generator,
                                                        const std::vector<assets::ListedTarget>& targets,
                                                        std::uint64_t seed, const motion::HoldManner& manner,
-                                                       const std::filesystem::path& folder, bool force) {
-    OutputFolder output(folder, force);
+                                                       const std::filesystem::path& folder, bool force,
+                                                       bool durable) {
+    OutputFolder output(folder, force, durable);
     std::vector<assets::ManifestRow> rows;
     for (const auto& [id, position] : targets) {
         const std::uint64_t clip_seed = deriveSeed(seed, id);

@@ -13,9 +13,9 @@
 namespace deixis::app {
 
 /// One BVH file per target and, last, `manifest.csv`, all of them or none. Files that are there already are
-/// replaced only where `force` says so.
+/// replaced only where `force` says so; `durable` as in OutputFolder.
 [[nodiscard]] Result<std::vector<assets::ManifestRow>> generateClips(
     const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
-    const motion::HoldManner& manner, const std::filesystem::path& folder, bool force);
+    const motion::HoldManner& manner, const std::filesystem::path& folder, bool force, bool durable = true);
 
 }  // namespace deixis::app

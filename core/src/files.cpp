@@ -12,7 +12,9 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <vector>
 
+#include "core/durable.hpp"
 #include "core/unique_name.hpp"
 
 namespace deixis {
@@ -23,6 +25,56 @@ tl::unexpected<Error> tooLarge(const std::string& name, std::size_t most_bytes) 
     return fail(name,
                 fmt::format("holds more than {} bytes, which is the most that is read at once", most_bytes),
                 "Name another file, or a part of it");
+}
+
+/// Makes the folder with those above it. Returns the folders that have a new entry, the innermost first.
+std::vector<std::filesystem::path> makeFolders(const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    std::vector<fs::path> grown;
+    for (fs::path missing = folder; !missing.empty() && !fs::exists(missing, code);
+         missing = missing.parent_path())
+        grown.push_back(missing.parent_path());
+    fs::create_directories(folder, code);
+    return grown;
+}
+
+Result<void> writeVia(const std::filesystem::path& path, std::string_view bytes, bool synced) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    const auto there = fs::status(path, code);
+    if (fs::is_fifo(there) || fs::is_character_file(there)) {
+        errno = 0;
+        std::ofstream out(path, std::ios::binary);
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        out.close();
+        if (!out) return fail(path.string(), std::string("cannot be written: ") + std::strerror(errno));
+        return {};
+    }
+    const std::vector<fs::path> grown = makeFolders(path.parent_path());
+    fs::path partial = path;
+    partial += ".partial" + uniqueName();
+    errno = 0;
+    {
+        std::ofstream out(partial, std::ios::binary | std::ios::trunc);
+        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        out.close();
+        if (!out) {
+            const std::string why = std::strerror(errno);
+            fs::remove(partial, code);
+            return fail(path.string(), "cannot be written: " + why);
+        }
+    }
+    Result<void> moved{};
+    if (synced) {
+        moved = moveFile(partial, path);
+        for (const fs::path& folder : grown) syncFolder(folder);
+    } else {
+        fs::rename(partial, path, code);
+        if (code) moved = fail(path.string(), "cannot be written: " + code.message());
+    }
+    if (!moved) fs::remove(partial, code);
+    return moved;
 }
 
 }  // namespace
@@ -89,37 +141,11 @@ Result<FileBytes> openFile(const std::filesystem::path& path, std::size_t mapped
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes) {
-    std::error_code code;
-    const auto there = std::filesystem::status(path, code);
-    if (std::filesystem::is_fifo(there) || std::filesystem::is_character_file(there)) {
-        errno = 0;
-        std::ofstream out(path, std::ios::binary);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        out.close();
-        if (!out) return fail(path.string(), std::string("cannot be written: ") + std::strerror(errno));
-        return {};
-    }
-    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), code);
-    std::filesystem::path partial = path;
-    partial += ".partial" + uniqueName();
-    errno = 0;
-    {
-        std::ofstream out(partial, std::ios::binary | std::ios::trunc);
-        out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        out.close();
-        if (!out) {
-            const std::string why = std::strerror(errno);
-            std::filesystem::remove(partial, code);
-            return fail(path.string(), "cannot be written: " + why);
-        }
-    }
-    std::filesystem::rename(partial, path, code);
-    if (code) {
-        const std::string why = code.message();
-        std::filesystem::remove(partial, code);
-        return fail(path.string(), "cannot be written: " + why);
-    }
-    return {};
+    return writeVia(path, bytes, true);
+}
+
+Result<void> writeFileUnsynced(const std::filesystem::path& path, std::string_view bytes) {
+    return writeVia(path, bytes, false);
 }
 
 }  // namespace deixis

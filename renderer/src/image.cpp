@@ -29,7 +29,7 @@ Result<void> writePng(const std::filesystem::path& path, const Image& image) {
     const std::string message = png.message;
     png_image_free(&png);
     if (!good) return fail(path.string(), "libpng could not encode the picture: " + message);
-    return writeFile(path, file);
+    return writeFileUnsynced(path, file);
 }
 
 }  // namespace deixis::renderer

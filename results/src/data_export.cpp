@@ -156,6 +156,7 @@ class Staging {
     /// export, comes last.
     Result<void> publish(const std::vector<std::string>& names) {
         std::error_code code;
+        syncFileSystem(path());
         for (const char* name : {"codebook.json", "responses.csv", "trials.csv", "sessions.csv", "events.csv",
                                  "participants.csv", "scores.csv", "tracking.csv"})
             fs::remove(folder_ / name, code);
@@ -166,6 +167,7 @@ class Staging {
         }
         keep_ = false;
         syncFolder(folder_);
+        if (made_folder_) syncFolder(fs::absolute(folder_).parent_path());
         return {};
     }
 
@@ -213,11 +215,11 @@ Result<std::vector<std::string>> exportCsv(const fs::path& database, const fs::p
     for (const ExportedFile& file : *files) {
         names.push_back(file.name);
         if (file.name == tracking_name) continue;
-        if (auto written = writeFile(staging.path() / file.name, file.table.bytes()); !written)
+        if (auto written = writeFileUnsynced(staging.path() / file.name, file.table.bytes()); !written)
             return tl::unexpected(written.error());
     }
     names.emplace_back("codebook.json");
-    if (auto written = writeFile(staging.path() / names.back(), description); !written)
+    if (auto written = writeFileUnsynced(staging.path() / names.back(), description); !written)
         return tl::unexpected(written.error());
     if (auto published = staging.publish(names); !published) return tl::unexpected(published.error());
     return names;

@@ -12,6 +12,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/durable.hpp"
 #include "gl_window.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "renderer/renderer.hpp"
@@ -130,8 +131,7 @@ Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const Rep
         if (!frames) return tl::unexpected(frames.error());
         return fail(options.mp4_file, "ffmpeg could not write the film; its own words stand above");
     }
-    fs::rename(partial, options.mp4_file, code);
-    if (code) return fail(options.mp4_file, "cannot be written: " + code.message());
+    if (auto moved = moveFile(partial, options.mp4_file); !moved) return moved;
     fmt::print("{} frames: {}\n", *frames, options.mp4_file);
     return {};
 }

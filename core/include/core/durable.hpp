@@ -1,5 +1,5 @@
-// Names of files on their way to the disk: a rename or removal is lost in a power cut until the disk has the
-// folder's new entries, too.
+// Files and their names on their way to the disk: a rename or removal is lost in a power cut until the disk
+// has the folder's new entries, too. One file is written by writeFile() (files.hpp).
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,12 @@ namespace deixis {
 /// Waits until the disk has the folder's entries as they are now, as far as the file system allows.
 void syncFolder(const std::filesystem::path& folder);
 
+/// Waits until the disk has all that was written on the file system of this folder: cheaper than one file
+/// after another, where there are many.
+void syncFileSystem(const std::filesystem::path& folder);
+
 /// Gives a file another name, also that of a file which is then replaced, and waits until the disk has its
-/// bytes and both names.
+/// bytes and both names. Fails, with the old name kept, where the disk does not take the bytes.
 [[nodiscard]] Result<void> moveFile(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace deixis

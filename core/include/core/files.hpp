@@ -51,8 +51,13 @@ class FileBytes {
 [[nodiscard]] Result<FileBytes> openFile(const std::filesystem::path& path,
                                          std::size_t mapped_from = std::size_t{64} << 20U);
 
-/// Writes to a neighbour and renames it into place: a reader sees the old file or the new one, never a half.
-/// A pipe or device is written to as it is.
+/// Writes to a neighbour and renames it into place: a reader sees the old file or the new one, never a half,
+/// and on return the disk has the new one, with its name and the folders made for it. A pipe or device is
+/// written to as it is.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
+
+/// The same without waiting for the disk: for what can be made anew, and for files of a folder that is waited
+/// for as a whole (syncFileSystem()).
+[[nodiscard]] Result<void> writeFileUnsynced(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace deixis
