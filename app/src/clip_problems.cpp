@@ -6,12 +6,14 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "assets/humanoid_file.hpp"
 #include "motion/humanoid_mapping.hpp"
 
 namespace deixis::app {
 
 namespace {
 
+namespace fs = std::filesystem;
 using enum motion::Bone;
 
 constexpr std::array required{hips,          head,          leftUpperArm,  leftLowerArm, leftHand,
@@ -30,11 +32,11 @@ constexpr std::array<std::pair<motion::Bone, motion::Bone>, 9> limbs{{{leftUpper
 
 class Inspection {
   public:
-    Inspection(const assets::ImportedClip& imported, const motion::HumanoidMap& map)
+    Inspection(const assets::ImportedClip& imported, const fs::path& file, const motion::HumanoidMap& map)
         : clip_(imported.clip), map_(map) {
         for (const motion::LocalPose& frame : clip_.frames)
             world_.push_back(motion::worldPose(clip_.skeleton, frame));
-        findMissingBones();
+        findMissingBones(file);
         findEmptyLimbs();
         findJumps();
         findSunkFeet();
@@ -55,9 +57,12 @@ class Inspection {
         return world_[frame][static_cast<std::size_t>(map_[bone])].position;
     }
 
-    void findMissingBones() {
+    void findMissingBones(const fs::path& file) {
         if (const auto missing = missingRequiredBones(map_); !missing.empty())
-            fatal(fmt::format("has no joint for {}", fmt::join(missing, ", ")));
+            fatal(fmt::format(
+                "has no joint for {}. If it has one by another name, say so in {} beside it, with "
+                "a line such as {} = \"NAME OF THE JOINT\"; 'deixis clips joints' lists them",
+                fmt::join(missing, ", "), assets::humanoidFileOf(file).filename().string(), missing.front()));
         for (const auto& [side, bone] : {std::pair{"left", leftIndexProximal}, {"right", rightIndexProximal}})
             if (!map_.has(bone)) doubt(fmt::format("has no {} index finger: the hand is relaxed", side));
     }
@@ -146,8 +151,9 @@ std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map) {
     return names;
 }
 
-std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported, const motion::HumanoidMap& map) {
-    return Inspection(imported, map).problems;
+std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported, const fs::path& file,
+                                      const motion::HumanoidMap& map) {
+    return Inspection(imported, file, map).problems;
 }
 
 }  // namespace deixis::app

@@ -1,6 +1,7 @@
 // What may be wrong with a clip before anybody watches it.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct ClipProblem {
 [[nodiscard]] std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map);
 
 /// All at once: missing bones, limbs without length, jumps, feet below the floor, an unlikely size or
-/// mapping, a single frame, and the importer's remarks. `map`: which joint plays which bone (clip_files.hpp).
+/// mapping, a single frame, and the importer's remarks. `file`: the clip's, beside which a word on its bones
+/// would lie; `map`: which joint plays which bone (clip_files.hpp).
 [[nodiscard]] std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported,
+                                                    const std::filesystem::path& file,
                                                     const motion::HumanoidMap& map);
 
 }  // namespace deixis::app

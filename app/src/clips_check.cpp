@@ -27,7 +27,7 @@ std::vector<ClipProblem> problemsOf(const std::string& file, const ClipsCheckArg
     if (!imported) return {{true, imported.error().text()}};
     const auto mapping = mapImported(*imported, file);
     if (!mapping) return {{true, mapping.error().text()}};
-    auto problems = clipProblems(*imported, mapping->map);
+    auto problems = clipProblems(*imported, file, mapping->map);
     const bool broken = std::any_of(problems.begin(), problems.end(),
                                     [](const ClipProblem& problem) { return problem.fatal; });
     if (broken) return problems;  // why it does not play is said already

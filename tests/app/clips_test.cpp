@@ -68,7 +68,13 @@ TEST_SUITE("app/clips") {
         spill(beside, "leftHand = \"\"\n");
         const auto handless = program("clips check " + clip);
         CHECK(handless.status == 1);
-        CHECK(says(handless.out, "has no joint for leftHand"));
+        CHECK(says(handless.out, "has no joint for leftHand. If it has one by another name, say so in " +
+                                     fs::path(beside).filename().string() +
+                                     " beside it, with a line such as leftHand = \"NAME OF THE JOINT\""));
+        // The line that it asks for is the mend.
+        spill(beside, "leftHand = \"leftHand\"\n");
+        CHECK(program("clips check " + clip).status == 0);
+        spill(beside, "leftHand = \"\"\n");
         CHECK(nlohmann::json::parse(program("clips info --json " + clip).out)["humanoid"]["missing"] ==
               nlohmann::json({"leftHand"}));
 
