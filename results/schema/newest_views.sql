@@ -3,7 +3,12 @@ DROP VIEW IF EXISTS responses_flat;
 -- One row for each answer to a question or rating, and one for each response without any (a choice of the game
 -- without confidence, a skipped trial): everything in it.
 CREATE VIEW responses_flat AS
-SELECT p.id AS participant, p.number AS participant_number, p.status AS participant_status,
+SELECT p.id AS participant, p.number AS participant_number,
+       -- As who counts is told everywhere (standing.hpp): without consent nobody is active.
+       CASE WHEN p.status = 'active' AND EXISTS
+                 (SELECT 1 FROM consents AS c WHERE c.participant = p.id AND c.agreed = 0 AND c.session =
+                  (SELECT max(o.session) FROM consents AS o WHERE o.participant = c.participant AND o.stage = c.stage))
+            THEN 'dropped' ELSE p.status END AS participant_status,
        r.trial_index, t.stage, t.kind, t.practice, t.attempt, r.status,
        a.question, s.position AS stimulus, s.system, s.item, coalesce(s.scored, 0) AS scored,
        a.value, a.text, r.chosen_place, t.target_place, r.correct, t.check_kind, r.check_passed,

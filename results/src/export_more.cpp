@@ -10,6 +10,7 @@
 
 #include "questionnaire_scores.hpp"
 #include "results/tracking_blocks.hpp"
+#include "standing.hpp"
 
 namespace deixis::results {
 
@@ -49,7 +50,9 @@ ExportedFile participantsFile(SQLite::Database& database, const Naming& naming, 
     if (!anonymise)
         columns.push_back({"number", whole, "Number within the study, which the order of trials follows"});
     columns.push_back({"language", text, "Language of the participant's texts"});
-    columns.push_back({"status", text, "active, excluded (leaves the analysis) or dropped (left the study)"});
+    columns.push_back({"status", text,
+                       "active, excluded (leaves the analysis) or dropped (left the study, or refused "
+                       "consent when last asked)"});
     if (!anonymise) {
         columns.push_back({"reason", text, "Of exclusion or dropping out"});
         columns.push_back({"registered_utc", text, "First seen, UTC"});
@@ -81,7 +84,8 @@ ExportedFile participantsFile(SQLite::Database& database, const Naming& naming, 
         "r.check_passed = 0), "
         "(SELECT min(agreed) FROM consents AS c WHERE c.participant = p.id AND session = (SELECT "
         "max(session) FROM consents AS o WHERE o.participant = c.participant AND o.stage = c.stage)) "
-        "FROM participants AS p WHERE id = ?");
+        "FROM " +
+            participantsStanding() + " AS p WHERE id = ?");
     for (const std::string& participant : naming.participants()) {
         rows.reset();
         rows.bind(1, participant);

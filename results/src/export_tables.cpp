@@ -24,7 +24,8 @@ ExportTable responsesTable() {
         {
             participant_column,
             {{"participant_status", text,
-              "active, excluded (leaves the analysis) or dropped (left the study)"},
+              "active, excluded (leaves the analysis) or dropped (left the study, or refused consent when "
+              "last asked)"},
              "participant_status"},
             session,
             trial_index,

@@ -16,7 +16,7 @@ namespace {
 using SQLite::Statement;
 
 bool refuses(SQLite::Database& database, const std::string& participant) {
-    Statement row(database, fmt::format("SELECT ? IN ({})", refusing_participants));
+    Statement row(database, "SELECT " + refusedConsent("?"));
     row.bind(1, participant);
     row.executeStep();
     return row.getColumn(0).getInt() != 0;

@@ -84,7 +84,7 @@ void readParticipants(SQLite::Database& database, ResponseTable& table) {
     while (failed.executeStep()) table.failed_checks.insert(failed.getColumn(0).getString());
     std::set<std::string> declined;
     // Who declined and agreed later has agreed.
-    Statement consents(database, refusing_participants);
+    Statement consents(database, "SELECT id FROM participants WHERE " + refusedConsent("participants.id"));
     while (consents.executeStep()) declined.insert(consents.getColumn(0).getString());
     std::erase_if(table.left_out_rows,
                   [&](const ResponseRow& row) { return declined.contains(row.participant); });

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace deixis::results {
 
-/// SQL: the ids of participants who refused one of the study's consents when last asked for it.
-inline constexpr const char* refusing_participants =
-    "SELECT participant FROM consents AS c WHERE NOT agreed AND session = (SELECT max(session) FROM consents "
-    "AS o WHERE o.participant = c.participant AND o.stage = c.stage)";
+/// SQL: whether a participant, given by an expression for the id such as `p.id`, refused one of the study's
+/// consents when last asked for it. Looks at nobody else's. The view responses_flat says the same.
+[[nodiscard]] std::string refusedConsent(std::string_view participant);
 
 /// SQL in place of the table `participants`, for whatever asks who counts: without consent nobody is active,
 /// whatever the table says.

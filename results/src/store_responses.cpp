@@ -118,8 +118,8 @@ void Store::Impl::insertConsent(const studies::Answer& answer, const studies::Re
     }
     static const std::string back_sql = fmt::format(
         "UPDATE participants SET status = 'active', reason = NULL WHERE id = ? AND status = 'dropped' AND "
-        "reason IN (?, ?) AND id NOT IN ({})",
-        refusing_participants);
+        "reason IN (?, ?) AND NOT {}",
+        refusedConsent("participants.id"));
     auto back = query(back_sql.c_str());
     back << session_participant << declined_reason << asked_anew_reason;
     back.run();

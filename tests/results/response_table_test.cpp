@@ -9,6 +9,7 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
+#include "results/data_export.hpp"
 #include "text.hpp"
 
 using namespace deixis;
@@ -62,6 +63,17 @@ TEST_SUITE("results/response_table") {
             CHECK(table->left_out[0].participant == "P02");
             CHECK(table->left_out[0].dropped);
             CHECK(table->left_out[0].reason == "consent was declined");
+            // The view and the exported tables say the same.
+            const std::string statuses =
+                "SELECT group_concat(status) FROM (SELECT DISTINCT participant, "
+                "participant_status AS status FROM responses_flat ORDER BY 1)";
+            CHECK(SQLite::Database(path.string()).execAndGet(statuses).getString() == "active,dropped");
+            REQUIRE(results::exportCsv(path, folder / "tables", {}));
+            for (const char* name : {"tables/participants.csv", "tables/responses.csv"}) {
+                const std::string csv = *readFile(folder / name);
+                CHECK(csv.find("active") != std::string::npos);
+                CHECK_MESSAGE(csv.find("active", csv.find("\nP02,")) == std::string::npos, csv);
+            }
         };
         tables();
         SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
