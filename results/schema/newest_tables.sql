@@ -82,7 +82,8 @@ CREATE TABLE participants (
     status           TEXT NOT NULL DEFAULT 'active' CHECK (status IN ('active', 'excluded', 'dropped')),
     reason           TEXT,               -- of exclusion or dropping out
     registered_utc_s REAL NOT NULL,
-    token            TEXT,               -- drawn at random: stands for the person in withdrawals
+    token            TEXT,               -- drawn at random: stands for the person in withdrawals; NULL before the
+                                         -- first session of who was registered before version 5
     CHECK ((status = 'active') = (reason IS NULL))
 ) STRICT, WITHOUT ROWID;
 

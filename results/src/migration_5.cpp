@@ -23,7 +23,9 @@ void migrateTo5(SQLite::Database& database) {
         everybody.push_back({row.getColumn(0).getString(), number(1), number(2), number(3)});
     SQLite::Statement update(database, "UPDATE participants SET token = ? WHERE id = ?");
     for (const BeforeTokens& one : everybody) {
-        update.bind(1, tokenFrom(one));
+        const auto token = tokenFrom(one);
+        if (!token) continue;
+        update.bind(1, *token);
         update.bind(2, one.participant);
         update.exec();
         update.reset();

@@ -1,4 +1,4 @@
-// The step from schema version 4 to 5: each participant gets a token.
+// The step from schema version 4 to 5: each participant who has begun gets a token.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -15,7 +15,8 @@ std::string drawToken() {
     return out;
 }
 
-std::string tokenFrom(const BeforeTokens& facts) {
+std::optional<std::string> tokenFrom(const BeforeTokens& facts) {
+    if (!facts.session_started_utc_s) return std::nullopt;
     constexpr std::size_t digits = 32;
     // The shortest text that reads back as the number: the same for SQLite's double and PostgreSQL's.
     const auto text = [](const std::optional<double>& number) {

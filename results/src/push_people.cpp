@@ -220,7 +220,9 @@ Result<PeoplePush::Told> PeoplePush::compare(const PeopleTable& table,
         std::string changes;
         for (std::size_t c = 0; c < columns.size(); ++c) {
             if (isColumn(table.own_id, columns[c]) || cellAt(c) == known->second.cells[c]) continue;
-            if (!isListed(table.changing, columns[c].name))
+            const bool filled = isListed(table.filled_later, columns[c].name);
+            if (filled && !cellAt(c)) continue;
+            if (!isListed(table.changing, columns[c].name) && !(filled && !known->second.cells[c]))
                 return fail(
                     path_.string(),
                     fmt::format("table {}, participant {}{}: {} is not what {} holds", table.name,

@@ -44,9 +44,9 @@ void giveTokens(ServerTransaction& server) {
     };
     for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
         const std::string participant = textOf(rows, i, 0).value();
-        const std::string token = tokenFrom({participant, number(i, 1), number(i, 2), number(i, 3)});
-        server.run(fmt::format("UPDATE participants SET token = {} WHERE id = {}", server.quoted(token),
-                               server.quoted(participant)));
+        if (const auto token = tokenFrom({participant, number(i, 1), number(i, 2), number(i, 3)}))
+            server.run(fmt::format("UPDATE participants SET token = {} WHERE id = {}", server.quoted(*token),
+                                   server.quoted(participant)));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "database_open.hpp"
+#include "participant_token.hpp"
 #include "store_impl.hpp"
 
 namespace deixis::results {
@@ -51,6 +52,10 @@ long long Store::beginSession(const SessionInfo& session) {
             "UPDATE participants SET registered_utc_s = ? WHERE id = ? AND registered_utc_s = 0.0");
         registered << session.started_utc_s << session.participant;
         registered.run();
+        // Who was registered before there were tokens, and begins now.
+        auto token = impl_->query("UPDATE participants SET token = ? WHERE id = ? AND token IS NULL");
+        token << drawToken() << session.participant;
+        token.run();
     });
     impl_->session = id;
     impl_->session_participant = session.participant;

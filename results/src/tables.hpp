@@ -20,6 +20,8 @@ struct PeopleTable {
     const char* key;
     /// Columns that may change once a row is stored, parted by ", "; empty: none.
     const char* changing = "";
+    /// Columns that may be NULL at first, and never change after that.
+    const char* filled_later = "";
 };
 
 /// What describes the study: the same in each of its databases, but for the language of its texts.
@@ -32,7 +34,7 @@ inline constexpr const char* of_responses = "response IN (SELECT id FROM respons
 
 /// In an order in which each row finds what it refers to.
 inline constexpr std::array<PeopleTable, 16> people_tables{{
-    {"participants", nullptr, nullptr, nullptr, "id = ?1", "id", "status, reason, registered_utc_s"},
+    {"participants", nullptr, nullptr, nullptr, "id = ?1", "id", "status, reason, registered_utc_s", "token"},
     {"participant_groups", nullptr, nullptr, nullptr, of_participant, "factor"},
     {"participant_fields", nullptr, nullptr, nullptr, of_participant, "field", "value, text"},
     {"plans", nullptr, nullptr, nullptr, of_participant, "participant", "locked_hash"},

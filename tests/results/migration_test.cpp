@@ -4,11 +4,13 @@
 
 #include <cmath>
 #include <regex>
+#include <set>
 
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "fixtures.hpp"
 #include "old_databases.hpp"
+#include "results/data_export.hpp"
 #include "results/participants.hpp"
 #include "results/tracking_blocks.hpp"
 
@@ -209,6 +211,39 @@ TEST_SUITE("results/migration") {
             Store store = fixtures::open(folder / name);
         }
         CHECK(rows(folder / "a.sqlite", tokens) != rows(folder / "b.sqlite", tokens));
+    }
+
+    TEST_CASE("Who was registered and never began gets a token that no id tells, with the first session") {
+        const fixtures::Folder folder;
+        const std::string token = "SELECT token FROM participants WHERE id = 'LATE-17'";
+        std::set<std::string> drawn;
+        for (const char* name : {"a.sqlite", "b.sqlite"}) {
+            makeVersion(4, folder / name);
+            SQLite::Database((folder / name).string(), SQLite::OPEN_READWRITE)
+                .exec(
+                    "INSERT INTO participants (id, number, language, registered_utc_s) VALUES "
+                    "('LATE-17', 817, 'en', 0.0); INSERT INTO plans (participant, seed, hash, json) SELECT "
+                    "'LATE-17', seed, hash, json FROM plans LIMIT 1");
+            Store store = fixtures::open(folder / name);
+            CHECK(rows(folder / name, token) == "NULL\n");
+        }
+        // Copies that were brought up to date one by one are still one person's.
+        REQUIRE(results::mergeDatabases({folder / "a.sqlite", folder / "b.sqlite"}, folder / "both.sqlite"));
+        CHECK(rows(folder / "both.sqlite", "SELECT count(*), count(DISTINCT token) FROM participants") ==
+              "3|2\n");
+        for (const char* name : {"a.sqlite", "b.sqlite"}) {
+            Store store = fixtures::open(folder / name);
+            store.beginSession(fixtures::session("LATE-17", false));
+            drawn.insert(rows(folder / name, token));
+            store.beginSession(fixtures::session("LATE-17", false));
+            drawn.insert(rows(folder / name, token));  // the same: it stays
+        }
+        CHECK(drawn.size() == 2);
+        CHECK(drawn.begin()->size() == 33);
+        // Withdrawn before ever beginning, there is nothing that could be guessed.
+        REQUIRE(results::withdrawParticipant(folder / "both.sqlite", "LATE-17", 1.8e9));
+        CHECK(rows(folder / "both.sqlite", "SELECT token IS NULL FROM withdrawals WHERE utc_s = 1.8e9") ==
+              "1\n");
     }
 
     TEST_CASE("The hash by which version 4 gave away who withdrew is gone, from the file's bytes too") {
