@@ -1,146 +1,7 @@
 // deixis push and deixis report against a real PostgreSQL server.
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <fmt/format.h>
-
-#include <map>
-#include <memory>
-
-#include "postgres_server.hpp"
-#include "text.hpp"
+#include "pushed_files.hpp"
 
 using namespace deixis::tests;
-
-namespace {
-
-void change(const std::string& database, const std::string& sql) {
-    SQLite::Database(database, SQLite::OPEN_READWRITE).exec(sql);
-}
-
-constexpr const char* tables_of_sessions[]{"events",         "tracking_blocks",    "hand_joints",
-                                           "trial_tracking", "session_properties", "consents"};
-constexpr const char* tables_of_people[]{"trial_stimuli",      "trials",  "plans", "participant_fields",
-                                         "participant_groups", "sessions"};
-
-/// Leaves out people, as if they had never been there.
-void leaveOut(const std::string& database, const std::string& ids) {
-    const std::string who = " IN (" + ids + ")";
-    std::string sql;
-    for (const char* table : {"answers", "response_stimuli"})
-        sql += std::string("DELETE FROM ") + table +
-               " WHERE response IN (SELECT id FROM responses WHERE participant" + who + ");";
-    sql += "DELETE FROM responses WHERE participant" + who + ";";
-    for (const char* table : tables_of_sessions)
-        sql += std::string("DELETE FROM ") + table +
-               " WHERE session IN (SELECT id FROM sessions WHERE participant" + who + ");";
-    for (const char* table : tables_of_people)
-        sql += std::string("DELETE FROM ") + table + " WHERE participant" + who + ";";
-    change(database, sql + "DELETE FROM participants WHERE id" + who);
-}
-
-/// Two stations' files of one study, three simulated participants each, the second with tracked frames of 8
-/// MB.
-struct Stations {
-    Scratch folder{WithSharedStimuli{}};
-    std::string a = folder / "a.sqlite";
-    std::string b = folder / "b.sqlite";
-    std::string both = folder / "both.sqlite";
-
-    Stations() {
-        const auto made = program("simulate pointing2023 --participants 6 --db " + a);
-        REQUIRE_MESSAGE(made.status == 0, made.err);
-        const std::string rest = folder / "rest.sqlite";
-        fs::copy_file(a, rest);
-        fs::copy_file(a, folder / "same.sqlite");
-        leaveOut(a, "'S004', 'S005', 'S006'");
-        leaveOut(rest, "'S001', 'S002', 'S003'");
-        change(
-            rest,
-            "INSERT INTO tracking_blocks SELECT NULL, id, 1, 1, 3, 0.25, 1.5, x'00ff275c0a' FROM sessions;"
-            "INSERT INTO trial_tracking SELECT id, 1, 3, 0, 0, 0.1, 0, 0.25, 1.5 FROM sessions;"
-            "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 3000) "
-            "INSERT INTO hand_joints SELECT id, i, 'left', randomblob(832), randomblob(26) FROM sessions, n");
-        // Joined with itself it counts its sessions and responses from 1, as a station's file does.
-        fs::copy_file(rest, folder / "copy.sqlite");
-        for (const auto& [from, to] :
-             {std::pair{rest + " " + (folder / "copy.sqlite"), b}, {a + " " + b, both}}) {
-            const auto joined = program("merge " + from + " -o " + to);
-            REQUIRE_MESSAGE(joined.status == 0, joined.err);
-        }
-    }
-};
-
-/// Takes away what version 5 added, in a file or on a server.
-constexpr const char* back_to_4 =
-    "DROP VIEW responses_flat; ALTER TABLE study DROP COLUMN locked_hash;"
-    "ALTER TABLE plans DROP COLUMN locked_hash; DROP INDEX sessions_of_participant;"
-    "DROP INDEX responses_of_participant;"
-    "ALTER TABLE participants DROP COLUMN token; ALTER TABLE trials DROP COLUMN visibility;"
-    "ALTER TABLE responses DROP COLUMN viewer_x_m; ALTER TABLE responses DROP COLUMN viewer_z_m;"
-    "ALTER TABLE responses DROP COLUMN viewer_heading_deg; ALTER TABLE responses DROP COLUMN hash;"
-    "DROP TABLE locked_changes; ALTER TABLE withdrawals DROP COLUMN token;"
-    "ALTER TABLE withdrawals DROP COLUMN cleared;"
-    "ALTER TABLE withdrawals ADD COLUMN participant_hash TEXT;";
-
-const Stations& stations() {
-    static const Stations made;
-    return made;
-}
-
-Finished push(const std::string& database, const std::string& url) {
-    return program("push " + database + " '" + url + "'");
-}
-
-void pushed(const std::string& database, const std::string& url) {
-    const auto done = push(database, url);
-    REQUIRE_MESSAGE(done.status == 0, done.err);
-}
-
-std::string schemaIn(const PostgresServer& server, const std::string& database) {
-    std::string name = server.sql(database, "SELECT nspname FROM pg_namespace WHERE nspname LIKE 'deixis%'");
-    return name.substr(0, name.find('\n'));
-}
-
-constexpr const char* answers_sql =
-    "SELECT participant, trial_index, system, item, chosen_place, correct, text, answered_utc, value, "
-    "response_time_s, head_qw FROM responses_flat ORDER BY 1, 2, 3, 4, 9";
-
-std::string onServer(const PostgresServer& server, const std::string& database, const std::string& sql) {
-    return server.sql(database, "SET search_path = " + schemaIn(server, database) + "; " + sql);
-}
-
-std::string inFile(const std::string& database, const std::string& sql) {
-    SQLite::Database open(database, SQLite::OPEN_READONLY);
-    SQLite::Statement rows(open, sql);
-    std::string out;
-    while (rows.executeStep())
-        for (int i = 0; i < rows.getColumnCount(); ++i) {
-            const auto value = rows.getColumn(i);
-            out += value.isNull()    ? "\\N"
-                   : value.isFloat() ? fmt::format("{}", value.getDouble())
-                                     : value.getString();
-            out += i + 1 < rows.getColumnCount() ? "|" : "\n";
-        }
-    return out;
-}
-
-/// What there is of every table of the file, but for those that describe the study.
-std::map<std::string, std::string> counts(const std::string& database) {
-    std::map<std::string, std::string> out;
-    for (const char* table : {"participants", "plans", "trials", "trial_stimuli", "sessions", "responses",
-                              "answers", "response_stimuli", "events", "hand_joints", "tracking_blocks",
-                              "trial_tracking", "stages", "systems", "layouts", "questions"})
-        out[table] = inFile(database, std::string("SELECT count(*) FROM ") + table);
-    return out;
-}
-
-void checkCounts(const PostgresServer& server, const std::string& database, const std::string& file) {
-    for (const auto& counted : counts(file)) {
-        INFO(counted.first);
-        CHECK(onServer(server, database, "SELECT count(*) FROM " + counted.first) == counted.second);
-    }
-}
-
-}  // namespace
 
 TEST_SUITE("app/push") {
     TEST_CASE(
@@ -201,8 +62,9 @@ TEST_SUITE("app/push") {
         const std::string early = scratch / "early.sqlite";
         fs::copy_file(stations().a, file);
         fs::copy_file(file, early);
-        // As it was while S003 took part.
+        // As it was while S003 took part, and S002 had no token yet.
         change(early,
+               "UPDATE participants SET token = NULL WHERE id = 'S002';"
                "CREATE TEMP TABLE later AS SELECT id FROM responses WHERE participant = 'S003' AND "
                "trial_index > 20;"
                "DELETE FROM answers WHERE response IN later; DELETE FROM response_stimuli WHERE response IN "
@@ -218,6 +80,8 @@ TEST_SUITE("app/push") {
         pushed(file, url);
         checkCounts(*server, name, file);
         CHECK(onServer(*server, name, answers_sql) == inFile(file, answers_sql));
+        const std::string tokens = "SELECT id, token FROM participants ORDER BY 1";
+        CHECK(onServer(*server, name, tokens) == inFile(file, tokens));
         const std::string sessions = "SELECT participant, outcome, ended_utc_s FROM sessions ORDER BY 1";
         CHECK(onServer(*server, name, sessions) == inFile(file, sessions));
 
@@ -225,6 +89,9 @@ TEST_SUITE("app/push") {
         const auto stale = push(early, url);
         CHECK(stale.out.find("more of them than this file: S003") != std::string::npos);
         CHECK(onServer(*server, name, sessions) == inFile(file, sessions));
+        CHECK(onServer(*server, name, tokens) == inFile(file, tokens));
+        change(early, "UPDATE participants SET token = '0123456789abcdef' WHERE id = 'S002'");
+        CHECK_FAILS_SAYING(push(early, url), "participant S002", "token is not what", "never altered");
 
         REQUIRE(program("participants exclude " + file + " S002 --reason 'heard the answers'").status == 0);
         const auto excluded = push(file, url);
@@ -348,155 +215,5 @@ TEST_SUITE("app/push") {
         }
         checkCounts(*server, name, files.both);
         CHECK(onServer(*server, name, answers_sql) == inFile(files.both, answers_sql));
-    }
-
-    TEST_CASE("Several studies lie beside each other; a report names them until it is told which") {
-        PostgresServer* server = PostgresServer::get();
-        if (server == nullptr) return;
-        const Scratch scratch;
-        const std::string name = server->database();
-        const std::string url = server->url(name);
-        const std::string report = "report '" + url + "' --resamples 200 -o " + (scratch / "r.html");
-        CHECK_FAILS_SAYING(program(report), "there is no study yet");
-        spill(scratch / "other.toml", replaced(shippedStudy(), "pointing2023", "another"));
-        REQUIRE(program("simulate " + (scratch / "other.toml") + " --participants 2 --db " +
-                        (scratch / "o.sqlite"))
-                    .status == 0);
-        pushed(stations().a, url);
-        CHECK(program(report).status == 0);
-        pushed(scratch / "o.sqlite", url);
-        CHECK_FAILS_SAYING(program(report), "several studies are there", "pointing2023 (", "another (",
-                           "--study");
-        CHECK_FAILS_SAYING(program(report + " --study nothing"), "no study 'nothing'", "pointing2023 (",
-                           "another (");
-        REQUIRE(program(report + " --study another").status == 0);
-        CHECK(slurp(scratch / "r.html").find("another") != std::string::npos);
-        CHECK_FAILS_SAYING(program("report " + stations().a + " --study another"), "--study");
-    }
-
-    TEST_CASE("Tables of an older version are brought up to date by a push, whole or not at all") {
-        PostgresServer* server = PostgresServer::get();
-        if (server == nullptr) return;
-        const Scratch scratch;
-        const Stations& files = stations();
-        // Files of version 4, too: their participants' tokens are made from the same rows as on the server.
-        const std::string a = scratch / "a.sqlite", b = scratch / "b.sqlite";
-        for (const auto& [from, to] : {std::pair{files.a, a}, {files.b, b}}) {
-            fs::copy_file(from, to);
-            change(to, std::string(back_to_4) + "PRAGMA user_version = 4");
-        }
-        const std::string name = server->database();
-        const std::string url = server->url(name);
-        pushed(a, url);
-        const std::string schema = schemaIn(*server, name);
-        const std::string version = "SELECT version FROM " + schema + ".deixis_schema";
-        const std::string newest = server->sql(name, version);
-        const std::string columns =
-            "SELECT table_name, column_name, data_type FROM information_schema.columns WHERE table_schema = "
-            "'" +
-            schema + "' ORDER BY 1, ordinal_position";
-        const std::string newest_columns = server->sql(name, columns);
-        onServer(
-            *server, name,
-            std::string(back_to_4) +
-                "ALTER TABLE withdrawals DROP COLUMN participant_hash; UPDATE deixis_schema SET version = 3");
-        CHECK(server->sql(name, columns) != newest_columns);
-        const std::string report = "report '" + url + "' --resamples 200 -o " + (scratch / "r.html");
-        CHECK_FAILS_SAYING(program(report), "has version 3", "Push a station's file");
-
-        // A push that is refused further on leaves them as they were.
-        const std::string clash = scratch / "clash.sqlite";
-        fs::copy_file(b, clash);
-        change(clash, "UPDATE participants SET number = 2 WHERE id = 'S005'");
-        CHECK_FAILS_SAYING(push(clash, url), "has the number 2");
-        CHECK(server->sql(name, version) == "3\n");
-
-        const auto done = push(b, url);
-        INFO(done.err);
-        REQUIRE(done.status == 0);
-        CHECK(
-            done.out.find("brought up to date: the server's tables of the study, which were of version 3") !=
-            std::string::npos);
-        CHECK(server->sql(name, version) == newest);
-        CHECK(server->sql(name, columns) == newest_columns);
-        checkCounts(*server, name, files.both);
-        CHECK(onServer(*server, name, answers_sql) == inFile(files.both, answers_sql));
-        CHECK(push(b, url).out.find("brought up to date") == std::string::npos);
-        CHECK(program(report).status == 0);
-        fs::copy_file(a, scratch / "withdrawn.sqlite");
-        REQUIRE(program("participants withdraw " + (scratch / "withdrawn.sqlite") + " S001 --yes").status ==
-                0);
-        CHECK(push(scratch / "withdrawn.sqlite", url).out.find("erased, since withdrawn: S001") !=
-              std::string::npos);
-
-        server->sql(name, "UPDATE " + schema + ".deixis_schema SET version = 2");
-        CHECK_FAILS_SAYING(push(files.a, url), schema, "has version 2", "no way leads", "Rename it");
-    }
-
-    TEST_CASE("What is wrong with server, user or schema is told in one line, and passwords appear nowhere") {
-        PostgresServer* server = PostgresServer::get();
-        if (server == nullptr) return;
-        const std::string name = server->database();
-        const Scratch scratch;
-        const std::string secret = PostgresServer::password;
-        std::string told;
-        const auto run = [&](const std::string& arguments, const std::string& before = "") {
-            const auto done =
-                program(arguments, before + " PGCONNECT_TIMEOUT=120 HOME=" + scratch.path().string());
-            told += done.out + done.err;
-            return done;
-        };
-        const std::string to = "push " + stations().a + " ";
-        const std::string right = server->networkUrl("lab:" + secret, name);
-        CHECK_FAILS_SAYING(run(to + server->networkUrl("lab:wrong-horse", name)),
-                           server->networkUrl("lab", name), "does not let this user in");
-        CHECK_FAILS_SAYING(run(to + server->networkUrl("lab", name)), "does not let this user in",
-                           "PGPASSWORD");
-        CHECK_FAILS_SAYING(run(to + server->networkUrl("lab:" + secret, "nowhere")),
-                           "\"nowhere\" does not exist");
-        CHECK_FAILS_SAYING(run(to + "postgresql://lab:" + secret + "@127.0.0.1:1/x"),
-                           "no server was reached");
-        CHECK_FAILS_SAYING(run(to + "postgresql://lab:" + secret + "%zz@127.0.0.1:1/x"), "cannot be read");
-        CHECK_FAILS_SAYING(run(to + "postgresql://lab:" + secret + "@x@127.0.0.1:1/x"), "without doubt");
-        CHECK_FAILS_SAYING(run(to + (scratch / "x")), "not the address of a PostgreSQL server");
-        CHECK(run(to + "b.sqlite " + right).status == 2);
-        // Taken for a file, an address would leave its password in a folder's name.
-        for (const std::string& command : {"merge " + right + " " + right + " -o " + (scratch / "m.sqlite"),
-                                           "export " + right, "simulate genea-pairwise --db=" + right}) {
-            const auto refused = run(command);
-            CHECK(refused.status == 2);
-            CHECK(contains(refused.err, "only report and push take one"));
-        }
-        CHECK_FALSE(std::filesystem::exists("postgresql:"));
-
-        // The password in the address, in the environment, and in the file: all the ways in.
-        CHECK(run(to + right).status == 0);
-        CHECK(run(to + server->networkUrl("lab", name), "PGPASSWORD=" + secret).out.find("nothing new") !=
-              std::string::npos);
-        spill(scratch / ".pgpass", "127.0.0.1:*:*:lab:" + secret + "\n");
-        fs::permissions(scratch / ".pgpass", fs::perms::owner_read | fs::perms::owner_write);
-        CHECK(run(to + server->networkUrl("lab", name)).out.find("nothing new") != std::string::npos);
-        CHECK(run("report '" + right + "' --resamples 200 -o " + (scratch / "r.html") + " --json " +
-                  (scratch / "r.json"))
-                  .status == 0);
-        CHECK(slurp(scratch / "r.json").find(server->networkUrl("lab", name)) != std::string::npos);
-        told += slurp(scratch / "r.html") + slurp(scratch / "r.json");
-
-        const std::string schema = schemaIn(*server, name);
-        server->sql(name, "UPDATE " + schema + ".deixis_schema SET version = 999");
-        CHECK_FAILS_SAYING(run(to + right), schema, "has version 999", "newer deixis");
-        CHECK_FAILS_SAYING(run("report " + right + " -o " + (scratch / "r.html")), "has version 999");
-        server->sql(name, "DROP TABLE " + schema + ".deixis_schema");
-        CHECK_FAILS_SAYING(run(to + right), schema, "was not made by deixis");
-        // Tables of the same names elsewhere are no concern of ours, and who may not make a schema is told.
-        server->sql(name, "DROP SCHEMA " + schema +
-                              " CASCADE; CREATE TABLE participants (x INT); CREATE TABLE study (y INT)");
-        server->sql(name, "CREATE ROLE guest LOGIN PASSWORD '" + secret + "'");
-        CHECK_FAILS_SAYING(run(to + server->networkUrl("guest:" + secret, name)), "may not",
-                           "CREATE on the database");
-        CHECK(run(to + right).status == 0);
-        CHECK(server->sql(name, "SELECT count(*) FROM public.participants") == "0\n");
-        CHECK(told.find(secret) == std::string::npos);
-        CHECK(told.find("wrong-horse") == std::string::npos);
     }
 }
