@@ -9,12 +9,11 @@
 #include <sstream>
 #include <system_error>
 
+#include "assets/clip_import.hpp"
 #include "assets/data_paths.hpp"
 #include "assets/humanoid_file.hpp"
 #include "assets/manifest.hpp"
 #include "core/files.hpp"
-#include "core/hash.hpp"
-#include "core/parallel.hpp"
 #include "study_clips.hpp"
 
 namespace deixis::app {
@@ -27,21 +26,6 @@ std::string fromStudy(const fs::path& file, const fs::path& folder) {
     const fs::path relative = file.lexically_normal().lexically_relative(
         folder.empty() ? fs::path(".") : folder.lexically_normal());
     return relative.empty() ? file.string() : relative.generic_string();
-}
-
-std::vector<std::optional<std::string>> hashesOf(const std::vector<fs::path>& files) {
-    constexpr std::size_t worth_a_thread = 8;
-    const auto parts = mapRanges(files.size(), worth_a_thread, [&](std::size_t first, std::size_t last) {
-        std::vector<std::optional<std::string>> hashes;
-        for (std::size_t i = first; i < last; ++i) {
-            const auto bytes = readFile(files[i]);
-            hashes.push_back(bytes ? std::optional(sha256Hex(*bytes)) : std::nullopt);
-        }
-        return hashes;
-    });
-    std::vector<std::optional<std::string>> out;
-    for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
-    return out;
 }
 
 /// The first line that is another one.
@@ -98,7 +82,8 @@ bool isShipped(const fs::path& file) {
     return !relative.empty() && *relative.begin() != "..";
 }
 
-Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Avatar& avatar) {
+Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Avatar& avatar,
+                                      SeenFiles& seen) {
     const studies::Study& study = setup.study;
     if (isShipped(study.file)) return std::vector<LabFile>{};
     const fs::path folder = study.file.parent_path();
@@ -123,6 +108,7 @@ Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Ava
             if (!items.contains(row->target_id)) continue;
             const fs::path clip = manifest->file.parent_path() / row->clip;
             clips.insert(clip);
+            for (const fs::path& part : assets::partsOfClip(clip)) clips.insert(part);
             if (const fs::path words = assets::humanoidFileOf(clip); fs::is_regular_file(words, code))
                 clips.insert(words);
         }
@@ -133,14 +119,15 @@ Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Ava
         if (const fs::path words = assets::humanoidFileOf(study.avatar); fs::is_regular_file(words, code))
             with(words);
     }
-    const auto hashes = hashesOf(files);
+    const auto hashes = seen.hashes(files);
     std::vector<LabFile> out;
     for (std::size_t i = 0; i < files.size(); ++i)
         if (hashes[i]) out.push_back({fromStudy(files[i], folder), *hashes[i]});
     return out;
 }
 
-Result<std::vector<std::string>> labDifferences(const LockedStudy& locked, const std::string& name) {
+Result<std::vector<std::string>> labDifferences(const LockedStudy& locked, const std::string& name,
+                                                SeenFiles seen) {
     const fs::path study = assets::fileOrShipped(name, "studies");
     const auto text = readFile(study);
     if (!text) return tl::unexpected(text.error());
@@ -150,7 +137,7 @@ Result<std::vector<std::string>> labDifferences(const LockedStudy& locked, const
                       lineDifference(locked.setup.study.source, *text));
     std::vector<fs::path> files;
     for (const LabFile& file : locked.lab_files) files.push_back(study.parent_path() / file.file);
-    const auto hashes = hashesOf(files);
+    const auto hashes = seen.hashes(files);
     for (std::size_t i = 1; i < files.size(); ++i) {
         const LabFile& before = locked.lab_files[i];
         if (!hashes[i])
@@ -159,6 +146,14 @@ Result<std::vector<std::string>> labDifferences(const LockedStudy& locked, const
             out.push_back(
                 before.file + " has changed" +
                 (files[i].extension() == ".csv" ? manifestDifference(locked, before.file, files[i]) : ""));
+    }
+    // A word on a figure's bones that was not there before.
+    std::set<fs::path> known(files.begin(), files.end());
+    for (std::size_t i = 1; i < files.size(); ++i) {
+        const fs::path words = assets::humanoidFileOf(files[i]);
+        std::error_code code;
+        if (known.insert(words).second && fs::is_regular_file(words, code))
+            out.push_back(fromStudy(words, study.parent_path()) + " is new");
     }
     return out;
 }

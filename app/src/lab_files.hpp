@@ -8,6 +8,7 @@
 #include "assets/avatar.hpp"
 #include "core/error.hpp"
 #include "locked_study.hpp"
+#include "seen_files.hpp"
 #include "study_setup.hpp"
 
 namespace deixis::app {
@@ -15,8 +16,10 @@ namespace deixis::app {
 /// Whether a file is part of what ships with the program.
 [[nodiscard]] bool isShipped(const std::filesystem::path& file);
 
-/// The study file, then the questionnaires beside it, manifests, clips and what is said about their bones,
-/// and the avatar with the files that it names. None where the study ships with the program.
-[[nodiscard]] Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Avatar& avatar);
+/// The study file, then the questionnaires beside it, manifests, clips with the buffers that they name and
+/// what is said about their bones, and the avatar likewise, with its pictures. None where the study ships
+/// with the program.
+[[nodiscard]] Result<std::vector<LabFile>> labFiles(const StudySetup& setup, const assets::Avatar& avatar,
+                                                    SeenFiles& seen);
 
 }  // namespace deixis::app

@@ -13,9 +13,9 @@
 #include <system_error>
 #include <utility>
 
+#include "core/durable.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
-#include "core/parallel.hpp"
 #include "core/unique_name.hpp"
 
 namespace deixis::app {
@@ -35,22 +35,19 @@ const char* const put_back =
     "Put the folder back as it was, from a copy: without it nobody can be shown what the others were shown";
 
 /// What the files of a set have that its list does not say.
-std::vector<std::string> damages(const fs::path& set, const LockedFiles& files) {
-    const std::vector<std::pair<std::string, std::string>> all(files.begin(), files.end());
-    constexpr std::size_t worth_a_thread = 8;
-    const auto parts = mapRanges(all.size(), worth_a_thread, [&](std::size_t first, std::size_t last) {
-        std::vector<std::string> found;
-        for (std::size_t i = first; i < last; ++i) {
-            const auto bytes = readFile(set / all[i].first);
-            if (!bytes)
-                found.push_back(all[i].first + " is missing");
-            else if (sha256Hex(*bytes) != all[i].second)
-                found.push_back(all[i].first + " was changed");
-        }
-        return found;
-    });
+std::vector<std::string> damages(const fs::path& set, const LockedFiles& files, SeenFiles& seen) {
+    std::vector<fs::path> paths;
+    for (const auto& [name, hash] : files) paths.push_back(set / name);
+    const auto hashes = seen.hashes(paths);
     std::vector<std::string> out;
-    for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+    auto found = hashes.begin();
+    for (const auto& [name, hash] : files) {
+        if (!*found)
+            out.push_back(name + " is missing");
+        else if (**found != hash)
+            out.push_back(name + " was changed");
+        ++found;
+    }
     return out;
 }
 
@@ -73,6 +70,14 @@ std::string listText(const LockedFiles& files) {
 
 fs::path lockedFolder(const fs::path& database) {
     return fs::path(database).replace_extension(".locked");
+}
+
+Error damaged(const fs::path& set, const std::string& how) {
+    return {set.string(), "the locked study is damaged: " + how, put_back};
+}
+
+SeenFiles seenFiles(const fs::path& database) {
+    return SeenFiles(lockedFolder(database) / "seen");
 }
 
 fs::path lockedSet(const fs::path& database, const std::string& hash) {
@@ -104,16 +109,16 @@ Result<LockedFiles> verifyLocked(const fs::path& database, const std::string& ha
                     list ? "is not the list of the locked study any more" : "is missing", put_back);
     auto files = readLockedList(set);
     if (!files) return files;
-    const auto found = damages(set, *files);
+    SeenFiles seen = seenFiles(database);
+    const auto found = damages(set, *files, seen);
     if (found.empty()) return files;
     constexpr std::size_t most_told = 5;
     const std::vector<std::string> told(
         found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min(most_told, found.size())));
-    return fail(
-        set.string(),
-        fmt::format("the locked study is damaged: {}{}", fmt::join(told, ", "),
-                    found.size() > most_told ? fmt::format(" and {} more", found.size() - most_told) : ""),
-        put_back);
+    return tl::unexpected(damaged(
+        set,
+        fmt::format("{}{}", fmt::join(told, ", "),
+                    found.size() > most_told ? fmt::format(" and {} more", found.size() - most_told) : "")));
 }
 
 LockedSetWriter::LockedSetWriter(fs::path database, int lock)
@@ -165,7 +170,7 @@ Result<void> LockedSetWriter::add(const std::string& name, std::string_view byte
     const fs::path file = staging_ / name;
     std::error_code code;
     fs::create_directories(file.parent_path(), code);
-    if (auto written = writeFile(file, bytes); !written) return written;
+    if (auto written = writeFileUnsynced(file, bytes); !written) return written;
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, code);
     std::string hash = sha256Hex(bytes);
     const std::lock_guard guard(*adding_);
@@ -183,13 +188,14 @@ Result<std::string> LockedSetWriter::finish(bool durable) {
         if (verifyLocked(database_, hash)) return hash;
         fs::remove_all(set, code);
     }
-    if (auto written = writeFile(staging_ / list_name, list); !written)
+    if (auto written = writeFileUnsynced(staging_ / list_name, list); !written)
         return tl::unexpected(written.error());
     fs::permissions(staging_ / list_name, fs::perms::owner_read | fs::perms::owner_write, code);
-    if (durable) ::syncfs(lock_);
+    if (durable) syncFileSystem(staging_);
     fs::rename(staging_, set, code);
     if (code) return fail(set.string(), "cannot be written: " + code.message());
-    if (durable) ::fsync(lock_);
+    if (durable) syncFolder(lockedFolder(database_));
+    if (durable) syncFolder(fs::absolute(lockedFolder(database_)).parent_path());
     return hash;
 }
 

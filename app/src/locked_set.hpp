@@ -11,11 +11,15 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "seen_files.hpp"
 
 namespace deixis::app {
 
 /// NAME.locked beside NAME.sqlite: holds the sets, each in a folder named after its hash.
 [[nodiscard]] std::filesystem::path lockedFolder(const std::filesystem::path& database);
+
+/// Hashes of the sets' files, and of the lab's that they were made from, remembered beside the sets.
+[[nodiscard]] SeenFiles seenFiles(const std::filesystem::path& database);
 
 /// The folder of one set.
 [[nodiscard]] std::filesystem::path lockedSet(const std::filesystem::path& database, const std::string& hash);
@@ -25,6 +29,9 @@ namespace deixis::app {
 using LockedFiles = std::map<std::string, std::string>;
 [[nodiscard]] Result<LockedFiles> verifyLocked(const std::filesystem::path& database,
                                                const std::string& hash);
+
+/// What is said of a set that is not what its list says: `how`, in words.
+[[nodiscard]] Error damaged(const std::filesystem::path& set, const std::string& how);
 
 /// The same of a set that nothing but its own name vouches for.
 [[nodiscard]] Result<LockedFiles> readLockedList(const std::filesystem::path& set);

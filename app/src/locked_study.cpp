@@ -113,7 +113,8 @@ tl::expected<std::string, std::vector<Error>> lockStudy(const StudySetup& setup,
     const auto one = [](Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); };
     const auto avatar = loadStudyAvatar(setup.study);
     if (!avatar) return one(avatar.error());
-    const auto lab = labFiles(setup, *avatar);
+    SeenFiles seen = seenFiles(request.database);
+    const auto lab = labFiles(setup, *avatar, seen);
     if (!lab) return one(lab.error());
     auto writer = LockedSetWriter::begin(request.database);
     if (!writer) return one(writer.error());
@@ -173,10 +174,11 @@ Result<std::string> lockForPlanner(const fs::path& database, const LockedStudy& 
 
 Result<LockedStudy> openLocked(const fs::path& database, const std::string& hash,
                                const std::string& language) {
-    if (const auto verified = verifyLocked(database, hash); !verified)
-        return tl::unexpected(verified.error());
+    auto verified = verifyLocked(database, hash);
+    if (!verified) return tl::unexpected(verified.error());
     LockedStudy out;
     out.hash = hash;
+    out.files = std::move(*verified);
     out.folder = lockedSet(database, hash);
     auto study = studies::loadStudy(
         out.folder / study_file,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "locked_set.hpp"
 #include "study_setup.hpp"
 
 namespace deixis::app {
@@ -20,6 +21,7 @@ struct LabFile {
 /// What one locked set says. The study's avatar is the set's file.
 struct LockedStudy {
     std::string hash;              ///< of the set
+    LockedFiles files;             ///< of the set, with their hashes
     std::filesystem::path folder;  ///< of the set
     StudySetup setup;
     int planner = 0;                   ///< studies::planner_version of the program that locked it
@@ -57,6 +59,6 @@ struct LockRequest {
 /// How a lab's files differ from those that the set was made from, each in words. `study` as for
 /// loadStudySetup().
 [[nodiscard]] Result<std::vector<std::string>> labDifferences(const LockedStudy& locked,
-                                                              const std::string& study);
+                                                              const std::string& study, SeenFiles seen);
 
 }  // namespace deixis::app

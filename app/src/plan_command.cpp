@@ -3,12 +3,17 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
+#include "enrolment.hpp"
+#include "results/store.hpp"
 #include "studies/plan.hpp"
 #include "study_setup.hpp"
+#include "study_under_way.hpp"
 
 namespace deixis::app {
 
@@ -16,6 +21,7 @@ namespace {
 
 struct PlanArguments {
     std::string study;
+    std::string database;
     std::string participant;
     int number = 0;
     std::vector<std::string> groups;
@@ -45,7 +51,8 @@ std::string jsonForScripts(const studies::StudyPlan& plan) {
     return json.dump(1) + "\n";
 }
 
-Result<void> printPlan(const PlanArguments& options) {
+/// Of a new participant of a study file.
+Result<studies::StudyPlan> planOfStudy(const PlanArguments& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
     auto groups = parseGroups(options.groups);
@@ -53,8 +60,36 @@ Result<void> printPlan(const PlanArguments& options) {
     const int number =
         options.number > 0 ? options.number : studies::numberOfParticipant(options.participant).value_or(1);
     const studies::Turn turn = studies::turnOf(setup->study, number, *groups);
-    const auto plan = studies::buildPlan(setup->study, setup->targets, options.participant, number,
-                                         turn.groups, turn.number_in_cell);
+    return studies::buildPlan(setup->study, setup->targets, options.participant, number, turn.groups,
+                              turn.number_in_cell);
+}
+
+/// The plan that the database holds; of who is not in it yet the one that a session begun now would have.
+Result<studies::StudyPlan> planInDatabase(const PlanArguments& options) {
+    std::optional<studies::StudyPlan> plan;
+    const auto number = options.number > 0 ? std::optional(options.number) : std::nullopt;
+    const auto read =
+        results::Store::read(options.database, [&](const results::Store& store) -> Result<void> {
+            plan = store.plan(options.participant);
+            if (plan && number && *number != plan->number)
+                return fail("--number",
+                            fmt::format("found {}, but {} takes part with the number {}", *number,
+                                        options.participant, plan->number),
+                            "Leave it out");
+            if (plan) return {};
+            const auto held = studyHeld(options.database, store);
+            if (!held) return tl::unexpected(held.error());
+            auto enrolment = enrol(held->setup, store, options.participant, number, 0.0);
+            if (!enrolment) return tl::unexpected(enrolment.error());
+            plan = std::move(enrolment->plan);
+            return {};
+        });
+    if (!read) return tl::unexpected(read.error());
+    return std::move(*plan);
+}
+
+Result<void> printPlan(const PlanArguments& options) {
+    const auto plan = options.database.empty() ? planOfStudy(options) : planInDatabase(options);
     if (!plan) return tl::unexpected(plan.error());
     fmt::print("{}", options.json ? jsonForScripts(*plan) : studies::planTable(*plan));
     return {};
@@ -65,18 +100,28 @@ Result<void> printPlan(const PlanArguments& options) {
 void addPlanCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<PlanArguments>();
     CLI::App* command = cli.add_subcommand("plan", "Print the exact trials of a participant");
-    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    auto* study = command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
+    auto* database = command->add_option("--db", options->database,
+                                         "In place of STUDY: a database. The plan that it holds of the "
+                                         "participant, or that the next session would store");
+    database->excludes(study);
     command->add_option("--participant", options->participant, "Pseudonymous id, such as P07")->required();
     command
         ->add_option("--number", options->number,
                      "Number of the participant in the study [the digits that the id ends in, or 1]")
         ->check(CLI::Range(1, 999999));
-    command->add_option("--group", options->groups,
-                        "FACTOR=LEVEL of a factor between participants; may be repeated [as drawn where all "
-                        "before enrolled in "
-                        "the order of their numbers]");
+    auto* group = command->add_option(
+        "--group", options->groups,
+        "FACTOR=LEVEL of a factor between participants; may be repeated [as drawn where all "
+        "before enrolled in "
+        "the order of their numbers]");
+    database->excludes(group);
     command->add_flag("--json", options->json, "As JSON instead of a table");
-    command->callback([options, &chosen] { chosen = [options] { return printPlan(*options); }; });
+    command->callback([options, &chosen] {
+        if (options->study.empty() && options->database.empty())
+            throw CLI::ValidationError("plan", "Give STUDY, or with --db the database of a study under way");
+        chosen = [options] { return printPlan(*options); };
+    });
 }
 
 }  // namespace deixis::app

@@ -63,13 +63,16 @@ Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
             const fs::path file = manifest->file.parent_path() / row->clip;
             const auto bytes = readFile(file);
             if (!bytes) return tl::unexpected(bytes.error());
-            const auto read = assets::importClip(file);
+            // What is shown is what was locked, to the byte, whatever was remembered of the file.
+            const std::string name = file.lexically_relative(locked.folder).generic_string();
+            const std::string hash = sha256Hex(*bytes);
+            if (const auto kept = locked.files.find(name); kept == locked.files.end() || kept->second != hash)
+                return tl::unexpected(damaged(locked.folder, name + " was changed"));
+            const auto read = assets::importClipBytes(*bytes, file.string());
             if (!read) return tl::unexpected(read.error());
             auto clip = clipOnAvatar(*read, file.string(), avatar);
             if (!clip) return tl::unexpected(clip.error());
-            part.emplace(stimulus, Loaded{std::move(*clip),
-                                          {file.lexically_relative(locked.folder).generic_string(),
-                                           sha256Hex(*bytes)}});
+            part.emplace(stimulus, Loaded{std::move(*clip), {name, hash}});
         }
         return part;
     };

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "assets/bvh.hpp"
+#include "assets/clip_import.hpp"
 #include "assets/humanoid_file.hpp"
 #include "built_in_clips.hpp"
 #include "clip_files.hpp"
@@ -211,6 +212,8 @@ class SystemClips {
         std::string made_from = bytes + avatar.content_hash + assets::manifestCsv({row}) +
                                 fmt::format("{} {}", motion::keepName(manner.keep), manner.close_hand);
         if (const auto words = readFile(assets::humanoidFileOf(file))) made_from += *words;
+        for (const fs::path& part : assets::partsOfClip(file))
+            if (const auto part_bytes = readFile(part)) made_from += sha256Hex(*part_bytes);
         const fs::path made = sources_.made / fmt::format("{}-on-avatar", system_.name) /
                               fmt::format("{}.bvh", sha256Hex(made_from).substr(0, 16));
         std::error_code code;
@@ -227,7 +230,8 @@ class SystemClips {
         if (!clip) return tl::unexpected(clip.error());
         out.bytes = assets::writeBvh(*clip);
         if (!sources_.made.empty())
-            if (auto written = writeFile(made, out.bytes); !written) return tl::unexpected(written.error());
+            if (auto written = writeFileUnsynced(made, out.bytes); !written)
+                return tl::unexpected(written.error());
         return out;
     }
 

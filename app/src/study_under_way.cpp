@@ -14,6 +14,7 @@
 #include "core/files.hpp"
 #include "core/unique_name.hpp"
 #include "lab_files.hpp"
+#include "locked_set.hpp"
 #include "studies/plan.hpp"
 #include "studies/study_source.hpp"
 #include "studies/targets.hpp"
@@ -70,7 +71,7 @@ Result<StudySetup> setupAsBegun(const StudyRequest& request, const results::Stor
     const fs::path file = assets::fileOrShipped(request.study, "studies");
     if (!isShipped(file) || (setup && setup->study.source == source)) return setup;
     const fs::path kept = request.database.string() + ".begun-" + uniqueName() + ".toml";
-    if (auto written = writeFile(kept, source); !written) return tl::unexpected(written.error());
+    if (auto written = writeFileUnsynced(kept, source); !written) return tl::unexpected(written.error());
     setup = loadStudySetup(kept.string(), request.language);
     std::error_code code;
     fs::remove(kept, code);
@@ -88,14 +89,32 @@ Result<std::vector<studies::TargetItem>> targetsAsBegun(const StudySetup& setup)
     return studies::drawDistractors(setup.targets, study.targets, study.distances, study.seed);
 }
 
+Error holdsNone(const fs::path& database) {
+    return {database.string(), "holds no study yet",
+            fmt::format("deixis run STUDY --db {}", database.string())};
+}
+
+Error lockedNothing(const fs::path& database) {
+    return {database.string(),
+            "was begun by a program that locked nothing yet, so that its study must be named once more",
+            fmt::format("deixis run STUDY --db {}", database.string())};
+}
+
+/// Empty: this program plans as the one that locked the study.
+std::string plannerDifference(const LockedStudy& locked) {
+    if (locked.planner == studies::planner_version) return "";
+    return fmt::format("this program plans trials in another way (version {}, not {})",
+                       studies::planner_version, locked.planner);
+}
+
+std::string otherPlanner(const std::string& difference) {
+    return difference + " than the one that the study was begun with";
+}
+
 /// Of a database that an older program began: what is there now is locked.
 Result<std::string> lockOlder(const StudyRequest& request, results::Store& store) {
     const std::string database = request.database.string();
-    if (request.study.empty())
-        return fail(database,
-                    "was begun by a program that locked nothing yet, so that its study must be named "
-                    "once more",
-                    fmt::format("deixis run STUDY --db {}", database));
+    if (request.study.empty()) return tl::unexpected(lockedNothing(request.database));
     auto setup = setupAsBegun(request, store);
     if (!setup) return tl::unexpected(setup.error());
     // Of one that ships, questionnaires are the program's and may be others by now.
@@ -163,6 +182,17 @@ std::string listed(const std::vector<std::string>& changes) {
 
 }  // namespace
 
+Result<LockedStudy> studyHeld(const fs::path& database, const results::Store& store) {
+    const auto in_force = store.lockedHash();
+    if (!in_force) return tl::unexpected(holdsNone(database));
+    if (in_force->empty()) return tl::unexpected(lockedNothing(database));
+    auto locked = openLocked(database, *in_force);
+    if (!locked) return locked;
+    if (const auto other = plannerDifference(*locked); !other.empty())
+        return fail(database.string(), otherPlanner(other), "Use the program that it was begun with");
+    return locked;
+}
+
 Result<LockedStudy> studyUnderWay(const StudyRequest& asked, results::Store& store) {
     StudyRequest request = asked;
     auto language = languageFor(request, store);
@@ -173,9 +203,7 @@ Result<LockedStudy> studyUnderWay(const StudyRequest& asked, results::Store& sto
     if (in_force && !request.study.empty())
         if (auto named = checkName(request, store); !named) return tl::unexpected(named.error());
     if (!in_force) {
-        if (request.study.empty())
-            return fail(request.database.string(), "holds no study yet",
-                        fmt::format("deixis run STUDY --db {}", request.database.string()));
+        if (request.study.empty()) return tl::unexpected(holdsNone(request.database));
         const auto setup = loadStudySetup(request.study, request.language);
         if (!setup) return tl::unexpected(setup.error());
         const auto hash = lockNow(*setup, request, store, false);
@@ -193,7 +221,7 @@ Result<LockedStudy> studyUnderWay(const StudyRequest& asked, results::Store& sto
     const auto planned = store.lockedHashOf(request.participant);  // empty: joined from an older database
     std::vector<std::string> changes;
     if (!request.study.empty()) {
-        auto found = labDifferences(*current, request.study);
+        auto found = labDifferences(*current, request.study, seenFiles(request.database));
         if (!found) return tl::unexpected(found.error());
         changes = std::move(*found);
     }
@@ -211,12 +239,11 @@ Result<LockedStudy> studyUnderWay(const StudyRequest& asked, results::Store& sto
                         where));
     const bool only_planner = changes.empty();
     // A stored plan is never made again, so another planner matters to new participants alone.
-    if (current->planner != studies::planner_version && !planned) {
-        changes.push_back(fmt::format("this program plans trials in another way (version {}, not {})",
-                                      studies::planner_version, current->planner));
+    if (const auto other = plannerDifference(*current); !other.empty() && !planned) {
+        changes.push_back(other);
         if (request.accept_changes.empty())
             return fail(
-                where, fmt::format("{} than the one that the study was begun with", changes.back()),
+                where, otherPlanner(other),
                 "Use the program that it was begun with for new participants; or name the reason with "
                 "--accept-changes \"REASON\", which is kept");
     }

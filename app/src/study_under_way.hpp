@@ -26,4 +26,9 @@ struct StudyRequest {
 /// keeps.
 [[nodiscard]] Result<LockedStudy> studyUnderWay(const StudyRequest& request, results::Store& store);
 
+/// The locked study that a new participant of this database would be planned from; nothing is locked or
+/// stored. Fails where nothing is locked yet, or where this program would plan in another way.
+[[nodiscard]] Result<LockedStudy> studyHeld(const std::filesystem::path& database,
+                                            const results::Store& store);
+
 }  // namespace deixis::app

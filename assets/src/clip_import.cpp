@@ -79,6 +79,11 @@ Kind kindOfEnding(const std::string& ending) {
     return Kind::unknown;
 }
 
+Kind kindOf(std::string_view bytes, const std::string& name) {
+    const Kind kind = kindOfContent(bytes);
+    return kind == Kind::unknown ? kindOfEnding(endingOf(name)) : kind;
+}
+
 Result<ImportedClip> importBvh(std::string_view bytes, const std::string& name,
                                const ImportOptions& options) {
     auto file = parseBvh(bytes, name, BvhOptions{options.metres_per_unit, options.fps});
@@ -195,9 +200,7 @@ Result<ImportedClip> importFrom(std::string_view bytes, const std::string& name,
     if (!positive(options.fps)) return fail(name, "found a frame rate that is not above 0, expected one");
     if (!positive(options.metres_per_unit))
         return fail(name, "found a unit that is not above 0 metres, expected one");
-    Kind kind = kindOfContent(bytes);
-    if (kind == Kind::unknown) kind = kindOfEnding(endingOf(name));
-    auto imported = importAs(kind, bytes, name, options, folder);
+    auto imported = importAs(kindOf(bytes, name), bytes, name, options, folder);
     if (!imported) return imported;
     if (auto places = checkPlaces(*imported, name); !places) return tl::unexpected(places.error());
     return imported;
@@ -228,6 +231,12 @@ Result<ImportedClip> importClip(const std::filesystem::path& path, const ImportO
     const auto bytes = readUnpacked(path);
     if (!bytes) return tl::unexpected(bytes.error());
     return importFrom(bytes->view(), path.string(), options, path.parent_path());
+}
+
+std::vector<std::filesystem::path> partsOfClip(const std::filesystem::path& path) {
+    const auto bytes = readUnpacked(path);
+    if (!bytes || kindOf(bytes->view(), path.string()) != Kind::gltf) return {};
+    return gltfBufferFiles(bytes->view(), path);
 }
 
 std::string describe(const ImportedClip& imported) {

@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 
 #include "core/files.hpp"
+#include "gltf_container.hpp"
 #include "gltf_skeleton.hpp"
 
 namespace deixis::assets {
@@ -187,6 +188,21 @@ Result<GltfClipFile> readGltfClip(const std::filesystem::path& path, const GltfC
     const auto bytes = openFile(path);
     if (!bytes) return tl::unexpected(bytes.error());
     return parseGltfClip(bytes->view(), path.string(), options, path.parent_path());
+}
+
+std::vector<std::filesystem::path> gltfBufferFiles(std::string_view bytes,
+                                                   const std::filesystem::path& path) {
+    std::vector<std::filesystem::path> files;
+    try {
+        for (const gltf::Buffer& buffer : gltf::readDocument(bytes, path.string()).buffers) {
+            if (!buffer.uri || buffer.uri->starts_with("data:")) continue;
+            auto file = path.parent_path() / gltf::neighbourPath(*buffer.uri, path.string());
+            if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(std::move(file));
+        }
+    } catch (const gltf::Refusal&) {
+        return {};  // whoever reads the clip tells why
+    }
+    return files;
 }
 
 }  // namespace deixis::assets

@@ -27,6 +27,17 @@ Result<Store> Store::open(const std::filesystem::path& path, Durability durabili
     }
 }
 
+Result<void> Store::read(const std::filesystem::path& path,
+                         const std::function<Result<void>(const Store&)>& look) {
+    return readDatabase(path, [&](SQLite::Database& opened) -> Result<void> {
+        const Store store(std::make_unique<Impl>(path, Durability::each_answer, std::move(opened)));
+        auto looked = look(store);
+        store.impl_->statements.clear();
+        opened = std::move(store.impl_->database);
+        return looked;
+    });
+}
+
 Store::Store(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;

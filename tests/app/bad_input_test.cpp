@@ -167,7 +167,7 @@ TEST_SUITE("app/bad-input") {
                   " \"select count(*) from responses_flat where system in ('direct', 'drifting') and "
                   "clip_file not like 'clips/' || system || '/T%'\"");
         CHECK(wrong.out == "0\n");
-        const fs::path set = fs::directory_iterator(scratch / "out.locked")->path();
+        const fs::path set = onlySetIn(scratch / "out.locked");
         for (const std::string system : {"direct", "drifting"})
             CHECK(slurp(set / "clips" / system / "T007.bvh") ==
                   slurp(scratch / ("clips/" + system + "/" + system + "_T007.bvh")));

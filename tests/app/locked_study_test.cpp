@@ -17,10 +17,7 @@ std::string value(const LabFolder& lab, const std::string& query) {
 
 /// The only set beside the database.
 fs::path onlySet(const LabFolder& lab) {
-    std::vector<fs::path> sets;
-    for (const auto& entry : fs::directory_iterator(lab.path("study.locked"))) sets.push_back(entry.path());
-    REQUIRE(sets.size() == 1);
-    return sets.front();
+    return onlySetIn(lab.path("study.locked"));
 }
 
 int answersOf(const LabFolder& lab, const std::string& participant) {
@@ -206,6 +203,31 @@ TEST_SUITE("app/locked_study") {
         }
     }
 
+    TEST_CASE("What is shown is what was locked, to the byte, whatever is remembered of the files") {
+        const LabFolder lab;
+        REQUIRE(lab.simulate().status == 0);
+        const fs::path set = onlySet(lab);
+        std::string remembered;
+        for (const auto& entry : fs::recursive_directory_iterator(set)) {
+            if (!entry.is_regular_file()) continue;
+            const std::string hash = deixis::sha256Hex(slurp(entry.path()));
+            if (contains(entry.path().string(), "/clips/ours/T00"))
+                spill(entry.path(), slurp(entry.path()) + "\n");
+            struct stat status {};
+            REQUIRE(stat(entry.path().c_str(), &status) == 0);
+            const auto nanoseconds = [](const timespec& time) {
+                return std::to_string(1'000'000'000 * static_cast<long long>(time.tv_sec) + time.tv_nsec);
+            };
+            remembered += hash + " " + std::to_string(status.st_size) + " " + nanoseconds(status.st_mtim) +
+                          " " + nanoseconds(status.st_ctim) + " " + std::to_string(status.st_ino) + " " +
+                          std::to_string(status.st_dev) + " " + entry.path().string() + "\n";
+        }
+        spill(lab.path("study.locked/seen"), deixis::sha256Hex(remembered) + "\n" + remembered);
+        CHECK_FAILS_SAYING(lab.run("P02"), set.string(), "damaged: clips/ours/T00", "was changed",
+                           "from a copy");
+        CHECK(value(lab, "SELECT count(*) FROM participants") == "1");
+    }
+
     TEST_CASE(
         "Of a database from before, stored plans keep their targets, and the set is locked at the next run") {
         const LabFolder lab;
@@ -275,9 +297,7 @@ TEST_SUITE("app/locked_study") {
         CHECK_MESSAGE(contains(refused.err, "locked"), refused.err);
         fs::remove(lab.path("study.sqlite"));
         lab.write("clips/direct_T002.bvh",
-                  slurp(onlySet(lab).parent_path().parent_path() / "first.locked" /
-                        fs::directory_iterator(lab.path("first.locked"))->path().filename() /
-                        "clips/ours/T002.bvh"));
+                  slurp(onlySetIn(lab.path("first.locked")) / "clips/ours/T002.bvh"));
         REQUIRE(lab.run("P02").status == 0);
         const auto joined = program(join + lab.path("all.sqlite"));
         REQUIRE_MESSAGE(joined.status == 0, joined.err);

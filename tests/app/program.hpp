@@ -133,6 +133,15 @@ class Background {
     int status_ = -1;
 };
 
+/// The one set in a locked study's folder.
+inline fs::path onlySetIn(const fs::path& locked) {
+    std::vector<fs::path> sets;
+    for (const auto& entry : fs::directory_iterator(locked))
+        if (entry.is_directory()) sets.push_back(entry.path());
+    REQUIRE(sets.size() == 1);
+    return sets.front();
+}
+
 /// Waits up to `seconds` for something to come true.
 template <typename Condition>
 bool eventually(double seconds, Condition condition) {

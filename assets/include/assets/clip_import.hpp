@@ -71,6 +71,10 @@ struct ImportedClip {
 [[nodiscard]] Result<ImportedClip> importClipBytes(std::string_view bytes, const std::string& name,
                                                    const ImportOptions& options = {});
 
+/// The files that importClip() reads besides this one: the buffers in other files that a glTF file names,
+/// each once. None of a clip that cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> partsOfClip(const std::filesystem::path& path);
+
 /// One line for people: format, joints, frames, rate, unit, up axis, each with where it comes from.
 [[nodiscard]] std::string describe(const ImportedClip& imported);
 

@@ -42,6 +42,11 @@ struct GltfClipFile {
                                                  const GltfClipOptions& options = {},
                                                  const std::optional<std::filesystem::path>& folder = {});
 
+/// The other files that buffers of the glTF file `path` with these bytes stand in, each once. None of a file
+/// that cannot be read, or names others than parseGltfClip() would read.
+[[nodiscard]] std::vector<std::filesystem::path> gltfBufferFiles(std::string_view bytes,
+                                                                 const std::filesystem::path& path);
+
 struct GlbOptions {
     std::string animation_name = "clip";
     /// Written as a VRM animation's humanoid where whyNoVrmAnimation() finds nothing against it.

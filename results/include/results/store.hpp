@@ -89,6 +89,11 @@ class Store {
     /// file, the log of a database that is not there beside it.
     [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability,
                                             std::chrono::milliseconds patience = store_patience);
+    /// Gives `look` a store of a database that is only read, as it is at one moment: nothing in it or beside
+    /// it is changed, and an older version is brought up to date in memory. May call it twice, where a writer
+    /// came in between. Errors: its own, no such file, damaged, nothing in it yet.
+    [[nodiscard]] static Result<void> read(const std::filesystem::path& path,
+                                           const std::function<Result<void>(const Store&)>& look);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
     ~Store();
