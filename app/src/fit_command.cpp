@@ -1,4 +1,4 @@
-// deixis fit: the simulated participant's noise and lapses, fitted to the choices of a database.
+// deixis fit: the simulated participant's noise, lapses and weights, fitted to the choices of a database.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ Result<results::ClipRecords> clipsShown(const std::vector<results::Recording>& g
     return out;
 }
 
-Result<ChoicesMade> choicesMade(const FitArguments& options, motion::PointingRay ray, double frame_rate_hz) {
+Result<ChoicesMade> choicesMade(const FitArguments& options, const studies::SimulatedParameters& base) {
     const auto games = gamesOf(options.database);
     if (!games) return tl::unexpected(games.error());
     const auto records = clipsShown(*games, options.database);
@@ -99,7 +99,9 @@ Result<ChoicesMade> choicesMade(const FitArguments& options, motion::PointingRay
         std::vector<studies::SeenChoice> choices;
         for (const results::RecordedAnswer& answer : recording.answers) {
             out.synthetic = out.synthetic || answer.trial.synthetic;
-            auto seen = studies::seenChoice(answer.trial, *clips, avatar->skeleton, idle, ray, frame_rate_hz);
+            auto seen =
+                studies::seenChoice(answer.trial, *clips, avatar->skeleton, idle, base.observer.reading,
+                                    base.elevation_bias_deg, base.frame_rate_hz);
             if (seen)
                 choices.push_back(std::move(*seen));
             else
@@ -136,11 +138,14 @@ FitJson parameterJson(const studies::FittedParameter& of) {
 }
 
 FitJson fitJson(const studies::ObserverFit& fit) {
-    return {{"choices", fit.choices},
-            {"noise_deg", parameterJson(fit.noise_deg)},
-            {"lapse_rate", parameterJson(fit.lapse_rate)},
-            {"log_likelihood", fit.log_likelihood},
-            {"aic", fit.aic}};
+    FitJson out{{"choices", fit.choices},
+                {"noise_deg", parameterJson(fit.noise_deg)},
+                {"lapse_rate", parameterJson(fit.lapse_rate)}};
+    if (fit.eye_line_share) out["eye_line_share"] = parameterJson(*fit.eye_line_share);
+    if (fit.visual_weight) out["visual_weight"] = parameterJson(*fit.visual_weight);
+    out["log_likelihood"] = fit.log_likelihood;
+    out["aic"] = fit.aic;
+    return out;
 }
 
 /// The text of a parameters file with the value of a key of [pointing] replaced; unchanged where the key does
@@ -165,25 +170,41 @@ std::string withValue(const std::string& text, const std::string& key, const std
     return out;
 }
 
+/// What a fit puts in the place of the parameters that it began with.
+struct Fitted {
+    double noise_deg = 0.0;
+    double noise_between = 0.0;
+    studies::ObserverModel observer{};  ///< its noise is noise_deg
+};
+
 /// The parameters file given, with what was fitted; checked by reading it again.
-Result<void> writeParameters(const FitArguments& options, const std::string& ray, double noise_deg,
-                             double noise_between, double lapse_rate) {
+Result<void> writeParameters(const FitArguments& options, const Fitted& fitted) {
     auto text = readFile(options.parameters);
     if (!text) return tl::unexpected(text.error());
+    const auto number = [](double value) { return fmt::format("{}", value); };
+    std::vector<std::pair<std::string, std::string>> values{
+        {"ray", fmt::format("\"{}\"", studies::readingName(fitted.observer.reading))},
+        {"noise_deg", number(fitted.noise_deg)},
+        {"noise_between", number(fitted.noise_between)},
+        {"lapse_rate", number(fitted.observer.lapse_rate)}};
+    if (fitted.observer.reading.twoCue()) {
+        values.emplace_back("eye_line_share", number(fitted.observer.eye_line_share));
+        values.emplace_back("visual_weight", number(fitted.observer.visual_weight));
+    }
     std::string out = *text;
-    for (const auto& [key, value] :
-         {std::pair{"ray", fmt::format("\"{}\"", ray)}, std::pair{"noise_deg", fmt::format("{}", noise_deg)},
-          std::pair{"noise_between", fmt::format("{}", noise_between)},
-          std::pair{"lapse_rate", fmt::format("{}", lapse_rate)}})
-        out = withValue(out, key, value);
+    for (const auto& [key, value] : values) out = withValue(out, key, value);
     out = fmt::format("# [pointing] was fitted by deixis fit to {}; all else is as it stands in\n# {}.\n\n",
                       options.database, options.parameters) +
           out;
     if (auto written = writeFile(options.output, out); !written) return written;
     const auto read = studies::loadSimulatedParameters(options.output);
     if (!read) return tl::unexpected(read.error());
-    if (read->pointing_ray != ray || read->pointing_noise_deg != noise_deg ||
-        read->pointing_noise_between != noise_between || read->lapse_rate != lapse_rate)
+    const studies::ObserverModel& kept = read->observer;
+    if (kept.reading != fitted.observer.reading || kept.noise_rad != radiansFromDegrees(fitted.noise_deg) ||
+        read->pointing_noise_between != fitted.noise_between ||
+        kept.lapse_rate != fitted.observer.lapse_rate ||
+        kept.eye_line_share != fitted.observer.eye_line_share ||
+        kept.visual_weight != fitted.observer.visual_weight)
         return fail(options.parameters,
                     "its [pointing] could not be changed: its keys do not stand on lines of their own",
                     "Write them as in the file that ships");
@@ -191,66 +212,91 @@ Result<void> writeParameters(const FitArguments& options, const std::string& ray
     return {};
 }
 
+/// All choices as those of one observer: with the weights of two cues, which `model` then has.
+studies::ObserverFit fitTogether(const std::vector<std::vector<studies::SeenChoice>>& by_participant,
+                                 studies::ObserverModel& model, double level) {
+    std::vector<studies::SeenChoice> all;
+    for (const auto& choices : by_participant) all.insert(all.end(), choices.begin(), choices.end());
+    if (!model.reading.twoCue()) return studies::fitObserver(all, model, level);
+    studies::ObserverFit fit = studies::fitWeights(all, model, level);
+    model.eye_line_share = fit.eye_line_share->value;
+    model.visual_weight = fit.visual_weight->value;
+    return fit;
+}
+
+void printWeights(const studies::ObserverFit& fit) {
+    const auto line = [](const char* name, const studies::FittedParameter& of) {
+        fmt::print("{:<24} {:>8.3f} [{}, {}]\n", name, of.value, endText(of.lower, "0"),
+                   endText(of.upper, "1"));
+    };
+    if (fit.eye_line_share) line("eye_line_share, of all", *fit.eye_line_share);
+    if (fit.visual_weight) line("visual_weight, of all", *fit.visual_weight);
+}
+
+/// Everybody by themselves with the weights of all, all as one, and all as differing in their noise.
+Fitted fitAll(const ChoicesMade& made, studies::ObserverModel model, double level, FitJson& json) {
+    const studies::ObserverFit pooled = fitTogether(made.choices, model, level);
+    fmt::print("{:<14} {:>7}  {:<26} {:<26} {:>12} {:>12}\n", "participant", "choices", "noise, degrees",
+               "lapse rate", "log-lik.", "AIC");
+    json["participants"] = FitJson::array();
+    for (std::size_t i = 0; i < made.choices.size(); ++i) {
+        const studies::ObserverFit one = studies::fitObserver(made.choices[i], model, level);
+        fmt::print("{}", fitLine(made.participants[i], one));
+        FitJson row{{"participant", made.participants[i]}};
+        row.update(fitJson(one));
+        json["participants"].push_back(std::move(row));
+    }
+    fmt::print("{}", fitLine("all, as one", pooled));
+    printWeights(pooled);
+    json["pooled"] = fitJson(pooled);
+    json["population"] = FitJson();
+    model.lapse_rate = pooled.lapse_rate.value;
+    if (made.choices.size() == 1) return {pooled.noise_deg.value, 0.0, model};
+    const studies::PopulationFit population = studies::fitPopulation(made.choices, model);
+    model.lapse_rate = population.lapse_rate;
+    json["population"] = {{"noise_deg", population.noise_deg},
+                          {"noise_between", population.noise_between},
+                          {"lapse_rate", population.lapse_rate},
+                          {"log_likelihood", population.log_likelihood},
+                          {"aic", population.aic}};
+    fmt::print(
+        "participants' noise differing: noise {:.3f} degrees, noise_between {:.3f}, lapse rate "
+        "{:.3f}; log-likelihood {:.3f}, AIC {:.3f}\n",
+        population.noise_deg, population.noise_between, population.lapse_rate, population.log_likelihood,
+        population.aic);
+    return {population.noise_deg, population.noise_between, model};
+}
+
 Result<void> fitDatabase(const FitArguments& options) {
-    const auto base = studies::loadSimulatedParameters(options.parameters);
+    auto base = studies::loadSimulatedParameters(options.parameters);
     if (!base) return tl::unexpected(base.error());
-    const std::string ray = options.ray.empty() ? base->pointing_ray : options.ray;
-    const auto kind = motion::pointingRayFromName(ray);
-    if (!kind) return fail("--ray", kind.error().message, kind.error().mend);
+    if (!options.ray.empty()) {
+        const auto reading = studies::readingFromName(options.ray);
+        if (!reading) return fail("--ray", reading.error().message, reading.error().mend);
+        base->observer.reading = *reading;
+    }
     for (const std::string& file : {options.output, options.json})
         if (auto checked = checkOutput(file); !checked) return checked;
-    const auto made = choicesMade(options, *kind, base->frame_rate_hz);
+    const auto made = choicesMade(options, *base);
     if (!made) return tl::unexpected(made.error());
 
-    std::vector<studies::SeenChoice> all;
-    for (const auto& choices : made->choices) all.insert(all.end(), choices.begin(), choices.end());
-    const studies::ObserverFit pooled = studies::fitObserver(all, options.level);
+    const std::string_view ray = studies::readingName(base->observer.reading);
     FitJson json{{"schema", {{"name", "deixis-fit"}, {"version", 1}}},
                  {"ray", ray},
                  {"level", options.level},
                  {"synthetic", made->synthetic},
                  {"choices_not_seen", made->not_seen}};
-    fmt::print("{} ray; choice ~ (1 - lapse) P(ball | noise) + lapse / balls; {:.4g} % profile intervals\n",
-               ray, 100.0 * options.level);
+    fmt::print("{}; choice ~ (1 - lapse) P(ball | noise) + lapse / balls; {:.4g} % profile intervals\n", ray,
+               100.0 * options.level);
     if (made->synthetic) fmt::print("Simulated participants are among them: no evidence about people.\n");
     if (made->not_seen > 0) fmt::print("{} choices left out: nothing was seen to point\n", made->not_seen);
-    fmt::print("{:<14} {:>7}  {:<26} {:<26} {:>12} {:>12}\n", "participant", "choices", "noise, degrees",
-               "lapse rate", "log-lik.", "AIC");
-    json["participants"] = FitJson::array();
-    for (std::size_t i = 0; i < made->choices.size(); ++i) {
-        const studies::ObserverFit one = studies::fitObserver(made->choices[i], options.level);
-        fmt::print("{}", fitLine(made->participants[i], one));
-        FitJson row{{"participant", made->participants[i]}};
-        row.update(fitJson(one));
-        json["participants"].push_back(std::move(row));
-    }
-    fmt::print("{}", fitLine("all, as one", pooled));
-    json["pooled"] = fitJson(pooled);
-    double noise_deg = pooled.noise_deg.value;
-    double between = 0.0;
-    double lapse_rate = pooled.lapse_rate.value;
-    json["population"] = FitJson();
-    if (made->choices.size() > 1) {
-        const studies::PopulationFit population = studies::fitPopulation(made->choices);
-        noise_deg = population.noise_deg;
-        between = population.noise_between;
-        lapse_rate = population.lapse_rate;
-        json["population"] = {{"noise_deg", noise_deg},
-                              {"noise_between", between},
-                              {"lapse_rate", lapse_rate},
-                              {"log_likelihood", population.log_likelihood},
-                              {"aic", population.aic}};
-        fmt::print(
-            "participants' noise differing: noise {:.3f} degrees, noise_between {:.3f}, lapse rate "
-            "{:.3f}; log-likelihood {:.3f}, AIC {:.3f}\n",
-            noise_deg, between, lapse_rate, population.log_likelihood, population.aic);
-    }
+    const Fitted fitted = fitAll(*made, base->observer, options.level, json);
     if (!options.json.empty()) {
         if (auto written = writeFile(options.json, json.dump(2) + "\n"); !written) return written;
         fmt::print("numbers: {}\n", options.json);
     }
     if (options.output.empty()) return {};
-    return writeParameters(options, ray, noise_deg, between, lapse_rate);
+    return writeParameters(options, fitted);
 }
 
 }  // namespace
@@ -258,13 +304,15 @@ Result<void> fitDatabase(const FitArguments& options) {
 void addFitCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<FitArguments>();
     CLI::App* command = cli.add_subcommand(
-        "fit", "Fit the simulated participant's noise and lapses to the choices of a database");
+        "fit", "Fit the simulated participant's noise, lapses and weights to the choices of a database");
     command->add_option("DB", options->database, "Database of a study with a referential game")->required();
     command->add_option("-o,--output", options->output,
                         "Parameters file to write, for deixis simulate --parameters");
     command->add_option("--parameters", options->parameters, "Parameters that are not fitted (TOML)")
         ->default_val(assets::dataFile("simulated_participant.toml").string());
-    command->add_option("--ray", options->ray, "Ray that is read from the arm [as in the parameters]");
+    command->add_option(
+        "--ray", options->ray,
+        "What is read from the arm: two-cue, arm-finger, eye-fingertip, ... [as in the parameters]");
     command->add_option("--level", options->level, "Level of the intervals")
         ->check(CLI::Range(0.5, 0.9999))
         ->capture_default_str();

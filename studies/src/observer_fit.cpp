@@ -6,27 +6,12 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "normal_probability.hpp"
-#include "simulated_choice.hpp"
+#include "observer_fit_parts.hpp"
 #include "simulated_observer.hpp"
 
 namespace deixis::studies {
 
 namespace {
-
-constexpr double least_noise_deg = 0.05;
-constexpr double most_noise_deg = 40.0;
-constexpr std::size_t noises = 96;  // evenly spaced in their logarithm
-
-double noiseAt(double place) {
-    const double share = place / static_cast<double>(noises - 1);
-    return least_noise_deg * std::pow(most_noise_deg / least_noise_deg, share);
-}
-
-double gridPlace(double noise_deg) {
-    const double share = std::log(noise_deg / least_noise_deg) / std::log(most_noise_deg / least_noise_deg);
-    return std::clamp(share, 0.0, 1.0) * static_cast<double>(noises - 1);
-}
 
 /// How probable a choice is at each noise, without lapses: what all fits look up.
 struct ChoiceTable {
@@ -47,21 +32,18 @@ struct ChoiceTable {
     }
 };
 
-std::vector<ChoiceTable> tablesOf(std::span<const SeenChoice> choices) {
+std::vector<ChoiceTable> tablesOf(std::span<const SeenChoice> choices, ObserverModel model) {
     std::vector<ChoiceTable> out;
     out.reserve(choices.size());
     for (const SeenChoice& choice : choices) {
         ChoiceTable& table = out.emplace_back();
         table.by_chance = 1.0 / static_cast<double>(choice.balls.size());
-        for (std::size_t i = 0; i < noises; ++i)
-            table.chosen[i] =
-                ballProbability(choice, choice.chosen, radiansFromDegrees(noiseAt(static_cast<double>(i))));
+        for (std::size_t i = 0; i < noises; ++i) {
+            model.noise_rad = radiansFromDegrees(noiseAt(static_cast<double>(i)));
+            table.chosen[i] = ballChance(model, choice.arm, choice.balls, choice.chosen);
+        }
     }
     return out;
-}
-
-double logOf(double probability) {
-    return std::log(std::max(probability, 1e-300));
 }
 
 double logLikelihoodAt(const std::vector<ChoiceTable>& tables, double place, double lapse) {
@@ -69,36 +51,6 @@ double logLikelihoodAt(const std::vector<ChoiceTable>& tables, double place, dou
     for (const ChoiceTable& table : tables)
         sum += logOf((1.0 - lapse) * table.at(place) + lapse * table.by_chance);
     return sum;
-}
-
-struct Peak {
-    double at = 0.0;
-    double value = -std::numeric_limits<double>::infinity();
-};
-
-/// The highest of evenly spaced points, then by golden section between its neighbours.
-template <typename Function>
-Peak highest(double low, double high, int points, Function function) {
-    Peak best;
-    const double step = (high - low) / (points - 1);
-    for (int i = 0; i < points; ++i) {
-        const double x = low + step * i;
-        if (const double y = function(x); y > best.value) best = {x, y};
-    }
-    double a = std::max(low, best.at - step);
-    double b = std::min(high, best.at + step);
-    constexpr double golden = 0.6180339887498949;
-    constexpr int rounds = 28;
-    for (int i = 0; i < rounds; ++i) {
-        const double c = b - golden * (b - a);
-        const double d = a + golden * (b - a);
-        const double at_c = function(c);
-        const double at_d = function(d);
-        if (at_c > best.value) best = {c, at_c};
-        if (at_d > best.value) best = {d, at_d};
-        (at_c >= at_d ? b : a) = at_c >= at_d ? d : c;
-    }
-    return best;
 }
 
 /// The best lapse rate at a noise: the log-likelihood is concave in it, so its slope has one zero at most.
@@ -131,142 +83,73 @@ Peak bestLapse(const std::vector<ChoiceTable>& tables, double place) {
     return {lapse, logLikelihoodAt(tables, place, lapse)};
 }
 
-constexpr double last_place = static_cast<double>(noises - 1);
-
 Peak bestNoise(const std::vector<ChoiceTable>& tables, double lapse) {
     return highest(0.0, last_place, static_cast<int>(noises),
                    [&](double place) { return logLikelihoodAt(tables, place, lapse); });
-}
-
-/// Where a profile falls to `wanted` between its peak and `end`; none where it does not.
-template <typename Profile>
-std::optional<double> crossing(double peak, double end, double wanted, Profile profile) {
-    if (profile(end) > wanted) return std::nullopt;
-    double above = peak;
-    double below = end;
-    constexpr int halvings = 40;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (above + below);
-        (profile(middle) > wanted ? above : below) = middle;
-    }
-    return 0.5 * (above + below);
-}
-
-/// Half the quantile of chi-squared with one degree of freedom: how far a profile falls within its interval.
-double allowedFall(double level) {
-    double low = 0.0;
-    double high = 10.0;
-    constexpr int halvings = 80;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        (2.0 * normalBelow(middle) - 1.0 < level ? low : high) = middle;
-    }
-    return 0.5 * low * low;
 }
 
 }  // namespace
 
 std::optional<SeenChoice> seenChoice(const RecordedTrial& recorded, const ClipSource& clips,
                                      const motion::Skeleton& avatar, const motion::LocalPose& idle_pose,
-                                     motion::PointingRay kind, double frame_rate_hz) {
+                                     const Reading& reading, double elevation_bias_deg,
+                                     double frame_rate_hz) {
     if (recorded.chosen_place < 0 || recorded.trial.ball_order.size() < 2 || recorded.plays.empty())
         return std::nullopt;
     constexpr double before_s = 0.2;  // of standing still, so that the raise is seen to begin
     const TrialReplay replay(recorded, clips, avatar, idle_pose);
     const RecordedPlay& last = recorded.plays.back();
     const double end_s = last.end_s.value_or(recorded.answered_s);
-    GestureObserver observer(avatar, kind);
+    GestureObserver observer(avatar, reading);
     const double step_s = 1.0 / frame_rate_hz;
     for (double time_s = last.onset_s - before_s; time_s <= end_s; time_s += step_s)
         observer.see(replay.at(time_s).avatar_joints, time_s);
+    const SeenGesture gesture = observer.gesture();
     SeenChoice out;
-    out.ray = observer.gesture().ray;
-    if (!(std::abs(glm::length(out.ray.direction) - 1.0) < 1e-6)) return std::nullopt;
+    out.arm.lines = raised(gesture.lines, radiansFromDegrees(elevation_bias_deg));
+    // Not equal to 1 where it is no number, either.
+    for (const Ray& line : {gesture.lines.line, gesture.lines.arm_line, gesture.lines.eye_line})
+        if (!(std::abs(glm::length(line.direction) - 1.0) < 1e-6)) return std::nullopt;
+    out.arm.observer_eye = replay.head(gesture.hold_middle_s).value_or(recorded.stage_from_head).position;
     for (int place = 0; place < static_cast<int>(recorded.trial.ball_order.size()); ++place)
         out.balls.push_back(recorded.trial.ball(place));
     out.chosen = static_cast<std::size_t>(recorded.chosen_place);
     return out;
 }
 
-double ballProbability(const SeenChoice& seen, std::size_t ball, double noise_rad) {
-    // The disturbed ray is direction + x right + y above with x and y the tangents of two normal angles. The
-    // ball nearest in angle has the largest cosine with it: against each other ball a half-plane in x and y.
-    const AcrossRay across = acrossRay(seen.ray.direction);
-    const Vec3 to_ball = glm::normalize(seen.balls[ball] - seen.ray.origin);
-    struct HalfPlane {
-        double constant, x, y;  // constant + x tan(a) + y tan(b) >= 0
-    };
-    std::vector<HalfPlane> nearer;
-    for (std::size_t i = 0; i < seen.balls.size(); ++i) {
-        if (i == ball) continue;
-        const Vec3 than = to_ball - glm::normalize(seen.balls[i] - seen.ray.origin);
-        nearer.push_back(
-            {glm::dot(than, seen.ray.direction), glm::dot(than, across.right), glm::dot(than, across.above)});
-    }
-    constexpr double step = 0.1;
-    constexpr int steps = 50;
+double observerLogLikelihood(std::span<const SeenChoice> choices, const ObserverModel& model) {
     double sum = 0.0;
-    double weights = 0.0;
-    for (int k = -steps; k <= steps; ++k) {
-        const double z = step * k;
-        const double a_rad = noise_rad * z;
-        if (std::abs(a_rad) >= 0.5 * pi) continue;
-        const double weight = std::exp(-0.5 * z * z);
-        weights += weight;
-        double low_rad = -0.5 * pi;
-        double high_rad = 0.5 * pi;
-        for (const HalfPlane& plane : nearer) {
-            const double rest = plane.constant + plane.x * std::tan(a_rad);
-            if (plane.y > 0.0)
-                low_rad = std::max(low_rad, std::atan(-rest / plane.y));
-            else if (plane.y < 0.0)
-                high_rad = std::min(high_rad, std::atan(-rest / plane.y));
-            else if (rest < 0.0)
-                high_rad = low_rad;
-        }
-        if (high_rad > low_rad)
-            sum += weight * (normalBelow(high_rad / noise_rad) - normalBelow(low_rad / noise_rad));
-    }
-    return sum / weights;
-}
-
-double observerLogLikelihood(std::span<const SeenChoice> choices, double noise_deg, double lapse_rate) {
-    double sum = 0.0;
-    for (const SeenChoice& choice : choices)
-        sum +=
-            logOf((1.0 - lapse_rate) * ballProbability(choice, choice.chosen, radiansFromDegrees(noise_deg)) +
-                  lapse_rate / static_cast<double>(choice.balls.size()));
+    for (const SeenChoice& seen : choices)
+        sum += logOf(choiceChance(model, seen.arm, seen.balls, seen.chosen));
     return sum;
 }
 
-ObserverFit fitObserver(std::span<const SeenChoice> choices, double level) {
-    const std::vector<ChoiceTable> tables = tablesOf(choices);
+ObserverFit fitObserver(std::span<const SeenChoice> choices, const ObserverModel& model, double level) {
+    const std::vector<ChoiceTable> tables = tablesOf(choices, model);
     const auto by_noise = [&](double place) { return bestLapse(tables, place).value; };
     const auto by_lapse = [&](double lapse) { return bestNoise(tables, lapse).value; };
     const Peak noise = highest(0.0, last_place, static_cast<int>(noises), by_noise);
     const Peak lapse = bestLapse(tables, noise.at);
     const double wanted = noise.value - allowedFall(level);
+    constexpr int halvings = 40;
     const auto inDegrees = [](std::optional<double> place) {
         return place ? std::optional<double>(noiseAt(*place)) : std::nullopt;
     };
     ObserverFit out;
     out.choices = static_cast<int>(choices.size());
-    out.noise_deg = {noiseAt(noise.at), inDegrees(crossing(noise.at, 0.0, wanted, by_noise)),
-                     inDegrees(crossing(noise.at, last_place, wanted, by_noise))};
-    out.lapse_rate = {lapse.at, crossing(lapse.at, 0.0, wanted, by_lapse),
-                      crossing(lapse.at, 1.0, wanted, by_lapse)};
+    out.noise_deg = {noiseAt(noise.at), inDegrees(crossing(noise.at, 0.0, wanted, halvings, by_noise)),
+                     inDegrees(crossing(noise.at, last_place, wanted, halvings, by_noise))};
+    out.lapse_rate = {lapse.at, crossing(lapse.at, 0.0, wanted, halvings, by_lapse),
+                      crossing(lapse.at, 1.0, wanted, halvings, by_lapse)};
     out.log_likelihood = noise.value;
     out.aic = 2.0 * 2.0 - 2.0 * noise.value;
     return out;
 }
 
-PopulationFit fitPopulation(std::span<const std::vector<SeenChoice>> by_participant) {
+PopulationFit fitPopulation(std::span<const std::vector<SeenChoice>> by_participant,
+                            const ObserverModel& model) {
     std::vector<std::vector<ChoiceTable>> tables;
-    std::vector<SeenChoice> all;
-    for (const auto& choices : by_participant) {
-        tables.push_back(tablesOf(choices));
-        all.insert(all.end(), choices.begin(), choices.end());
-    }
+    for (const auto& choices : by_participant) tables.push_back(tablesOf(choices, model));
     const auto logLikelihood = [&](double noise_deg, double between, double lapse) {
         constexpr double step = 0.5;
         constexpr int steps = 8;

@@ -6,36 +6,30 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "simulated_observer.hpp"
+#include "studies/observer.hpp"
 #include "studies/station.hpp"
 
 namespace deixis::studies {
 
 struct BallChoice {
     std::size_t place = 0;
-    /// By how much nearer the ray the best ball was than the next; 0 where it was chosen at random, infinite
-    /// where there was no other.
+    /// By how much more the next best ball was missed; 0 where it was chosen at random or another was nearer,
+    /// infinite where there was no other.
     double margin_rad = 0.0;
 };
 
-/// Unit length, across a direction of unit length and across each other: a ray is disturbed about them.
-struct AcrossRay {
-    Vec3 right{};
-    Vec3 above{};
-};
-[[nodiscard]] AcrossRay acrossRay(const Vec3& direction);
-
 class BallChooser {
   public:
-    /// `noise_rad`: SD of the angle by which the ray is disturbed about each of two axes.
-    BallChooser(double noise_rad, double lapse_rate, std::uint64_t seed);
+    BallChooser(const ObserverModel& model, std::uint64_t seed);
 
     /// There must be at least one ball.
-    [[nodiscard]] BallChoice choose(const SeenGesture& seen, const std::vector<BallView>& balls);
+    [[nodiscard]] BallChoice choose(const SeenArm& arm, const std::vector<BallView>& balls);
 
   private:
-    double noise_rad_;
-    double lapse_rate_;
+    [[nodiscard]] BallChoice byTwoCues(const SeenArm& arm, const std::vector<Vec3>& balls);
+    [[nodiscard]] BallChoice byOneLine(const Ray& line, const std::vector<Vec3>& balls);
+
+    ObserverModel model_;
     Random choices_;
 };
 

@@ -19,8 +19,8 @@ double share(double value, double none, double all) {
 
 Traits::Traits(const SimulatedParameters& parameters, std::uint64_t seed) {
     Random person(seed, "person");
-    pointing_noise_rad = radiansFromDegrees(parameters.pointing_noise_deg) *
-                         std::max(0.2, 1.0 + parameters.pointing_noise_between * person.normal());
+    observer = parameters.observer;
+    observer.noise_rad *= std::max(0.2, 1.0 + parameters.pointing_noise_between * person.normal());
     rating_bias = parameters.rating_bias_between * person.normal();
     questionnaire_bias = parameters.questionnaire_bias_between * person.normal();
 }

@@ -16,7 +16,7 @@ namespace deixis::studies {
 /// What tells one simulated participant from another.
 struct Traits {
     Traits(const SimulatedParameters& parameters, std::uint64_t seed);
-    double pointing_noise_rad = 0.0;
+    ObserverModel observer{};
     double rating_bias = 0.0;         ///< steps of a scale from 1 to 5
     double questionnaire_bias = 0.0;  ///< share of a scale's range
 };
@@ -28,7 +28,7 @@ class Judge {
     Judge(const SimulatedParameters& parameters, const Traits& traits, std::uint64_t seed);
 
     [[nodiscard]] double naturalness(const SeenGesture& seen);
-    /// By how much nearer the ray the best ball was than the next.
+    /// `margin_rad`: by how much more the next best ball was missed.
     [[nodiscard]] double confidence(double margin_rad);
     /// An answer to a question of a questionnaire with a scale or a range of numbers.
     [[nodiscard]] double questionnaireAnswer();

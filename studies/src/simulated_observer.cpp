@@ -20,8 +20,8 @@ double turn_deg(const Quat& a, const Quat& b) {
 
 }  // namespace
 
-GestureObserver::GestureObserver(const motion::Skeleton& avatar, motion::PointingRay kind)
-    : avatar_(avatar), map_(motion::mapByVrmNames(avatar)), kind_(kind) {
+GestureObserver::GestureObserver(const motion::Skeleton& avatar, const Reading& reading)
+    : avatar_(avatar), map_(motion::mapByVrmNames(avatar)), reading_(reading) {
     using motion::Bone;
     for (const Bone bone : {Bone::head, Bone::leftUpperArm, Bone::leftLowerArm, Bone::leftHand,
                             Bone::rightUpperArm, Bone::rightLowerArm, Bone::rightHand})
@@ -42,7 +42,7 @@ void GestureObserver::see(const std::vector<Pose>& stage_from_joint, double time
     for (const motion::Side side : {motion::Side::left, motion::Side::right}) {
         const auto index = static_cast<std::size_t>(side);
         glimpse.tip[index] = motion::fingertipPosition(avatar_, map_, stage_from_joint, side);
-        glimpse.ray[index] = motion::pointingRay(avatar_, map_, stage_from_joint, side, kind_);
+        glimpse.lines[index] = armLines(avatar_, map_, stage_from_joint, side, reading_);
     }
     glimpse.head = stage_from_joint[static_cast<std::size_t>(map_[motion::Bone::head])].orientation;
     glimpse.trunk = stage_from_joint[static_cast<std::size_t>(trunk_)].orientation;
@@ -93,15 +93,14 @@ SeenGesture GestureObserver::gesture() const {
 
     const std::vector<double> speed = speeds(side);
     const Span hold = holdOf(side, speed);
-    Ray sum{Vec3(0.0), Vec3(0.0)};
-    for (std::size_t i = hold.first; i <= hold.last; ++i) {
-        sum.origin += seen_[i].ray[side].origin;
-        sum.direction += seen_[i].ray[side].direction;
-        seen.hold_speed_m_s += speed[i];
-    }
-    const auto frames = static_cast<double>(hold.last - hold.first + 1);
-    seen.ray = {sum.origin / frames, glm::normalize(sum.direction)};
-    seen.hold_speed_m_s /= frames;
+    std::vector<ArmLines> held;
+    for (std::size_t i = hold.first; i <= hold.last; ++i) held.push_back(seen_[i].lines[side]);
+    seen.lines = meanOf(held);
+    seen.at_first = held.front();
+    seen.at_last = held.back();
+    seen.hold_middle_s = 0.5 * (seen_[hold.first].time_s + seen_[hold.last].time_s);
+    for (std::size_t i = hold.first; i <= hold.last; ++i) seen.hold_speed_m_s += speed[i];
+    seen.hold_speed_m_s /= static_cast<double>(hold.last - hold.first + 1);
 
     // The raise: back from the hold to where the hand was last almost still.
     const double peak =

@@ -5,13 +5,17 @@
 #include <vector>
 
 #include "motion/pointing.hpp"
+#include "studies/observer.hpp"
 
 namespace deixis::studies {
 
 /// What was seen of one gesture.
 struct SeenGesture {
     motion::Side hand = motion::Side::right;
-    Ray ray{};                    ///< where it pointed, mean over the hold
+    ArmLines lines{};             ///< where it pointed, mean over the hold
+    ArmLines at_first{};          ///< when the hold began
+    ArmLines at_last{};           ///< and when it ended
+    double hold_middle_s = 0.0;   ///< on the clock of the frames
     double peak_over_mean = 1.0;  ///< speed of the fingertip during the raise
     double participation_deg =
         0.0;  ///< turn of the head and of the trunk, from before the raise to the hold, summed
@@ -22,7 +26,7 @@ struct SeenGesture {
 class GestureObserver {
   public:
     /// Throws std::invalid_argument where the avatar lacks the joints of head, trunk or an arm.
-    GestureObserver(const motion::Skeleton& avatar, motion::PointingRay kind);
+    GestureObserver(const motion::Skeleton& avatar, const Reading& reading);
 
     void forget();
     void see(const std::vector<Pose>& stage_from_joint, double time_s);
@@ -32,7 +36,7 @@ class GestureObserver {
     struct Glimpse {
         double time_s = 0.0;
         std::array<Vec3, 2> tip{};  ///< by side
-        std::array<Ray, 2> ray{};
+        std::array<ArmLines, 2> lines{};
         Quat head{1.0, 0.0, 0.0, 0.0};
         Quat trunk{1.0, 0.0, 0.0, 0.0};
     };
@@ -47,7 +51,7 @@ class GestureObserver {
     const motion::Skeleton& avatar_;
     motion::HumanoidMap map_;
     int trunk_ = 0;  ///< the joint that the trunk turns with
-    motion::PointingRay kind_;
+    Reading reading_;
     std::vector<Glimpse> seen_;
 };
 

@@ -1,7 +1,7 @@
 #include <array>
 #include <string_view>
 
-#include "motion/pointing.hpp"
+#include "studies/observer.hpp"
 #include "studies/simulated_participant.hpp"
 #include "study_texts.hpp"
 #include "toml_table.hpp"
@@ -12,7 +12,9 @@ namespace {
 
 constexpr std::array<std::string_view, 8> sections{"pointing",  "rating",        "preference", "confidence",
                                                    "attention", "questionnaire", "reaction",   "station"};
-constexpr std::array<std::string_view, 4> pointing_keys{"ray", "noise_deg", "noise_between", "lapse_rate"};
+constexpr std::array<std::string_view, 7> pointing_keys{
+    "ray",           "noise_deg",         "noise_between", "lapse_rate", "eye_line_share",
+    "visual_weight", "elevation_bias_deg"};
 constexpr std::array<std::string_view, 11> rating_keys{
     "base",           "profile_weight",    "participation_weight", "steadiness_weight",  "profile_abrupt",
     "profile_smooth", "participation_deg", "steady_speed_m_s",     "unsteady_speed_m_s", "bias_between",
@@ -25,12 +27,16 @@ constexpr std::array<std::string_view, 2> reaction_keys{"mean_s", "sd_s"};
 constexpr std::array<std::string_view, 2> station_keys{"eye_height_m", "frame_rate_hz"};
 
 void readPointing(TomlTable table, SimulatedParameters& read) {
-    read.pointing_ray = table.note("ray");
-    if (const auto kind = motion::pointingRayFromName(read.pointing_ray); !kind)
-        table.problem("ray", kind.error().message, kind.error().mend);
-    read.pointing_noise_deg = table.number("noise_deg", 0.0, 60.0);
+    if (const auto reading = readingFromName(table.note("ray")); reading)
+        read.observer.reading = *reading;
+    else
+        table.problem("ray", reading.error().message, reading.error().mend);
+    read.observer.noise_rad = radiansFromDegrees(table.number("noise_deg", 0.0, 60.0));
     read.pointing_noise_between = table.number("noise_between", 0.0, 2.0);
-    read.lapse_rate = table.number("lapse_rate", 0.0, 1.0);
+    read.observer.lapse_rate = table.number("lapse_rate", 0.0, 1.0);
+    read.observer.eye_line_share = table.number("eye_line_share", 0.0, 1.0);
+    read.observer.visual_weight = table.number("visual_weight", 0.0, 1.0);
+    read.elevation_bias_deg = table.number("elevation_bias_deg", -45.0, 45.0);
 }
 
 void readRating(TomlTable table, SimulatedParameters& read) {

@@ -43,12 +43,6 @@ Situation situationOf(const PresentedFrame& frame, const BoardReading& board) {
     return Situation::watching;
 }
 
-motion::PointingRay rayKind(const std::string& name) {
-    const auto kind = motion::pointingRayFromName(name);
-    if (!kind) throw std::invalid_argument(kind.error().text());
-    return *kind;
-}
-
 }  // namespace
 
 struct SimulatedParticipant::State {
@@ -59,8 +53,8 @@ struct SimulatedParticipant::State {
           head_joint(motion::mapByVrmNames(avatar)[motion::Bone::head]),
           traits(given, seed),
           judge(given, traits, seed),
-          watcher(avatar, rayKind(given.pointing_ray), judge),
-          chooser(traits.pointing_noise_rad, given.lapse_rate, seed),
+          watcher(avatar, given.observer.reading, judge),
+          chooser(traits.observer, seed),
           reactions(seed, "reactions"),
           sliding(seed, "sliding") {}
 
@@ -159,7 +153,10 @@ struct SimulatedParticipant::State {
     // Answering.
 
     void chooseBall(const PresentedFrame& frame, double time_s) {
-        if (!choice) choice = chooser.choose(watcher.gesture(), frame.balls);
+        if (!choice) {
+            const double bias_rad = radiansFromDegrees(parameters.elevation_bias_deg);
+            choice = chooser.choose({raised(watcher.gesture().lines, bias_rad), eyes()}, frame.balls);
+        }
         margin_rad = choice->margin_rad;
         sureness.reset();
         hand.press(aimAtBall(frame, choice->place), frame.balls[choice->place].centre,

@@ -48,10 +48,13 @@ SimulatedStation::SimulatedStation(const SimulatedParameters& parameters, const 
                                    std::uint64_t seed, bool keyboard)
     : participant_(parameters, avatar, seed, keyboard),
       frame_rate_hz_(parameters.frame_rate_hz),
-      details_("virtual time, nothing drawn") {}
+      details_("virtual time, nothing drawn"),
+      observer_(
+          fmt::format("reads {}, noise {:g} degrees, lapses {:g}", readingName(parameters.observer.reading),
+                      degreesFromRadians(parameters.observer.noise_rad), parameters.observer.lapse_rate)) {}
 
 StationInfo SimulatedStation::info() const {
-    return {"simulated", details_, true};
+    return {"simulated", details_ + "; " + observer_, true};
 }
 
 InputFrame SimulatedStation::beginFrame() {

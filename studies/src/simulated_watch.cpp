@@ -14,8 +14,8 @@ int Verdict::on(int low, int high) const {
     return number ? std::clamp(*number, low, high) : onScale(judgement, low, high);
 }
 
-Watcher::Watcher(const motion::Skeleton& avatar, motion::PointingRay ray, Judge& judge)
-    : judge_(judge), observers_{GestureObserver(avatar, ray), GestureObserver(avatar, ray)} {}
+Watcher::Watcher(const motion::Skeleton& avatar, const Reading& reading, Judge& judge)
+    : judge_(judge), observers_{GestureObserver(avatar, reading), GestureObserver(avatar, reading)} {}
 
 void Watcher::forget() {
     for (GestureObserver& observer : observers_) observer.forget();

@@ -25,7 +25,7 @@ struct Verdict {
 class Watcher {
   public:
     /// The judge must outlive it.
-    Watcher(const motion::Skeleton& avatar, motion::PointingRay ray, Judge& judge);
+    Watcher(const motion::Skeleton& avatar, const Reading& reading, Judge& judge);
 
     /// What comes now is a new movement.
     void forget();

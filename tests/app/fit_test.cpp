@@ -5,14 +5,15 @@ using namespace deixis::tests;
 using nlohmann::json;
 
 TEST_SUITE("app/fit") {
-    TEST_CASE("The noise and lapses of simulated participants come back, and serve another simulation.") {
+    TEST_CASE("The noise, lapses and weights of simulated participants come back, for another simulation.") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string shipped =
             slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/simulated_participant.toml");
         spill(scratch / "known.toml",
-              replaced(replaced(replaced(shipped, "noise_deg = 2.0", "noise_deg = 4.0"),
-                                "noise_between = 0.25", "noise_between = 0.0"),
-                       "lapse_rate = 0.02", "lapse_rate = 0.1"));
+              replaced(replaced(replaced(replaced(shipped, "noise_deg = 3.0", "noise_deg = 4.0"),
+                                         "noise_between = 0.25", "noise_between = 0.0"),
+                                "lapse_rate = 0.02", "lapse_rate = 0.1"),
+                       "eye_line_share = 0.5", "eye_line_share = 0.7"));
         REQUIRE(program("simulate pointing2023 --participants 12 --db " + (scratch / "study.sqlite") +
                         " --parameters " + (scratch / "known.toml"))
                     .status == 0);
@@ -32,11 +33,21 @@ TEST_SUITE("app/fit") {
         INFO(fit.out);
         CHECK(holds(fitted["pooled"]["noise_deg"], 4.0));
         CHECK(holds(fitted["pooled"]["lapse_rate"], 0.1));
+        CHECK(holds(fitted["pooled"]["eye_line_share"], 0.7));
+        CHECK(holds(fitted["pooled"]["visual_weight"], 0.667));
+        CHECK(fitted["pooled"]["eye_line_share"]["lower"] > 0.3);
+        CHECK_FALSE(fitted["participants"][0].contains("eye_line_share"));
         CHECK(fitted["population"]["noise_between"] < 0.4);
 
         const std::string observer = slurp(scratch / "observer.toml");
         CHECK(observer.find("fitted by deixis fit to " + (scratch / "study.sqlite")) != std::string::npos);
         CHECK(observer.find("noise_deg = " + fitted["population"]["noise_deg"].dump()) != std::string::npos);
+        CHECK(observer.find("eye_line_share = " + fitted["pooled"]["eye_line_share"]["value"].dump()) !=
+              std::string::npos);
+        CHECK(program("fit " + (scratch / "study.sqlite") + " --ray arm-finger --json " +
+                      (scratch / "arm.json"))
+                  .status == 0);
+        CHECK(json::parse(slurp(scratch / "arm.json"))["pooled"]["aic"] > fitted["pooled"]["aic"]);
         CHECK(program("simulate pointing2023 --participants 1 --db " + (scratch / "again.sqlite") +
                       " --parameters " + (scratch / "observer.toml"))
                   .status == 0);

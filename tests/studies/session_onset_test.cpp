@@ -9,7 +9,7 @@ using namespace deixis::tests;
 
 namespace {
 
-const std::set<int> ratings_answered{0, 1};  ///< of Driver(1, ..., false): what is left is the game
+const std::set<int> ratings_given{0, 1};  ///< of Driver(1, ..., false): what is left is the game
 
 int litButtons(const PresentedFrame& frame) {
     int lit = 0;
@@ -110,7 +110,7 @@ TEST_SUITE("studies/session_onset") {
 
     TEST_CASE("a ball on which the ray rests as the choice opens is neither lit nor chosen, until it moves") {
         Driver driver(1, 0.5, false);
-        driver.start(ratings_answered);
+        driver.start(ratings_given);
         while (driver.frame.balls.empty()) {
             if (resting(driver.frame))
                 driver.leavePage();

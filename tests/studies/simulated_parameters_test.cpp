@@ -38,11 +38,14 @@ TEST_SUITE("studies/simulated_parameters") {
         const auto read = loadSimulatedParameters(shipped_file);
         REQUIRE_MESSAGE(read.has_value(), (read ? "" : read.error().text()));
         const SimulatedParameters defaults;
-        CHECK(read->pointing_ray == defaults.pointing_ray);
+        CHECK(read->observer.reading == defaults.observer.reading);
         const auto numbers = [](const SimulatedParameters& p) {
-            return std::vector<double>{p.pointing_noise_deg,
+            return std::vector<double>{p.observer.noise_rad,
                                        p.pointing_noise_between,
-                                       p.lapse_rate,
+                                       p.observer.lapse_rate,
+                                       p.observer.eye_line_share,
+                                       p.observer.visual_weight,
+                                       p.elevation_bias_deg,
                                        p.rating_base,
                                        p.rating_profile_weight,
                                        p.rating_participation_weight,
@@ -70,10 +73,11 @@ TEST_SUITE("studies/simulated_parameters") {
     }
 
     TEST_CASE("a parameter file with an unknown ray or key, or a missing one, is refused with line and key") {
-        const std::string ray = changed("\"eye-fingertip\"", "\"nose\"");
+        const std::string ray = changed("ray = \"two-cue\"", "ray = \"nose\"");
         CHECK(says(ray, "pointing.ray"));
         CHECK(says(ray, "nose"));
-        CHECK(says(ray, ".toml:10"));
+        CHECK(says(ray, "two-cue, arm-finger, eye-fingertip"));
+        CHECK(says(ray, ".toml:9"));
         CHECK(says(changed("lapse_rate", "lapses"), "lapse_rate"));
         CHECK(says(changed("margin_deg", "margin"), "confidence.margin"));
         CHECK(says(changed("[station]", "[stations]"), "station"));

@@ -204,8 +204,8 @@ TEST_SUITE("studies/simulated_participant") {
 
     TEST_CASE("it finds the ball pointed at among any number, and lets a chosen or revealed one be") {
         SimulatedParameters exact;
-        exact.pointing_noise_deg = 0.0;
-        exact.lapse_rate = 0.0;
+        exact.observer.noise_rad = 0.0;
+        exact.observer.lapse_rate = 0.0;
         for (int distractors = 0; distractors <= 8; ++distractors) {
             CAPTURE(distractors);
             std::vector<Vec3> places;
@@ -226,8 +226,8 @@ TEST_SUITE("studies/simulated_participant") {
     TEST_CASE("it is the surer of its choice the clearer the next ball was out of the way") {
         const auto sureness = [](double apart_m, std::uint64_t seed, double noise) {
             SimulatedParameters parameters;
-            parameters.lapse_rate = 0.0;
-            parameters.pointing_noise_deg = 0.5;
+            parameters.observer.lapse_rate = 0.0;
+            parameters.observer.noise_rad = radiansFromDegrees(0.5);
             parameters.confidence_noise_within = noise;
             std::vector<Vec3> places{target};
             if (apart_m > 0.0) places.push_back(target + Vec3(apart_m, 0.0, 0.0));
@@ -249,7 +249,7 @@ TEST_SUITE("studies/simulated_participant") {
 
     TEST_CASE("a choice made at random is made without confidence") {
         SimulatedParameters parameters;
-        parameters.lapse_rate = 1.0;
+        parameters.observer.lapse_rate = 1.0;
         parameters.confidence_noise_within = 0.0;
         Game game(1, parameters, {target, target + Vec3(0.8, 0.0, 0.0)});
         game.choose();
@@ -259,7 +259,7 @@ TEST_SUITE("studies/simulated_participant") {
 
     TEST_CASE("after a game, a rating is again one of the movement seen") {
         SimulatedParameters parameters;
-        parameters.lapse_rate = 1.0;  // a confidence would be 1
+        parameters.observer.lapse_rate = 1.0;  // a confidence would be 1
         parameters.confidence_noise_within = 0.0;
         parameters.rating_base = 5.0;  // a rating 5
         parameters.rating_noise_within = 0.0;
@@ -283,7 +283,7 @@ TEST_SUITE("studies/simulated_participant") {
                        {hand + 1.2 * direction, 0.05, BallLook::waiting},
                        {hand + 1.2 * direction + Vec3(0.1, 0.0, 0.0), 0.05, BallLook::waiting}};
         SimulatedParameters parameters;
-        parameters.lapse_rate = 1.0;
+        parameters.observer.lapse_rate = 1.0;
         std::array<int, 3> chosen{0, 0, 0};
         for (std::uint64_t seed = 1; seed <= 40; ++seed) {
             SimulatedParticipant participant(parameters, motion::referenceHumanoid(), seed);

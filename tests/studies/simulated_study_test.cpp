@@ -252,8 +252,8 @@ TEST_SUITE("studies/simulated_study") {
 
     TEST_CASE("without noise it finds every target of a system that points exactly") {
         SimulatedParameters exact;
-        exact.pointing_noise_deg = 0.0;
-        exact.lapse_rate = 0.0;
+        exact.observer.noise_rad = 0.0;
+        exact.observer.lapse_rate = 0.0;
         const Prepared prepared(written(thirtyTargets({"stiff"})));
         CHECK(tallies(prepared, exact, 1)["stiff"].accuracy() == 1.0);
     }

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "motion/skeleton.hpp"
+#include "studies/observer.hpp"
 #include "studies/station.hpp"
 
 namespace deixis::studies {
@@ -19,10 +20,9 @@ namespace deixis::studies {
 /// Parameters, from a TOML file (assets/data/simulated_participant.toml documents each and has the same
 /// values). SDs are over participants ("between") or over trials ("within"). All are assumptions.
 struct SimulatedParameters {
-    std::string pointing_ray = "eye-fingertip";  ///< or "forearm", "shoulder-hand", "index-finger"
-    double pointing_noise_deg = 2.0;       ///< SD of the angular noise added to the ray, per trial, per axis
+    ObserverModel observer{};              ///< how it reads an arm; its noise is the mean over participants
     double pointing_noise_between = 0.25;  ///< relative SD of that noise over participants
-    double lapse_rate = 0.02;              ///< chance of choosing a ball at random
+    double elevation_bias_deg = 0.0;       ///< by which every line is read too high
 
     // The rating: base + weights x how much of each quality was seen (0..1), on a scale from 1 to 5.
     double rating_base = 0.8;
@@ -65,8 +65,8 @@ struct SimulatedParameters {
 class SimulatedParticipant {
   public:
     /// `avatar` names the joints of the presented avatar (as a person would know a hand when seeing one) and
-    /// must outlive the participant. Throws std::invalid_argument on an unknown ray or an avatar without arms
-    /// or head. Without a `keyboard` it leaves fields for words empty, and enters numbers by their pads.
+    /// must outlive the participant. Throws std::invalid_argument on an avatar without arms or head. Without
+    /// a `keyboard` it leaves fields for words empty, and enters numbers by their pads.
     SimulatedParticipant(const SimulatedParameters& parameters, const motion::Skeleton& avatar,
                          std::uint64_t seed, bool keyboard = true);
     ~SimulatedParticipant();
@@ -107,6 +107,7 @@ class SimulatedStation : public Station {
     std::uint64_t frames_ = 0;
     InputFrame input_{};
     std::string details_;
+    std::string observer_;  ///< how it reads an arm, for the record
     Viewer viewer_;
     std::string under_way_{};  ///< the stage and trial, or page, seen last, and
     double since_s_ = 0.0;     ///< since when
