@@ -34,8 +34,8 @@ struct PointingLineParameters {
     Spread extension{0.996, 0.002};  ///< shoulder to fingertip over the length of the straight arm
     /// Share of the index finger's angle to the target that wrist and knuckle mend, and their limits.
     double index_alignment = 0.15;
-    double wrist_limit_deg = 18.0;
-    double knuckle_limit_deg = 15.0;
+    double wrist_limit_deg = 10.0;
+    double knuckle_limit_deg = 6.0;
     double actor_bias_sd_deg = 2.0;     ///< constant error of the one actor, per axis
     double trial_bias_sd_deg = 1.5;     ///< error of a trial, per axis
     Spread palm_inward_deg{20.0, 8.0};  ///< turn of the palm from facing down towards the body's middle
