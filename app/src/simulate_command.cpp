@@ -4,21 +4,16 @@
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
-#include <optional>
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
 #include "core/durable.hpp"
 #include "enrolment.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "recorders.hpp"
-#include "session_loop.hpp"
+#include "simulated_sessions.hpp"
 #include "simulated_setup.hpp"
 #include "stimuli.hpp"
 #include "studies/plan.hpp"
 #include "studies/simulated_participant.hpp"
-#include "studies/standing.hpp"
-#include "version.hpp"
 
 namespace deixis::app {
 
@@ -33,36 +28,6 @@ struct SimulateArguments {
     std::string stimuli;
     std::string parameters;
 };
-
-// All sittings of one participant. Returns how many units were answered.
-Result<int> takePart(const StudySetup& setup, const studies::StudyPlan& plan, const assets::Avatar& avatar,
-                     const StimulusLibrary& stimuli, const studies::SimulatedParameters& parameters,
-                     results::Store& store) {
-    const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
-    const studies::Study stood = studies::atStation(setup.study, "simulated");
-    const auto records = stimuli.records();
-    const std::string where = fmt::format("study '{}': {}", setup.study.name, plan.participant);
-    int answers = 0;
-    double now_s = 0.0;
-    std::optional<std::size_t> answered_before;
-    for (;;) {
-        const studies::Resume resume = store.resume(plan.participant, now_s);
-        if (studies::trialsLeft(setup.study, plan, resume.answered).empty()) return answers;
-        if (answered_before == resume.answered.size())
-            return fail(where, "a sitting ended without an answer, and trials are left");
-        answered_before = resume.answered.size();
-        studies::SimulatedStation station(parameters, avatar.skeleton, simulatedSeed(plan));
-        const studies::StationInfo info = withProgram(station.info());
-        studies::SessionRunner session(stood, plan, stimuli, avatar.skeleton, idle, resume, true);
-        store.beginSession({plan.participant, info, programVersion(), avatar.content_hash, now_s});
-        DirectRecorder recorder(store, setup.study, plan, records);
-        now_s = runSession(session, station, recorder).utc_s;
-        answers += recorder.answered();
-        store.endSession(session.outcome(), now_s);
-        if (const auto why = station.failure()) return fail(where, why->message, why->mend);
-        if (session.outcome() != studies::SessionOutcome::finished) return answers;
-    }
-}
 
 // Everybody, into a database that is made. Returns how many units were answered.
 Result<int> simulateInto(const fs::path& database, const SimulateArguments& options,
@@ -83,12 +48,8 @@ Result<int> simulateInto(const fs::path& database, const SimulateArguments& opti
     }
     const auto stimuli = StimulusLibrary::load(locked, plans, avatar);
     if (!stimuli) return tl::unexpected(stimuli.error());
-    int answers = 0;
-    for (const auto& plan : plans) {
-        const auto given = takePart(setup, plan, avatar, *stimuli, parameters, *store);
-        if (!given) return given;
-        answers += *given;
-    }
+    const auto answers = simulateSessions(setup, plans, avatar, *stimuli, parameters, *store);
+    if (!answers) return answers;
     store->commit();
     return answers;
 }
@@ -104,6 +65,7 @@ Result<void> simulate(const SimulateArguments& options) {
         return fail(options.database, "exists already; a simulation never adds to or overwrites a database",
                     "Name another file with --db, or remove it");
 
+    if (auto free = results::checkPlaceForDatabase(options.database); !free) return free;
     const fs::path made =
         options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
     const auto hash = lockStudy(*setup, {options.database, made, {}, {}, false});
