@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "assets/target_list.hpp"
 #include "core/csv.hpp"
 #include "core/files.hpp"
 
@@ -66,6 +67,13 @@ class RowReader {
         bool good = code == std::errc() && last == found.data() + found.size();
         if constexpr (std::is_floating_point_v<Number>) good = good && std::isfinite(value);
         if (!good) problem(column, fmt::format("found '{}', expected {}", found, expected));
+        return value;
+    }
+
+    double coordinate(Column column) {
+        const auto value = number<double>(column, "a finite number of metres");
+        if (std::abs(value) > farthest_target_m)
+            problem(column, fmt::format("found {}, expected at most {} metres", value, farthest_target_m));
         return value;
     }
 
@@ -131,10 +139,9 @@ Result<ManifestRow> readRow(RowReader reader) {
     row.system = reader.text(system);
     row.target_id = reader.text(target_id);
     if (reader.any({target_x, target_y, target_z})) {
-        constexpr std::string_view metres = "a finite number of metres";
-        row.target = Vec3(reader.number<double>(target_x, metres), 0.0, 0.0);
-        row.target->y = reader.number<double>(target_y, metres);
-        row.target->z = reader.number<double>(target_z, metres);
+        row.target = Vec3(reader.coordinate(target_x), 0.0, 0.0);
+        row.target->y = reader.coordinate(target_y);
+        row.target->z = reader.coordinate(target_z);
     }
     if (reader.any({hand, onset, peak, hold, end})) row.phases = readPhases(reader);
     row.fps = reader.number<double>(fps, "frames per second, more than 0");

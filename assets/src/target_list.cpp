@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -63,9 +64,10 @@ Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const s
             const auto column = static_cast<std::size_t>(axis) + 1;
             const std::string& cell = record.fields[places[column]];
             const auto value = finiteNumber(cell);
-            if (!value)
+            if (!value || std::abs(*value) > farthest_target_m)
                 return fail(fmt::format("{}: {}", where, target_columns[column]),
-                            fmt::format("found '{}', expected a finite number of metres", cell));
+                            fmt::format("found '{}', expected a finite number of metres, at most {}", cell,
+                                        farthest_target_m));
             target.position[axis] = *value;
         }
         targets.push_back(std::move(target));

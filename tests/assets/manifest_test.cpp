@@ -60,6 +60,8 @@ TEST_SUITE("assets/manifest") {
     TEST_CASE("bad rows are refused with file, line and column") {
         CHECK(says(errorOf(with(0, "")), "m.csv:2: clip: is empty"));
         CHECK(says(errorOf(with(3, "nan")), "m.csv:2: target_x: found 'nan', expected a finite number"));
+        CHECK(
+            says(errorOf(with(3, "1e308")), "m.csv:2: target_x: found 1e+308, expected at most 1000 metres"));
         CHECK(says(errorOf(with(4, "inf")), "m.csv:2: target_y"));
         CHECK(says(errorOf(with(5, "1.0m")), "m.csv:2: target_z: found '1.0m'"));
         CHECK(says(errorOf(with(5, "")), "m.csv:2: target_z"));

@@ -11,6 +11,9 @@
 
 namespace deixis::assets {
 
+/// Of a target's coordinates, here and in manifests: beyond it directions lose their precision.
+constexpr double farthest_target_m = 1000.0;
+
 struct ListedTarget {
     std::string
         id;  ///< letters, digits, '_', '-' and '.', not starting with '.': it becomes part of file names
