@@ -72,8 +72,8 @@ void checkText(std::string_view key, std::string_view english, const toml::node&
         problems.push_back({line, key, fmt::format("the text is empty; in English it is \"{}\"", english)});
         return;
     }
-    if (const auto script = scriptNotDrawn(text->get())) {
-        problems.push_back({line, key, scriptProblem(*script), script_mend});
+    if (const auto why = notDrawn(text->get())) {
+        problems.push_back({line, key, why->message, why->mend});
         return;
     }
     const auto found = placeholdersOf(text->get());

@@ -1,11 +1,14 @@
-// Boards draw one character after another, from left to right, each with a shape of its own. Scripts that
-// need more are refused: a participant would read them backwards or in pieces.
+// Boards draw one character after another, from left to right, each with a shape of its own from the
+// program's fonts. Scripts that need more are refused: a participant would read them backwards, in pieces, or
+// as question marks.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "language_words.hpp"
+#include "text_advances.hpp"
 
 namespace deixis::studies {
 
@@ -59,30 +62,48 @@ std::uint32_t nextCodePoint(std::string_view text, std::size_t& at) {
     return code;
 }
 
+bool within(const Block& block, std::uint32_t code) {
+    return code >= block.first && code <= block.last;
+}
+
+// What the Korean fonts add to the others.
+constexpr std::array hangul_fonts{Block{0x3000, 0x3003, ""}, Block{0x3008, 0x3011, ""},
+                                  Block{0x3131, 0x318E, ""}, Block{0xAC00, 0xD7A3, ""},
+                                  Block{0xFF01, 0xFF5E, ""}};
+
+bool hasShape(std::uint32_t code) {
+    return std::any_of(hangul_fonts.begin(), hangul_fonts.end(),
+                       [code](const Block& block) { return within(block, code); }) ||
+           std::any_of(text_advances.begin(), text_advances.end(),
+                       [code](const TextAdvance& one) { return one.character == code; });
+}
+
+const char* const mend =
+    "Expected a script whose letters stand one after another from left to right, such as Latin, Greek, "
+    "Cyrillic or Hangul, and no symbols beyond it";
+
 }  // namespace
 
-std::optional<std::string_view> scriptNotDrawn(std::string_view text) {
+std::optional<NotDrawn> notDrawn(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
+        const std::size_t begin = at;
         const std::uint32_t code = nextCodePoint(text, at);
         constexpr std::uint32_t byte_order_mark = 0xFEFF;
-        if (code == byte_order_mark) continue;
+        if (code < 0x20 || code == byte_order_mark) continue;
         for (const Block& block : blocks)
-            if (code >= block.first && code <= block.last) return block.script;
+            if (within(block, code))
+                return NotDrawn{
+                    fmt::format(
+                        "found letters of the {} script, which boards cannot draw: its letters run from "
+                        "right to left or change with their neighbours",
+                        block.script),
+                    mend};
+        if (!hasShape(code))
+            return NotDrawn{fmt::format("found '{}' (U+{:04X}), for which the program's fonts have no shape",
+                                        text.substr(begin, at - begin), code),
+                            mend};
     }
     return std::nullopt;
 }
-
-std::string scriptProblem(std::string_view script) {
-    return fmt::format(
-        "found letters of the {} script, which boards cannot draw: its letters run from right to left or "
-        "change with "
-        "their neighbours",
-        script);
-}
-
-const char* const script_mend =
-    "Expected a script whose letters stand one after another from left to right, such as Latin, Greek, "
-    "Cyrillic or "
-    "Hangul";
 
 }  // namespace deixis::studies

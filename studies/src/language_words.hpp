@@ -2,6 +2,7 @@
 #pragma once
 
 #include <toml++/toml.h>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,11 +17,15 @@ namespace deixis::studies {
                                               std::string_view prefix, const std::string& code,
                                               const LanguageTable* base = nullptr);
 
-/// Why boards cannot draw a text, if they cannot: it has letters of a script that is written from right to
-/// left or whose letters change with their neighbours, such as "Arabic".
-[[nodiscard]] std::optional<std::string_view> scriptNotDrawn(std::string_view text);
-/// What an error says of it.
-[[nodiscard]] std::string scriptProblem(std::string_view script);
-extern const char* const script_mend;
+/// Why boards cannot draw a text, and what to do about it.
+struct NotDrawn {
+    std::string message;
+    const char* mend;
+};
+
+/// None where they can. Not drawn are letters of a script that is written from right to left or whose letters
+/// change with their neighbours, such as Arabic, and letters for which the program's fonts have no shape,
+/// such as Chinese ones.
+[[nodiscard]] std::optional<NotDrawn> notDrawn(std::string_view text);
 
 }  // namespace deixis::studies

@@ -38,8 +38,7 @@ void TextBook::readLanguage(const std::string& language, const toml::table& tabl
         } else {
             text = unwrapped(node.as_string()->get());
             if (text.empty()) problems_.add(at, dotted, "found an empty text, expected some words");
-            if (const auto script = scriptNotDrawn(text))
-                problems_.add(at, dotted, scriptProblem(*script), script_mend);
+            if (const auto why = notDrawn(text)) problems_.add(at, dotted, why->message, why->mend);
         }
         texts_[language].emplace(key.str(), text);
         keys_.emplace(key.str());
@@ -138,8 +137,8 @@ void TextBook::read(const toml::table& file, const std::vector<std::string>& lan
 std::string TextBook::resolve(const std::string& written, toml::source_position at, const std::string& key) {
     if (written.rfind('@', 0) != 0) {
         std::string text = unwrapped(written);
-        if (const auto script = scriptNotDrawn(text)) {
-            problems_.add(at, key, scriptProblem(*script), script_mend);
+        if (const auto why = notDrawn(text)) {
+            problems_.add(at, key, why->message, why->mend);
         } else if (text.empty()) {
             problems_.add(at, key, "found an empty text, expected some words");
         } else if (languages_.size() > 1) {

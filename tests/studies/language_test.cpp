@@ -128,6 +128,10 @@ TEST_SUITE("studies/language") {
             CHECK(contains(table.error().message, script));
             CHECK(contains(table.error().mend, "left to right"));
         }
+        const auto chinese = loadWith("continue", "continue = \"继续\"");
+        REQUIRE_FALSE(chinese.has_value());
+        CHECK(contains(chinese.error().message, "'继' (U+7EE7)"));
+        CHECK(contains(chinese.error().mend, "Hangul"));
         for (const std::string text : {"Συνέχεια", "Продолжить", "계속", "Fortsätt – «später» …"})
             CHECK(loadWith("continue", "continue = \"" + text + "\"").has_value());
     }
