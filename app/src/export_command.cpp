@@ -48,6 +48,8 @@ Result<void> merge(const MergeRequest& request) {
     }
     fmt::print("{} databases joined: {}\n", databases.size(), request.output);
     for (const std::string& id : merged->withdrawn) fmt::print("left out, since withdrawn: {}\n", id);
+    for (const std::string& id : merged->excluded_in_one)
+        fmt::print("not counted, since excluded or dropped out in one of the databases: {}\n", id);
     const auto sets = results::lockedSets(request.output);
     if (!sets) return tl::unexpected(sets.error());
     const auto lacking = copyLockedSets(databases, request.output, *sets);

@@ -8,6 +8,9 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+
+#include "results/store.hpp"
 
 namespace deixis::results {
 
@@ -87,7 +90,26 @@ std::optional<Error> orphanBeside(const fs::path& database) {
         return orphan(database, log, state);
     if (header.empty() && holdsPages(beginOf(journal, 20)) && sizeOf(database) == 0)
         return orphan(database, journal, state);
+    const fs::path copy = recoveredCopy(database, 1);
+    if (!fs::exists(database, code) && fs::exists(copy, code))
+        return Error{
+            database.string(),
+            fmt::format("is not there, and '{}' beside it holds the answers of one of this name that was "
+                        "renamed, moved or deleted in a session",
+                        copy.filename().string()),
+            "Give that file this name to go on with it, or take it to another folder to begin anew"};
     return std::nullopt;
+}
+
+fs::path recoveredCopy(const fs::path& database, int nth) {
+    return database.parent_path() / fmt::format("{}.recovered{}{}", database.stem().string(),
+                                                nth == 1 ? "" : fmt::format("-{}", nth),
+                                                database.extension().string());
+}
+
+Result<void> checkPlaceForDatabase(const fs::path& database) {
+    if (auto left = orphanBeside(database)) return tl::unexpected(std::move(*left));
+    return {};
 }
 
 Result<void> checkKindOfFile(const fs::path& database) {

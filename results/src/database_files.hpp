@@ -16,8 +16,13 @@ namespace deixis::results {
 [[nodiscard]] bool hasJournal(const std::filesystem::path& database);
 
 /// Answers in a log or journal whose database is not there: it is missing, empty, or another file has taken
-/// its name. SQLite would delete such a log, or take it for the other file's.
+/// its name. SQLite would delete such a log, or take it for the other file's. Or answers in a recovered copy,
+/// while the database is missing.
 [[nodiscard]] std::optional<Error> orphanBeside(const std::filesystem::path& database);
+
+/// Where the nth copy of what a database held goes when it is lost in a session: "study.recovered.sqlite",
+/// "study.recovered-2.sqlite", ... beside it.
+[[nodiscard]] std::filesystem::path recoveredCopy(const std::filesystem::path& database, int nth);
 
 /// What no database can be: a folder, pipe or device.
 [[nodiscard]] Result<void> checkKindOfFile(const std::filesystem::path& database);

@@ -12,6 +12,7 @@
 
 #include "core/durable.hpp"
 #include "core/hash.hpp"
+#include "database_files.hpp"
 #include "database_open.hpp"
 #include "locked_history.hpp"
 #include "results/data_export.hpp"
@@ -38,6 +39,21 @@ void bindSame(Statement& to, int place, const SQLite::Column& value) {
         to.bind(place, value.getString());
 }
 
+/// Of participants: 'active', or another and why. It may be changed in one copy of a database only.
+struct Standing {
+    std::string status;
+    std::string reason;
+    friend bool operator==(const Standing&, const Standing&) = default;
+};
+
+/// A change of locked files that was accepted, as the table has it.
+struct LockedChange {
+    double utc_s = 0.0;
+    std::string what;
+    std::optional<std::string> reason;
+    friend auto operator<=>(const LockedChange&, const LockedChange&) = default;
+};
+
 struct Source {
     fs::path path;
     std::string study_hash;
@@ -47,10 +63,12 @@ struct Source {
     std::map<std::string, int> numbers;
     std::map<std::string, std::optional<std::string>> tokens;
     std::vector<Withdrawal> withdrawals;
-    std::map<std::string, std::string> kept;  ///< by participant: a hash of all that is kept of them
+    std::map<std::string, Standing> standings;
+    std::vector<LockedChange> changes;
+    std::map<std::string, std::string> kept;  ///< by participant: a hash of all else that is kept of them
 };
 
-// All that is kept of a participant, whatever numbers a database counts by itself.
+// All that is kept of a participant but the standing, whatever numbers a database counts by itself.
 std::string contentHash(SQLite::Database& database, const std::string& participant) {
     std::string content;
     const auto add = [&](const PeopleTable& table) {
@@ -63,6 +81,8 @@ std::string contentHash(SQLite::Database& database, const std::string& participa
                 const std::string name = rows.getColumnName(i);
                 const auto is = [&](const char* counted) { return counted != nullptr && name == counted; };
                 if (is(table.own_id) || is(table.session) || is(table.response)) continue;
+                if (std::string_view(table.name) == "participants" && (name == "status" || name == "reason"))
+                    continue;
                 const SQLite::Column value = rows.getColumn(i);
                 content += fmt::format("{}:{};", value.getBytes(),
                                        std::string(static_cast<const char*>(value.getBlob()),
@@ -84,12 +104,21 @@ Result<Source> readSource(const fs::path& path) {
         source.study_hash = study.getColumn(1).getString();
         source.withdrawals = Withdrawals().addFrom(database);
         source.locked = readLockedHistory(database);
-        Statement people(database, "SELECT id, number, token FROM participants ORDER BY id");
+        Statement changes(database, "SELECT utc_s, what, reason FROM locked_changes");
+        while (changes.executeStep()) {
+            LockedChange& one = source.changes.emplace_back();
+            one.utc_s = changes.getColumn(0).getDouble();
+            one.what = changes.getColumn(1).getString();
+            if (!changes.getColumn(2).isNull()) one.reason = changes.getColumn(2).getString();
+        }
+        Statement people(
+            database, "SELECT id, number, token, status, coalesce(reason, '') FROM participants ORDER BY id");
         while (people.executeStep()) {
             const std::string id = people.getColumn(0).getString();
             source.participants.push_back(id);
             source.numbers[id] = people.getColumn(1).getInt();
             if (!people.getColumn(2).isNull()) source.tokens[id] = people.getColumn(2).getString();
+            source.standings[id] = {people.getColumn(3).getString(), people.getColumn(4).getString()};
             source.kept[id] = contentHash(database, id);
         }
         return source;
@@ -174,12 +203,6 @@ class Copier {
 
     void study() {
         for (const char* table : study_tables) copy({table, nullptr, nullptr, nullptr, "?1 = ?1", ""}, "");
-        Statement changes(from_, "SELECT utc_s, what, reason FROM locked_changes ORDER BY id");
-        while (changes.executeStep()) {
-            Statement insert(to_, "INSERT INTO locked_changes (utc_s, what, reason) VALUES (?, ?, ?)");
-            for (int i = 0; i < 3; ++i) bindSame(insert, i + 1, changes.getColumn(i));
-            insert.exec();
-        }
     }
     void participant(const std::string& id) {
         for (const PeopleTable& table : people_tables) copy(table, id);
@@ -238,8 +261,51 @@ void writeWithdrawals(SQLite::Database& database, const Withdrawals& withdrawals
     }
 }
 
-Result<void> writeJoined(const std::vector<Source>& sources, const Withdrawals& withdrawals,
-                         const fs::path& partial) {
+// Those of all databases, each once, in the order of time.
+void writeLockedChanges(SQLite::Database& database, const std::vector<Source>& sources) {
+    std::set<LockedChange> all;
+    for (const Source& source : sources) all.insert(source.changes.begin(), source.changes.end());
+    Statement insert(database, "INSERT INTO locked_changes (utc_s, what, reason) VALUES (?, ?, ?)");
+    for (const LockedChange& one : all) {
+        insert.bind(1, one.utc_s);
+        insert.bind(2, one.what);
+        if (one.reason)
+            insert.bind(3, *one.reason);
+        else
+            insert.bind(3);
+        insert.exec();
+        insert.reset();
+    }
+}
+
+// Who is excluded or has dropped out in one copy is so in the joined database, too. Returns of whom copies
+// differ.
+std::vector<std::string> settleStandings(SQLite::Database& database, const std::vector<Source>& sources) {
+    std::map<std::string, std::set<std::string>> said;
+    std::map<std::string, Standing> strictest;
+    for (const Source& source : sources)
+        for (const std::string& id : source.participants) {
+            const Standing& here = source.standings.at(id);
+            said[id].insert(here.status + "\n" + here.reason);
+            const auto [known, is_new] = strictest.emplace(id, here);
+            if (!is_new && known->second.status == "active") known->second = here;
+        }
+    std::vector<std::string> differ;
+    Statement update(database, "UPDATE participants SET status = ?, reason = nullif(?, '') WHERE id = ?");
+    for (const auto& [id, standing] : strictest) {
+        if (said.at(id).size() < 2) continue;
+        differ.push_back(id);
+        update.bind(1, standing.status);
+        update.bind(2, standing.reason);
+        update.bind(3, id);
+        update.exec();
+        update.reset();
+    }
+    return differ;
+}
+
+Result<std::vector<std::string>> writeJoined(const std::vector<Source>& sources,
+                                             const Withdrawals& withdrawals, const fs::path& partial) {
     auto joined = openToWrite(partial, Missing::create);
     if (!joined) return tl::unexpected(joined.error());
     joined->exec("BEGIN");
@@ -260,10 +326,12 @@ Result<void> writeJoined(const std::vector<Source>& sources, const Withdrawals& 
         });
         if (!copied) return tl::unexpected(copied.error());
     }
+    writeLockedChanges(*joined, sources);
+    std::vector<std::string> differ = settleStandings(*joined, sources);
     joined->exec("COMMIT");
     // One file, without a log beside it.
     joined->exec("PRAGMA journal_mode = DELETE");
-    return {};
+    return differ;
 }
 
 void removeDatabase(const fs::path& path) {
@@ -280,6 +348,8 @@ tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<
     if (fs::exists(output, code))
         problems.push_back(
             {output.string(), "exists already; nothing is written over", "Name another file with -o"});
+    else if (auto orphan = orphanBeside(output))
+        problems.push_back(std::move(*orphan));
     std::vector<Source> sources;
     for (const fs::path& path : databases) {
         auto source = readSource(path);
@@ -291,7 +361,7 @@ tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<
     Withdrawals withdrawals;
     for (const Source& source : sources)
         for (const Withdrawal& one : source.withdrawals) withdrawals.add(one);
-    MergeOutcome outcome{leaveOutWithdrawn(sources, withdrawals)};
+    MergeOutcome outcome{leaveOutWithdrawn(sources, withdrawals), {}};
     for (Error& clash : findClashes(sources)) problems.push_back(std::move(clash));
     if (!problems.empty()) return tl::unexpected(std::move(problems));
     const auto first = newest(sources) - sources.begin();
@@ -300,9 +370,13 @@ tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<
     // Written beside and renamed at the end: no half database.
     const fs::path partial = output.string() + ".partial";
     removeDatabase(partial);
-    Result<void> written = fail(partial.string(), "not written");
+    Result<void> written{};
     try {
-        written = writeJoined(sources, withdrawals, partial);
+        auto differ = writeJoined(sources, withdrawals, partial);
+        if (differ)
+            outcome.excluded_in_one = std::move(*differ);
+        else
+            written = tl::unexpected(differ.error());
     } catch (...) {
         removeDatabase(partial);
         throw;

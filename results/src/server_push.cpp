@@ -103,15 +103,21 @@ class StudyPush {
         Statement rows(file_, "SELECT utc_s, what, reason FROM locked_changes ORDER BY id");
         while (rows.executeStep()) {
             const std::string what = server_.quoted(rows.getColumn(1).getString());
-            if (server_.value("SELECT count(*) FROM locked_changes WHERE what = " + what).value_or("0") !=
-                "0")
+            const std::string reason =
+                rows.getColumn(2).isNull() ? "NULL" : server_.quoted(rows.getColumn(2).getString());
+            const double utc_s = rows.getColumn(0).getDouble();
+            if (server_
+                    .value(
+                        fmt::format("SELECT count(*) FROM locked_changes WHERE what = {} AND utc_s = {} AND "
+                                    "reason IS NOT DISTINCT FROM {}",
+                                    what, utc_s, reason))
+                    .value_or("0") != "0")
                 continue;
-            server_.run(fmt::format(
-                "INSERT INTO locked_changes (id, utc_s, what, reason) SELECT coalesce(max(id), 0) + 1, {}, "
-                "{}, "
-                "{} FROM locked_changes",
-                rows.getColumn(0).getDouble(), what,
-                rows.getColumn(2).isNull() ? "NULL" : server_.quoted(rows.getColumn(2).getString())));
+            server_.run(
+                fmt::format("INSERT INTO locked_changes (id, utc_s, what, reason) SELECT coalesce(max(id), "
+                            "0) + 1, {}, {}, "
+                            "{} FROM locked_changes",
+                            utc_s, what, reason));
             ++outcome_.rows;
         }
         return {};

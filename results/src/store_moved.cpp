@@ -24,9 +24,7 @@ std::optional<fs::path> makeNewFile(const fs::path& database) {
          {database.parent_path(), fs::current_path(code), fs::temp_directory_path(code)}) {
         if (!fs::is_directory(folder, code)) continue;
         for (int i = 1; i < most; ++i) {
-            const fs::path file =
-                folder / fmt::format("{}.recovered{}{}", database.stem().string(),
-                                     i == 1 ? "" : fmt::format("-{}", i), database.extension().string());
+            const fs::path file = recoveredCopy(folder / database.filename(), i);
             if (fs::exists(file, code)) continue;
             if (makeOwnFile(file)) return file;
             break;

@@ -127,6 +127,49 @@ TEST_SUITE("results/merge") {
               loadResponses(folder / "copy.sqlite")->rows.size());
     }
 
+    TEST_CASE(
+        "Who is excluded in one copy only is so in the joined database, and all accepted changes are kept") {
+        const fixtures::Folder folder;
+        station(folder / "a.sqlite", fixtures::study({"direct"}), {"P01", "P02"});
+        std::filesystem::copy_file(folder / "a.sqlite", folder / "b.sqlite");
+        REQUIRE(excludeParticipant(folder / "b.sqlite", "P01", "looked away"));
+        const auto accept = [&](const char* file, const char* rows) {
+            SQLite::Database(folder / file, SQLite::OPEN_READWRITE)
+                .exec(std::string("INSERT INTO locked_changes (utc_s, what, reason) VALUES ") + rows);
+        };
+        accept("a.sqlite", "(1.0, '{}', 'both'), (3.0, '{}', 'of a')");
+        accept("b.sqlite", "(1.0, '{}', 'both'), (2.0, '{}', 'of b'), (3.0, '{}', NULL)");
+        for (const bool swapped : {false, true}) {
+            CAPTURE(swapped);
+            const auto out = folder / (swapped ? "ba.sqlite" : "ab.sqlite");
+            const auto merged = mergeDatabases(
+                {folder / (swapped ? "b.sqlite" : "a.sqlite"), folder / (swapped ? "a.sqlite" : "b.sqlite")},
+                out);
+            REQUIRE_MESSAGE(merged, list(merged.error()));
+            CHECK(merged->excluded_in_one == std::vector<std::string>{"P01"});
+            SQLite::Database joined(out, SQLite::OPEN_READONLY);
+            const auto one = [&](const char* query) { return joined.execAndGet(query).getString(); };
+            CHECK(one("SELECT group_concat(id || ' ' || status || ' ' || coalesce(reason, '-')) FROM "
+                      "(SELECT * FROM participants ORDER BY id)") == "P01 excluded looked away,P02 active -");
+            CHECK(one("SELECT group_concat(utc_s || ' ' || coalesce(reason, '-')) FROM (SELECT * FROM "
+                      "locked_changes ORDER BY id)") == "1.0 both,2.0 of b,3.0 -,3.0 of a");
+        }
+    }
+
+    TEST_CASE("No database is made where answers of another one with its name are left") {
+        const fixtures::Folder folder;
+        station(folder / "a.sqlite", fixtures::study({"direct"}), {"P01"});
+        station(folder / "b.sqlite", fixtures::study({"direct"}), {"P02"});
+        REQUIRE(writeFile(folder / "all.recovered.sqlite", "x"));
+        const auto merged = mergeDatabases({folder / "a.sqlite", folder / "b.sqlite"}, folder / "all.sqlite");
+        REQUIRE_FALSE(merged);
+        CHECK(contains(list(merged.error()), "all.recovered.sqlite"));
+        CHECK_FALSE(std::filesystem::exists(folder / "all.sqlite"));
+        const auto read = loadResponses(folder / "all.sqlite");
+        REQUIRE_FALSE(read);
+        CHECK(contains(read.error().text(), "all.recovered.sqlite"));
+    }
+
     TEST_CASE("Who withdrew in one of the databases is left out, and counts once however often it is said") {
         const fixtures::Folder folder;
         const auto study = fixtures::study({"direct"});

@@ -29,6 +29,10 @@ struct ClipRecord {
     std::string content_hash;  ///< SHA-256 of the file's bytes
 };
 
+/// Error: no database may be made under this name, since what is left of another one with it lies there,
+/// which has answers that are nowhere else. That it is there itself is no error.
+[[nodiscard]] Result<void> checkPlaceForDatabase(const std::filesystem::path& database);
+
 /// By stimulus, for all that a plan shows.
 using ClipRecords = std::map<studies::Stimulus, ClipRecord>;
 
