@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "motion/stretched_arm.hpp"
+#include "studies/station.hpp"
 
 namespace deixis::studies {
 
@@ -68,6 +69,15 @@ FirstLook firstLook(const Pose& stage_from_viewer, double eye_height_m, const st
         look.pitch_rad += 0.5 * std::atan(aside.y);
     }
     return look;
+}
+
+std::vector<Sphere> panelCorners(const Panel& panel) {
+    constexpr double round_m = 0.01;
+    std::vector<Sphere> corners;
+    for (const double x : {0.0, panel.width_m})
+        for (const double y : {0.0, panel.height_m})
+            corners.push_back({transformPoint(panel.stage_from_panel, {x, y, 0.0}), round_m});
+    return corners;
 }
 
 std::vector<Sphere> pointingScene(const std::vector<Sphere>& balls, const motion::Skeleton& avatar,

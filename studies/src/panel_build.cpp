@@ -251,6 +251,13 @@ double Builder::slider(const ScalePart& part, double x, double top, double width
     return height_m;
 }
 
+void Builder::sliderValue(int value, double x, double width_m) {
+    const PanelRect track = panel_.sliders.back().track();
+    TextStyle style{label_size_m, true, true};
+    style.fitted = true;
+    text(std::to_string(value), x, track.y + 0.5 * (track.height + label_size_m), width_m, style);
+}
+
 double Builder::scaleLabels(const Scale& scale, double x, double top, double width_m) {
     const std::vector<std::string>& labels = scale.labels;
     if (labels.empty()) return 0.0;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "studies/language.hpp"
+#include "studies/panel_hit.hpp"
 #include "studies/questionnaire.hpp"
 #include "studies/scale.hpp"
 #include "studies/station.hpp"
@@ -167,18 +168,7 @@ struct QuestionnaireBoard {
 [[nodiscard]] Pose deskPoseBesideBalls(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m,
                                        const std::vector<BallView>& balls);
 
-// Pointing at them.
-
-struct PanelHit {
-    double distance_m = 0.0;
-    int button = -1;   ///< index of the enabled button that is met; -1: none
-    int slider = -1;   ///< index of the enabled slider,
-    double x_m = 0.0;  ///< and where along the panel, for PanelSlider::valueAt()
-    int field = -1;    ///< index of the enabled field
-};
-
-/// Where the ray meets the board from either side; none where it passes it by.
-[[nodiscard]] std::optional<PanelHit> meetPanel(const Panel& panel, const Ray& ray);
+// Pointing at them: studies/panel_hit.hpp, and
 
 /// Where along the panel's +x the ray meets its plane, also beyond the board: a slider that is dragged
 /// follows a ray that has left it. None for a ray that does not meet the plane.

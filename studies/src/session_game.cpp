@@ -25,14 +25,10 @@ class GameTrial : public ClipTrial {
 
     void enter(const InputFrame& input, bool moved) override {
         const double radius_m = core_.study.targets.ball_diameter_m / 2.0;
-        PresentedFrame& frame = core_.view.frame;
-        std::vector<Sphere> balls;
-        for (std::size_t place = 0; place < trial_.ball_order.size(); ++place) {
-            balls.push_back({trial_.ball(static_cast<int>(place)), radius_m});
-            frame.balls.push_back({balls.back().centre, radius_m, BallLook::waiting});
-        }
-        frame.first_look = firstLook(frame.stage_from_viewer, core_.study.eye_height_m,
-                                     pointingScene(balls, core_.avatar, core_.idle));
+        for (std::size_t place = 0; place < trial_.ball_order.size(); ++place)
+            core_.view.frame.balls.push_back(
+                {trial_.ball(static_cast<int>(place)), radius_m, BallLook::waiting});
+        lookAtTask();
         ClipTrial::enter(input, moved);
     }
 
@@ -70,6 +66,20 @@ class GameTrial : public ClipTrial {
     std::optional<ScaleAnswer> confidence_{};
 
     [[nodiscard]] bool committed() const override { return chosen_; }
+
+    /// What a flat screen is to hold now: the balls, and the arm that points or the board that asks.
+    void lookAtTask() {
+        PresentedFrame& frame = core_.view.frame;
+        std::vector<Sphere> seen;
+        for (const BallView& ball : frame.balls) seen.push_back({ball.centre, ball.radius_m});
+        if (frame.panel) {
+            const std::vector<Sphere> corners = panelCorners(*frame.panel);
+            seen.insert(seen.end(), corners.begin(), corners.end());
+        } else {
+            seen = pointingScene(seen, core_.avatar, core_.idle);
+        }
+        frame.first_look = firstLook(frame.stage_from_viewer, core_.study.eye_height_m, seen);
+    }
     void forgetAnswer() override {
         if (confidence_) confidence_->forget();
     }
@@ -85,6 +95,7 @@ class GameTrial : public ClipTrial {
             core_.openPanel(gamePanel(task_.question, again), input, besideBalls());
         else
             core_.view.closePanel();
+        lookAtTask();
         core_.view.openBalls();
         core_.view.aim(input.pointer, input.stage_from_head, true);
     }
@@ -158,6 +169,7 @@ class GameTrial : public ClipTrial {
                 return poseBesideBalls(panel, viewer, eye_m, balls)
                     .value_or(lecternPose(panel, viewer, eye_m));
             });
+        lookAtTask();
         core_.view.aim(input.pointer, input.stage_from_head, false);
     }
 
@@ -183,10 +195,11 @@ class GameTrial : public ClipTrial {
         showState(revealed_ ? PresentedState::feedback
                   : chosen  ? PresentedState::chosen
                             : PresentedState::waiting);
-        core_.view.lookAtBalls(chosen ? BallLook::selectable : BallLook::waiting, draft_.chosen_place,
-                               BallLook::chosen);
+        core_.view.lookAtBalls(chosen && !confidence_ ? BallLook::selectable : BallLook::waiting,
+                               draft_.chosen_place, BallLook::chosen);
         if (!revealed_) return;
         core_.view.closePanel();
+        lookAtTask();
         PresentedFrame& frame = core_.view.frame;
         frame.balls[static_cast<std::size_t>(trial_.targetPlace())].look = BallLook::revealed;
         frame.key_moment = true;

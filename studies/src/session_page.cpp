@@ -97,7 +97,8 @@ class PageUnit : public Unit {
     }
 };
 
-/// Agreeing and declining are both pressed with the ray: no key gives consent by accident.
+/// Agreeing and declining are both pressed with the ray: no key gives consent by accident. Declining ends the
+/// session for good, so that it is asked once more.
 class ConsentUnit : public TrialUnit {
   public:
     ConsentUnit(SessionCore& core, const CourseItem& item)
@@ -118,12 +119,17 @@ class ConsentUnit : public TrialUnit {
         const int left = least_.left(core_.now.time_s);
         if (left != shown_left_) {
             shown_left_ = left;
-            core_.view.updatePanel(board());
+            if (!declining_) core_.view.updatePanel(board());
         }
         const Aim met = core_.view.aim(input.pointer, input.stage_from_head, false);
         if (!core_.settled() || !onset_known_ || !input.select) return;
+        if (met.button == button_id::decline || met.button == button_id::back) {
+            declining_ = met.button == button_id::decline;
+            core_.openPanel(declining_ ? declineBoard() : board(), input, messagePose);
+            return;
+        }
         const bool agrees = met.button == button_id::agree && left == 0;
-        if (!agrees && met.button != button_id::decline) return;
+        if (!agrees && met.button != button_id::end_for_good) return;
         give(input, selectTime(input), "ray");
         draft_.answers.push_back({"consent", -1, agrees ? 1.0 : 0.0, {}});
         draft_.correct = false;
@@ -144,6 +150,7 @@ class ConsentUnit : public TrialUnit {
     LeastTime least_;
     int shown_left_ = 0;
     std::uint64_t opened_ = 0;
+    bool declining_ = false;  ///< it is asked once more
 
     void open(const InputFrame& input) {
         core_.poser.blendTo(core_.idle, core_.now.time_s);
@@ -151,7 +158,16 @@ class ConsentUnit : public TrialUnit {
         least_.start(core_.now.time_s);
         shown_left_ = least_.left(core_.now.time_s);
         opened_ = core_.view.frame.number;
+        declining_ = false;
         core_.openPanel(board(), input, messagePose);
+    }
+
+    [[nodiscard]] Panel declineBoard() const {
+        const LanguageTable& words = core_.words();
+        return messagePanel(words("end_title"), words("declined_text"), "",
+                            {{words("go_back"), button_id::back},
+                             {words("end_yes"), button_id::end_for_good, ButtonRole::leave}},
+                            -1.0, core_.hint);
     }
 
     [[nodiscard]] Panel board() const {

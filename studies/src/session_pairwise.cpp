@@ -32,6 +32,7 @@ class PairwiseTrial : public ComparePage {
     }
     [[nodiscard]] PresentedState openState() const override { return PresentedState::comparing; }
     [[nodiscard]] bool beyondBoard() const override { return asking_; }
+    [[nodiscard]] bool showsPage() const override { return asking_; }
 
     [[nodiscard]] Panel board() const override {
         PairwiseBoard board;

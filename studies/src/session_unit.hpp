@@ -40,6 +40,8 @@ class Unit {
     [[nodiscard]] virtual bool wantsPointer() const = 0;
     /// Whether something of it has been seen that must not be shown twice without need.
     [[nodiscard]] virtual bool begun() const { return false; }
+    /// Whether a page stands there in whatever state it is.
+    [[nodiscard]] virtual bool showsPage() const { return false; }
     [[nodiscard]] virtual std::string notice() const { return {}; }
 
   protected:

@@ -219,28 +219,44 @@ TEST_SUITE("immersive/desktop_view") {
         }
     }
 
-    TEST_CASE("While the avatar points and until the choice, all balls are in view, in both places") {
-        const auto setup = loadStudySetup("pointing2023");
-        REQUIRE(setup.has_value());
+    TEST_CASE("From first to last all balls are in view in both places, and the board that asks, whole") {
         std::set<std::string> places;
         std::set<std::string> targets;
-        for (int participant = 1; participant <= 6; ++participant) {
-            Screen screen(setup->study.eye_height_m);
-            const studies::StudyPlan plan = planOf(*setup, participant);
-            for (const studies::Trial& trial : plan.trials)
-                if (trial.kind == studies::StageKind::game) targets.insert(trial.stimuli.at(0).item);
-            play(studies::atStation(setup->study, "desktop"), plan, 5, [&](const PresentedFrame& frame) {
-                screen.present(frame);
-                if (frame.balls.empty() || isFullPage(frame.state)) return;
-                places.insert(frame.viewer_place);
-                for (const auto& ball : frame.balls)
-                    for (const double aspect : aspects)
-                        for (const Vec3& edge : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
-                                                 Vec3(0, 0, 1), Vec3(0, 0, -1)})
-                            REQUIRE(screen.farthest(ball.centre + ball.radius_m * edge, aspect) < 1.0);
-            });
-        }
+        std::set<PresentedState> states;
+        for (const char* name : {"pointing2023", "distractor-distance", "pointing-style"})
+            for (int participant = 1; participant <= 4; ++participant) {
+                auto setup = loadStudySetup(name);
+                REQUIRE(setup.has_value());
+                for (studies::Stage& stage : setup->study.stages)
+                    if (stage.kind == studies::StageKind::game) stage.feedback = true;
+                Screen screen(setup->study.eye_height_m);
+                const studies::StudyPlan plan = planOf(*setup, participant);
+                for (const studies::Trial& trial : plan.trials)
+                    if (trial.kind == studies::StageKind::game) targets.insert(trial.stimuli.at(0).item);
+                play(studies::atStation(setup->study, "desktop"), plan, 5, [&](const PresentedFrame& frame) {
+                    screen.present(frame);
+                    if (frame.balls.empty() || isFullPage(frame.state)) return;
+                    places.insert(frame.viewer_place);
+                    states.insert(frame.state);
+                    CAPTURE(name);
+                    CAPTURE(frame.status);
+                    CAPTURE(presentedStateName(frame));
+                    if (frame.panel)
+                        for (const double x : {0.0, frame.panel->width_m})
+                            for (const double y : {0.0, frame.panel->height_m})
+                                REQUIRE(screen.farthest(
+                                            transformPoint(frame.panel->stage_from_panel, {x, y, 0.0}),
+                                            aspects[0]) < 1.0);
+                    for (const auto& ball : frame.balls)
+                        for (const double aspect : aspects)
+                            for (const Vec3& edge : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0),
+                                                     Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+                                REQUIRE(screen.farthest(ball.centre + ball.radius_m * edge, aspect) < 1.0);
+                });
+            }
         CHECK(places == std::set<std::string>{"across", "side-by-side"});
         CHECK(targets.size() > 30);
+        CHECK(states.count(PresentedState::confidence) == 1);
+        CHECK(states.count(PresentedState::feedback) == 1);
     }
 }

@@ -109,7 +109,7 @@ TEST_SUITE("immersive/frame_scene") {
         const renderer::Scene both = sceneFromFrame(frame, {});
         REQUIRE(both.avatars.size() == 2);
         CHECK(both.avatars[1][0].position.x == 1.0);
-        frame.avatar_visible = false;
+        frame.scene_visible = false;
         CHECK(sceneFromFrame(frame, {}).avatars.empty());
     }
 

@@ -130,7 +130,7 @@ TEST_SUITE("studies/first_look") {
         }
     }
 
-    TEST_CASE("A trial of the game has one look from its first frame to its last, and no page has one.") {
+    TEST_CASE("Without a board a trial of the game has one look from first to last, and no page has one.") {
         Driver driver(2, 1.0, false);
         driver.start();
         std::optional<FirstLook> look;

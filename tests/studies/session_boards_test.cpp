@@ -39,21 +39,32 @@ TEST_SUITE("studies/session_boards") {
         driver.add("parallel", 2, {"one", "two"});
         driver.add("pairs", 3, {"one", "two"});
         driver.start();
-        std::map<PresentedState, bool> seen;
+        using State = PresentedState;
+        std::map<State, bool> seen;
+        State before = State::starting;
+        bool reasoned = false;
         for (int i = 0; i < 20000 && driver.running(); ++i) {
             carryOn(driver);
-            const auto known = seen.emplace(driver.frame.state, driver.frame.avatar_visible);
+            if (driver.frame.state == State::over) continue;
+            if (driver.frame.state == State::rated && before == State::reasons) {
+                CHECK_FALSE(driver.frame.scene_visible);  // its page still stands there
+                reasoned = true;
+                continue;
+            }
+            before = driver.frame.state;
+            const auto known = seen.emplace(driver.frame.state, driver.frame.scene_visible);
             CAPTURE(presentedStateName(driver.frame));
-            CHECK(known.first->second == driver.frame.avatar_visible);
+            CHECK(known.first->second == driver.frame.scene_visible);
             if (i == 2000) {  // in the midst of it all
                 driver.step(pauseFor("escape"));
-                CHECK_FALSE(driver.frame.avatar_visible);
+                CHECK_FALSE(driver.frame.scene_visible);
                 driver.wait(0.6);
                 driver.press(button_id::resume);
             }
         }
         REQUIRE(driver.finished());
-        using State = PresentedState;
+        CHECK(reasoned);
+        CHECK_FALSE(driver.frame.scene_visible);  // nor does anybody stand there afterwards
         for (const State page :
              {State::consent, State::instructions, State::questionnaire, State::reasons, State::closing}) {
             CAPTURE(presentedStateName(page));

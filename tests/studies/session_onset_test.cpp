@@ -158,6 +158,8 @@ TEST_SUITE("studies/session_onset") {
             CHECK(litButtons(driver.frame) == 0);
             driver.step();
             driver.press(id);
+            if (id == button_id::decline) driver.wait(0.6);
+            if (id == button_id::decline) driver.press(button_id::end_for_good);
             CHECK(driver.responses.size() == 1);
         }
     }

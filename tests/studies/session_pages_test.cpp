@@ -19,6 +19,12 @@ struct Questioned : Driver {
     }
 };
 
+void decline(Driver& driver) {
+    driver.press(button_id::decline);
+    driver.wait(0.6);
+    driver.press(button_id::end_for_good);
+}
+
 constexpr int option(int question, int place) {
     return button_id::first_option + 100 * question + place;
 }
@@ -54,6 +60,12 @@ TEST_SUITE("studies/session_pages") {
         driver.start();
         driver.wait(0.6);
         driver.press(button_id::decline);
+        driver.wait(0.6);
+        CHECK(driver.responses.empty());  // one press must not end it
+        driver.press(button_id::back);
+        driver.wait(0.6);
+        CHECK(textOf(*driver.frame.panel).find("May we?") != std::string::npos);
+        decline(driver);
         REQUIRE(driver.responses.size() == 1);
         CHECK(answerTo(driver.responses[0], "consent") == 0.0);
         driver.wait(0.6);
@@ -73,7 +85,7 @@ TEST_SUITE("studies/session_pages") {
         driver.add("consent", 0, {});
         driver.start();
         driver.wait(0.6);
-        driver.press(button_id::decline);
+        decline(driver);
         driver.wait(0.2);
         InputFrame quit;
         quit.quit = true;
@@ -93,14 +105,17 @@ TEST_SUITE("studies/session_pages") {
         const auto says = [&](const char* text) {
             return driver.frame.panel && textOf(*driver.frame.panel).find(text) != std::string::npos;
         };
-        for (const int button : {button_id::decline, button_id::decline, button_id::agree}) {
+        for (const bool agrees : {false, false, true}) {
             driver.restart();
             driver.wait(0.6);
             CHECK(says("May we?"));
             CHECK(driver.session->trialUnderWay() == 1);
-            driver.press(button);
+            if (agrees)
+                driver.press(button_id::agree);
+            else
+                decline(driver);
             driver.wait(0.6);
-            CHECK(says(driver.study.words("declined_title").c_str()) == (button == button_id::decline));
+            CHECK(says(driver.study.words("declined_title").c_str()) == !agrees);
             CHECK(driver.count("stimulus_onset") == 0);
         }
         REQUIRE(driver.finish());

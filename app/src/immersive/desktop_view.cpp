@@ -33,10 +33,9 @@ bool beginsTrial(const PresentedFrame& frame, const PresentedFrame& before) {
     return playsByButtons(frame) && before.state == PresentedState::rated;
 }
 
-// Whether a board stands there that asks about a choice among balls: it may stand away from them.
-bool asksAfterChoice(const PresentedFrame& frame) {
-    return frame.panel &&
-           (frame.state == PresentedState::chosen || frame.state == PresentedState::confidence);
+// Whether a game's board has come or gone.
+bool showsOtherThings(const PresentedFrame& frame, const PresentedFrame& before) {
+    return frame.first_look && frame.first_look != before.first_look;
 }
 
 Vec3 middleOf(const studies::Panel& panel) {
@@ -49,20 +48,17 @@ bool looksAnew(const PresentedFrame& frame, const PresentedFrame& before) {
     if (frame.state == PresentedState::rated) return false;  // a page of reasons, for a moment still
     const bool another_page = frame.state != before.state || frame.stage != before.stage;
     return frame.viewer_place != before.viewer_place || pageOpen(frame) != pageOpen(before) ||
-           (pageOpen(frame) && another_page) || beginsTrial(frame, before) ||
-           (asksAfterChoice(frame) && !before.panel);
+           (pageOpen(frame) && another_page) || beginsTrial(frame, before) || showsOtherThings(frame, before);
 }
 
 Look lookAtTask(const PresentedFrame& frame, double eye_height_m) {
     Look look{0.0, resting_pitch_rad};
-    if (!frame.panel) {
-        if (frame.first_look) look = {frame.first_look->yaw_rad, frame.first_look->pitch_rad};
-        return look;
-    }
+    if (frame.first_look && !pageOpen(frame)) return {frame.first_look->yaw_rad, frame.first_look->pitch_rad};
+    if (!frame.panel) return look;
     const Vec3 board = transformPoint(inverse(frame.stage_from_viewer), middleOf(*frame.panel));
     const double pitch_rad = std::atan2(board.y - eye_height_m, std::hypot(board.x, board.z));
     look.yaw_rad = std::atan2(-board.x, -board.z);
-    if (pageOpen(frame) || asksAfterChoice(frame)) look.pitch_rad = pitch_rad;
+    if (pageOpen(frame)) look.pitch_rad = pitch_rad;
     if (playsByButtons(frame)) look.pitch_rad = 0.5 * (resting_pitch_rad + pitch_rad);
     return look;
 }

@@ -22,11 +22,11 @@ struct PicturePoint {
 };
 
 /// Whether the view goes back to lookAtTask() with this frame: a page or a trial begins, a pause is over, the
-/// viewer is moved, or a board asks about a choice that was made.
+/// viewer is moved, or a game's board has come or gone.
 [[nodiscard]] bool looksAnew(const studies::PresentedFrame& frame, const studies::PresentedFrame& before);
 
 /// Where a person who has just been placed here would turn: to a page's middle, to between those who are
-/// shown and the board of their buttons, in a game to where the arm and all balls are seen.
+/// shown and the board of their buttons, in a game to where all balls are seen with the arm or the board.
 [[nodiscard]] Look lookAtTask(const studies::PresentedFrame& frame, double eye_height_m);
 
 /// The vertical field of view for a picture of this width by height. One that is narrower than 16:9 is wide

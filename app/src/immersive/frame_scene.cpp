@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <utility>
 
 #include "studies/notice.hpp"
+#include "studies/panel_hit.hpp"
 
 namespace deixis::app {
 
 namespace {
+
+using studies::PresentedFrame;
 
 renderer::Ball ballFromView(const studies::BallView& view) {
     renderer::Ball ball;
@@ -39,15 +43,24 @@ renderer::Ball ballFromView(const studies::BallView& view) {
     return ball;
 }
 
-// A ray from the very eye would be seen as a point that hides what it is on: it is drawn from the hand.
-renderer::Beam beamFrom(const studies::RayView& view, const Pose& stage_from_eye) {
+// A ray from the very eye would be seen as a point that hides what it is on: it is drawn from the hand. That
+// one may cross a board where the ray does not: none is drawn then, as the mouse's own cursor shows the
+// place.
+std::optional<renderer::Beam> beamFrom(const PresentedFrame& frame, const Pose& stage_from_eye) {
     constexpr double at_eye_m = 0.01;
+    constexpr double margin_m = 0.01;
     const Vec3 hand{0.20, -0.28, -0.20};
-    const auto& [ray, length_m] = view;
-    if (glm::length(ray.origin - stage_from_eye.position) > at_eye_m) return {ray, length_m};
+    const auto& [ray, length_m] = *frame.ray;
+    if (glm::length(ray.origin - stage_from_eye.position) > at_eye_m) return renderer::Beam{ray, length_m};
     const Vec3 from = transformPoint(stage_from_eye, hand);
     const Vec3 way = ray.origin + length_m * ray.direction - from;
-    return {{from, glm::normalize(way)}, glm::length(way)};
+    const Ray drawn{from, glm::normalize(way)};
+    const double drawn_m = glm::length(way);
+    if (frame.panel) {
+        const auto met = studies::meetPanel(*frame.panel, drawn);
+        if (met && met->distance_m < drawn_m + margin_m) return std::nullopt;
+    }
+    return renderer::Beam{drawn, drawn_m};
 }
 
 renderer::BoardRect rectFrom(const studies::PanelRect& r) {
@@ -101,17 +114,36 @@ renderer::Board boardFromPanel(const studies::Panel& panel) {
     return board;
 }
 
+constexpr double notice_away_m = 0.55;  // nearer than any avatar, ball or panel
+
+// Seen from the scene's eye.
+bool hidesNoBall(const renderer::Board& notice, const renderer::Scene& scene) {
+    constexpr double rings = 1.6;  // of a ball's radius, with what is drawn around it
+    const Pose eye_from_stage = inverse(scene.camera.stage_from_eye);
+    const Vec3 corner = transformPoint(eye_from_stage, notice.stage_from_board.position);
+    return std::none_of(scene.balls.begin(), scene.balls.end(), [&](const renderer::Ball& ball) {
+        const Vec3 seen = transformPoint(eye_from_stage, ball.centre);
+        if (seen.z > -notice_away_m) return false;
+        const double nearer = notice_away_m / -seen.z;
+        const double x = nearer * seen.x - corner.x;
+        const double y = nearer * seen.y - corner.y;
+        const double reach_m = nearer * rings * ball.radius_m;
+        return x > -reach_m && x < notice.width_m + reach_m && y > -reach_m && y < notice.height_m + reach_m;
+    });
+}
+
 }  // namespace
 
 renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose& stage_from_eye) {
     renderer::Scene scene;
     scene.camera.stage_from_eye = stage_from_eye;
-    if (frame.avatar_visible) {
+    if (frame.scene_visible) {
+        for (const auto& ball : frame.balls) scene.balls.push_back(ballFromView(ball));
         scene.avatars.push_back(frame.avatar_joints);
         if (!frame.right_avatar_joints.empty()) scene.avatars.push_back(frame.right_avatar_joints);
     }
-    for (const auto& ball : frame.balls) scene.balls.push_back(ballFromView(ball));
-    if (frame.ray) scene.beams.push_back(beamFrom(*frame.ray, stage_from_eye));
+    if (frame.ray)
+        if (const auto beam = beamFrom(frame, stage_from_eye)) scene.beams.push_back(*beam);
     if (frame.panel) scene.boards.push_back(boardFromPanel(*frame.panel));
     if (frame.sign) scene.boards.push_back(boardFromPanel(*frame.sign));
     return scene;
@@ -124,12 +156,23 @@ renderer::Board noticeBoard(const std::string& sentence, double line_m) {
 void addNotice(renderer::Scene& scene, const std::string& notice) {
     if (notice.empty()) return;
     constexpr double line_m = 0.023;
-    constexpr double away_m = 0.55;  // nearer than any avatar, ball or panel
     constexpr double above_m = 0.21;
+    constexpr double aside_m = 0.28;
     renderer::Board board = noticeBoard(notice, line_m);
-    board.stage_from_board =
-        scene.camera.stage_from_eye *
-        Pose{{-board.width_m / 2.0, above_m - board.height_m / 2.0, -away_m}, no_rotation};
+    const Pose middle_from_corner{{-board.width_m / 2.0, -board.height_m / 2.0, 0.0}, no_rotation};
+    const auto standAt = [&](double x, double y) {
+        board.stage_from_board =
+            scene.camera.stage_from_eye * Pose{{x, y, -notice_away_m}, no_rotation} * middle_from_corner;
+    };
+    for (const double x : {0.0, -aside_m, aside_m})
+        for (const double y : {above_m, -above_m}) {
+            standAt(x, y);
+            if (hidesNoBall(board, scene)) {
+                scene.boards.push_back(std::move(board));
+                return;
+            }
+        }
+    standAt(0.0, above_m);
     scene.boards.push_back(std::move(board));
 }
 

@@ -15,7 +15,8 @@ namespace deixis::app {
 /// A small board with a sentence to the participant, in lines of this height.
 [[nodiscard]] renderer::Board noticeBoard(const std::string& sentence, double line_m);
 
-/// On a screen: the frame's notice, if it has one, above the middle of the view and before all else.
+/// On a screen: the frame's notice, if it has one, above the middle of the view and before all else, or where
+/// it hides no ball of the scene.
 void addNotice(renderer::Scene& scene, const std::string& notice);
 
 }  // namespace deixis::app

@@ -182,7 +182,8 @@ class Controls {
     }
 
     void keys(const Show& show) {
-        const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key); };
+        // GetKeyIndex: before 1.87 Dear ImGui counts keys as the window does.
+        const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
         constexpr float step_s = 1.0F / 30.0F;
         if (pressed(ImGuiKey_Space)) playing = !playing;
         if (pressed(ImGuiKey_Escape)) close = true;

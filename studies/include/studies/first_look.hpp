@@ -8,6 +8,8 @@
 
 namespace deixis::studies {
 
+struct Panel;
+
 /// Something round that is to be in view; metres, in the stage's frame.
 struct Sphere {
     Vec3 centre{0.0};
@@ -21,6 +23,7 @@ struct FirstLook {
     /// Tangents of the angles to the farthest thing beside, above or below the middle of the view.
     double half_width = 0.0;
     double half_height = 0.0;
+    friend bool operator==(const FirstLook&, const FirstLook&) = default;
 
     /// The vertical field of view in which all is seen with a twentieth of the picture free on every side,
     /// for a picture of this width by height: least_view_rad where that does, and never above
@@ -34,6 +37,9 @@ constexpr double greatest_view_rad = radiansFromDegrees(84.0);
 /// matter; there must be one.
 [[nodiscard]] FirstLook firstLook(const Pose& stage_from_viewer, double eye_height_m,
                                   const std::vector<Sphere>& seen);
+
+/// A board's corners, for a view that is to hold it.
+[[nodiscard]] std::vector<Sphere> panelCorners(const Panel& panel);
 
 /// What a participant must see of a trial: its balls, and for each of them the arm that would point at it,
 /// from the shoulder to the fingertip. All balls are alike here, so that a view of it never tells the target.

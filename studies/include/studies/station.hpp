@@ -180,12 +180,13 @@ struct RayView {
 /// Everything that a participant can see or hear in one frame; nothing about what the right answer is.
 struct PresentedFrame {
     std::uint64_t number = 0;         ///< counts up; a frame report refers to it
-    bool avatar_visible = true;       ///< not behind a page, from under which its feet would show
+    bool scene_visible = true;        ///< avatars and balls: not behind a page, which they would cover
     std::vector<Pose> avatar_joints;  ///< stage_from_joint, in the avatar skeleton's order
     /// Pairwise: the other avatar, which stands at the participant's right; empty: there is none.
     std::vector<Pose> right_avatar_joints{};
     std::vector<BallView> balls;
-    /// Game: where a flat screen looks when the trial begins, and how wide; the same until its end.
+    /// Game: where a flat screen looks, and how wide, so that the balls are seen with the arm that points or
+    /// the board that asks; changes where such a board comes or goes.
     std::optional<FirstLook> first_look{};
     std::optional<RayView> ray;
     std::optional<Panel> panel;

@@ -170,6 +170,7 @@ def declined(settings):
         person = Person(trace, rig.mouse)
         person.take_part(stop=lambda line: line["state"] == "consent")
         person.hands.click_button(DECLINE)
+        person.hands.click_button(END_FOR_GOOD)
         person.take_part()
         require_clean_end(rig)
         states = [state for state in trace.states if state != "over"]

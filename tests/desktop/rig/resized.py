@@ -11,7 +11,7 @@ from person import AGREE, GO_ON, Person
 from processes import until
 from studies import HERE, study_file
 
-DECLINE = 8
+DECLINE, END_FOR_GOOD = 8, 5
 SHAPES = {"4:3": (800, 600), "narrow": (420, 640), "wide": (1200, 400)}
 LARGEST_DIFFERENCE = 4.0  # of 255, in the mean of a tile
 TILES = 6  # across and down
@@ -111,6 +111,7 @@ def closing_in_view(settings):
         trace.settle(0.5)
         require(hands.look()["head"] != ahead, "the right button turned nothing")
         hands.click_button(DECLINE)
+        hands.click_button(END_FOR_GOOD)
         line = hands.wait("closing page", lambda now: now["state"] == "closing" and button(now, GO_ON))
         hands.wait("view of the page", lambda now: now["frame"] > line["frame"])
         before, now = (head_of(one).orientation for one in ({"head": ahead}, hands.look()))
