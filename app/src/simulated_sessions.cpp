@@ -13,6 +13,7 @@
 #include "core/parallel.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "session_loop.hpp"
+#include "simulated_setup.hpp"
 #include "studies/standing.hpp"
 #include "version.hpp"
 

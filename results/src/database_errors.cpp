@@ -37,9 +37,14 @@ Error describe(const std::filesystem::path& path, const SQLite::Exception& probl
 }
 
 Result<Identity> identify(SQLite::Database& database, const std::filesystem::path& path) {
-    const int id = database.execAndGet("PRAGMA application_id").getInt();
-    const int version = database.execAndGet("PRAGMA user_version").getInt();
-    const int tables = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt();
+    // In one statement: another process may be setting the file up.
+    SQLite::Statement all(database,
+                          "SELECT (SELECT count(*) FROM sqlite_schema), (SELECT application_id FROM "
+                          "pragma_application_id), (SELECT user_version FROM pragma_user_version)");
+    all.executeStep();
+    const int tables = all.getColumn(0).getInt();
+    const int id = all.getColumn(1).getInt();
+    const int version = all.getColumn(2).getInt();
     if (id == 0 && version == 0 && tables == 0) return Identity{};
     if (id != application_id)
         return fail(path.string(), "found a SQLite database of another program, expected one made by deixis",

@@ -12,7 +12,7 @@ namespace {
 constexpr double row_gap_m = 0.014;
 constexpr double play_width_m = 0.2;  // with its words as a caption
 constexpr double play_height_m = 0.15;
-constexpr double value_m = 0.1;        // beside a slider: what it is at, so that a check's number can be set
+constexpr double value_m = 0.1;        // of a slider's value in numbers, so that a check's number can be set
 constexpr double many_height_m = 0.1;  // four rows and more, one under the other
 
 const std::string& playWord(PlayState state, const LanguageTable& words) {
@@ -45,10 +45,6 @@ void markPlay(PanelButton& button, const StimulusView& stimulus) {
     button.chosen = stimulus.state == PlayState::playing;
 }
 
-double valueRoom(const Scale& scale) {
-    return scale.kind == ScaleKind::slider ? value_m : 0.0;
-}
-
 double columnWidth(double inner_m, std::size_t columns) {
     const auto count = static_cast<double>(columns);
     return (inner_m - (count - 1.0) * panel::gap_m) / count;
@@ -63,8 +59,7 @@ struct Grid {
 
 Grid gridOf(const ParallelBoard& board, double inner_m) {
     const std::size_t count = board.stimuli.size();
-    const double scale_m =
-        columnWidth(inner_m, 2) - play_width_m - panel::button_gap_m - valueRoom(board.scale);
+    const double scale_m = columnWidth(inner_m, 2) - play_width_m - panel::button_gap_m;
     const bool narrow = (board.scale.kind == ScaleKind::slider || board.scale.steps() <= 5) &&
                         panel::labelsFit(board.scale, scale_m);
     if (count > 3 && narrow) return {2, (count + 1) / 2, play_height_m};
@@ -107,7 +102,9 @@ Panel parallelPanel(const ParallelBoard& board, const LanguageTable& words) {
     const bool captions = grid.columns > 1;
     const double column_m = columnWidth(made.inner(), grid.columns);
     const double play_m = captions ? play_width_m : widestPlayLabel(words);
-    const double scale_m = column_m - play_m - panel::button_gap_m - valueRoom(board.scale);
+    // Beside its slider, or under the thumb where there is no room beside it.
+    const double beside_m = board.scale.kind == ScaleKind::slider && !captions ? value_m : 0.0;
+    const double scale_m = column_m - play_m - panel::button_gap_m - beside_m;
     const auto scaleLeft = [&](std::size_t column) {
         return panel::margin_m + static_cast<double>(column) * (column_m + panel::gap_m) + play_m +
                panel::button_gap_m;
@@ -134,10 +131,11 @@ Panel parallelPanel(const ParallelBoard& board, const LanguageTable& words) {
             if (captions) made.lastButton().caption = word;
             row_m = std::max(row_m, made.scale({board.scale, button_id::first_option + 100 * place,
                                                 button_id::first_slider + place, stimulus.value,
-                                                stimulus.can_rate, false, false, grid.height_m},
+                                                stimulus.can_rate, false, false,
+                                                captions && board.scale.kind == ScaleKind::slider ? panel::slider_height_m : grid.height_m},
                                                left, made.top(), scale_m));
             if (board.scale.kind == ScaleKind::slider && stimulus.value)
-                made.sliderValue(*stimulus.value, left + scale_m, value_m);
+                made.sliderValue(*stimulus.value, value_m, !captions);
         }
         made.advance(row_m, row_gap_m);
     }

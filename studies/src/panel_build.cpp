@@ -251,11 +251,19 @@ double Builder::slider(const ScalePart& part, double x, double top, double width
     return height_m;
 }
 
-void Builder::sliderValue(int value, double x, double width_m) {
-    const PanelRect track = panel_.sliders.back().track();
+void Builder::sliderValue(int value, double width_m, bool beside) {
+    const PanelSlider& slider = panel_.sliders.back();
+    const PanelRect track = slider.track();
     TextStyle style{label_size_m, true, true};
     style.fitted = true;
-    text(std::to_string(value), x, track.y + 0.5 * (track.height + label_size_m), width_m, style);
+    const std::string number = std::to_string(value);
+    if (beside) {
+        text(number, slider.box.x + slider.box.width, track.y + 0.5 * (track.height + label_size_m), width_m,
+             style);
+    } else {
+        const double share = static_cast<double>(value - slider.low) / std::max(1, slider.high - slider.low);
+        text(number, track.x + share * track.width - 0.5 * width_m, slider.box.y, width_m, style);
+    }
 }
 
 double Builder::scaleLabels(const Scale& scale, double x, double top, double width_m) {

@@ -78,8 +78,8 @@ class Builder {
     double text(const std::string& words, double x, double top, double width_m, const TextStyle& style);
     double button(const ButtonSpec& spec, double x, double top, double width_m, double height_m);
     double scale(const ScalePart& part, double x, double top, double width_m);
-    /// The last slider's value, level with its track.
-    void sliderValue(int value, double x, double width_m);
+    /// The last slider's value: level with its track beside it, or under its thumb.
+    void sliderValue(int value, double width_m, bool beside);
     /// The labels of a scale alone, where they stand over or under its steps or track.
     double scaleLabels(const Scale& scale, double x, double top, double width_m);
     /// Buttons in rows, centred or from the left.

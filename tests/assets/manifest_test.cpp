@@ -150,7 +150,7 @@ TEST_SUITE("assets/manifest") {
             row.clip = i % 3 == 0 ? "odd, \"name\"\n.bvh" : "clip.bvh";
             row.system = "s" + std::to_string(i);
             row.target_id = "T,1";
-            if (i % 5 > 0) row.target = {random.normal(), random.normal() * 1e-9, random.normal() * 1e6};
+            if (i % 5 > 0) row.target = {random.normal(), random.normal() * 1e-9, random.normal() * 100.0};
             if (i % 7 > 0) {
                 PointingPhases& phases = row.phases.emplace();
                 phases.hand = i % 2 == 0 ? motion::Side::left : motion::Side::right;

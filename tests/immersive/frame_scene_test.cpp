@@ -100,7 +100,57 @@ TEST_SUITE("immersive/frame_scene") {
         }
     }
 
-    TEST_CASE("A second avatar is drawn where there is one, and none while they are hidden") {
+    TEST_CASE("A notice goes where it hides no ball") {
+        const Pose eye{{0.3, 1.6, 3.4}, yawRotation(0.7)};
+        studies::PresentedFrame frame;
+        for (const double y :
+             {0.38, 0.2, -0.38})  // of a ball 1 m ahead: behind the usual place, below it, elsewhere
+            for (const double x : {0.0, 0.5}) {
+                CAPTURE(y);
+                CAPTURE(x);
+                frame.balls = {{transformPoint(eye, {x, y, -1.0}), 0.05, studies::BallLook::revealed}};
+                renderer::Scene scene = sceneFromFrame(frame, eye);
+                addNotice(scene, "Not quite: it was the green ball.");
+                REQUIRE(scene.boards.size() == 1);
+                const renderer::Board& board = scene.boards[0];
+                // From the eye through the board's plane to the ball, all around its edge.
+                const Pose board_from_eye = inverse(board.stage_from_board) * eye;
+                for (int i = 0; i < 16; ++i) {
+                    const double angle = 2.0 * pi * i / 16.0;
+                    const Vec3 edge(x + 0.07 * std::cos(angle), y + 0.07 * std::sin(angle), -1.0);
+                    const Vec3 from = transformPoint(board_from_eye, Vec3(0.0));
+                    const Vec3 way = board_from_eye.orientation * edge;
+                    const Vec3 at = from + (-from.z / way.z) * way;
+                    CHECK((at.x < 0.0 || at.x > board.width_m || at.y < 0.0 || at.y > board.height_m));
+                }
+                const Vec3 middle =
+                    transformPoint(inverse(eye) * board.stage_from_board, {board.width_m / 2.0, 0.0, 0.0});
+                CHECK((x == 0.0 && y > 0.3) == (middle.y < 0.0));
+            }
+    }
+
+    TEST_CASE("The mouse's ray is drawn from the hand to what it meets, but never across a board") {
+        studies::PresentedFrame frame;
+        const Pose eye{{0.0, 1.6, 0.0}, no_rotation};
+        frame.ray = studies::RayView{{eye.position, Vec3(0.0, 0.0, -1.0)}, 3.0};
+        REQUIRE(sceneFromFrame(frame, eye).beams.size() == 1);
+        const renderer::Beam beam = sceneFromFrame(frame, eye).beams[0];
+        CHECK(glm::length(beam.ray.origin - eye.position) > 0.2);
+        CHECK(glm::length(beam.ray.origin + beam.length_m * beam.ray.direction - Vec3(0.0, 1.6, -3.0)) <
+              1e-9);
+        // A board lower right: the ray passes over it, the drawn one would go through it.
+        frame.panel = panelWithEverything();
+        frame.panel->stage_from_panel.position = {0.0, 1.6 - 0.05 - frame.panel->height_m, -0.8};
+        CHECK(sceneFromFrame(frame, eye).beams.empty());
+        frame.panel->stage_from_panel.position.x = -3.0;
+        CHECK(sceneFromFrame(frame, eye).beams.size() == 1);
+        // A controller's ray starts where it is held.
+        frame.panel->stage_from_panel.position.x = 0.0;
+        frame.ray->ray.origin = {0.3, 1.2, -0.3};
+        CHECK(sceneFromFrame(frame, eye).beams.size() == 1);
+    }
+
+    TEST_CASE("A second avatar is drawn where there is one, and none, nor a ball, while they are hidden") {
         studies::PresentedFrame frame;
         frame.avatar_joints.resize(3);
         CHECK(sceneFromFrame(frame, {}).avatars.size() == 1);
@@ -109,8 +159,11 @@ TEST_SUITE("immersive/frame_scene") {
         const renderer::Scene both = sceneFromFrame(frame, {});
         REQUIRE(both.avatars.size() == 2);
         CHECK(both.avatars[1][0].position.x == 1.0);
+        frame.balls.push_back({Vec3(0.0, 1.0, 1.0), 0.05, studies::BallLook::waiting});
+        CHECK(sceneFromFrame(frame, {}).balls.size() == 1);
         frame.scene_visible = false;
         CHECK(sceneFromFrame(frame, {}).avatars.empty());
+        CHECK(sceneFromFrame(frame, {}).balls.empty());
     }
 
     TEST_CASE("Balls are told apart without colours: by lightness, and by no, one or two rings") {

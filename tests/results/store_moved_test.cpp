@@ -102,6 +102,12 @@ TEST_SUITE("results/store moved") {
             afterThree(folder, [&] { fs::rename(folder / "a.sqlite", folder / "elsewhere.sqlite"); });
         checkSafe(folder, said);
         CHECK(answersIn(folder / "elsewhere.sqlite") == 4);  // whole under its new name, too
+        // Nothing is begun anew beside the copy; elsewhere it is out of the way.
+        const auto refused = Store::open(folder / "a.sqlite", Durability::each_answer);
+        REQUIRE_FALSE(refused);
+        CHECK(contains(refused.error().message, "a.recovered.sqlite"));
+        fs::create_directories(folder / "kept");
+        fs::rename(folder / "a.recovered.sqlite", folder / "kept/a.recovered.sqlite");
         CHECK(fixtures::open(folder / "a.sqlite").participants().empty());
     }
 
@@ -149,8 +155,10 @@ TEST_SUITE("results/store moved") {
 
     TEST_CASE("An earlier copy is not written over") {
         const fixtures::Folder folder;
-        std::ofstream(folder / "a.recovered.sqlite") << "of another day";
-        const auto said = afterThree(folder, [&] { fs::remove(folder / "a.sqlite"); });
+        const auto said = afterThree(folder, [&] {
+            std::ofstream(folder / "a.recovered.sqlite") << "of another day";
+            fs::remove(folder / "a.sqlite");
+        });
         CHECK(contains(said, (folder / "a.recovered-2.sqlite").string()));
         CHECK(answersIn(folder / "a.recovered-2.sqlite") == 4);
         CHECK(bytesOf(folder / "a.recovered.sqlite") == "of another day");
