@@ -137,9 +137,10 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     command
         ->add_option("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
         ->check(CLI::Range(1e-6, 0.5));
-    command->add_option("--level", options->analysis.level, "Level of the intervals")
-        ->check(CLI::Range(0.5, 0.9999))
-        ->capture_default_str();
+    command
+        ->add_option("--level", options->analysis.level,
+                     "Level of the intervals; 1 - alpha where not given, so that they and the tests agree")
+        ->check(CLI::Range(0.5, 0.9999));
     command->add_option("--resamples", options->analysis.resamples, "Resamples of the bootstrap")
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();

@@ -100,11 +100,14 @@ Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& o
                  : takes.clusters ? statsMeanShift(*table, options.clusters)
                                   : test(*table, with);
     if (!found) return tl::unexpected(found.error());
-    if (nullInfinite(*found)) {
+    const auto addNote = [&](const std::string& sentence) {
         auto& note = (*found)["note"];
-        note = (note.is_string() ? note.get<std::string>() + "; " : std::string()) +
-               "numbers beyond 1.8e308 in size are null";
-    }
+        note = (note.is_string() ? note.get<std::string>() + "; " : std::string()) + sentence;
+    };
+    if (nullInfinite(*found)) addNote("numbers beyond 1.8e308 in size are null");
+    if (table->rounded > 0)
+        addNote(fmt::format("decimals that are rounded fractions (7.333333333333333) were taken as these: {}",
+                            table->rounded));
     if (options.json)
         fmt::print("{}\n", found->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     else

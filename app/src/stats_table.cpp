@@ -11,6 +11,7 @@
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "results/rounded_fraction.hpp"
 
 namespace deixis::app {
 
@@ -35,10 +36,18 @@ bool isMissing(std::string_view text) {
     return lower.empty() || lower == "na" || lower == "nan" || lower == "null";
 }
 
+/// Digits behind the point of a plain decimal; 0 of what has an exponent or is a fraction.
+int decimalsOf(std::string_view text) {
+    const auto point = text.find('.');
+    if (point == std::string_view::npos || text.find_first_of("eE/") != std::string_view::npos) return 0;
+    return static_cast<int>(text.size() - point - 1);
+}
+
 struct Source {
     std::string name;
     std::vector<std::string> header;
     std::vector<CsvRecord> rows;
+    mutable int rounded = 0;  ///< cells that number() took as fractions
 
     [[nodiscard]] std::string place(const CsvRecord& row, std::size_t column) const {
         return fmt::format("{}:{}: column \"{}\"", name, row.line, header[column]);
@@ -57,6 +66,10 @@ struct Source {
         if (isMissing(text)) return Cell();
         auto value = Rational::parse(text);
         if (!value) return fail(place(row, column), value.error());
+        if (auto fraction = results::roundedFraction(*value, decimalsOf(text))) {
+            ++rounded;
+            return Cell(std::move(*fraction));
+        }
         return Cell(std::move(*value));
     }
 };
@@ -280,6 +293,7 @@ Result<StatsTable> readStatsTable(const ColumnChoice& choice) {
     const auto read =
         choice.group.empty() ? readWide(*source, choice, table) : readLong(*source, choice, table);
     if (!read) return tl::unexpected(read.error());
+    table.rounded = source->rounded;
     return table;
 }
 

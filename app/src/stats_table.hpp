@@ -36,12 +36,14 @@ struct StatsTable {
     bool paired = true;
     /// Line of each row; empty where rows were joined or shared out.
     std::vector<int> lines{};
+    int rounded = 0;  ///< decimals that were taken as the fractions they were rounded from
 };
 
 /// The names in `--columns`: one line of CSV, so that a name with a comma can be quoted.
 [[nodiscard]] Result<std::vector<std::string>> parseColumnNames(std::string_view text);
 
-/// The first line holds the columns' names. Cells are decimals or fractions; empty ones, NA, NaN and null (in
+/// The first line holds the columns' names. Cells are decimals or fractions, rounded ones (roundedFraction())
+/// of which are taken as what they were rounded from; empty ones, NA, NaN and null (in
 /// any case) are missing. In a file of one column an empty line is an empty cell. Errors name file, line and
 /// column.
 [[nodiscard]] Result<StatsTable> readStatsTable(const ColumnChoice& choice);

@@ -79,10 +79,10 @@ std::vector<Rational> differences(const std::vector<std::vector<Rational>>& rows
 Json hodgesLehmannJson(const results::HodgesLehmann& estimate, double level, Note& note) {
     note.addIf(estimate.level && *estimate.level < level - 1e-9,
                fmt::format("no interval reaches the level {}: the widest is given with its own", level));
-    return {{"estimate", orNull(estimate.estimate)},
-            {"lower", orNull(estimate.lower)},
-            {"upper", orNull(estimate.upper)},
-            {"level", orNull(estimate.level)}};
+    note.addIf(estimate.estimate && !estimate.lower, "the test rejects every shift: there is no interval");
+    return {{"estimate", orNull(estimate.estimate)},     {"lower", orNull(estimate.lower)},
+            {"upper", orNull(estimate.upper)},           {"lower_included", estimate.lower_included},
+            {"upper_included", estimate.upper_included}, {"level", orNull(estimate.level)}};
 }
 
 }  // namespace

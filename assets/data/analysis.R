@@ -1,6 +1,7 @@
 # Computes Deixis's analysis once more, in R, from the tables beside this file, and compares every number.
 #
-#   Rscript analysis.R           writes comparison.csv and mixed_models.csv; status 1 where a number is off
+#   Rscript analysis.R   writes comparison.csv, mixed_models.csv and mixed_interactions.csv; status 1 where a number
+#                        is off
 #
 # Base R is enough for the tests; mixed models need the packages ordinal and lme4 and are left out without
 # them. Conventions: Deixis's docs/statistics.md. Exact distributions are computed here by plain convolution,
@@ -12,7 +13,7 @@ script <- sub("^--file=", "", grep("^--file=", arguments, value = TRUE))
 if (length(script) == 1) setwd(dirname(normalizePath(script)))
 
 labels <- c("participant", "measure", "system", "other_system", "layout", "distance", "item", "factor", "level",
-            "a", "b", "family", "method", "stage", "score", "name", "excluded")
+            "a", "b", "status", "station", "family", "method", "stage", "score", "name", "excluded")
 table_of <- function(name) {
     file <- paste0(name, ".csv")
     if (!file.exists(file)) return(NULL)
@@ -28,7 +29,8 @@ settings <- table_of("settings")
 setting <- function(name) as.numeric(settings$value[settings$name == name])
 level <- setting("level")
 answers <- table_of("answers")
-answers <- answers[is.na(answers$excluded), ]  # the headline's: without who is left out
+# The headline's: without who is left out and without choices that were skipped; those that timed out are wrong.
+answers <- answers[is.na(answers$excluded) & answers$status != "skipped", ]
 answers$value <- ifelse(is.na(answers$correct), answers$rating, answers$correct)
 single <- is.na(answers$other_system)  # answers on one system; the others prefer one of two
 
@@ -68,6 +70,69 @@ two_sided <- function(ranks, positive) {
     min(1, 2 * pnorm(-abs(z)))
 }
 
+# The shifts that a test does not reject: p(shift) is tried at all places (pairwise means or differences) where it
+# can change and between each two of them; of very many places only at those near the ends. The interval holds 0
+# exactly where p(0) exceeds 1 - level.
+inverted <- function(places, p) {
+    # 1 - level is seldom a double: a p that equals it on paper is rejected.
+    alpha <- (1 - level) * (1 + 1e-9)
+    u <- sort(places)
+    u <- u[!duplicated(tidy(u))]  # not rounded themselves, so that what ties at them does
+    n <- length(u)
+    shifts <- c(u[1] - 1, as.vector(rbind(u, c((u[-1] + u[-n]) / 2, u[n] + 1))))
+    below <- (findInterval(shifts, sort(tidy(places))) + findInterval(shifts, sort(tidy(places)), left.open = TRUE)) / 2
+    share <- pmin(below, length(places) - below) / length(places)
+    # The middle is not rejected, and what lies far out is; alpha says where its ends are, roughly.
+    near <- n <= 250
+    if (!near) {
+        middle <- 0.5 + qnorm(alpha / 2) * sqrt(attr(places, "variance")) / length(places)
+        window <- share > 0.5 * middle & share < min(0.5, middle + 0.6 * (0.5 - middle))
+    } else window <- rep(TRUE, length(shifts))
+    found <- ifelse(share > 0.25, 1, 0)
+    found[window] <- vapply(shifts[window], p, numeric(1))
+    held <- seq(1, length(shifts), 2)
+    held <- held[found[held] > alpha]  # between places
+    of_zero <- p(0)
+    beside <- c(p(-1e-8), p(1e-8))
+    outside <- 0
+    ends <- list()
+    if (length(held) == 0) {  # all alike, or nearly so
+        only <- Filter(function(shift) p(shift) > alpha, c(median(places), 0))
+        if (length(only) == 0) return(list(NA, NA, 1, 1, NA))
+        ends <- list(c(only[1], 1), c(only[1], 1))
+        outside <- max(p(only[1] - 1e-8), p(only[1] + 1e-8))
+    } else for (at in c(held[1], -held[length(held)])) {
+        step <- -sign(at)
+        at <- abs(at)
+        beyond <- at + step
+        if (beyond >= 1 && beyond <= length(shifts)) {
+            included <- found[beyond] > alpha
+            ends <- c(ends, list(c(shifts[beyond], as.numeric(included))))
+            outside <- max(outside, found[beyond + step], if (included) 0 else found[beyond])
+        } else {  # the widest there is
+            ends <- c(ends, list(c(shifts[at - step], 1)))
+            outside <- max(outside, found[at])
+        }
+    }
+    if (outside > alpha) {
+        # the widest interval speaks at its own level
+    } else if (of_zero > alpha) {
+        if (ends[[1]][1] >= 0) ends[[1]] <- c(0, 1)
+        if (ends[[2]][1] <= 0) ends[[2]] <- c(0, 1)
+    } else if (ends[[1]][1] <= 0 && ends[[2]][1] >= 0) {
+        outside <- max(outside, of_zero)
+        ends[[if (beside[1] < beside[2]) 1 else 2]] <- c(0, 0)
+    }
+    list(ends[[1]][1], ends[[2]][1], ends[[1]][2], ends[[2]][2], 1 - outside)
+}
+interval_columns <- paste0("hodges_lehmann_", c("lower", "upper", "lower_included", "upper_included", "level"))
+
+signed_rank_p <- function(exactly, shift) {
+    d <- tidy(exactly - shift)
+    d <- d[d != 0]
+    two_sided(rank(abs(d)), d > 0)
+}
+
 signed_rank <- function(exactly) {
     d <- tidy(exactly)
     n <- length(d)
@@ -90,13 +155,10 @@ signed_rank <- function(exactly) {
         out[c("p", "p_normal", "p_pratt")] <- NA
         return(out)
     }
-    walsh <- sort(outer(exactly, exactly, "+")[lower.tri(diag(n), diag = TRUE)] / 2)
+    walsh <- outer(exactly, exactly, "+")[lower.tri(diag(n), diag = TRUE)] / 2
     out$hodges_lehmann <- median(walsh)
-    k <- 1
-    while (k < length(walsh) / 2 && psignrank(k, n) <= (1 - level) / 2) k <- k + 1
-    out$hodges_lehmann_lower <- walsh[k]
-    out$hodges_lehmann_upper <- walsh[length(walsh) + 1 - k]
-    out$hodges_lehmann_level <- 1 - 2 * psignrank(k - 1, n)
+    attr(walsh, "variance") <- n * (n + 1) * (2 * n + 1) / 24
+    out[interval_columns] <- inverted(walsh, function(shift) signed_rank_p(exactly, shift))
     spread <- n >= 3 && length(unique(d)) > 1
     normality <- if (spread) shapiro.test(exactly) else NULL
     out$shapiro_w <- if (spread) normality$statistic else NA
@@ -149,6 +211,17 @@ rank_sum_tails <- function(ranks, n_a, w) {
     c(sum(share[sums <= 2 * w]), sum(share[sums >= 2 * w]))
 }
 
+rank_sum_p <- function(a, b) {
+    n_a <- length(a)
+    n <- n_a + length(b)
+    ranks <- rank(tidy(c(a, b)))
+    w <- sum(ranks[seq_len(n_a)])
+    if (n <= 400) return(min(1, 2 * min(rank_sum_tails(ranks, n_a, w))))
+    spread <- sqrt(n_a * (n - n_a) / (n * (n - 1)) * sum((ranks - mean(ranks))^2))
+    from_mean <- w - n_a * (n + 1) / 2
+    if (spread == 0) 1 else min(1, 2 * pnorm(-max(0, abs(from_mean) - 0.5) / spread))
+}
+
 rank_sum <- function(exactly_a, exactly_b) {
     a <- tidy(exactly_a)
     b <- tidy(exactly_b)
@@ -171,13 +244,10 @@ rank_sum <- function(exactly_a, exactly_b) {
     } else {
         out$p <- 1
     }
-    shifts <- sort(outer(exactly_a, exactly_b, "-"))
-    k <- 1
-    while (k < length(shifts) / 2 && pwilcox(k, n_a, n_b) <= (1 - level) / 2) k <- k + 1
+    shifts <- as.vector(outer(exactly_a, exactly_b, "-"))
     out$hodges_lehmann <- median(shifts)
-    out$hodges_lehmann_lower <- shifts[k]
-    out$hodges_lehmann_upper <- shifts[length(shifts) + 1 - k]
-    out$hodges_lehmann_level <- 1 - 2 * pwilcox(k - 1, n_a, n_b)
+    attr(shifts, "variance") <- n_a * n_b * (n + 1) / 12
+    out[interval_columns] <- inverted(shifts, function(shift) rank_sum_p(exactly_a - shift, exactly_b))
     out
 }
 
@@ -326,17 +396,21 @@ if (!is.null(preferences_between)) {
 }
 
 chance <- table_of("chance")
-for (i in seq_len(NROW(chance))) {
-    here <- is("system", chance$system[i]) & !is.na(answers$correct)
-    successes <- sum(answers$correct[here])
-    same(chance, i, "successes", successes)
-    same(chance, i, "n", sum(here))
-    test <- binom.test(successes, sum(here), conf.level = level)
-    same(chance, i, "estimate", test$estimate)
-    same(chance, i, "lower", test$conf.int[1])
-    same(chance, i, "upper", test$conf.int[2])
-    if (!is.na(chance$p_chance[i]))
-        same(chance, i, "p_chance", binom.test(successes, sum(here), setting("chance"))$p.value)
+if (!is.null(chance)) {
+    # Each trial's own chance; trials without a number of balls have no part in it.
+    with_balls <- function(i) is("system", chance$system[i]) & !is.na(answers$correct) & !is.na(answers$balls)
+    by_person <- function(values, here) vapply(split(values[here], answers$participant[here]), mean, numeric(1))
+    above <- function(i) by_person(answers$correct - 1 / answers$balls, with_balls(i))
+    compare_tests(chance, above)
+    for (i in seq_len(nrow(chance))) {
+        here <- is("system", chance$system[i]) & !is.na(answers$correct)
+        same(chance, i, "successes", sum(answers$correct[here]))
+        same(chance, i, "choices", sum(here))
+        same(chance, i, "estimate", mean(answers$correct[here]))
+        if (!any(with_balls(i))) next
+        same(chance, i, "mean_above", mean(above(i)))
+        same(chance, i, "chance", mean(by_person(1 / answers$balls, with_balls(i))))
+    }
 }
 
 order_table <- table_of("order")
@@ -381,64 +455,210 @@ has <- function(package) {
     found
 }
 
-# Contrasts of all pairs of systems from a model's coefficients, Wald tests, Holm within the measure.
-contrasts_of <- function(measure, model, coefficients, covariance, systems, note) {
+# Contrasts of all pairs of systems from a model's coefficients, Wald tests, Holm within the measure. Without a model
+# all is NA, and the note says why.
+contrasts_of <- function(measure, name, systems, fit) {
     at <- function(system) paste0("system", system)
     rows <- data.frame()
     for (pair in combn(systems, 2, simplify = FALSE)) {
-        weights <- setNames(numeric(length(coefficients)), names(coefficients))
-        for (k in 1:2) if (at(pair[k]) %in% names(weights)) weights[at(pair[k])] <- c(1, -1)[k]
-        estimate <- sum(weights * coefficients)
-        se <- sqrt(as.numeric(weights %*% covariance[names(weights), names(weights), drop = FALSE] %*% weights))
-        z <- estimate / se
-        rows <- rbind(rows, data.frame(measure, model, a = pair[1], b = pair[2], estimate, se, z,
+        estimate <- se <- z <- NA_real_
+        if (!is.null(fit$slopes)) {
+            weights <- setNames(numeric(length(fit$slopes)), names(fit$slopes))
+            for (k in 1:2) if (at(pair[k]) %in% names(weights)) weights[at(pair[k])] <- c(1, -1)[k]
+            estimate <- sum(weights * fit$slopes)
+            se <- sqrt(as.numeric(weights %*% fit$covariance[names(weights), names(weights), drop = FALSE] %*% weights))
+            z <- estimate / se
+        }
+        rows <- rbind(rows, data.frame(measure, model = name, a = pair[1], b = pair[2], estimate, se, z,
                                        p = 2 * pnorm(-abs(z))))
     }
     rows$p_holm <- p.adjust(rows$p, "holm")
-    rows$note <- note
+    rows$note <- fit$note
+    rows$random <- fit$random
     rows
 }
 
-# A model, and what R says while it is fitted: printed, and kept beside the contrasts.
-fitted_by <- function(measure, fit) {
+# What R says while a model is fitted; an error leaves no model.
+heard <- function(fit) {
     said <- character()
     hear <- function(condition, restart) {
-        said <<- c(said, trimws(conditionMessage(condition)))
+        said <<- c(said, trimws(gsub("\\s+", " ", conditionMessage(condition))))
         invokeRestart(restart)
     }
     model <- tryCatch(withCallingHandlers(fit, message = function(m) hear(m, "muffleMessage"),
                                           warning = function(w) hear(w, "muffleWarning")),
                       error = function(e) { said <<- c(said, conditionMessage(e)); NULL })
-    note <- paste(unique(said), collapse = "; ")
-    if (note != "") cat(measure, ":", note, "\n")
-    if (is.null(model)) NULL else list(model = model, note = note)
+    list(model = model, said = unique(said))
+}
+
+# Fits one formula with one optimiser.
+fit_with <- function(kind, formula, data, other) {
+    if (kind == "ordinal") {
+        control <- if (other) ordinal::clmm.control(method = "nlminb") else ordinal::clmm.control()
+        return(ordinal::clmm(formula, data = data, control = control))
+    }
+    most <- list(maxfun = 2e5)
+    if (kind == "binary")
+        lme4::glmer(formula, data, family = binomial,
+                    control = if (other) lme4::glmerControl("bobyqa", optCtrl = most) else lme4::glmerControl())
+    else
+        lme4::lmer(formula, data, control = if (other) lme4::lmerControl("bobyqa", optCtrl = most) else lme4::lmerControl())
+}
+
+slopes_of <- function(kind, model) if (kind == "ordinal") model$beta else lme4::fixef(model)
+is_singular <- function(kind, model) {
+    if (kind != "ordinal") return(lme4::isSingular(model))
+    any(vapply(ordinal::VarCorr(model), function(v) {
+        sds <- attr(v, "stddev")
+        related <- attr(v, "correlation")
+        any(sds < 1e-3) || !is.null(related) && any(abs(related[upper.tri(related)]) > 0.999)
+    }, logical(1)))
+}
+
+# Why a fit is not a maximum that can be trusted; empty where it is. A Hessian that is not positive definite or a
+# gradient that is not 0 means that the optimiser stopped elsewhere, and its standard errors mean nothing.
+doubts_about <- function(kind, model) {
+    covariance <- tryCatch(suppressWarnings(as.matrix(vcov(model))), error = function(e) NULL)
+    if (is.null(covariance)) return("no covariance of the estimates")
+    slopes <- slopes_of(kind, model)
+    ses <- sqrt(diag(covariance)[names(slopes)])
+    if (any(!is.finite(slopes)) || any(!is.finite(ses)) || any(ses <= 0)) return("a standard error is not defined")
+    if (kind != "linear" && any(abs(slopes) > 15 | ses > 15))
+        return("an estimate has no bound: all answers to a system are alike")
+    if (kind == "ordinal") {
+        gradient <- model$gradient
+        hessian <- model$Hessian
+    } else {
+        if (length(model@optinfo$conv$opt) > 0 && model@optinfo$conv$opt != 0) return("the optimiser did not converge")
+        gradient <- model@optinfo$derivs$gradient
+        hessian <- model@optinfo$derivs$Hessian
+    }
+    if (is.null(hessian) || is.null(gradient) || is_singular(kind, model)) return(character())
+    if (any(!is.finite(hessian)) || any(!is.finite(gradient))) return("the Hessian is not finite")
+    values <- eigen((hessian + t(hessian)) / 2, symmetric = TRUE, only.values = TRUE)$values
+    if (min(values) <= 1e-6 * max(values)) return("the Hessian is not positive definite")
+    step <- tryCatch(solve(hessian, gradient), error = function(e) Inf)
+    if (max(pmin(abs(step), abs(gradient))) > 0.002)
+        return(sprintf("the gradient is not 0 (%.2g)", max(abs(gradient))))
+    character()
+}
+
+# The two fits say the same.
+agree <- function(kind, one, two) {
+    ses <- sqrt(diag(as.matrix(vcov(one)))[names(slopes_of(kind, one))])
+    others <- sqrt(diag(as.matrix(vcov(two)))[names(slopes_of(kind, two))])
+    all(abs(slopes_of(kind, one) - slopes_of(kind, two)) < 0.05 * ses) && all(abs(log(ses / others)) < 0.05)
+}
+
+# A formula by one optimiser, and by another that must agree: the model, or what is wrong with it. A variance at its
+# bound is told (`singular`); such a fit is not made a second time.
+trusted_fit <- function(kind, formula, data) {
+    reasons <- character()
+    good <- list()
+    for (other in c(FALSE, TRUE)) {
+        fit <- heard(fit_with(kind, formula, data, other))
+        why <- if (is.null(fit$model)) fit$said else doubts_about(kind, fit$model)
+        if (length(why) > 0) {
+            reasons <- c(reasons, why)
+            next
+        }
+        if (is_singular(kind, fit$model)) return(list(model = fit$model, singular = TRUE, said = fit$said))
+        good <- c(good, list(fit))
+    }
+    if (length(good) == 0) return(list(why = paste(unique(reasons), collapse = "; ")))
+    if (length(good) == 2 && !agree(kind, good[[1]]$model, good[[2]]$model))
+        return(list(why = "two optimisers give different estimates"))
+    said <- if (length(good) == 2) good[[1]]$said else c(paste("another optimiser:", reasons), good[[1]]$said)
+    list(model = good[[1]]$model, singular = FALSE, said = said)
+}
+
+# Random parts, the fullest first: slopes of the systems where every participant, or item, has two answers and more to
+# each of them (else they cannot be told from what is left over), then intercepts.
+random_parts <- function(data) {
+    repeated <- function(by) min(table(by, data$system)) >= 2
+    by_item <- all(!is.na(data$item)) && length(unique(data$item)) > 1
+    # A slope needs more levels than there are variances and covariances of it.
+    many <- function(by) length(unique(by)) > 1 + nlevels(data$system) * (nlevels(data$system) + 1) / 2
+    of_people <- c(if (repeated(data$participant) && many(data$participant)) "(1 + system | participant)",
+                   "(1 | participant)")
+    of_items <- if (by_item) c(if (repeated(data$item) && many(data$item)) "(1 + system | item)", "(1 | item)") else ""
+    parts <- as.vector(outer(of_people, of_items, function(a, b) ifelse(b == "", a, paste(a, "+", b))))
+    unique(c(parts, if (by_item) "(1 | participant)"))
+}
+
+# The fullest random part whose fit can be trusted and has no variance at its bound; else the simplest one at all.
+# `fixed` is the formula's fixed part.
+fullest_fit <- function(kind, fixed, data, parts) {
+    passed <- character()
+    last <- NULL
+    for (part in parts) {
+        fit <- trusted_fit(kind, as.formula(paste("value ~", fixed, "+", part)), data)
+        fit$random <- part
+        if (is.null(fit$model)) {
+            passed <- c(passed, sprintf("%s: %s", part, fit$why))
+        } else if (fit$singular) {
+            passed <- c(passed, sprintf("%s: boundary (singular) fit", part))
+            last <- fit
+        } else {
+            fit$note <- paste(c(passed, fit$said), collapse = "; ")
+            return(fit)
+        }
+    }
+    if (is.null(last)) return(list(note = paste("no model could be fitted:", paste(passed, collapse = "; ")), random = NA))
+    last$note <- paste(passed, collapse = "; ")
+    last
+}
+
+# Factors that cross with the systems: every system has answers under two levels and more.
+crossing <- function(data) {
+    known <- c("layout", "distance", setdiff(names(answers), c(labels, "order", "balls", "correct", "rating", "rt",
+                                                                "synthetic", "marked", "value")))
+    Filter(function(factor) {
+        values <- data[[factor]]
+        !is.null(values) && all(!is.na(values)) && length(unique(values)) > 1 && min(table(data$system, values)) >= 2
+    }, known)
 }
 
 mixed_models <- data.frame()
+mixed_interactions <- data.frame()
 for (measure in unique(answers$measure[single])) {
     data <- answers[single & is("measure", measure) & !is.na(answers$value), ]
     systems <- unique(means$system[means$measure == measure])
     if (length(systems) < 2 || length(unique(data$value)) < 2 || length(unique(data$participant)) < 2) next
     data$system <- factor(data$system, levels = systems)
-    by_item <- sum(!is.na(data$item)) == nrow(data) && length(unique(data$item)) > 1
-    terms <- as.formula(paste(c("value ~ system", "(1 | participant)", if (by_item) "(1 | item)"), collapse = " + "))
     binary <- all(!is.na(data$correct))
     steps <- length(unique(data$value))
-    ordinal <- !binary && steps >= 3 && steps <= 12
-    if (!binary && steps < 3 || !has(if (ordinal) "ordinal" else "lme4")) next
-    name <- if (binary) "logistic GLMM" else if (ordinal) "cumulative link mixed model" else "linear mixed model"
-    if (ordinal) data$value <- factor(data$value, ordered = TRUE)
-    fit <- fitted_by(measure, {
-        model <- if (binary) lme4::glmer(terms, data, family = binomial)
-                 else if (ordinal) ordinal::clmm(terms, data = data)
-                 else lme4::lmer(terms, data)
-        list(slopes = if (ordinal) model$beta else lme4::fixef(model), covariance = as.matrix(vcov(model)))
-    })
-    if (is.null(fit)) next
-    mixed_models <- rbind(mixed_models, contrasts_of(measure, name, fit$model$slopes, fit$model$covariance, systems,
-                                                     fit$note))
+    kind <- if (binary) "binary" else if (steps >= 3 && steps <= 12) "ordinal" else "linear"
+    if (!binary && steps < 3 || !has(if (kind == "ordinal") "ordinal" else "lme4")) next
+    name <- c(binary = "logistic GLMM", ordinal = "cumulative link mixed model", linear = "linear mixed model")[[kind]]
+    if (kind == "ordinal") data$value <- factor(data$value, ordered = TRUE)
+    parts <- random_parts(data)
+    fit <- fullest_fit(kind, "system", data, parts)
+    if (!is.null(fit$model)) {
+        fit$slopes <- slopes_of(kind, fit$model)
+        fit$covariance <- as.matrix(vcov(fit$model))
+    }
+    if (fit$note != "") cat(measure, ":", fit$note, "\n")
+    mixed_models <- rbind(mixed_models, contrasts_of(measure, name, systems, fit))
+    # Two fixed parts over the same random one, by the likelihood ratio.
+    for (factor in if (is.null(fit$model)) character() else crossing(data)) {
+        data$crossed <- factor(data[[factor]])
+        fits <- lapply(c("system + crossed", "system * crossed"), function(fixed)
+            trusted_fit(kind, as.formula(paste("value ~", fixed, "+", fit$random)), data))
+        row <- data.frame(measure, model = name, interaction = paste0("system x ", factor), chi2 = NA_real_, df = NA_real_,
+                          p = NA_real_, note = paste(unique(unlist(lapply(fits, function(one) one$why))), collapse = "; "),
+                          random = fit$random)
+        if (!is.null(fits[[1]]$model) && !is.null(fits[[2]]$model)) {
+            fitted <- lapply(fits, function(one) if (kind == "linear") lme4::refitML(one$model) else one$model)
+            row$chi2 <- max(0, 2 * (as.numeric(logLik(fitted[[2]])) - as.numeric(logLik(fitted[[1]]))))
+            row$df <- attr(logLik(fitted[[2]]), "df") - attr(logLik(fitted[[1]]), "df")
+            row$p <- pchisq(row$chi2, row$df, lower.tail = FALSE)
+        }
+        mixed_interactions <- rbind(mixed_interactions, row)
+    }
 }
 if (nrow(mixed_models) > 0) write.csv(mixed_models, "mixed_models.csv", row.names = FALSE)
+if (nrow(mixed_interactions) > 0) write.csv(mixed_interactions, "mixed_interactions.csv", row.names = FALSE)
 
 # ---- verdict ---------------------------------------------------------------------------------------------
 

@@ -31,7 +31,7 @@ Summary summarise(const Cells& cells, const std::string& system) {
 
 /// Of participants' means, resampling participants. Summaries of as many participants are resampled together:
 /// each gets what it would get alone, as the seed is the same, and the draws are made once.
-void addIntervals(const std::vector<Summary*>& summaries, const AnalysisOptions& options) {
+void addIntervals(const std::vector<Summary*>& summaries, const BootstrapOptions& options) {
     std::map<std::size_t, std::vector<Summary*>> by_size;
     for (Summary* one : summaries)
         if (one->by_participant.size() > 1) by_size[one->by_participant.size()].push_back(one);
@@ -39,7 +39,7 @@ void addIntervals(const std::vector<Summary*>& summaries, const AnalysisOptions&
         std::vector<std::vector<double>> rows(size);
         for (std::size_t i = 0; i < size; ++i)
             for (const Summary* one : together) rows[i].push_back(one->by_participant[i]);
-        const auto made = bootstrapMeans(rows, {options.resamples, options.seed, options.level});
+        const auto made = bootstrapMeans(rows, options);
         for (std::size_t c = 0; c < together.size(); ++c)
             together[c]->interval = made[c].bca ? made[c].bca : made[c].percentile;
     }
@@ -58,14 +58,14 @@ std::vector<SystemResult> summariseSystems(const CellsByMeasure& cells, const An
     std::vector<Summary*> summaries;
     for (SystemResult& row : out)
         for (Summary& one : row.measures) summaries.push_back(&one);
-    addIntervals(summaries, result.options);
+    addIntervals(summaries, {result.options.resamples, result.options.seed, result.level});
     return out;
 }
 
 /// The tests of the answers in `cells`, which are the table's.
 void testAnswers(const RowPointers& rows, const CellsByMeasure& cells, AnalysisResult& result) {
     const ResponseTable& table = result.table;
-    const double level = result.options.level;
+    const double level = result.level;
     result.omnibus.clear();
     result.levels.clear();
     result.level_tests.clear();
@@ -78,12 +78,14 @@ void testAnswers(const RowPointers& rows, const CellsByMeasure& cells, AnalysisR
     result.preferences = preferenceTests(rows, table.systems, level, result.alpha);
     result.between.clear();
     result.preferences_between.clear();
+    compareSystemsBetween(means, result);
     compareGroups(result);
     comparePreferencesOfGroups(result);
 }
 
 void setUp(AnalysisResult& result) {
     result.alpha = result.options.alpha.value_or(result.table.alpha);
+    result.level = result.options.level.value_or(1.0 - result.alpha);
     result.measures.clear();
     for (const Measure& measure : result.table.measures)
         if (measure.kind != MeasureKind::preference) result.measures.push_back(measure);
@@ -107,6 +109,7 @@ void countParticipants(AnalysisResult& result) {
 
 void runTests(AnalysisResult& result) {
     setUp(result);
+    result.level = 0.0;
     const RowPointers rows = pointersTo(result.table.rows);
     testAnswers(rows, cellsOf(rows), result);
 }
@@ -130,7 +133,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     descriptions.get();
 
     if (!result.preferences.empty())
-        result.bradley_terry = bradleyTerry(result.table, {options.resamples, options.seed, options.level});
+        result.bradley_terry = bradleyTerry(result.table, {options.resamples, options.seed, result.level});
     compareOtherAnswers(result);
     summariseScores(result);
     describeChoices(result);

@@ -36,16 +36,73 @@ std::vector<MeasureRows> rowsOfMeasures(const AnalysisResult& result) {
     return out;
 }
 
+/// A participant's choices under one system, of trials whose number of balls is known.
+struct AboveChance {
+    int n = 0;
+    int right = 0;
+    Rational chance{};  ///< sum of 1 / balls
+};
+
+/// Participants' means of correct - 1 / balls, each trial's own balls, against 0.
 void compareWithChance(const MeasureRows& rows, const Measure& measure, AnalysisResult& result) {
-    const auto chance = measure.balls > 1 ? std::optional<double>(1.0 / measure.balls) : std::nullopt;
     for (std::size_t s = 0; s < rows.by_system.size(); ++s) {
-        const RowPointers& of_system = rows.by_system[s];
-        const auto right = std::count_if(of_system.begin(), of_system.end(),
-                                         [](const ResponseRow* row) { return row->value > 0.5; });
-        result.chance.push_back(
-            {result.table.systems[s],
-             proportion(right, static_cast<std::int64_t>(of_system.size()), result.options.level, chance)});
+        ChanceResult& out = result.chance.emplace_back();
+        out.system = result.table.systems[s];
+        std::map<Name, AboveChance> participants;
+        for (const ResponseRow* row : rows.by_system[s]) {
+            ++out.n;
+            out.successes += row->value > 0.5 ? 1 : 0;
+            if (row->balls < 2) continue;
+            ++out.n_known;
+            AboveChance& of = participants[row->participant];
+            ++of.n;
+            of.right += row->value > 0.5 ? 1 : 0;
+            of.chance += Rational(1, row->balls);
+        }
+        std::vector<Rational> chances;
+        std::vector<Rational> above;
+        for (const auto& [participant, of] : participants) {
+            chances.push_back(of.chance / Rational(of.n));
+            above.push_back(Rational(of.right, of.n) - chances.back());
+        }
+        out.chance = meanOf(chances);
+        out.mean_above = meanOf(above);
+        out.test = signedRankTest(above, result.level);
+        out.normality = shapiroWilk(above);
     }
+    adjustFrom(result.chance, 0, measure.name + ": chance", result.alpha);
+}
+
+/// Means of participants' means; none without answers.
+std::optional<double> meanOverParticipants(const RowPointers& rows) {
+    std::map<std::string, Scores> scores;
+    for (const ResponseRow* row : rows) scores[row->participant].push_back(row->value);
+    std::vector<double> means;
+    for (const auto& [participant, of] : scores) means.push_back(mean(of));
+    return means.empty() ? std::nullopt : std::optional<double>(mean(means));
+}
+
+void countUnanswered(const MeasureRows& rows, AnalysisResult& result) {
+    std::vector<UnansweredResult> out;
+    bool any = false;
+    for (std::size_t s = 0; s < rows.by_system.size(); ++s) {
+        UnansweredResult& one = out.emplace_back();
+        one.system = result.table.systems[s];
+        RowPointers made;
+        RowPointers all = rows.by_system[s];
+        for (const ResponseRow* row : all)
+            if (row->unanswered.empty()) made.push_back(row);
+        for (const ResponseRow& row : result.table.skipped_rows)
+            if (row.system == one.system) all.push_back(&row);
+        one.answered = static_cast<int>(made.size());
+        one.timed_out = static_cast<int>(rows.by_system[s].size() - made.size());
+        one.skipped = static_cast<int>(all.size() - rows.by_system[s].size());
+        one.headline = meanOverParticipants(rows.by_system[s]);
+        one.answered_only = meanOverParticipants(made);
+        one.unanswered_wrong = meanOverParticipants(all);
+        any = any || one.timed_out > 0 || one.skipped > 0;
+    }
+    if (any) result.unanswered = std::move(out);
 }
 
 void describeTimes(const MeasureRows& rows, const Measure& measure, AnalysisResult& result) {
@@ -89,7 +146,7 @@ void compareHalves(const MeasureRows& rows, const Measure& measure, AnalysisResu
     Comparison difference;
     difference.a = "second";
     difference.b = "first";
-    testDifferences(difference, exactMeans(halves), result.options.level);
+    testDifferences(difference, exactMeans(halves), result.level);
     OrderResult& out = result.order.emplace_back();
     static_cast<AdjustedTest&>(out) = difference;
     out.measure = measure.name;
@@ -160,7 +217,10 @@ void describeAnswers(AnalysisResult& result) {
     for (std::size_t m = 0; m < rows.size(); ++m) {
         const Measure& measure = result.measures[m];
         if (rows[m].all.empty()) continue;
-        if (measure.kind == MeasureKind::accuracy) compareWithChance(rows[m], measure, result);
+        if (measure.kind == MeasureKind::accuracy) {
+            compareWithChance(rows[m], measure, result);
+            countUnanswered(rows[m], result);
+        }
         describeTimes(rows[m], measure, result);
         compareHalves(rows[m], measure, result);
         describeItems(rows[m], measure, result);

@@ -1,6 +1,7 @@
 // The parts of an analysis; private to it. Each fills in its own of the result, and needs the measures.
 #pragma once
 
+#include "analysis_tests.hpp"
 #include "results/analysis.hpp"
 
 namespace deixis::results {
@@ -14,6 +15,12 @@ void compareOtherAnswers(AnalysisResult& result);
 /// Factors between participants, in the measures and in the preferences of each pair of systems.
 void compareGroups(AnalysisResult& result);
 void comparePreferencesOfGroups(AnalysisResult& result);
+
+/// The factor under which systems stand that no participant met both of.
+inline constexpr const char* systems_between = "system";
+
+/// Pairs of systems that no participant met both of, as groups of participants. Needs pairwise.
+void compareSystemsBetween(const MeansByMeasure& means, AnalysisResult& result);
 
 /// Questionnaires' scores.
 void summariseScores(AnalysisResult& result);

@@ -1,6 +1,7 @@
 // Factors between participants, and questionnaires.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -117,11 +118,37 @@ void compareGroups(AnalysisResult& result) {
                         BetweenResult& out = result.between.emplace_back();
                         out.measure = measure.name;
                         out.system = system;
-                        compareLevelsOf(out, factor, i, j, means[system], result.options.level);
+                        compareLevelsOf(out, factor, i, j, means[system], result.level);
                     }
             adjustGroups(result.between, family, fmt::format("{}: {}", measure.name, factor.name),
                          result.alpha);
         }
+}
+
+void compareSystemsBetween(const MeansByMeasure& means, AnalysisResult& result) {
+    for (const Measure& measure : result.measures) {
+        const auto found = means.find(measure.name);
+        if (found == means.end()) continue;
+        Factor systems{systems_between, result.table.systems};
+        std::map<std::string, std::vector<Rational>> by_system;
+        for (const auto& [system, participants] : found->second)
+            for (const auto& [participant, mean] : participants) by_system[system].push_back(mean);
+        const std::size_t family = result.between.size();
+        for (const Comparison& pair : result.pairwise) {
+            if (pair.measure != measure.name || pair.test.n_pairs > 0) continue;
+            if (by_system[pair.a].empty() || by_system[pair.b].empty()) continue;
+            BetweenResult& out = result.between.emplace_back();
+            out.measure = measure.name;
+            out.system = "all";
+            const auto place = [&](const std::string& system) {
+                return static_cast<std::size_t>(
+                    std::find(systems.levels.begin(), systems.levels.end(), system) - systems.levels.begin());
+            };
+            compareLevelsOf(out, systems, place(pair.a), place(pair.b), by_system, result.level);
+        }
+        adjustGroups(result.between, family,
+                     fmt::format("{}: pairs of systems, between participants", measure.name), result.alpha);
+    }
 }
 
 void comparePreferencesOfGroups(AnalysisResult& result) {
@@ -138,7 +165,7 @@ void comparePreferencesOfGroups(AnalysisResult& result) {
                     PreferenceBetweenResult& out = result.preferences_between.emplace_back();
                     out.system = table.systems[pair.first];
                     out.other_system = table.systems[pair.second];
-                    compareLevelsOf(out, factor, i, j, groups.net, result.options.level);
+                    compareLevelsOf(out, factor, i, j, groups.net, result.level);
                     out.answers_a = groups.answers[out.a];
                     out.answers_b = groups.answers[out.b];
                 }

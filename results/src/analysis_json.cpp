@@ -69,10 +69,10 @@ void addTest(Json& out, const AdjustedTest& adjusted, const AnalysisResult& resu
     out["rank_biserial"] = numberOrNull(test.rank_biserial);
     out["paired_superiority"] = numberOrNull(test.paired_superiority);
     const HodgesLehmann& shift = test.hodges_lehmann;
-    out["hodges_lehmann"] = {{"estimate", numberOrNull(shift.estimate)},
-                             {"lower", numberOrNull(shift.lower)},
-                             {"upper", numberOrNull(shift.upper)},
-                             {"level", numberOrNull(shift.level)}};
+    out["hodges_lehmann"] = {
+        {"estimate", numberOrNull(shift.estimate)}, {"lower", numberOrNull(shift.lower)},
+        {"upper", numberOrNull(shift.upper)},       {"lower_included", shift.lower_included},
+        {"upper_included", shift.upper_included},   {"level", numberOrNull(shift.level)}};
     out["shapiro_wilk"] = {{"w", numberOrNull(adjusted.normality.w)},
                            {"p", numberOrNull(adjusted.normality.p)}};
 }
@@ -173,23 +173,25 @@ Json sensitivityJson(const AnalysisResult& result) {
         Json changes = Json::array();
         if (head.depends_on_zeros) changes.push_back("pratt");
         if (head.depends_on_approximation) changes.push_back("normal");
-        if (one.depends_on_left_out) changes.push_back("with_left_out");
-        if (one.depends_on_doubtful) changes.push_back("without_doubtful");
-        pairs.push_back(
-            {{"measure", one.measure},
-             {"a", one.a},
-             {"b", one.b},
-             {"headline", decision(head)},
-             {"pratt", decisionJson(head, head.test.pratt_p_two_sided, head.p_holm_pratt, result.alpha)},
-             {"normal", decisionJson(head, head.test.normal_p_two_sided, head.p_holm_normal, result.alpha)},
-             {"with_left_out", decision(one.with_left_out)},
-             {"without_doubtful", decision(one.without_doubtful)},
-             {"changes", changes}});
+        for (const SensitivityResult::Other& other : one.others)
+            if (other.changes) changes.push_back(nameOf(other.choice));
+        Json& pair = pairs.emplace_back(Json{
+            {"measure", one.measure},
+            {"a", one.a},
+            {"b", one.b},
+            {"headline", decision(head)},
+            {"pratt", decisionJson(head, head.test.pratt_p_two_sided, head.p_holm_pratt, result.alpha)},
+            {"normal", decisionJson(head, head.test.normal_p_two_sided, head.p_holm_normal, result.alpha)},
+        });
+        for (const SensitivityResult::Other& other : one.others)
+            pair[nameOf(other.choice)] = decision(other.test);
+        pair["changes"] = changes;
     }
-    return {{"headline", countsJson(result.headline_answers)},
-            {"with_left_out", countsJson(result.answers_with_left_out)},
-            {"without_doubtful", countsJson(result.answers_without_doubtful)},
-            {"pairs", pairs}};
+    Json out{{"headline", countsJson(result.headline_answers)}};
+    for (const AnswerChoice choice : all_choices)
+        out[nameOf(choice)] = countsJson(result.other_answers.at(static_cast<std::size_t>(choice)));
+    out["pairs"] = pairs;
+    return out;
 }
 
 Json scoresJson(const AnalysisResult& result, bool by_group) {
@@ -246,15 +248,26 @@ void addPooled(Json& out, const AnalysisResult& result) {
 
 void addDetails(Json& out, const AnalysisResult& result) {
     out["chance"] = Json::array();
-    for (const ChanceResult& one : result.chance)
-        out["chance"].push_back({{"system", one.system},
-                                 {"successes", one.proportion.successes},
-                                 {"n", one.proportion.n},
-                                 {"estimate", numberOrNull(one.proportion.estimate)},
-                                 {"lower", numberOrNull(one.proportion.lower)},
-                                 {"upper", numberOrNull(one.proportion.upper)},
-                                 {"p_chance", numberOrNull(one.proportion.p_chance)},
-                                 {"ignores", "clustering by participant and item"}});
+    for (const ChanceResult& one : result.chance) {
+        Json row{{"system", one.system},
+                 {"successes", one.successes},
+                 {"choices", one.n},
+                 {"choices_with_balls", one.n_known},
+                 {"estimate", numberOrNull(one.n > 0, static_cast<double>(one.successes) / one.n)},
+                 {"chance", numberOrNull(one.n_known > 0, one.chance)},
+                 {"mean_above", numberOrNull(one.n_known > 0, one.mean_above)}};
+        addTest(row, one, result);
+        out["chance"].push_back(std::move(row));
+    }
+    out["unanswered"] = Json::array();
+    for (const UnansweredResult& one : result.unanswered)
+        out["unanswered"].push_back({{"system", one.system},
+                                     {"answered", one.answered},
+                                     {"timed_out", one.timed_out},
+                                     {"skipped", one.skipped},
+                                     {"headline", numberOrNull(one.headline)},
+                                     {"answered_only", numberOrNull(one.answered_only)},
+                                     {"unanswered_wrong", numberOrNull(one.unanswered_wrong)}});
     out["order"] = Json::array();
     for (const OrderResult& one : result.order) {
         Json row{{"measure", one.measure}, {"first_half", one.first}, {"second_half", one.second}};
@@ -300,7 +313,7 @@ const char* kindName(MeasureKind kind) {
 std::string analysisJson(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     Json out;
-    out["schema"] = {{"name", "deixis-analysis"}, {"version", 3}};
+    out["schema"] = {{"name", "deixis-analysis"}, {"version", 4}};
     out["program"] = {{"name", "deixis"},
                       {"analysed_by", result.options.program},
                       {"build", Json::object()},
@@ -319,13 +332,14 @@ std::string analysisJson(const AnalysisResult& result) {
                                    {"kind", kindName(measure.kind)},
                                    {"low", measure.low},
                                    {"high", measure.high},
-                                   {"planned", measure.planned}});
+                                   {"planned", measure.planned},
+                                   {"balls", measure.balls},
+                                   {"fewest_balls", measure.fewest_balls}});
     out["participants"] = result.participants;
     out["synthetic"] = result.synthetic;
     out["alpha"] = result.alpha;
-    out["settings"] = {{"level", result.options.level},
-                       {"resamples", result.options.resamples},
-                       {"seed", result.options.seed}};
+    out["settings"] = {
+        {"level", result.level}, {"resamples", result.options.resamples}, {"seed", result.options.seed}};
     out["systems"] = Json::array();
     for (const auto& system : result.systems) {
         Json row{{"system", system.system}};

@@ -28,10 +28,10 @@ void addGroupTest(GroupJson& out, const GroupTest& one, double alpha) {
     out["p_normal"] = numberOrNull(test.normal_p_two_sided);
     out["a12"] = numberOrNull(test.a12);
     out["cliffs_delta"] = numberOrNull(test.cliffs_delta);
-    out["hodges_lehmann"] = {{"estimate", numberOrNull(shift.estimate)},
-                             {"lower", numberOrNull(shift.lower)},
-                             {"upper", numberOrNull(shift.upper)},
-                             {"level", numberOrNull(shift.level)}};
+    out["hodges_lehmann"] = {
+        {"estimate", numberOrNull(shift.estimate)}, {"lower", numberOrNull(shift.lower)},
+        {"upper", numberOrNull(shift.upper)},       {"lower_included", shift.lower_included},
+        {"upper_included", shift.upper_included},   {"level", numberOrNull(shift.level)}};
 }
 
 GroupJson answersJson(const PreferenceCounts& counts) {

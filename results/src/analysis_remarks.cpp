@@ -6,6 +6,7 @@
 #include <map>
 
 #include "by_name.hpp"
+#include "results/rounded_fraction.hpp"
 
 namespace deixis::results {
 
@@ -63,6 +64,66 @@ void remarkDecisions(const std::vector<Test>& tests, AnalysisResult& result) {
             out_of_reach, tested, tests.front().family, result.alpha));
 }
 
+const char* wordsOf(AnswerChoice choice) {
+    switch (choice) {
+        case AnswerChoice::with_left_out:
+            return "where those who are left out count";
+        case AnswerChoice::without_doubtful:
+            return "without marked trials and participants who failed a check";
+        case AnswerChoice::answered_only:
+            return "where choices that timed out are left out";
+        case AnswerChoice::unanswered_wrong:
+            return "where choices that were skipped count as wrong";
+    }
+    return "";
+}
+
+/// Choices that were not made, and trials whose chance is not known.
+void remarkUnanswered(AnalysisResult& result) {
+    int timed_out = 0;
+    for (const ResponseRow& row : result.table.rows) timed_out += row.unanswered.empty() ? 0 : 1;
+    const std::size_t skipped = result.table.skipped_rows.size();
+    if (timed_out > 0)
+        result.remarks.push_back(fmt::format(
+            "{} {} made in time and {} as wrong: the table of choices that were not made has the accuracy "
+            "without them, too.",
+            timed_out, timed_out == 1 ? "choice was not" : "choices were not",
+            timed_out == 1 ? "counts" : "count"));
+    if (skipped > 0)
+        result.remarks.push_back(fmt::format(
+            "{} {} skipped by the experimenter and left out: the table of choices that were not made has the "
+            "accuracy with them as wrong, too.",
+            skipped, skipped == 1 ? "choice was" : "choices were"));
+    int known = 0;
+    int all = 0;
+    for (const ChanceResult& one : result.chance) {
+        known += one.n_known;
+        all += one.n;
+    }
+    if (known > 0 && known < all)
+        result.remarks.push_back(fmt::format(
+            "Of {} of {} choices it is not known among how many balls they were made: they have no part in "
+            "the comparison with chance.",
+            all - known, all));
+}
+
+/// Decimals that are taken as the fractions they were rounded from.
+void remarkRounded(AnalysisResult& result) {
+    int n = 0;
+    std::string example;
+    for (const ResponseRow& row : result.table.rows) {
+        const auto fraction = roundedFraction(row.value);
+        if (!fraction) continue;
+        if (n == 0) example = fmt::format("{} as {}", row.value, fraction->text());
+        ++n;
+    }
+    if (n > 0)
+        result.remarks.push_back(fmt::format(
+            "{} {} a rounded fraction and {} taken as that fraction ({}), so that what is equal on "
+            "paper is tied.",
+            n, n == 1 ? "answer is" : "answers are", n == 1 ? "is" : "are", example));
+}
+
 /// Decisions that hang on whose answers, and which, are taken.
 void remarkSensitivity(AnalysisResult& result) {
     for (const SensitivityResult& one : result.sensitivity) {
@@ -74,9 +135,8 @@ void remarkSensitivity(AnalysisResult& result) {
                 one.headline.significant ? "not " : "", choice,
                 other.p_holm ? fmt::format(" (p = {:.3g} after Holm's correction)", *other.p_holm) : ""));
         };
-        if (one.depends_on_left_out) remark("where those who are left out count", one.with_left_out);
-        if (one.depends_on_doubtful)
-            remark("without marked trials and participants who failed a check", one.without_doubtful);
+        for (const SensitivityResult::Other& other : one.others)
+            if (other.changes) remark(wordsOf(other.choice), other.test);
     }
 }
 
@@ -128,6 +188,8 @@ void remarkAnswers(AnalysisResult& result) {
 }
 
 void remarkTests(AnalysisResult& result) {
+    remarkUnanswered(result);
+    remarkRounded(result);
     remarkSensitivity(result);
     for (const Measure& measure : result.measures) remarkLeftOut(result.pairwise, measure.name, "", result);
     for (const Factor& factor : withinFactors(result.table))

@@ -1,4 +1,5 @@
 // The comparisons of systems with answers that the headline leaves out, and without some that it takes.
+#include <algorithm>
 #include <unordered_set>
 #include <utility>
 
@@ -26,10 +27,12 @@ AnswerCounts countsOf(const RowPointers& rows) {
 
 PairsOfChoice testChoice(const RowPointers& rows, const AnalysisResult& result) {
     // Mostly nobody is left out and nothing is in doubt: the answers are those of the headline.
-    if (rows.size() == result.table.rows.size())
+    if (std::equal(
+            rows.begin(), rows.end(), result.table.rows.begin(), result.table.rows.end(),
+            [](const ResponseRow* row, const ResponseRow& of_headline) { return row == &of_headline; }))
         return {result.pairwise, result.preferences, result.headline_answers};
     const auto& systems = result.table.systems;
-    const double level = result.options.level;
+    const double level = result.level;
     return {pairTests(exactMeans(cellsOf(rows)), result.measures, systems, level, result.alpha),
             preferenceTests(rows, systems, level, result.alpha), countsOf(rows)};
 }
@@ -41,39 +44,64 @@ AdjustedTest preferenceIn(const PairsOfChoice& choice, const PreferenceResult& p
     return {};
 }
 
+/// The answers of one choice.
+RowPointers rowsOf(AnswerChoice choice, const ResponseTable& table) {
+    const std::unordered_set<Name> failed(table.failed_checks.begin(), table.failed_checks.end());
+    const bool answered_only = choice == AnswerChoice::answered_only;
+    const bool without_doubtful = choice == AnswerChoice::without_doubtful;
+    RowPointers out;
+    for (const ResponseRow& row : table.rows) {
+        if (answered_only && !row.unanswered.empty()) continue;
+        if (without_doubtful && (!row.marked.empty() || failed.contains(row.participant))) continue;
+        out.push_back(&row);
+    }
+    if (choice == AnswerChoice::with_left_out)
+        for (const ResponseRow& row : table.left_out_rows) out.push_back(&row);
+    if (choice == AnswerChoice::unanswered_wrong)
+        for (const ResponseRow& row : table.skipped_rows) out.push_back(&row);
+    return out;
+}
+
 }  // namespace
 
-void compareOtherAnswers(AnalysisResult& result) {
-    const ResponseTable& table = result.table;
-    const std::unordered_set<Name> failed(table.failed_checks.begin(), table.failed_checks.end());
-    RowPointers headline;
-    RowPointers without;
-    for (const ResponseRow& row : table.rows) {
-        headline.push_back(&row);
-        if (row.marked.empty() && !failed.contains(row.participant)) without.push_back(&row);
+const char* nameOf(AnswerChoice choice) {
+    switch (choice) {
+        case AnswerChoice::with_left_out:
+            return "with_left_out";
+        case AnswerChoice::without_doubtful:
+            return "without_doubtful";
+        case AnswerChoice::answered_only:
+            return "answered_only";
+        case AnswerChoice::unanswered_wrong:
+            return "unanswered_wrong";
     }
-    RowPointers with = headline;
-    for (const ResponseRow& row : table.left_out_rows) with.push_back(&row);
-    result.headline_answers = countsOf(headline);
-    const PairsOfChoice with_left_out = testChoice(with, result);
-    const PairsOfChoice without_doubtful = testChoice(without, result);
-    result.answers_with_left_out = with_left_out.counts;
-    result.answers_without_doubtful = without_doubtful.counts;
+    return "";
+}
 
+void compareOtherAnswers(AnalysisResult& result) {
+    result.headline_answers = countsOf(pointersTo(result.table.rows));
+    std::vector<PairsOfChoice> choices;
+    for (const AnswerChoice choice : all_choices) {
+        choices.push_back(testChoice(rowsOf(choice, result.table), result));
+        result.other_answers.at(static_cast<std::size_t>(choice)) = choices.back().counts;
+    }
     const auto add = [&](const std::string& measure, const std::string& a, const std::string& b,
-                         const AdjustedTest& as_in_headline, const AdjustedTest& more,
-                         const AdjustedTest& fewer) {
-        result.sensitivity.push_back({measure, a, b, as_in_headline, more, fewer,
-                                      as_in_headline.significant != more.significant,
-                                      as_in_headline.significant != fewer.significant});
+                         const AdjustedTest& headline, const auto& testIn) {
+        SensitivityResult& out = result.sensitivity.emplace_back(SensitivityResult{measure, a, b, headline});
+        for (const AnswerChoice choice : all_choices) {
+            AdjustedTest test = testIn(choices[static_cast<std::size_t>(choice)]);
+            const bool changes = test.significant != headline.significant;
+            out.others.push_back({choice, std::move(test), changes});
+        }
     };
     for (std::size_t i = 0; i < result.pairwise.size(); ++i) {
         const Comparison& pair = result.pairwise[i];
-        add(pair.measure, pair.a, pair.b, pair, with_left_out.pairwise[i], without_doubtful.pairwise[i]);
+        add(pair.measure, pair.a, pair.b, pair,
+            [&](const PairsOfChoice& of) -> AdjustedTest { return of.pairwise[i]; });
     }
     for (const PreferenceResult& pair : result.preferences)
-        add("preference", pair.a, pair.b, pair, preferenceIn(with_left_out, pair),
-            preferenceIn(without_doubtful, pair));
+        add("preference", pair.a, pair.b, pair,
+            [&](const PairsOfChoice& of) { return preferenceIn(of, pair); });
 }
 
 }  // namespace deixis::results

@@ -28,7 +28,7 @@ PlainTable meansTable(const AnalysisResult& result) {
         "means",
         fmt::format("Means of participants' means, {:g} % bootstrap intervals over participants, and "
                     "standard deviations",
-                    100.0 * result.options.level),
+                    100.0 * result.level),
         {{"measure", text, Print::plain},
          {"system", text, Print::plain},
          {"mean", number, Print::plain, "mean"},
@@ -114,6 +114,8 @@ std::vector<PlainColumn> testColumns() {
             {"hodges_lehmann", number, Print::plain, "shift"},
             {"hodges_lehmann_lower", number, Print::plain, "lower"},
             {"hodges_lehmann_upper", number, Print::plain, "upper"},
+            {"hodges_lehmann_lower_included", truth},
+            {"hodges_lehmann_upper_included", truth},
             {"hodges_lehmann_level", number},
             {"rank_biserial", number, Print::plain, "$r$"},
             {"paired_superiority", number},
@@ -149,6 +151,8 @@ void addTest(std::vector<PlainCell>& row, const AdjustedTest& one) {
                            plainCell(shift.estimate),
                            plainCell(shift.lower),
                            plainCell(shift.upper),
+                           PlainCell(shift.lower_included),
+                           PlainCell(shift.upper_included),
                            plainCell(shift.level),
                            plainCell(test.rank_biserial),
                            plainCell(test.paired_superiority),
@@ -209,20 +213,29 @@ PlainTable preferencesTable(const AnalysisResult& result) {
 }
 
 PlainTable chanceTable(const AnalysisResult& result) {
-    PlainTable out{"chance",
-                   "Right choices and chance; clustering by participant and item is ignored",
-                   {{"system", text, Print::plain},
-                    {"successes", whole, Print::plain, "right"},
-                    {"n", whole, Print::plain, "of"},
-                    {"estimate", number, Print::plain, "share"},
-                    {"lower", number, Print::plain},
-                    {"upper", number, Print::plain},
-                    {"p_chance", number, Print::p_value, "$p$"}}};
-    for (const ChanceResult& one : result.chance)
-        out.rows.push_back({one.system, static_cast<long long>(one.proportion.successes),
-                            static_cast<long long>(one.proportion.n), plainCell(one.proportion.estimate),
-                            plainCell(one.proportion.lower), plainCell(one.proportion.upper),
-                            plainCell(one.proportion.p_chance)});
+    PlainTable out{
+        "chance",
+        "Right choices and chance: signed-rank tests of participants' means of correct - 1 / balls",
+        {{"system", text, Print::plain},
+         {"successes", whole, Print::plain, "right"},
+         {"choices", whole, Print::plain, "of"},
+         {"choices_with_balls", whole},
+         {"estimate", number, Print::plain, "share"},
+         {"chance", number, Print::plain},
+         {"mean_above", number, Print::plain, "above"}}};
+    append(out.columns, testColumns());
+    for (const ChanceResult& one : result.chance) {
+        const bool known = one.n_known > 0;
+        std::vector<PlainCell> row{one.system,
+                                   count(one.successes),
+                                   count(one.n),
+                                   count(one.n_known),
+                                   knownCell(one.n > 0, static_cast<double>(one.successes) / one.n),
+                                   knownCell(known, one.chance),
+                                   knownCell(known, one.mean_above)};
+        addTest(row, one);
+        out.rows.push_back(std::move(row));
+    }
     return out;
 }
 
@@ -309,12 +322,9 @@ PlainTable settingsTable(const AnalysisResult& result) {
     PlainTable out{"settings", "Settings", {{"name", text}, {"value", number}}};
     const AnalysisOptions& options = result.options;
     out.rows.push_back({"alpha", PlainCell(result.alpha)});
-    out.rows.push_back({"level", PlainCell(options.level)});
+    out.rows.push_back({"level", PlainCell(result.level)});
     out.rows.push_back({"resamples", PlainCell(static_cast<double>(options.resamples))});
     out.rows.push_back({"seed", PlainCell(static_cast<double>(options.seed))});
-    for (const Measure& measure : result.measures)
-        if (measure.kind == MeasureKind::accuracy && measure.balls > 1)
-            out.rows.push_back({"chance", PlainCell(1.0 / measure.balls)});
     return out;
 }
 

@@ -34,11 +34,28 @@ PlainTable sensitivityTable(const AnalysisResult& result) {
         add("headline", head, head.test.p_two_sided, head.p_holm, false);
         add("pratt", head, head.test.pratt_p_two_sided, head.p_holm_pratt, head.depends_on_zeros);
         add("normal", head, head.test.normal_p_two_sided, head.p_holm_normal, head.depends_on_approximation);
-        const AdjustedTest& more = one.with_left_out;
-        add("with_left_out", more, more.test.p_two_sided, more.p_holm, one.depends_on_left_out);
-        const AdjustedTest& fewer = one.without_doubtful;
-        add("without_doubtful", fewer, fewer.test.p_two_sided, fewer.p_holm, one.depends_on_doubtful);
+        for (const SensitivityResult::Other& other : one.others)
+            add(nameOf(other.choice), other.test, other.test.test.p_two_sided, other.test.p_holm,
+                other.changes);
     }
+    return out;
+}
+
+/// Choices that were not made.
+PlainTable unansweredTable(const AnalysisResult& result) {
+    PlainTable out{"unanswered",
+                   "Choices that were not made",
+                   {{"system", text, Print::plain},
+                    {"answered", whole, Print::plain},
+                    {"timed_out", whole, Print::plain, "timed out"},
+                    {"skipped", whole, Print::plain},
+                    {"headline", number, Print::plain},
+                    {"answered_only", number, Print::plain, "answered only"},
+                    {"unanswered_wrong", number, Print::plain, "all others wrong"}}};
+    for (const UnansweredResult& one : result.unanswered)
+        out.rows.push_back({one.system, wholeCell(one.answered), wholeCell(one.timed_out),
+                            wholeCell(one.skipped), plainCell(one.headline), plainCell(one.answered_only),
+                            plainCell(one.unanswered_wrong)});
     return out;
 }
 
@@ -57,6 +74,8 @@ std::vector<PlainColumn> groupColumns() {
             {"hodges_lehmann", number, Print::plain, "shift"},
             {"hodges_lehmann_lower", number, Print::plain, "lower"},
             {"hodges_lehmann_upper", number, Print::plain, "upper"},
+            {"hodges_lehmann_lower_included", truth},
+            {"hodges_lehmann_upper_included", truth},
             {"hodges_lehmann_level", number},
             {"cliffs_delta", number, Print::plain, "$\\delta$"},
             {"a12", number},
@@ -82,6 +101,8 @@ std::vector<PlainCell> groupCells(const GroupTest& one) {
             plainCell(shift.estimate),
             plainCell(shift.lower),
             plainCell(shift.upper),
+            PlainCell(shift.lower_included),
+            PlainCell(shift.upper_included),
             plainCell(shift.level),
             plainCell(test.cliffs_delta),
             plainCell(test.a12),
@@ -213,9 +234,10 @@ PlainTable scoresTable(const AnalysisResult& result) {
 }  // namespace
 
 std::vector<PlainTable> furtherTables(const AnalysisResult& result) {
-    return {sensitivityTable(result), betweenTable(result),     preferencesBetweenTable(result),
-            confusionTable(result),   targetSpaceTable(result), pooledTable(result),
-            scoresTable(result)};
+    return {sensitivityTable(result), unansweredTable(result),
+            betweenTable(result),     preferencesBetweenTable(result),
+            confusionTable(result),   targetSpaceTable(result),
+            pooledTable(result),      scoresTable(result)};
 }
 
 }  // namespace deixis::results

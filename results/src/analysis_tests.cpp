@@ -9,6 +9,7 @@
 
 #include "results/descriptive.hpp"
 #include "results/holm.hpp"
+#include "results/rounded_fraction.hpp"
 
 namespace deixis::results {
 
@@ -51,7 +52,7 @@ Rational exactMeanOf(const Scores& scores) {
         if (score == std::floor(score) && std::abs(score) < small)
             whole += static_cast<std::int64_t>(score);
         else
-            sum += Rational::fromShortestDecimal(score);
+            sum += exactScore(score);
     return (sum + Rational(whole)) / Rational(static_cast<std::int64_t>(scores.size()));
 }
 

@@ -15,10 +15,11 @@ namespace {
 std::vector<ColumnSpec> answerColumns(const ResponseTable& table) {
     using enum ColumnType;
     std::vector<ColumnSpec> columns{
-        {"participant", text, ""},  {"measure", text, ""},   {"system", text, ""},
-        {"other_system", text, ""}, {"layout", text, ""},    {"distance", text, ""},
-        {"item", text, ""},         {"order", whole, ""},    {"correct", whole, ""},
-        {"rating", number, ""},     {"rt", number, "", "s"}, {"synthetic", truth, ""},
+        {"participant", text, ""},  {"measure", text, ""},    {"system", text, ""},
+        {"other_system", text, ""}, {"layout", text, ""},     {"distance", text, ""},
+        {"item", text, ""},         {"order", whole, ""},     {"balls", whole, ""},
+        {"status", text, ""},       {"correct", whole, ""},   {"rating", number, ""},
+        {"rt", number, "", "s"},    {"synthetic", truth, ""}, {"station", text, ""},
         {"marked", text, ""},       {"excluded", text, ""}};
     for (const auto* factors : {&table.within, &table.between})
         for (const Factor& factor : *factors) columns.push_back({factor.name, text, ""});
@@ -30,10 +31,13 @@ void addAnswer(const ResponseTable& table, const ResponseRow& row, bool is_choic
                             row.distance, row.target_id})
         csv.text(name.text());
     row.trial >= 0 ? csv.whole(row.trial) : csv.empty();
-    is_choice ? csv.whole(static_cast<int>(row.value)) : csv.empty();
+    row.balls > 0 ? csv.whole(row.balls) : csv.empty();
+    csv.text(row.unanswered.empty() ? "answered" : row.unanswered.text());
+    is_choice&& row.unanswered != "skipped" ? csv.whole(static_cast<int>(row.value)) : csv.empty();
     is_choice ? csv.empty() : csv.number(row.value);
     row.response_time_s > 0.0 ? csv.number(row.response_time_s) : csv.empty();
     csv.whole(row.synthetic ? 1 : 0);
+    csv.text(row.station.text());
     csv.text(row.marked.text());
     csv.text(row.excluded.text());
     for (const Factor& factor : table.within) csv.text(levelOf(table, row, factor.name).text());
@@ -48,7 +52,7 @@ std::string answersCsv(const ResponseTable& table) {
     constexpr std::size_t rows_worth_a_thread = 50000;
     constexpr std::size_t usual_row_bytes = 64;
     std::string out;
-    for (const auto* rows : {&table.rows, &table.left_out_rows}) {
+    for (const auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows}) {
         auto parts = mapRanges(rows->size(), rows_worth_a_thread, [&](std::size_t from, std::size_t to) {
             CsvTable csv(answerColumns(table));
             if (from > 0 || rows != &table.rows) (void)csv.take();  // the columns' names stand once

@@ -85,7 +85,7 @@ std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering)
                       "are the difference of their abilities, whose mean is 0; ties are half a win each. "
                       "{:.4g}&#160;% intervals from resampled participants: bias-corrected and accelerated "
                       "(BCa), and percentiles. Right: wins, ties and losses against each other system.",
-                      100.0 * result.options.level),
+                      100.0 * result.level),
                   "<th>System</th><th>Ability</th><th>BCa</th><th>Percentiles</th>" + against, numbering,
                   TableWidth::dense);
     const auto ends = [&](const std::optional<BootstrapInterval>& interval) {

@@ -158,10 +158,8 @@ std::string comparisonsHtml(const Evaluation& evaluation, Numbering& tables) {
             return cell(value.has_value(), value.value_or(0.0), decimals);
         };
         const auto& shift = test.hodges_lehmann;
-        const std::string typical = shift.estimate && shift.lower && shift.upper
-                                        ? fmt::format("<td>{} [{}, {}]</td>", fixedText(*shift.estimate, 3),
-                                                      fixedText(*shift.lower, 3), fixedText(*shift.upper, 3))
-                                        : fmt::format("<td>{}</td>", dash);
+        const std::string typical =
+            fmt::format("<td>{}</td>", shiftText(shift, [](double value) { return fixedText(value, 3); }));
         const auto name = [&](std::size_t system) { return escapeHtml(evaluation.systems[system].system); };
         out += fmt::format("<tr><th scope=\"row\">{} &#8211; {}</th><td>{}</td>", name(pair.a), name(pair.b),
                            test.n_pairs) +

@@ -31,11 +31,6 @@ std::pair<double, double> reachOf(const std::vector<DifferencePlot::Row>& rows) 
     return high > low ? std::pair{low, high} : std::pair{-1.0, 1.0};
 }
 
-std::string shiftText(const DifferencePlot& plot, const HodgesLehmann& shift) {
-    return fmt::format("{} [{}, {}]", plot.text(*shift.estimate), plot.text(*shift.lower),
-                       plot.text(*shift.upper));
-}
-
 void addRow(DrawnRows& drawn, const DifferencePlot& plot, const DifferencePlot::Row& row, double apart) {
     const auto place = static_cast<double>(drawn.names.size());
     drawn.names.push_back({row.a, "\u2212 " + row.b});
@@ -49,13 +44,13 @@ void addRow(DrawnRows& drawn, const DifferencePlot& plot, const DifferencePlot::
     if (!row.shift.estimate) return;
     drawn.shifts.push_back(
         {{"x", *row.shift.estimate},
-         {"low", *row.shift.lower},
-         {"high", *row.shift.upper},
+         {"low", row.shift.lower.value_or(*row.shift.estimate)},
+         {"high", row.shift.upper.value_or(*row.shift.estimate)},
          {"y", place - 0.32},
          {"colour", row.significant ? systemColour(0) : std::string(even_colour)},
          {"fill", row.significant ? systemColour(0) : std::string(paper_colour)},
          {"stars", row.significant ? starsText(row.p_holm) : std::string()},
-         {"tip", fmt::format("{}: shift {}, p (Holm) {}", names, shiftText(plot, row.shift),
+         {"tip", fmt::format("{}: shift {}, p (Holm) {}", names, shiftText(row.shift, plot.text),
                              row.p_holm < 0.001 ? "< 0.001" : fmt::format("= {:.3f}", row.p_holm))}});
 }
 
@@ -119,7 +114,7 @@ std::string shiftsText(const DifferencePlot& plot) {
     std::string spoken;
     for (const auto& row : plot.rows)
         if (row.shift.estimate)
-            spoken += fmt::format(" {} \u2212 {}: {}{}.", row.a, row.b, shiftText(plot, row.shift),
+            spoken += fmt::format(" {} \u2212 {}: {}{}.", row.a, row.b, shiftText(row.shift, plot.text),
                                   row.significant ? ", significant" : "");
     return spoken;
 }

@@ -1,10 +1,14 @@
 #include "results/hodges_lehmann.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "rank_distributions.hpp"
+#include "rank_sums.hpp"
 #include "scaled_integers.hpp"
+#include "shift_interval.hpp"
 
 namespace deixis::results {
 
@@ -21,6 +25,7 @@ class WalshSums {
     [[nodiscard]] std::uint64_t size() const { return values_.size() * (values_.size() + 1) / 2; }
     [[nodiscard]] Int least() const { return values_.front() + values_.front(); }
     [[nodiscard]] Int greatest() const { return values_.back() + values_.back(); }
+    [[nodiscard]] const std::vector<Int>& values() const { return values_; }
     [[nodiscard]] std::uint64_t countUpTo(const Int& sum) const {
         std::uint64_t count = 0;
         std::size_t end = values_.size();  // of the partners that are small enough
@@ -47,6 +52,8 @@ class Differences {
     [[nodiscard]] std::uint64_t size() const { return a_.size() * b_.size(); }
     [[nodiscard]] Int least() const { return a_.front() - b_.back(); }
     [[nodiscard]] Int greatest() const { return a_.back() - b_.front(); }
+    [[nodiscard]] const std::vector<Int>& a() const { return a_; }
+    [[nodiscard]] const std::vector<Int>& b() const { return b_; }
     [[nodiscard]] std::uint64_t countUpTo(const Int& difference) const {
         std::uint64_t count = 0;
         std::size_t end = 0;  // of the a that are small enough
@@ -77,18 +84,92 @@ Int select(const Sums& sums, std::uint64_t k) {
     return low;
 }
 
-/// `unit` is what a sum of one stands for.
+/// The different values among the sums, one after the other.
 template <typename Int, typename Sums>
-HodgesLehmann fromSums(const Sums& sums, const Rational& unit, const IntervalRank& rank) {
+class DifferentSums {
+  public:
+    explicit DifferentSums(const Sums& sums) : sums_(sums) {}
+    [[nodiscard]] Int least() const { return sums_.least(); }
+    [[nodiscard]] Int greatest() const { return sums_.greatest(); }
+    [[nodiscard]] Int before(const Int& sum) const { return select<Int>(sums_, sums_.countUpTo(sum - 1)); }
+    [[nodiscard]] Int after(const Int& sum) const { return select<Int>(sums_, sums_.countUpTo(sum) + 1); }
+
+  private:
+    const Sums& sums_;
+};
+
+/// What is ranked, and among equal values what comes first; doubled midranks in the order of the input.
+template <typename Int>
+std::vector<std::int64_t> doubledMidranks(const std::vector<std::pair<Int, int>>& keys) {
+    std::vector<std::size_t> order(keys.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return keys[i] < keys[j]; });
+    std::vector<std::int64_t> ranks(keys.size());
+    for (std::size_t first = 0; first < order.size();) {
+        std::size_t last = first;
+        while (last + 1 < order.size() && keys[order[last + 1]] == keys[order[first]]) ++last;
+        for (std::size_t i = first; i <= last; ++i)
+            ranks[order[i]] = static_cast<std::int64_t>(first + last + 2);
+        first = last + 1;
+    }
+    return ranks;
+}
+
+/// p of the signed-rank test of the values less half the sum `shift`; a hair's breadth beside it, values that
+/// lie on it have a sign, and of equal magnitudes those on the side of the shift are the smaller ones.
+template <typename Int>
+double signedRankP(const std::vector<Int>& values, const Int& shift, Near near) {
+    std::vector<std::pair<Int, int>> keys;
+    std::vector<bool> positive;
+    for (const Int& value : values) {
+        const Int twice = Int(value + value) - shift;
+        if (near == Near::at && twice == 0) continue;
+        const bool above = twice > 0 || (twice == 0 && near == Near::below);
+        const bool shrinks = near == Near::above ? above : !above;
+        keys.emplace_back(twice < 0 ? Int(-twice) : twice, near == Near::at || shrinks ? 0 : 1);
+        positive.push_back(above);
+    }
+    return SignedRankSums(doubledMidranks(keys), positive).tails().twoSided();
+}
+
+/// p of the rank-sum test of the values of a less `shift` and those of b; a hair's breadth beside it none of
+/// a ties with one of b.
+template <typename Int>
+double rankSumP(const std::vector<Int>& a, const std::vector<Int>& b, const Int& shift, Near near) {
+    std::vector<std::pair<Int, int>> keys;
+    const int place_of_a = near == Near::above ? -1 : near == Near::below ? 1 : 0;
+    for (const Int& value : a) keys.emplace_back(Int(value - shift), place_of_a);
+    for (const Int& value : b) keys.emplace_back(value, 0);
+    return rankSumTails(doubledMidranks(keys), a.size()).twoSided();
+}
+
+/// So many places further out are looked at for shifts that are not rejected; of larger samples none, since
+/// p then falls evenly.
+constexpr std::size_t few_values = 200;
+constexpr int most_looks_of_few = 64;
+
+/// `unit` is what a sum of one stands for; `start`: near the interval's ends. level 0: no interval.
+template <typename Int, typename Sums, typename P>
+HodgesLehmann fromSums(const Sums& sums, const Rational& unit, const P& p, std::size_t n, double level,
+                       const IntervalRank& start) {
     const std::uint64_t all = sums.size();
-    const auto value = [&](std::uint64_t k) { return ratioOf(widened(select<Int>(sums, k)), 1) * unit; };
+    const auto value = [&](const Int& sum) { return ratioOf(widened(sum), 1) * unit; };
     HodgesLehmann out;
-    const Rational middle = value((all + 1) / 2);
-    out.estimate =
-        all % 2 == 1 ? middle.toDouble() : ((middle + value(all / 2 + 1)) * Rational(1, 2)).toDouble();
-    out.lower = value(rank.k).toDouble();
-    out.upper = value(all + 1 - rank.k).toDouble();
-    out.level = rank.level;
+    const Int middle = select<Int>(sums, (all + 1) / 2);
+    const Int next = all % 2 == 1 ? middle : select<Int>(sums, all / 2 + 1);
+    out.estimate = ((value(middle) + value(next)) * Rational(1, 2)).toDouble();
+    if (level <= 0.0) return out;
+    // 1 - level is seldom a double: a p that equals it on paper is rejected.
+    const double alpha = (1.0 - level) * (1.0 + 1e-12);
+    const auto interval = invertTest<Int>(DifferentSums<Int, Sums>(sums), p, alpha,
+                                          select<Int>(sums, start.k), select<Int>(sums, all + 1 - start.k),
+                                          middle, n <= few_values ? most_looks_of_few : 0);
+    if (!interval) return out;
+    out.lower = value(interval->lower).toDouble();
+    out.upper = value(interval->upper).toDouble();
+    out.lower_included = interval->lower_included;
+    out.upper_included = interval->upper_included;
+    out.level = 1.0 - interval->outside_p;
     return out;
 }
 
@@ -98,10 +179,14 @@ HodgesLehmann hodgesLehmann(std::span<const Rational> differences, double level)
     if (differences.empty()) return {};
     const ScaledIntegers scaled = overCommonDenominator(differences);
     const Rational unit = ratioOf(1, scaled.denominator * 2);
-    const IntervalRank rank = signedRankInterval(differences.size(), level);
+    const IntervalRank start = level > 0.0 ? signedRankInterval(differences.size(), level) : IntervalRank{};
     return std::visit(
         [&]<typename Int>(const std::vector<Int>& values) {
-            return fromSums<Int>(WalshSums<Int>(values), unit, rank);
+            const WalshSums<Int> sums(values);
+            const auto p = [&](const Int& shift, Near near) {
+                return signedRankP<Int>(sums.values(), shift, near);
+            };
+            return fromSums<Int>(sums, unit, p, values.size(), level, start);
         },
         scaled.numerators);
 }
@@ -112,12 +197,15 @@ HodgesLehmann hodgesLehmannShift(std::span<const Rational> a, std::span<const Ra
     all.insert(all.end(), b.begin(), b.end());
     const ScaledIntegers scaled = overCommonDenominator(all);
     const Rational unit = ratioOf(1, scaled.denominator);
-    const IntervalRank rank = rankSumInterval(a.size(), b.size(), level);
+    const IntervalRank start = level > 0.0 ? rankSumInterval(a.size(), b.size(), level) : IntervalRank{};
     return std::visit(
         [&]<typename Int>(const std::vector<Int>& values) {
             const auto split = values.begin() + static_cast<std::ptrdiff_t>(a.size());
-            return fromSums<Int>(Differences<Int>({values.begin(), split}, {split, values.end()}), unit,
-                                 rank);
+            const Differences<Int> sums({values.begin(), split}, {split, values.end()});
+            const auto p = [&](const Int& shift, Near near) {
+                return rankSumP<Int>(sums.a(), sums.b(), shift, near);
+            };
+            return fromSums<Int>(sums, unit, p, values.size(), level, start);
         },
         scaled.numerators);
 }

@@ -43,9 +43,8 @@ void joinWithin(ResponseTable& out, ResponseTable& next) {
         }
     };
     reorder(before, out.rows);
-    reorder(before, out.left_out_rows);
-    reorder(next.within, next.rows);
-    reorder(next.within, next.left_out_rows);
+    for (auto* rows : {&out.rows, &out.left_out_rows, &out.skipped_rows}) reorder(before, *rows);
+    for (auto* rows : {&next.rows, &next.left_out_rows, &next.skipped_rows}) reorder(next.within, *rows);
 }
 
 template <typename T>
@@ -63,6 +62,7 @@ void joinMeasures(std::vector<Measure>& to, const std::vector<Measure>& from) {
         }
         known->planned += one.planned;
         known->balls = std::max(known->balls, one.balls);
+        known->fewest_balls = std::min(known->fewest_balls, one.fewest_balls);
         known->low = std::min(known->low, one.low);
         known->high = std::max(known->high, one.high);
     }
@@ -92,7 +92,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
     std::map<Name, std::size_t> file_of;  // by participant
     const auto claim = [&](const ResponseTable& table) -> Result<void> {
         files.push_back(table.database);
-        for (const auto* rows : {&table.rows, &table.left_out_rows}) {
+        for (const auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows}) {
             Name last;  // rows of one participant stand together
             for (const ResponseRow& row : *rows) {
                 if (std::exchange(last, row.participant) == row.participant) continue;
@@ -134,6 +134,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         append(out.notes, next.notes);
         append(out.rows, next.rows);
         append(out.left_out_rows, next.left_out_rows);
+        append(out.skipped_rows, next.skipped_rows);
         append(out.choices, next.choices);
         out.planned_participants += next.planned_participants;
         out.withdrawn += next.withdrawn;
@@ -146,6 +147,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
     };
     sort(out.rows);
     sort(out.left_out_rows);
+    sort(out.skipped_rows);
     sort(out.choices);
     return out;
 }

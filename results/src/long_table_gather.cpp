@@ -48,7 +48,11 @@ Result<void> LongTableReader::append(LongTableReader& next) {
     table_.failed_checks.merge(next.table_.failed_checks);
     table_.rows.insert(table_.rows.end(), std::move_iterator(next.table_.rows.begin()),
                        std::move_iterator(next.table_.rows.end()));
+    table_.skipped_rows.insert(table_.skipped_rows.end(),
+                               std::move_iterator(next.table_.skipped_rows.begin()),
+                               std::move_iterator(next.table_.skipped_rows.end()));
     balls_ = std::max(balls_, next.balls_);
+    fewest_balls_ = std::min(fewest_balls_, next.fewest_balls_);
     empty_ += next.empty_;
     unscored_checks_ += next.unscored_checks_;
     return {};
@@ -107,6 +111,7 @@ Result<ResponseTable> LongTableReader::finish() {
             one.low = 0.0;
             one.high = 1.0;
             one.balls = balls_;
+            one.fewest_balls = std::min(fewest_balls_, balls_);
         }
     std::stable_partition(table_.measures.begin(), table_.measures.end(),
                           [](const Measure& one) { return one.kind == MeasureKind::accuracy; });
@@ -114,7 +119,8 @@ Result<ResponseTable> LongTableReader::finish() {
     if (unscored_checks_ > 0)
         table_.notes.push_back(fmt::format(
             "{} attention checks are left out; whether they were passed is not told.", unscored_checks_));
-    for (auto* rows : {&table_.rows, &table_.left_out_rows}) sortByParticipantAndTrial(*rows);
+    for (auto* rows : {&table_.rows, &table_.left_out_rows, &table_.skipped_rows})
+        sortByParticipantAndTrial(*rows);
     return std::move(table_);
 }
 

@@ -12,9 +12,9 @@ namespace deixis::results {
 namespace {
 
 constexpr std::array<std::string_view, long_column_count> long_column_names{
-    "participant", "system",    "correct", "rating",   "response", "stage", "measure",
-    "layout",      "distance",  "trial",   "order",    "item",     "rt",    "attention",
-    "practice",    "synthetic", "balls",   "excluded", "marked"};
+    "participant", "system",    "correct", "rating",   "response", "stage",  "measure",
+    "layout",      "distance",  "trial",   "order",    "item",     "rt",     "attention",
+    "practice",    "synthetic", "balls",   "excluded", "marked",   "status", "station"};
 
 class HeadReader {
   public:

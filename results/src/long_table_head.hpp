@@ -32,9 +32,11 @@ enum class LongColumn : std::size_t {
     synthetic,
     balls,
     excluded,
-    marked
+    marked,
+    status,
+    station
 };
-constexpr std::size_t long_column_count = static_cast<std::size_t>(LongColumn::marked) + 1;
+constexpr std::size_t long_column_count = static_cast<std::size_t>(LongColumn::station) + 1;
 
 [[nodiscard]] std::string_view nameOf(LongColumn column);
 

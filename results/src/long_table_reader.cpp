@@ -137,6 +137,7 @@ Result<void> LongTableReader::readRow() {
     row.layout = name(layout);
     row.distance = name(distance);
     row.target_id = name(item);
+    row.station = name(station);
     if (auto read = readDetails(row); !read) return read;
 
     const TruthCell& is_practice = truth(practice);
@@ -187,7 +188,13 @@ Result<void> LongTableReader::readDetails(ResponseRow& row) {
         const auto value = number.value;
         if (!value || *value != std::floor(*value) || *value < 2.0 || *value > 1000.0)
             return bad(balls, "how many balls were shown, from 2 up");
-        balls_ = std::max(balls_, static_cast<int>(*value));
+        row.balls = static_cast<int>(*value);
+        balls_ = std::max(balls_, row.balls);
+        fewest_balls_ = std::min(fewest_balls_, row.balls);
+    }
+    if (const std::string said = lowered(cell(status)); !isMissing(said) && said != "answered") {
+        if (said != "timed_out" && said != "skipped") return bad(status, "answered, timed_out or skipped");
+        row.unanswered = said;
     }
     return {};
 }
@@ -241,8 +248,26 @@ Result<void> LongTableReader::addRow(const ResponseRow& answer, Name name, Measu
     return {};
 }
 
+Result<void> LongTableReader::readUnanswered(const ResponseRow& row) {
+    // What else was asked of such a trial stands in lines of its own.
+    if (!numberCell(cell(rating)).missing)
+        return fail(where(status), fmt::format("found \"{}\" beside a rating", cell(status)),
+                    "Only choices time out or are skipped");
+    if (const TruthCell& is_right = truth(correct); !is_right.missing && is_right.value.value_or(true))
+        return fail(where(status), fmt::format("found \"{}\" beside a right choice", cell(status)),
+                    "Where nothing was chosen, \"correct\" is 0 or empty");
+    if (row.unanswered == "timed_out") return addRow(row, accuracy_, MeasureKind::accuracy, 0.0);
+    if (row.excluded.empty()) {
+        ResponseRow& skipped = table_.skipped_rows.emplace_back(row);
+        skipped.measure = accuracy_;
+        ++measureNamed(accuracy_, MeasureKind::accuracy).planned;
+    }
+    return {};
+}
+
 Result<void> LongTableReader::readAnswers(const ResponseRow& row) {
     bool answered = false;
+    if (!row.unanswered.empty()) return readUnanswered(row);
     if (const TruthCell& is_right = truth(correct); !is_right.missing) {
         if (!is_right.value) return bad(correct, "0 or 1");
         if (auto added = addRow(row, accuracy_, MeasureKind::accuracy, *is_right.value ? 1.0 : 0.0); !added)

@@ -79,6 +79,8 @@ class LongTableReader {
     [[nodiscard]] Result<void> readDetails(ResponseRow& row);
     [[nodiscard]] Result<void> readFactors(Person& person, ResponseRow& row);
     [[nodiscard]] Result<void> readAnswers(const ResponseRow& row);
+    /// A choice that was not made.
+    [[nodiscard]] Result<void> readUnanswered(const ResponseRow& row);
     [[nodiscard]] Result<void> addRow(const ResponseRow& answer, Name name, MeasureKind kind, double value);
     void countCheck(const std::string& stage_name, Attention result);
     /// Who is left out has no say in what was planned and in the scale.
@@ -116,6 +118,7 @@ class LongTableReader {
     ResponseTable table_;
     std::map<Name, StageResponses> responses_;
     int balls_ = 0;
+    int fewest_balls_ = std::numeric_limits<int>::max();
     int empty_ = 0;
     int unscored_checks_ = 0;
 };

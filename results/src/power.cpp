@@ -120,7 +120,7 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::As
                                  : measure.kind == studies::AskedKind::preference ? MeasureKind::preference
                                                                                   : MeasureKind::rating;
         table.measures.push_back({measure.name, kind, static_cast<double>(measure.low),
-                                  static_cast<double>(measure.high), measure.balls, 0});
+                                  static_cast<double>(measure.high), measure.balls, 0, measure.balls});
     }
     return table;
 }

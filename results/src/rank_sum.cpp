@@ -1,7 +1,6 @@
 #include "results/rank_sum.hpp"
 
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -9,39 +8,9 @@
 
 #include "midranks.hpp"
 #include "rank_distributions.hpp"
+#include "rank_sums.hpp"
 
 namespace deixis::results {
-
-namespace {
-
-struct Tails {
-    double at_most = 1.0;
-    double at_least = 1.0;
-};
-
-/// P(W <= w) and P(W >= w) of the sum of `chosen` of the ranks.
-Tails exactTails(const std::vector<std::int64_t>& ranks, std::size_t chosen, std::int64_t w) {
-    const auto total = std::accumulate(ranks.begin(), ranks.end(), std::int64_t{0});
-    // The rank sum of those not chosen is the rest: the smaller sample is the one to count.
-    if (2 * chosen > ranks.size()) {
-        const Tails others = exactTails(ranks, ranks.size() - chosen, total - w);
-        return {others.at_least, others.at_most};
-    }
-    const auto all = static_cast<std::int64_t>(ranks.size());
-    const auto part = static_cast<std::int64_t>(chosen);
-    if (w * all <= total * part) {
-        const TailProbability tail = rankSumTail(ranks, chosen, w);
-        return {tail.at_most, tail.atLeast()};
-    }
-    // The upper tail is the lower one of the ranks counted from above.
-    const std::int64_t turn = 2 * (all + 1);
-    std::vector<std::int64_t> turned = ranks;
-    for (std::int64_t& rank : turned) rank = turn - rank;
-    const TailProbability tail = rankSumTail(turned, chosen, part * turn - w);
-    return {tail.atLeast(), tail.at_most};
-}
-
-}  // namespace
 
 RankSumTest rankSumTest(std::span<const Rational> a, std::span<const Rational> b, double level) {
     RankSumTest test;
@@ -75,21 +44,12 @@ RankSumTest rankSumTest(std::span<const Rational> a, std::span<const Rational> b
         test.z = (from_mean - correction) / sd;
         test.normal_p_two_sided = std::min(1.0, std::erfc(std::abs(*test.z) / std::sqrt(2.0)));
     }
-    Tails tails;
-    if (all.size() <= rank_sum_exact_limit) {
-        test.method = test.ties > 0 ? "exact with ties" : "exact";
-        tails = exactTails(ranks.doubled, a.size(), doubled_w);
-    } else {
-        test.method = "normal approximation";
-        if (!all_equal) {
-            const boost::math::normal normal;
-            tails.at_most = boost::math::cdf(normal, (from_mean + 0.5) / sd);
-            tails.at_least = boost::math::cdf(boost::math::complement(normal, (from_mean - 0.5) / sd));
-        }
-    }
+    const bool exact = all.size() <= rank_sum_exact_limit;
+    test.method = !exact ? "normal approximation" : test.ties > 0 ? "exact with ties" : "exact";
+    const RankTails tails = rankSumTails(ranks.doubled, a.size());
     test.p_less = tails.at_most;
     test.p_greater = tails.at_least;
-    test.p_two_sided = std::min(1.0, 2.0 * std::min(tails.at_most, tails.at_least));
+    test.p_two_sided = tails.twoSided();
     return test;
 }
 

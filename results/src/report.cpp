@@ -39,7 +39,7 @@ std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
     std::string out = openTable(
         fmt::format("Means of each system, over participants{}. Interval: {:g}&#160;%, bootstrap over "
                     "participants. n counts answers.",
-                    with_median ? ", and medians" : "", 100.0 * result.options.level),
+                    with_median ? ", and medians" : "", 100.0 * result.level),
         fmt::format("<th>Measure</th><th class=\"text\">System</th><th>Mean</th>{}<th>Interval</th>"
                     "<th>SD participants</th><th>SD trials</th><th>n</th>",
                     with_median ? "<th>Median</th>" : ""),
@@ -169,7 +169,7 @@ std::string provenance(const AnalysisResult& result) {
         entry(propertyLabel(name).c_str(), escapeHtml(value));
     entry("Settings",
           fmt::format("&#945; = {}, intervals at {:g}&#160;%, {} bootstrap resamples, seed {}", result.alpha,
-                      100.0 * result.options.level, result.options.resamples, result.options.seed));
+                      100.0 * result.level, result.options.resamples, result.options.seed));
     for (const auto& station : table.stations)
         entry("Station", fmt::format("{}{}: {} session{}{}", escapeHtml(station.kind),
                                      station.synthetic ? " (no person answers)" : "", station.sessions,

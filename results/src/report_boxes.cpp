@@ -76,7 +76,8 @@ Figure boxPlot(const AnalysisResult& result, std::size_t index, Numbering& figur
     plot.axis = scaleAxis(measure);
     plot.text = [&](double value) { return scoreText(measure, value); };
     plot.nothing = "no answers";
-    if (accuracy && measure.balls > 1) plot.levels = {{1.0 / measure.balls, "chance"}};
+    if (accuracy && measure.balls > 1 && measure.fewest_balls == measure.balls)
+        plot.levels = {{1.0 / measure.balls, "chance"}};
     plot.brackets = differingPairs(result, measure.name);
     const std::size_t differing = plot.brackets.size();
     if (differing > most_brackets) plot.brackets.clear();

@@ -17,22 +17,47 @@ std::string chanceTable(const AnalysisResult& result, Numbering& numbering) {
     const bool known = accuracy.balls > 1;
     std::string out = openTable(
         fmt::format(
-            "Right choices of each system{}. Interval: Clopper&#8211;Pearson, {:g}&#160;%. Choices are taken "
-            "as independent, which ignores that they cluster by participant and item: read the intervals "
-            "as too narrow.",
-            known ? fmt::format(" against chance (1 of {} balls), exact binomial test", accuracy.balls) : "",
-            100.0 * result.options.level),
-        "<th>System</th><th>right</th><th>of</th><th>Share</th><th>Interval</th><th>p (chance)</th>",
+            "Right choices of each system, over all participants{}.",
+            known ? fmt::format(", and against chance ({}): signed-rank tests of participants' means of "
+                                "right choices less each trial's own chance. n counts participants",
+                                ballsText(accuracy))
+                  : ""),
+        "<th>System</th><th>right</th><th>of</th><th>Share</th><th>Chance</th><th>Mean above</th><th>n</th>"
+        "<th>p</th><th>p (Holm)</th>",
         numbering);
     for (const ChanceResult& one : result.chance) {
-        const Proportion& share = one.proportion;
+        const bool tested = one.test.n_pairs > 0 && result.participants > 1;
         out += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
-            escapeHtml(one.system), share.successes, share.n,
-            share.estimate ? scoreText(accuracy, *share.estimate) : std::string(dash),
-            share.lower ? intervalText(accuracy, *share.lower, *share.upper) : std::string(dash),
-            pText(share.p_chance));
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "<td>{}</td><td>{}</td></tr>",
+            escapeHtml(one.system), one.successes, one.n,
+            one.n > 0 ? scoreText(accuracy, static_cast<double>(one.successes) / one.n) : dash,
+            one.n_known > 0 ? scoreText(accuracy, one.chance) : dash,
+            one.n_known > 0 ? scoreText(accuracy, one.mean_above) : dash, one.test.n_pairs,
+            tested ? pText(one.test.p_two_sided) : dash, tested ? pText(one.p_holm) : dash);
     }
+    return out + close_table;
+}
+
+std::string unansweredTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.unanswered.empty()) return "";
+    const Measure accuracy = measureOf(result, "accuracy");
+    std::string out = openTable(
+        "Choices that were not made. A choice that timed out counts as wrong; one that the experimenter "
+        "skipped is left out. Accuracy (means of participants' means) in this way, of the choices that were "
+        "made alone, and with all others as wrong.",
+        "<th>System</th><th>made</th><th>timed out</th><th>skipped</th><th>Accuracy</th><th>made alone</th>"
+        "<th>all others wrong</th>",
+        numbering);
+    const auto share = [&](const std::optional<double>& mean) {
+        return mean ? scoreText(accuracy, *mean) : std::string(dash);
+    };
+    for (const UnansweredResult& one : result.unanswered)
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "</tr>",
+            escapeHtml(one.system), one.answered, one.timed_out, one.skipped, share(one.headline),
+            share(one.answered_only), share(one.unanswered_wrong));
     return out + close_table;
 }
 
@@ -103,6 +128,7 @@ std::string itemsTable(const AnalysisResult& result, Numbering& numbering) {
 std::string detailsHtml(const AnalysisResult& result, Numbering& numbering) {
     // One after another: the tables count.
     std::string tables = chanceTable(result, numbering);
+    tables += unansweredTable(result, numbering);
     tables += orderTable(result, numbering);
     tables += timesTable(result, numbering);
     tables += itemsTable(result, numbering);

@@ -1,6 +1,7 @@
 // Groups of participants, and questionnaires.
 #include <fmt/core.h>
 
+#include "analysis_details.hpp"
 #include "report_details.hpp"
 #include "report_tables.hpp"
 
@@ -16,17 +17,14 @@ std::string groupMean(const Measure& measure, int n, double mean) {
 /// Shift, effect sizes and p of a row.
 std::string groupTestCells(const GroupTest& one, const Measure& measure) {
     const RankSumTest& test = one.test;
-    const HodgesLehmann& shift = test.hodges_lehmann;
     const auto effect = [](const std::optional<double>& value) {
         return value ? signedText(fmt::format("{:.2f}", *value)) : std::string(dash);
     };
-    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td>",
-                       shift.estimate ? fmt::format("{} {}", scoreText(measure, *shift.estimate),
-                                                    intervalText(measure, *shift.lower, *shift.upper))
-                                      : std::string(dash),
-                       effect(test.cliffs_delta),
-                       test.a12 ? fmt::format("{:.2f}", *test.a12) : std::string(dash),
-                       pText(test.p_two_sided), one.significant ? "sig" : "not", pText(one.p_holm));
+    return fmt::format(
+        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td>",
+        shiftText(test.hodges_lehmann, [&](double value) { return scoreText(measure, value); }),
+        effect(test.cliffs_delta), test.a12 ? fmt::format("{:.2f}", *test.a12) : std::string(dash),
+        pText(test.p_two_sided), one.significant ? "sig" : "not", pText(one.p_holm));
 }
 
 constexpr const char* group_test_columns =
@@ -57,8 +55,10 @@ std::string groupTable(const std::vector<Test>& tests, const Takes& takes, const
            fmt::format(
                "<p class=\"small\">Holm's family: {} tests, &#945;&#160;=&#160;{}; bold: "
                "significant. Shift: "
-               "Hodges&#8211;Lehmann with its closed interval (asked for: {:g}&#160;%).</p>",
-               family, result.alpha, 100.0 * result.options.level);
+               "Hodges&#8211;Lehmann with the interval of the shifts that the test does not reject (asked "
+               "for: "
+               "{:g}&#160;%; a round bracket: without that end).</p>",
+               family, result.alpha, 100.0 * result.level);
 }
 
 std::string meansOfGroups(const AnalysisResult& result, const Factor& factor, const Measure& measure,
@@ -118,6 +118,27 @@ std::string preferencesOfGroups(const AnalysisResult& result, const Factor& fact
 
 std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
     std::string out;
+    for (const Measure& measure : result.measures)
+        out += groupTable(
+            result.between,
+            [&](const BetweenResult& one) {
+                return one.factor == systems_between && one.measure == measure.name;
+            },
+            fmt::format(
+                "{}: systems that no participant met both of, as groups of participants: rank-sum test "
+                "of participants' means (exact up to 400 participants).",
+                escapeHtml(capitalised(measure.name))),
+            "<th class=\"text\">A</th><th class=\"text\">B</th><th>n A</th><th>n B</th><th>Mean A</th>"
+            "<th>Mean B</th>",
+            [&](const BetweenResult& one) {
+                return fmt::format(
+                    "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                    "<td>{}</td>",
+                    escapeHtml(one.a), escapeHtml(one.b), one.test.n_a, one.test.n_b,
+                    groupMean(measure, one.test.n_a, one.mean_a),
+                    groupMean(measure, one.test.n_b, one.mean_b));
+            },
+            measure, result, numbering);
     for (const Factor& factor : result.table.between) {
         for (const Measure& measure : result.measures)
             out += meansOfGroups(result, factor, measure, numbering);

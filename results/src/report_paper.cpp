@@ -8,6 +8,7 @@
 #include <set>
 #include <vector>
 
+#include "analysis_details.hpp"
 #include "report_text.hpp"
 
 namespace deixis::results {
@@ -37,7 +38,7 @@ std::string measureText(const ResponseTable& table, const Measure& measure) {
     const std::string name = escapeHtml(measure.name);
     if (measure.kind == MeasureKind::accuracy)
         return name + " (the target chosen, or not" +
-               (measure.balls > 1 ? fmt::format(", among {} balls)", measure.balls) : ")");
+               (measure.balls > 1 ? fmt::format("; chance: {})", ballsText(measure)) : ")");
     if (measure.kind == MeasureKind::preference) return name + " (between two systems, side by side)";
     if (table.study_hash.empty())
         return fmt::format("{} (rated; answers from {} to {})", name, measure.low, measure.high);
@@ -101,11 +102,12 @@ std::string testsSentence(const AnalysisResult& result) {
         " For each pair of systems we compared participants' means by two-sided Wilcoxon signed-rank tests "
         "({}, differences of zero dropped), with Holm's correction over the {} of each measure (&#945; = "
         "{}). "
-        "Shifts are Hodges&#8211;Lehmann estimates with closed {:g}&#160;% intervals; intervals of means are "
+        "Shifts are Hodges&#8211;Lehmann estimates with {:g}&#160;% intervals that invert these tests; "
+        "intervals of means are "
         "bootstrap intervals over participants ({} resamples).",
         approximate ? "normal approximation where there were more than 2,000 differences, else exact"
                     : "exact, also with ties",
-        pairs == 1 ? "one pair" : fmt::format("{} pairs", pairs), result.alpha, 100.0 * result.options.level,
+        pairs == 1 ? "one pair" : fmt::format("{} pairs", pairs), result.alpha, 100.0 * result.level,
         result.options.resamples);
 }
 
@@ -130,7 +132,12 @@ std::string methodsParagraph(const AnalysisResult& result) {
         out +=
             " Preferences between two systems were tested in the same way, as participants' mean preferences "
             "against none.";
-    if (!result.between.empty() || !result.preferences_between.empty())
+    if (std::any_of(result.between.begin(), result.between.end(),
+                    [](const BetweenResult& one) { return one.factor == systems_between; }))
+        out +=
+            " Systems that no participant met both of were compared by two-sided Wilcoxon rank-sum tests of "
+            "participants' means, Holm-corrected.";
+    if (!table.between.empty() && (!result.between.empty() || !result.preferences_between.empty()))
         out += " Groups of participants were compared by two-sided Wilcoxon rank-sum tests, Holm-corrected.";
     return out;
 }
@@ -156,10 +163,6 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
         out.emplace_back(
             "Means take a rating's steps as equally wide, and the shift of the signed-rank test "
             "supposes that differences lie evenly around it. Cumulative link models do not.");
-    if (!result.chance.empty())
-        out.emplace_back(
-            "Accuracy against chance takes all choices as independent, though those of one "
-            "participant, and those for one target, hang together: its intervals are too narrow.");
     std::set<std::string> families;
     for (const auto* tests : {&result.pairwise, &result.level_tests})
         for (const Comparison& one : *tests)
@@ -167,6 +170,8 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
     for (const PreferenceResult& one : result.preferences) families.insert(one.family);
     for (const BetweenResult& one : result.between) families.insert(one.family);
     for (const OrderResult& one : result.order) families.insert(one.family);
+    for (const ChanceResult& one : result.chance)
+        if (one.family_size > 0) families.insert(one.family);
     if (families.size() > 1)
         out.push_back(
             fmt::format("Holm's correction holds within each of the {} families of tests of this page, "

@@ -24,12 +24,9 @@ constexpr const char* effect_columns =
 
 std::string effectCells(const AdjustedTest& tested, const Measure& measure) {
     const SignedRankTest& test = tested.test;
-    const HodgesLehmann& shift = test.hodges_lehmann;
     return fmt::format(
         "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}", test.n_pairs,
-        shift.estimate ? fmt::format("{} {}", scoreText(measure, *shift.estimate),
-                                     intervalText(measure, *shift.lower, *shift.upper))
-                       : std::string(dash),
+        shiftText(test.hodges_lehmann, [&](double value) { return scoreText(measure, value); }),
         test.rank_biserial ? signedText(fmt::format("{:.2f}", *test.rank_biserial)) : std::string(dash),
         test.n_pairs > 0 ? pText(test.p_two_sided) : std::string(dash), pText(tested.p_holm),
         verdict(tested));
@@ -80,11 +77,13 @@ std::string tableFoot(const Tests& tests, const AnalysisResult& result) {
                                   tests.front()->family_size, result.alpha);
     if (highest > 0.0)
         out += fmt::format(
-            " Shift: Hodges&#8211;Lehmann, with its closed interval at {}&#160;% (asked for: {:g}&#160;%); "
+            " Shift: Hodges&#8211;Lehmann, with the interval of the shifts that the test does not reject, at "
+            "{}&#160;% "
+            "(asked for: {:g}&#160;%, before Holm's correction; a round bracket: without that end); "
             "r: rank-biserial.",
             highest - lowest < 5e-4 ? fmt::format("{:.1f}", 100.0 * highest)
                                     : fmt::format("{:.1f} to {:.1f}", 100.0 * lowest, 100.0 * highest),
-            100.0 * result.options.level);
+            100.0 * result.level);
     if (any(&AdjustedTest::depends_on_zeros))
         out += " &#8224; The decision would be another with Pratt's treatment of zeros.";
     if (any(&AdjustedTest::out_of_reach))

@@ -1,5 +1,7 @@
 #include "report_text.hpp"
 
+#include "analysis_details.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -58,8 +60,21 @@ std::string intervalText(const Measure& measure, double lower, double upper) {
     return fmt::format("[{}, {}]", scoreText(measure, lower), scoreText(measure, upper));
 }
 
+std::string shiftText(const HodgesLehmann& shift, const std::function<std::string(double)>& text) {
+    if (!shift.estimate) return dash;
+    if (!shift.lower || !shift.upper) return text(*shift.estimate);
+    return fmt::format("{} {}{}, {}{}", text(*shift.estimate), shift.lower_included ? "[" : "(",
+                       text(*shift.lower), text(*shift.upper), shift.upper_included ? "]" : ")");
+}
+
 std::string signedText(std::string_view number) {
     return number.starts_with('-') ? "&#8722;" + std::string(number.substr(1)) : std::string(number);
+}
+
+std::string ballsText(const Measure& measure) {
+    return measure.fewest_balls < measure.balls
+               ? fmt::format("1 of {} to {} balls", measure.fewest_balls, measure.balls)
+               : fmt::format("1 of {} balls", measure.balls);
 }
 
 std::string capitalised(std::string_view text) {
@@ -76,44 +91,62 @@ std::string extremes(const AnalysisResult& result, std::size_t measure) {
     for (const auto& system : result.systems)
         if (system.measures[measure].n > 0) answered.push_back(&system);
     if (answered.size() < 2) return "";
+    const Measure& of = result.measures[measure];
     const auto value = [&](const SystemResult* s) { return s->measures[measure].mean; };
     std::stable_sort(answered.begin(), answered.end(),
                      [&](const auto* a, const auto* b) { return value(a) > value(b); });
-    const auto named = [&](const SystemResult* s) {
-        const Measure& of = result.measures[measure];
-        return fmt::format("<b>{}</b> ({}{})", escapeHtml(s->system), scoreText(of, value(s)),
-                           hasManySteps(of)
-                               ? "; median of participants " + scoreText(of, s->measures[measure].median)
-                               : std::string());
-    };
-    const Measure& of = result.measures[measure];
     const double highest = value(answered.front());
-    if (highest - value(answered.back()) <= 1e-12 * std::abs(highest))
+    const double lowest = value(answered.back());
+    const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(a); };
+    if (equal(highest, lowest))
         return fmt::format("All systems had the same mean {} ({}).", escapeHtml(of.name),
                            scoreText(of, highest));
-    return fmt::format("{} had the highest mean {}, {} the lowest.", named(answered.front()),
-                       escapeHtml(of.name), named(answered.back()));
+    // Several may have the same mean.
+    const auto named = [&](double mean) {
+        std::vector<std::string> names;
+        for (const SystemResult* s : answered)
+            if (equal(value(s), mean))
+                names.push_back(fmt::format("<b>{}</b>{}", escapeHtml(s->system),
+                                            hasManySteps(of)
+                                                ? fmt::format(" (median of participants {})",
+                                                              scoreText(of, s->measures[measure].median))
+                                                : ""));
+        std::string out;
+        for (std::size_t i = 0; i < names.size(); ++i)
+            out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+        return fmt::format("{} ({}{})", out, names.size() > 1 ? "each " : "", scoreText(of, mean));
+    };
+    return fmt::format("{} had the highest mean {}, {} the lowest.", named(highest), escapeHtml(of.name),
+                       named(lowest));
 }
 
+/// Pairs of systems, by the signed-rank tests of who met both, and by the rank-sum tests where nobody did.
 std::string significance(const AnalysisResult& result, const std::string& measure) {
     int pairs = 0;
     int significant = 0;
-    std::string equal;
-    for (const auto& comparison : result.pairwise) {
-        if (comparison.measure != measure || comparison.test.n_pairs == 0) continue;
+    std::string others;
+    const auto count = [&](const std::string& a, const std::string& b, bool is_significant) {
         ++pairs;
-        if (comparison.significant)
+        if (is_significant)
             ++significant;
         else
-            equal += fmt::format("{}{} and {}", equal.empty() ? "" : "; ", escapeHtml(comparison.a),
-                                 escapeHtml(comparison.b));
-    }
+            others += fmt::format("{}{} and {}", others.empty() ? "" : "; ", escapeHtml(a), escapeHtml(b));
+    };
+    for (const auto& one : result.pairwise)
+        if (one.measure == measure && one.test.n_pairs > 0) count(one.a, one.b, one.significant);
+    bool between = false;
+    for (const BetweenResult& one : result.between)
+        if (one.measure == measure && one.factor == systems_between && one.test.p_two_sided) {
+            count(one.a, one.b, one.significant);
+            between = true;
+        }
     if (pairs == 0) return "";
-    std::string out = pairs == 1 ? fmt::format("The two systems {}differ significantly in {}",
-                                               significant == 1 ? "" : "do not ", escapeHtml(measure))
+    std::string out = pairs == 1 ? fmt::format("The test of the two systems is {}significant in {}",
+                                               significant == 1 ? "" : "not ", escapeHtml(measure))
                                  : fmt::format("{} of {} pairs of systems differ significantly in {}",
                                                significant, pairs, escapeHtml(measure));
-    if (significant > 0 && !equal.empty()) out += " (not: " + equal + ")";
+    if (significant > 0 && !others.empty()) out += " (not significant: " + others + ")";
+    if (between) out += ", compared between participants";
     return out + ".";
 }
 
@@ -132,11 +165,13 @@ std::string levelSentence(const AnalysisResult& result, const std::string& measu
     if (!tested) return "";
     std::string names;
     for (const auto& system : systems) names += (names.empty() ? "" : ", ") + escapeHtml(system);
-    return fmt::format("The {} made {} significant difference to {}{}.", escapeHtml(factor),
-                       systems.empty() ? "no" : "a", escapeHtml(measure),
-                       over_systems      ? ""
-                       : systems.empty() ? " for any system"
-                                         : " for " + names);
+    if (systems.empty())
+        return fmt::format(
+            "No test of {} is significant in {}{}; that does not show that it makes no "
+            "difference.",
+            escapeHtml(factor), escapeHtml(measure), over_systems ? "" : ", for any system");
+    return fmt::format("The {} made a significant difference to {}{}.", escapeHtml(factor),
+                       escapeHtml(measure), over_systems ? "" : " for " + names);
 }
 
 std::string groupSentence(const AnalysisResult& result, const std::string& measure,
@@ -152,10 +187,13 @@ std::string groupSentence(const AnalysisResult& result, const std::string& measu
                                  one.system == "all" ? "over all systems" : escapeHtml(one.system));
     }
     if (!tested) return "";
-    return names.empty() ? fmt::format("The groups by {} do not differ significantly in {}.",
-                                       escapeHtml(factor), escapeHtml(measure))
-                         : fmt::format("Groups by {} that differ significantly in {}: {}.",
-                                       escapeHtml(factor), escapeHtml(measure), names);
+    return names.empty()
+               ? fmt::format(
+                     "No test of the groups by {} is significant in {}; that does not show that they "
+                     "are alike.",
+                     escapeHtml(factor), escapeHtml(measure))
+               : fmt::format("Groups by {} that differ significantly in {}: {}.", escapeHtml(factor),
+                             escapeHtml(measure), names);
 }
 
 std::string groupPreferenceSentence(const AnalysisResult& result, const std::string& factor) {
@@ -169,10 +207,13 @@ std::string groupPreferenceSentence(const AnalysisResult& result, const std::str
                                  escapeHtml(one.b), escapeHtml(one.system), escapeHtml(one.other_system));
     }
     if (!tested) return "";
-    return names.empty() ? fmt::format("The groups by {} do not differ significantly in their preferences.",
-                                       escapeHtml(factor))
-                         : fmt::format("Groups by {} that differ significantly in their preferences: {}.",
-                                       escapeHtml(factor), names);
+    return names.empty()
+               ? fmt::format(
+                     "No test of the groups by {} is significant in their preferences; that does not "
+                     "show that they are alike.",
+                     escapeHtml(factor))
+               : fmt::format("Groups by {} that differ significantly in their preferences: {}.",
+                             escapeHtml(factor), names);
 }
 
 std::string preferenceSentence(const AnalysisResult& result) {
@@ -183,8 +224,9 @@ std::string preferenceSentence(const AnalysisResult& result) {
             out += fmt::format("{}<b>{}</b> to {}", out.empty() ? "" : ", ",
                                escapeHtml(pair.mean > 0.0 ? pair.a : pair.b),
                                escapeHtml(pair.mean > 0.0 ? pair.b : pair.a));
-    return out.empty() ? "No system was significantly preferred to another."
-                       : "Significantly preferred: " + out + ".";
+    return out.empty()
+               ? "No preference between two systems is significant; that does not show that there is none."
+               : "Significantly preferred: " + out + ".";
 }
 
 }  // namespace
@@ -216,7 +258,8 @@ std::string findingsHtml(const AnalysisResult& result) {
         out += fmt::format(
             "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "
             "tests over participants{}, after Holm's correction.</p>",
-            result.alpha, result.table.between.empty() ? "" : " (groups: rank-sum tests)");
+            result.alpha,
+            result.between.empty() && result.preferences_between.empty() ? "" : " (groups: rank-sum tests)");
     return out;
 }
 
@@ -239,9 +282,7 @@ std::string measureSentences(const AnalysisResult& result) {
         if (measure.kind == MeasureKind::accuracy)
             out += fmt::format(
                 " {} is the share of trials of the referential game in which the target was chosen{}.", name,
-                measure.balls > 1 ? fmt::format(" among {} balls (chance: {:.1f}&#160;%)", measure.balls,
-                                                100.0 / measure.balls)
-                                  : std::string());
+                measure.balls > 1 ? fmt::format(" (chance: {})", ballsText(measure)) : std::string());
         else if (measure.kind == MeasureKind::rating)
             out += ratingSentence(result.table, measure, name);
         else
@@ -277,7 +318,7 @@ std::string methodsHtml(const AnalysisResult& result) {
         "<p><b>Intervals</b> of means are {:g}&#160;% bootstrap intervals over participants (bias-corrected "
         "and "
         "accelerated, {} resamples, seed {}; percentiles where the correction is not defined).</p>",
-        100.0 * result.options.level, result.options.resamples, result.options.seed);
+        100.0 * result.level, result.options.resamples, result.options.seed);
     out += fmt::format(
         "<p><b>Tests.</b> Two systems are compared by the two-sided Wilcoxon signed-rank test of the "
         "participants' means, whose differences are computed in exact fractions. Differences of zero are "
@@ -288,7 +329,8 @@ std::string methodsHtml(const AnalysisResult& result) {
         "differences. p is exact, with ties too, for up to 2,000 differences; beyond, it is a normal "
         "approximation with tie and continuity corrections. The shift is the median of all Walsh averages, "
         "zeros "
-        "among them, with the closed interval of the exact test. Holm's correction covers {}for each factor "
+        "among them; its interval holds the shifts that the same test does not reject, at the level of the "
+        "intervals and before Holm's correction. Holm's correction covers {}for each factor "
         "within participants the tests of all systems; corrected p "
         "values "
         "up "
@@ -304,6 +346,15 @@ std::string methodsHtml(const AnalysisResult& result) {
         result.preferences.empty() ? ""
                                    : " Preferences: the same test of the participants' mean preferences "
                                      "against none, Holm over all pairs.");
+    if (std::any_of(result.between.begin(), result.between.end(), [](const BetweenResult& one) {
+            return one.factor == systems_between && one.test.p_two_sided;
+        }))
+        out +=
+            "<p><b>Systems between participants.</b> Systems that no participant met both of are compared as "
+            "groups of participants are, by the two-sided Wilcoxon rank-sum test of participants' means, "
+            "exact "
+            "with ties too for up to 400 participants; Holm's correction covers these pairs in one "
+            "measure.</p>";
     if (!table.between.empty())
         out +=
             "<p><b>Groups.</b> Participants of two groups are compared by the two-sided Wilcoxon rank-sum "

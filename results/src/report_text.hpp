@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,8 +49,16 @@ class Numbering {
 /// "[1.20, 2.31]", both as scoreText has them.
 [[nodiscard]] std::string intervalText(const Measure& measure, double lower, double upper);
 
+/// "1.50 [0.20, 2.00]"; a round bracket where the end itself is rejected. Without an interval the estimate
+/// alone, without an estimate a dash. `text` makes the numbers.
+[[nodiscard]] std::string shiftText(const HodgesLehmann& shift,
+                                    const std::function<std::string(double)>& text);
+
 /// A formatted number with a proper minus sign.
 [[nodiscard]] std::string signedText(std::string_view number);
+
+/// Of the game: "1 of 3 balls" or "1 of 2 to 5 balls".
+[[nodiscard]] std::string ballsText(const Measure& measure);
 
 /// "Accuracy", "Human-likeness".
 [[nodiscard]] std::string capitalised(std::string_view text);

@@ -45,7 +45,7 @@ void readSystemFactors(SQLite::Database& database, ResponseTable& table) {
             addLevel(table.within, factor, level.get<std::string>());
         }
     }
-    for (auto* rows : {&table.rows, &table.left_out_rows})
+    for (auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows})
         for (ResponseRow& row : *rows)
             for (const Factor& factor : table.within)
                 row.within.push_back(of_system[row.system][factor.name]);
@@ -69,7 +69,7 @@ void readMarks(SQLite::Database& database, ResponseTable& table) {
                         "responses AS r ON r.session = v.session AND r.trial_index = v.trial_index WHERE "
                         "r.superseded IS NULL AND v.kind = 'off_place'");
     mark(off_place);
-    for (auto* rows : {&table.rows, &table.left_out_rows})
+    for (auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows})
         for (ResponseRow& row : *rows)
             if (const auto found = marks.find({row.participant, row.trial}); found != marks.end())
                 row.marked = found->second;

@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "database_open.hpp"
 #include "locked_history.hpp"
@@ -76,38 +78,71 @@ void addMeasure(ResponseTable& table, const Measure& measure) {
     }
     same->planned += measure.planned;
     same->balls = std::max(same->balls, measure.balls);
-    same->low = std::min(same->low, measure.low);
-    same->high = std::max(same->high, measure.high);
+    same->fewest_balls = std::min(same->fewest_balls, measure.fewest_balls);
 }
 
-void readMeasures(SQLite::Database& database, ResponseTable& table) {
+/// What a stage's ratings, or the confidence in its choices, measure, and on which scale.
+struct StageScale {
+    std::string stage;
+    std::string measure;
+    double low = 0.0;
+    double high = 0.0;
+};
+
+using MeasureOfStage = std::map<std::string, std::string>;
+
+/// Measures that are asked on several scales get these in their names. Returns what such ones were called.
+std::set<std::string> nameByScale(std::vector<StageScale>& scales) {
+    std::map<std::string, std::set<std::pair<double, double>>> asked;
+    for (const StageScale& one : scales) asked[one.measure].insert({one.low, one.high});
+    std::set<std::string> renamed;
+    for (StageScale& one : scales) {
+        if (asked[one.measure].size() < 2) continue;
+        renamed.insert(one.measure);
+        one.measure = fmt::format("{} ({:g} to {:g})", one.measure, one.low, one.high);
+    }
+    return renamed;
+}
+
+MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
     Statement games(
         database,
-        "SELECT s.name, (SELECT max(json_array_length(balls)) FROM trials AS t WHERE t.stage = s.name AND "
-        "check_kind IS NOT 'catch') FROM stages AS s WHERE kind = 'referential-game' AND practice_of IS NULL "
-        "ORDER BY position");
+        "SELECT s.name, max(json_array_length(balls)), min(json_array_length(balls)) FROM stages AS s JOIN "
+        "trials AS t ON t.stage = s.name WHERE s.kind = 'referential-game' AND s.practice_of IS NULL AND "
+        "t.check_kind IS NOT 'catch' GROUP BY s.name ORDER BY s.position");
     while (games.executeStep())
-        if (!games.getColumn(1).isNull())
-            addMeasure(table, {"accuracy", MeasureKind::accuracy, 0.0, 1.0, games.getColumn(1).getInt(),
-                               planned(database, games.getColumn(0).getString())});
+        addMeasure(table, {"accuracy", MeasureKind::accuracy, 0.0, 1.0, games.getColumn(1).getInt(),
+                           planned(database, games.getColumn(0).getString()), games.getColumn(2).getInt()});
     Statement stages(
         database,
         "SELECT s.name, s.kind, s.measure, s.scale_low, s.scale_high, q.low, q.high FROM stages AS s LEFT "
         "JOIN questions AS q ON q.stage = s.name AND q.question = 'confidence' WHERE practice_of IS NULL AND "
         "s.name IN (SELECT stage FROM trials) ORDER BY s.position");
+    std::vector<StageScale> scales;
     while (stages.executeStep()) {
         const std::string name = stages.getColumn(0).getString();
         const std::string kind = stages.getColumn(1).getString();
         if (kind == "pairwise")
             addMeasure(table, {"preference", MeasureKind::preference, -2.0, 2.0, 0, planned(database, name)});
         else if (kind == "rating" || kind == "parallel-rating")
-            addMeasure(table,
-                       {stages.getColumn(2).getString(), MeasureKind::rating, stages.getColumn(3).getDouble(),
-                        stages.getColumn(4).getDouble(), 0, planned(database, name)});
+            scales.push_back({name, stages.getColumn(2).getString(), stages.getColumn(3).getDouble(),
+                              stages.getColumn(4).getDouble()});
         else if (kind == "referential-game" && !stages.getColumn(5).isNull())
-            addMeasure(table, {"confidence", MeasureKind::rating, stages.getColumn(5).getDouble(),
-                               stages.getColumn(6).getDouble(), 0, planned(database, name)});
+            scales.push_back(
+                {name, "confidence", stages.getColumn(5).getDouble(), stages.getColumn(6).getDouble()});
     }
+    MeasureOfStage measures;
+    for (const std::string& name : nameByScale(scales))
+        table.notes.push_back(fmt::format(
+            "{} is asked on different scales: each scale is a measure of its own here, since their answers "
+            "have no common mean.",
+            name));
+    for (const StageScale& one : scales) {
+        addMeasure(table,
+                   {one.measure, MeasureKind::rating, one.low, one.high, 0, planned(database, one.stage)});
+        measures[one.stage] = one.measure;
+    }
+    return measures;
 }
 
 void readSessions(SQLite::Database& database, ResponseTable& table) {
@@ -144,8 +179,8 @@ void readLeftOut(SQLite::Database& database, ResponseTable& table) {
 // What all rows of a measure have in common.
 constexpr const char* row_columns =
     "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses, "
-    "r.trial_index, p.status, p.reason";
-constexpr int next_column = 11;
+    "r.trial_index, p.status, p.reason, e.station";
+constexpr int next_column = 12;
 std::string rowTables() {
     return fmt::format(
         "FROM responses AS r JOIN {} AS p ON p.id = r.participant "
@@ -167,30 +202,33 @@ ResponseRow baseRow(Statement& rows, const std::string& measure) {
     row.synthetic = rows.getColumn(6).getInt() != 0;
     row.pauses = rows.getColumn(7).getInt();
     row.trial = rows.getColumn(8).getInt();
+    row.station = rows.getColumn(11).getString();
     if (rows.getColumn(9).getString() != "active")
         row.excluded = fmt::format("{}: {}", rows.getColumn(9).getString(), rows.getColumn(10).getString());
     return row;
 }
 
-/// Parts those who are left out from those who count.
+/// Parts those who are left out from those who count, and skipped choices from the others.
 void keepRow(ResponseTable& table, ResponseRow row) {
-    auto& rows = row.excluded.empty() ? table.rows : table.left_out_rows;
+    const bool skipped = row.unanswered == "skipped";
+    if (skipped && !row.excluded.empty()) return;
+    auto& rows = skipped ? table.skipped_rows : row.excluded.empty() ? table.rows : table.left_out_rows;
     rows.push_back(std::move(row));
 }
 
-void readRatings(SQLite::Database& database, ResponseTable& table) {
+void readRatings(SQLite::Database& database, const MeasureOfStage& measures, ResponseTable& table) {
     Statement rows(database,
-                   fmt::format("SELECT {}, a.value, g.measure, a.question {}"
-                               "JOIN stages AS g ON g.name = t.stage JOIN answers AS a ON a.response = r.id "
+                   fmt::format("SELECT {}, a.value, t.stage {}"
+                               "JOIN answers AS a ON a.response = r.id "
                                "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
                                "r.trial_index AND s.position = coalesce(a.stimulus, 0) "
                                "WHERE {} AND a.question IN ('rating', 'confidence') AND a.value IS NOT NULL "
                                "ORDER BY r.participant, r.trial_index, s.position, a.position",
                                row_columns, rowTables(), row_counts));
     while (rows.executeStep()) {
-        const bool confidence = rows.getColumn(next_column + 2).getString() == "confidence";
-        ResponseRow row =
-            baseRow(rows, confidence ? "confidence" : rows.getColumn(next_column + 1).getString());
+        const auto measure = measures.find(rows.getColumn(next_column + 1).getString());
+        if (measure == measures.end()) continue;
+        ResponseRow row = baseRow(rows, measure->second);
         row.value = rows.getColumn(next_column).getDouble();
         keepRow(table, std::move(row));
     }
@@ -199,13 +237,20 @@ void readRatings(SQLite::Database& database, ResponseTable& table) {
 void readChoices(SQLite::Database& database, ResponseTable& table) {
     Statement rows(
         database,
-        fmt::format("SELECT {}, r.correct {}JOIN trial_stimuli AS s ON s.participant = r.participant AND "
+        fmt::format("SELECT {}, r.correct, json_array_length(t.balls), r.chosen_place IS NULL, r.status "
+                    "{}JOIN trial_stimuli AS s ON s.participant = r.participant AND "
                     "s.trial_index = r.trial_index AND s.position = 0 WHERE {} AND t.kind = "
-                    "'referential-game' AND r.chosen_place IS NOT NULL ORDER BY r.participant, r.trial_index",
+                    "'referential-game' ORDER BY r.participant, r.trial_index",
                     row_columns, rowTables(), row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "accuracy");
         row.value = rows.getColumn(next_column).getInt();
+        row.balls = rows.getColumn(next_column + 1).getInt();
+        if (rows.getColumn(next_column + 2).getInt() != 0) {
+            row.unanswered = rows.getColumn(next_column + 3).getString();
+            row.value = 0.0;
+            row.response_time_s = 0.0;
+        }
         keepRow(table, std::move(row));
     }
 }
@@ -236,12 +281,12 @@ Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& 
     ResponseTable table;
     table.database = path.filename().string();
     readStudy(database, table);
-    readMeasures(database, table);
-    readSessions(database, table);
     table.notes = changeNotes(database);
+    const MeasureOfStage measures = readMeasures(database, table);
+    readSessions(database, table);
     readLeftOut(database, table);
     readChoices(database, table);
-    readRatings(database, table);
+    readRatings(database, measures, table);
     readPreferences(database, table);
     readResponseDetails(database, table);
     const auto active = textColumn(

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "answers_text.hpp"
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "oracles.hpp"
@@ -15,6 +16,7 @@ using namespace deixis;
 using namespace deixis::results;
 using deixis::tests::close;
 using deixis::tests::contains;
+using fixtures::analyseText;
 using nlohmann::json;
 
 namespace {
@@ -22,14 +24,6 @@ namespace {
 AnalysisResult analyseOracle() {
     const auto table =
         loadLongTable(DEIXIS_SOURCE_DIR "/tests/results/oracles/analysis.csv", {{"Group"}, {}});
-    REQUIRE_MESSAGE(table.has_value(), (table ? "" : table.error().text()));
-    return analyse(*table);
-}
-
-AnalysisResult analyseText(const std::string& text, const FactorColumns& factors) {
-    const fixtures::Folder folder;
-    REQUIRE(writeFile(folder / "answers.csv", text).has_value());
-    const auto table = loadAnswers(folder / "answers.csv", factors);
     REQUIRE_MESSAGE(table.has_value(), (table ? "" : table.error().text()));
     return analyse(*table);
 }
@@ -53,8 +47,8 @@ TEST_SUITE("results/analysis_answers") {
             CHECK(found.answers == expected[name]["answers"].get<int>());
         };
         counts(result.headline_answers, "headline");
-        counts(result.answers_with_left_out, "with_left_out");
-        counts(result.answers_without_doubtful, "without_doubtful");
+        counts(result.other_answers[0], "with_left_out");
+        counts(result.other_answers[1], "without_doubtful");
         REQUIRE(result.sensitivity.size() == 3);
         for (std::size_t i = 0; i < 3; ++i) {
             const SensitivityResult& one = result.sensitivity[i];
@@ -67,15 +61,15 @@ TEST_SUITE("results/analysis_answers") {
             CHECK(one.a == expected["headline"]["pairs"][i]["a"].get<std::string>());
             CHECK(one.b == expected["headline"]["pairs"][i]["b"].get<std::string>());
             test(one.headline, "headline");
-            test(one.with_left_out, "with_left_out");
-            test(one.without_doubtful, "without_doubtful");
+            test(one.other(AnswerChoice::with_left_out).test, "with_left_out");
+            test(one.other(AnswerChoice::without_doubtful).test, "without_doubtful");
         }
         // At 0.01: a-b 0.003, 0.379, 0.043; a-c 0.0002, 0.292, 0.006; b-c never.
-        CHECK(result.sensitivity[0].depends_on_left_out);
-        CHECK(result.sensitivity[0].depends_on_doubtful);
-        CHECK(result.sensitivity[1].depends_on_left_out);
-        CHECK_FALSE(result.sensitivity[1].depends_on_doubtful);
-        CHECK_FALSE(result.sensitivity[2].depends_on_left_out);
+        CHECK(result.sensitivity[0].other(AnswerChoice::with_left_out).changes);
+        CHECK(result.sensitivity[0].other(AnswerChoice::without_doubtful).changes);
+        CHECK(result.sensitivity[1].other(AnswerChoice::with_left_out).changes);
+        CHECK_FALSE(result.sensitivity[1].other(AnswerChoice::without_doubtful).changes);
+        CHECK_FALSE(result.sensitivity[2].other(AnswerChoice::with_left_out).changes);
 
         const json out = json::parse(analysisJson(result))["sensitivity"];
         CHECK(out["pairs"][0]["changes"] == json{"with_left_out", "without_doubtful"});
@@ -170,7 +164,7 @@ TEST_SUITE("results/analysis_answers") {
         CHECK(contains(page, "Preferences by age"));
         CHECK(contains(page, "25 / 50 / 25&#160;%"));
         CHECK_FALSE(contains(page, "Preferences by hand"));
-        CHECK(contains(page, "The groups by age do not differ significantly in their preferences."));
+        CHECK(contains(page, "No test of the groups by age is significant in their preferences"));
         bool in_csv = false;
         for (const auto& [name, bytes] : analysisTables(result, TableFormat::csv))
             if (name == "preferences_between.csv")
@@ -249,8 +243,10 @@ TEST_SUITE("results/analysis_answers") {
         for (const auto& [name, bytes] : analysisTables(first, TableFormat::csv))
             if (name == "answers.csv") answers = bytes;
         const AnalysisResult again = analyseText(answers, {{"group"}, {}});
-        CHECK(again.sensitivity[0].with_left_out.p_holm == first.sensitivity[0].with_left_out.p_holm);
-        CHECK(again.answers_with_left_out.answers == first.answers_with_left_out.answers);
+        const auto with_left_out = AnswerChoice::with_left_out;
+        CHECK(again.sensitivity[0].other(with_left_out).test.p_holm ==
+              first.sensitivity[0].other(with_left_out).test.p_holm);
+        CHECK(again.other_answers[0].answers == first.other_answers[0].answers);
         CHECK(again.between[0].p_holm == first.between[0].p_holm);
         CHECK(again.table.left_out[1].participant == "P08");
         int marked = 0;

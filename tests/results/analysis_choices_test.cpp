@@ -92,14 +92,14 @@ TEST_SUITE("results/analysis_choices") {
         const AnalysisResult result = analyse(*table);
         for (std::size_t i = 0; i < 2; ++i) {
             const auto& system = result.systems[i].system;
-            CHECK(roleOf(result, system, "target").chosen == result.chance[i].proportion.successes);
+            CHECK(roleOf(result, system, "target").chosen == result.chance[i].successes);
             CHECK(roleOf(result, system, "target").shown == 48);
             CHECK(roleOf(result, system, "nearest 1").chosen + roleOf(result, system, "nearest 2").chosen ==
-                  48 - result.chance[i].proportion.successes);
+                  48 - result.chance[i].successes);
             int right = 0;
             for (const TargetPlace& one : result.target_space)
                 if (one.system == system) right += static_cast<int>(std::lround(one.mean * one.n));
-            CHECK(right == result.chance[i].proportion.successes);
+            CHECK(right == result.chance[i].successes);
         }
         CHECK(result.target_space.size() == 3 * 8);  // eight places, over all and for two systems
     }

@@ -34,7 +34,11 @@ TEST_SUITE("results/rank_sum") {
             CHECK(close(found.hodges_lehmann.estimate, shift["estimate"], 0.0));
             CHECK(close(found.hodges_lehmann.lower, shift["lower"], 0.0));
             CHECK(close(found.hodges_lehmann.upper, shift["upper"], 0.0));
-            CHECK(close(found.hodges_lehmann.level, shift["level"], 1e-13));
+            CHECK(close(found.hodges_lehmann.level, shift["level"], 1e-12));
+            if (found.hodges_lehmann.lower) {
+                CHECK(found.hodges_lehmann.lower_included == shift["lower_included"].get<bool>());
+                CHECK(found.hodges_lehmann.upper_included == shift["upper_included"].get<bool>());
+            }
         }
     }
 

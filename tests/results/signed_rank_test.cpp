@@ -70,7 +70,11 @@ TEST_SUITE("results/signed_rank") {
             CHECK(close(found.hodges_lehmann.estimate, walsh["estimate"], 0.0));
             CHECK(close(found.hodges_lehmann.lower, walsh["lower"], 0.0));
             CHECK(close(found.hodges_lehmann.upper, walsh["upper"], 0.0));
-            CHECK(close(found.hodges_lehmann.level, walsh["level"], 1e-13));
+            CHECK(close(found.hodges_lehmann.level, walsh["level"], 1e-12));
+            if (found.hodges_lehmann.lower) {
+                CHECK(found.hodges_lehmann.lower_included == walsh["lower_included"].get<bool>());
+                CHECK(found.hodges_lehmann.upper_included == walsh["upper_included"].get<bool>());
+            }
         }
     }
 

@@ -1,6 +1,8 @@
 // The analysis of Deichler et al. 2023, section 3.1, for the measures of any study, and its outputs.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,7 +11,6 @@
 #include "results/bootstrap.hpp"
 #include "results/bradley_terry.hpp"
 #include "results/friedman.hpp"
-#include "results/proportion.hpp"
 #include "results/rank_sum.hpp"
 #include "results/response_table.hpp"
 #include "results/shapiro_wilk.hpp"
@@ -19,7 +20,7 @@ namespace deixis::results {
 
 struct AnalysisOptions {
     std::optional<double> alpha{};  ///< in (0, 1); none: the study's
-    double level = 0.95;            ///< of intervals, in (0, 1)
+    std::optional<double> level{};  ///< of intervals, in (0, 1); none: 1 - alpha
     int resamples = 10000;          ///< of bootstraps, at least 1
     std::uint64_t seed = 1;         ///< of bootstraps
     std::string program{};          ///< that analyses, and its version; for provenance
@@ -108,22 +109,51 @@ struct ScoreResult {
     std::string level{};
 };
 
-/// A pair of systems under another choice of answers: its own families, of the same pairs.
+/// Another choice of answers than the headline's.
+enum class AnswerChoice : unsigned char {
+    with_left_out,     ///< who is excluded or dropped out counts, but not who refused consent
+    without_doubtful,  ///< without marked trials, and without participants who failed an attention check
+    answered_only,     ///< choices that timed out are left out; the headline counts them as wrong
+    unanswered_wrong   ///< choices that were skipped count as wrong, too; the headline leaves them out
+};
+inline constexpr std::array all_choices{AnswerChoice::with_left_out, AnswerChoice::without_doubtful,
+                                        AnswerChoice::answered_only, AnswerChoice::unanswered_wrong};
+/// As in analysis.json: "with_left_out", ...
+[[nodiscard]] const char* nameOf(AnswerChoice choice);
+
+/// A pair of systems under other choices of answers, each with its own families of the same pairs.
 struct SensitivityResult {
+    struct Other {
+        AnswerChoice choice{};
+        AdjustedTest test{};
+        bool changes = false;  ///< the decision would be another than the headline's
+    };
     std::string measure;  ///< "preference" too
     std::string a, b;
-    AdjustedTest headline;       ///< as in pairwise and preferences
-    AdjustedTest with_left_out;  ///< who is excluded or dropped out counts, but not who refused consent
-    /// Without marked trials, and without participants who failed an attention check.
-    AdjustedTest without_doubtful;
-    bool depends_on_left_out = false;  ///< the decision would be another
-    bool depends_on_doubtful = false;
+    AdjustedTest headline;        ///< as in pairwise and preferences
+    std::vector<Other> others{};  ///< all_choices, in their order
+
+    [[nodiscard]] const Other& other(AnswerChoice choice) const {
+        return others.at(static_cast<std::size_t>(choice));
+    }
 };
 
-/// How many answers and participants each of these choices takes.
+/// How many answers and participants a choice takes.
 struct AnswerCounts {
     int participants = 0;  ///< with answers
     int answers = 0;
+};
+
+/// Choices that a system's trials of the game did not get, where any system has such ones.
+struct UnansweredResult {
+    std::string system;
+    int answered = 0;
+    int timed_out = 0;  ///< the time limit passed: wrong in the headline
+    int skipped = 0;    ///< by the experimenter: left out of the headline
+    /// Means of participants' means; none without such choices.
+    std::optional<double> headline{};
+    std::optional<double> answered_only{};
+    std::optional<double> unanswered_wrong{};
 };
 
 /// Two groups of participants, by the rank-sum test of a score of each participant.
@@ -196,11 +226,15 @@ struct PooledResult {
     double q05 = 0.0, q25 = 0.0, median = 0.0, q75 = 0.0, q95 = 0.0;
 };
 
-/// A system's choices against chance, all taken as independent: clustering by participant and item is
-/// ignored.
-struct ChanceResult {
+/// A system's choices against chance. The test is of participants' means of correct - 1 / balls, each trial's
+/// own balls, against 0; trials whose number of balls is not known have no part in it.
+struct ChanceResult : AdjustedTest {
     std::string system;
-    Proportion proportion;  ///< chance 1 / balls, where it is known
+    int successes = 0;
+    int n = 0;                ///< choices
+    int n_known = 0;          ///< of them, those whose number of balls is known
+    double chance = 0.0;      ///< mean of participants' means of 1 / balls; 0 where it is not known
+    double mean_above = 0.0;  ///< mean of participants' means of correct - 1 / balls; likewise
 };
 
 /// Response times of a system in one measure, seconds; answers without one are left out.
@@ -238,6 +272,7 @@ struct AnalysisResult {
     std::string answers_hash{};  ///< answersHash() of it
     AnalysisOptions options;
     double alpha = 0.01;
+    double level = 0.99;  ///< of intervals; 0: none are computed
     int participants = 0;
     bool synthetic = false;         ///< some answers come from simulated participants
     std::vector<Measure> measures;  ///< accuracy and ratings; preferences stand apart
@@ -250,7 +285,9 @@ struct AnalysisResult {
     BradleyTerry bradley_terry;
     std::vector<ScoreResult> scores;  ///< each over all participants, then by factors between them
     std::vector<SensitivityResult> sensitivity;
-    AnswerCounts headline_answers, answers_with_left_out, answers_without_doubtful;
+    AnswerCounts headline_answers;
+    std::array<AnswerCounts, all_choices.size()> other_answers{};  ///< of all_choices
+    std::vector<UnansweredResult> unanswered;  ///< by system; empty where every choice was made
     std::vector<BetweenResult> between;
     std::vector<PreferenceBetweenResult> preferences_between;
     std::vector<ConfusionResult> confusion;  ///< where the balls' positions are known
@@ -271,9 +308,9 @@ struct AnalysisResult {
 /// one factor, over all and within each system, in one measure, and all pairs of groups of one factor in each
 /// pair of systems in preference.
 [[nodiscard]] AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options = {});
-/// The tests of analyse() alone, without bootstraps and descriptions, for who asks very often: fills in
-/// alpha, measures, omnibus, pairwise, levels, level_tests, preferences, between and preferences_between from
-/// the result's table and options.
+/// The tests of analyse() alone, without intervals, bootstraps and descriptions, for who asks very often:
+/// fills in alpha, measures, omnibus, pairwise, levels, level_tests, preferences, between and
+/// preferences_between from the result's table and options.
 void runTests(AnalysisResult& result);
 /// One JSON object; its keys stand in docs/analysis.md. Numbers in full precision, fixed order: the same
 /// table gives the same bytes. What is not defined is null.

@@ -25,8 +25,9 @@ struct Measure {
     MeasureKind kind = MeasureKind::rating;
     double low = 0.0;  ///< of the scale
     double high = 1.0;
-    int balls = 0;    ///< accuracy: shown in a trial, the most there are; 0 else
-    int planned = 0;  ///< values planned, of participants who count; confidence: as many as choices
+    int balls = 0;         ///< accuracy: shown in a trial, the most there are; 0 else
+    int planned = 0;       ///< values planned, of participants who count; confidence: as many as choices
+    int fewest_balls = 0;  ///< likewise, the fewest
 };
 
 /// What answers or participants differ in, and its levels in the order of the tables.
@@ -46,11 +47,16 @@ struct ResponseRow {
     int trial = -1;  ///< place among the participant's trials, from 0; -1: not known
     double value = 0.0;
     Name other_system{};           ///< preference: `system` stood left, this one right
-    double response_time_s = 0.0;  ///< 0 where it is not known
+    double response_time_s = 0.0;  ///< 0 where it is not known, or nothing was answered
     bool synthetic = false;        ///< answered by a simulated participant
+    Name station{};                ///< at which kind of station; empty where it is not known
     int pauses = 0;                ///< the trial was interrupted this often
     /// Levels of ResponseTable::within, in its order; empty where a level is not known.
     std::vector<Name> within{};
+    int balls = 0;  ///< accuracy: shown in this trial; 0: not known
+    /// Why there is no choice: "timed_out" (it counts as wrong) or "skipped" (of
+    /// ResponseTable::skipped_rows only); empty where there is one.
+    Name unanswered{};
     Name marked{};    ///< why the trial is in doubt; empty: it is not
     Name excluded{};  ///< why the participant is left out; of ResponseTable::left_out_rows only
 };
@@ -125,6 +131,8 @@ struct ResponseTable {
     std::vector<ResponseRow> rows{};  ///< of participants who count; ordered by participant, then trial
     /// Likewise, of participants who are excluded or dropped out but did not refuse their consent.
     std::vector<ResponseRow> left_out_rows{};
+    /// Choices that the experimenter skipped, of participants who count; `value` is 0.
+    std::vector<ResponseRow> skipped_rows{};
     std::vector<ChoiceRow> choices{};  ///< of participants who count, where the balls are known
 };
 

@@ -23,6 +23,8 @@ import numpy
 import scipy
 import scipy.stats
 
+from invert_tests import rank_sum_interval, signed_rank_interval
+
 here = Path(__file__).parent
 draw = random.Random(1995)
 draw_untied = random.Random(1945)
@@ -77,18 +79,6 @@ def tails(counts, found):
     return float(low), float(high), float(min(Fraction(1), 2 * min(low, high)))
 
 
-def interval_rank(counts, tail):
-    """The largest k with P(W <= k - 1) <= tail, at least 1, and the level it achieves."""
-    everything = sum(counts.values())
-    below, k, level = Fraction(0), 1, 1 - 2 * Fraction(counts.get(0, 0), everything)
-    for w in range(max(counts) + 1):
-        below += Fraction(counts.get(w, 0), everything)
-        if below > tail:
-            break
-        k, level = w + 1, 1 - 2 * below
-    return k, float(level)
-
-
 def signed_rank(name, a, b, level="0.95"):
     pairs = [(number(x), number(y)) for x, y in zip(a, b) if x and y]
     d = [x - y for x, y in pairs]
@@ -111,14 +101,7 @@ def signed_rank(name, a, b, level="0.95"):
     out["pratt_p_two_sided"] = tails(sums(with_zeros), int(2 * pratt))[2]
     out["rank_biserial"] = float((plus - minus) / (plus + minus)) if rest else None
     out["paired_superiority"] = float((out["n_positive"] + Fraction(out["n_zero"], 2)) / len(d)) if d else None
-    if d:
-        walsh = sorted((d[i] + d[j]) / 2 for i in range(len(d)) for j in range(i, len(d)))
-        counts = {w // 2: c for w, c in sign_sums(range(1, len(d) + 1)).items()}
-        k, achieved = interval_rank(counts, (1 - Fraction(level)) / 2)
-        out["hodges_lehmann"] = {"estimate": float(median(walsh)), "lower": float(walsh[k - 1]),
-                                 "upper": float(walsh[-k]), "level": achieved}
-    else:
-        out["hodges_lehmann"] = {"estimate": None, "lower": None, "upper": None, "level": None}
+    out["hodges_lehmann"] = signed_rank_interval(d, level)
     if len(rest) > 1:
         signed = [float(r if x > 0 else -r) for r, x in zip(ranks, rest)]
         out["scipy"] = {"normal_p": min(1.0, float(scipy.stats.wilcoxon(signed, correction=True, mode="approx").pvalue))}
@@ -204,21 +187,6 @@ def subset_sums(ranks, chosen):
     return counts
 
 
-def u_counts(n_a, n_b):
-    """How many orders of two untied samples give each U, by Mann and Whitney's recursion."""
-    table = {}
-    for i in range(n_a + 1):
-        for j in range(n_b + 1):
-            if i == 0 or j == 0:
-                table[i, j] = {0: 1}
-                continue
-            counts = dict(table[i, j - 1])
-            for u, c in table[i - 1, j].items():
-                counts[u + j] = counts.get(u + j, 0) + c
-            table[i, j] = counts
-    return table[n_a, n_b]
-
-
 def rank_sum(name, a, b, level="0.95"):
     x, y = [number(c) for c in a if c], [number(c) for c in b if c]
     out = {"name": name, "a": a, "b": b, "level": float(level), "n_a": len(x), "n_b": len(y)}
@@ -231,10 +199,7 @@ def rank_sum(name, a, b, level="0.95"):
     if math.comb(len(ranks), len(x)) <= 40000:
         out["p_less"], out["p_greater"], out["p_two_sided"] = tails(subset_sums(ranks, len(x)),
                                                                     int(2 * sum(ranks[: len(x)])))
-    differences = sorted(p - q for p in x for q in y)
-    k, achieved = interval_rank(u_counts(len(x), len(y)), (1 - Fraction(level)) / 2)
-    out["hodges_lehmann"] = {"estimate": float(median(differences)), "lower": float(differences[k - 1]),
-                             "upper": float(differences[-k]), "level": achieved}
+    out["hodges_lehmann"] = rank_sum_interval(x, y, level)
     if len(set(ranks)) > 1:
         sides = [float(r) for r in ranks[: len(x)]], [float(r) for r in ranks[len(x):]]
         out["scipy"] = {"normal_p": float(scipy.stats.mannwhitneyu(*sides, method="asymptotic").pvalue)}
