@@ -129,11 +129,13 @@ Panel parallelPanel(const ParallelBoard& board, const LanguageTable& words) {
                         left - panel::button_gap_m - play_m, made.top(), play_m, grid.height_m);
             markPlay(made.lastButton(), stimulus);
             if (captions) made.lastButton().caption = word;
-            row_m = std::max(row_m, made.scale({board.scale, button_id::first_option + 100 * place,
-                                                button_id::first_slider + place, stimulus.value,
-                                                stimulus.can_rate, false, false,
-                                                captions && board.scale.kind == ScaleKind::slider ? panel::slider_height_m : grid.height_m},
-                                               left, made.top(), scale_m));
+            row_m = std::max(
+                row_m,
+                made.scale({board.scale, button_id::first_option + 100 * place,
+                            button_id::first_slider + place, stimulus.value, stimulus.can_rate, false, false,
+                            captions && board.scale.kind == ScaleKind::slider ? panel::slider_height_m
+                                                                              : grid.height_m},
+                           left, made.top(), scale_m));
             if (board.scale.kind == ScaleKind::slider && stimulus.value)
                 made.sliderValue(*stimulus.value, value_m, !captions);
         }
