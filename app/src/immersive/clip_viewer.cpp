@@ -10,8 +10,10 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "gl_window.hpp"
+#include "pressed_keys.hpp"
 #include "renderer/renderer.hpp"
 #include "window_gui.hpp"
 
@@ -106,25 +108,6 @@ Result<void> picture(ClipScene& clip_scene, const assets::Avatar& avatar, const 
     return renderer::writePng(options.screenshot, strip);
 }
 
-// Keys that went down since they were last asked for: a press shorter than a frame counts too.
-struct PressedKeys {
-    bool toggle = false;
-    bool close = false;
-    int steps = 0;
-
-    void connect(GLFWwindow* window) {
-        glfwSetWindowUserPointer(window, this);
-        glfwSetKeyCallback(window, [](GLFWwindow* from, int key, int, int action, int) {
-            if (action == GLFW_RELEASE) return;
-            auto* keys = static_cast<PressedKeys*>(glfwGetWindowUserPointer(from));
-            if (key == GLFW_KEY_SPACE && action == GLFW_PRESS) keys->toggle = !keys->toggle;
-            if (key == GLFW_KEY_ESCAPE) keys->close = true;
-            if (key == GLFW_KEY_LEFT) --keys->steps;
-            if (key == GLFW_KEY_RIGHT) ++keys->steps;
-        });
-    }
-};
-
 // The transport bar over the picture.
 class Transport {
   public:
@@ -136,17 +119,19 @@ class Transport {
 
     /// Advances, and draws the bar over the picture; turns and zooms the orbit by the mouse outside the bar.
     void frame(const motion::Clip& clip, const std::string& title, const std::string& description,
-               const PressedKeys& keys, Orbit& orbit) {
+               const std::vector<int>& keys, Orbit& orbit) {
         gui_.require(title);
         gui_.require(description);
         gui_.beginFrame();
         const ImGuiIO& io = ImGui::GetIO();
         const auto end_s = static_cast<float>(clip.duration_s());
         if (playing && end_s > 0.0F) time_s = std::fmod(time_s + speed * io.DeltaTime, end_s);
-        if (keys.toggle) playing = !playing;
-        if (keys.steps != 0) {
+        for (const int key : keys) {
+            if (key == GLFW_KEY_SPACE) playing = !playing;
+            if (key != GLFW_KEY_LEFT && key != GLFW_KEY_RIGHT) continue;
             playing = false;
-            time_s = std::clamp(time_s + static_cast<float>(keys.steps * clip.frame_time_s), 0.0F, end_s);
+            const double step_s = key == GLFW_KEY_LEFT ? -clip.frame_time_s : clip.frame_time_s;
+            time_s = std::clamp(time_s + static_cast<float>(step_s), 0.0F, end_s);
         }
         if (!io.WantCaptureMouse) {
             if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.0F)) {
@@ -195,20 +180,19 @@ Result<void> window(ClipScene& clip_scene, const motion::Clip& clip, const std::
                     const std::string& description, const assets::Avatar& avatar, Orbit orbit,
                     WindowSize size, const ViewOptions& options) {
     const std::string title = std::filesystem::path(name).filename().string();
+    PressedKeys keys;
     auto opened = GlWindow::open("Deixis - " + title, size, false);
     if (!opened) return tl::unexpected(opened.error());
     const GlWindow& gl_window = **opened;
     auto renderer = renderer::Renderer::create(avatar, {});
     if (!renderer) return tl::unexpected(renderer.error());
-    PressedKeys keys;
-    keys.connect(gl_window.handle());  // before the text library, which passes on to what stands there
+    keys.connect(gl_window.handle());
     Transport transport(gl_window.handle());
     if (!options.times_s.empty()) transport.time_s = static_cast<float>(options.times_s.front());
     while (glfwWindowShouldClose(gl_window.handle()) == GLFW_FALSE) {
         glfwPollEvents();
-        const PressedKeys pressed{keys.toggle, keys.close, keys.steps};
-        keys = {};
-        if (pressed.close) break;
+        const std::vector<int> pressed = keys.take();
+        if (std::count(pressed.begin(), pressed.end(), GLFW_KEY_ESCAPE) > 0) break;
         const WindowSize now = gl_window.framebufferSize();
         if (now.width == 0 || now.height == 0) {
             glfwWaitEventsTimeout(0.1);

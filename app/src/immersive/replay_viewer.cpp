@@ -15,6 +15,7 @@
 #include "core/durable.hpp"
 #include "gl_window.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "pressed_keys.hpp"
 #include "renderer/renderer.hpp"
 #include "replay_scene.hpp"
 #include "window_gui.hpp"
@@ -155,9 +156,9 @@ class Controls {
     bool close = false;
 
     /// Advances, and draws the bar over the picture.
-    void frame(const Show& show) {
+    void frame(const Show& show, const std::vector<int>& keys) {
         gui_.beginFrame();
-        keys(show);
+        for (const int key : keys) obey(key, show);
         const ImGuiIO& io = ImGui::GetIO();
         const auto end_s = static_cast<float>(show.length_s(trial));
         if (playing) time_s += speed * io.DeltaTime;
@@ -181,19 +182,17 @@ class Controls {
         time_s = 0.0F;
     }
 
-    void keys(const Show& show) {
-        // GetKeyIndex: before 1.87 Dear ImGui counts keys as the window does.
-        const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    void obey(int key, const Show& show) {
         constexpr float step_s = 1.0F / 30.0F;
-        if (pressed(ImGuiKey_Space)) playing = !playing;
-        if (pressed(ImGuiKey_Escape)) close = true;
-        if (pressed(ImGuiKey_V)) from_outside = !from_outside;
-        if (pressed(ImGuiKey_LeftArrow) || pressed(ImGuiKey_RightArrow)) {
+        if (key == GLFW_KEY_SPACE) playing = !playing;
+        if (key == GLFW_KEY_ESCAPE) close = true;
+        if (key == GLFW_KEY_V) from_outside = !from_outside;
+        if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT) {
             playing = false;
-            time_s = std::max(0.0F, time_s + (pressed(ImGuiKey_LeftArrow) ? -step_s : step_s));
+            time_s = std::max(0.0F, time_s + (key == GLFW_KEY_LEFT ? -step_s : step_s));
         }
-        if (pressed(ImGuiKey_PageUp) && trial > 0) go(trial - 1);
-        if (pressed(ImGuiKey_PageDown) && trial + 1 < show.count()) go(trial + 1);
+        if (key == GLFW_KEY_PAGE_UP && trial > 0) go(trial - 1);
+        if (key == GLFW_KEY_PAGE_DOWN && trial + 1 < show.count()) go(trial + 1);
     }
 
     void turn(const ImGuiIO& io) {
@@ -256,12 +255,14 @@ class Controls {
 
 Result<void> window(const results::Recording& recording, const Show& show, const assets::Avatar& avatar,
                     WindowSize size, const ReplayOptions& options) {
+    PressedKeys keys;
     auto opened = GlWindow::open(
         fmt::format("Deixis replay - {} - {}", recording.study_title, recording.participant), size, false);
     if (!opened) return tl::unexpected(opened.error());
     const GlWindow& gl_window = **opened;
     auto renderer = renderer::Renderer::create(avatar, {});
     if (!renderer) return tl::unexpected(renderer.error());
+    keys.connect(gl_window.handle());
     Controls controls(gl_window.handle(), options);
     while (glfwWindowShouldClose(gl_window.handle()) == GLFW_FALSE && !controls.close) {
         glfwPollEvents();
@@ -275,7 +276,7 @@ Result<void> window(const results::Recording& recording, const Show& show, const
                        now.width, now.height);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glViewport(0, 0, now.width, now.height);
-        controls.frame(show);
+        controls.frame(show, keys.take());
         glfwSwapBuffers(gl_window.handle());
     }
     return {};

@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import broken_off
+import replayed
 import rested
 import resized
 import studies
@@ -34,6 +35,7 @@ SCENARIOS = {
     "closing": resized.closing_in_view,
     "rested": rested.rested,
     "resized": resized.resized,
+    "replayed": replayed.replayed,
 }
 
 
