@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <thread>
 #include <variant>
@@ -16,9 +17,13 @@
 #include "core/number.hpp"
 #include "measured_clips.hpp"
 #include "motion/generator.hpp"
+#include "motion/pointing.hpp"
+#include "motion/reference_humanoid.hpp"
 #include "progress_line.hpp"
 #include "report.hpp"
 #include "results/evaluation.hpp"
+#include "studies/standing.hpp"
+#include "study_setup.hpp"
 #include "training_targets.hpp"
 #include "version.hpp"
 
@@ -33,6 +38,7 @@ struct EvaluateArguments {
     std::string training;
     std::string bandwidth = "normal-reference";
     std::string mean_shift_bandwidth = "auto";
+    std::string study;
     std::string page = "evaluation.html";
     std::string json;
     std::string tables;
@@ -154,6 +160,43 @@ Result<void> write(const results::Evaluation& evaluation, const EvaluateArgument
     return writeFile(options.page, results::renderEvaluation(evaluation));
 }
 
+/// The games that a study plays: those of each target that can be played, in each distance band that a stage
+/// uses, as they are seen in a headset.
+Result<results::StudyGames> gamesOfStudy(const std::string& name) {
+    const auto setup = loadStudySetup(name);
+    if (!setup) return tl::unexpected(setup.error());
+    const studies::Study& study = setup->study;
+    results::StudyGames out;
+    out.name = study.name;
+    std::set<std::string> layouts;
+    std::set<std::string> distances;
+    for (const studies::Stage& stage : study.stages) {
+        if (stage.kind != studies::StageKind::game) continue;
+        layouts.insert(stage.design.layouts.begin(), stage.design.layouts.end());
+        distances.insert(stage.design.distances.begin(), stage.design.distances.end());
+    }
+    for (const studies::Layout& layout : study.layouts)
+        if (layouts.contains(layout.name))
+            out.places.push_back(
+                {layout.name, studies::viewerPose(layout).position + Vec3(0.0, study.eye_height_m, 0.0)});
+    for (const studies::TargetItem& item : setup->targets)
+        for (std::size_t band = 0; band < item.distractors.size(); ++band) {
+            if (!item.placed || !distances.contains(study.distances[band].name)) continue;
+            results::StudyGames::Game& game = out.games.emplace_back();
+            game.target_id = item.id;
+            game.balls = {item.target};
+            game.balls.insert(game.balls.end(), item.distractors[band].begin(), item.distractors[band].end());
+        }
+    if (out.games.empty() || out.places.empty())
+        return fail(name, "plays no referential game", "Observers read only games: leave --study out");
+    const auto avatar = loadStudyAvatar(study);
+    if (!avatar) return tl::unexpected(avatar.error());
+    out.pointer_eye =
+        motion::eyePosition(motion::mapByVrmNames(avatar->skeleton),
+                            motion::worldPose(avatar->skeleton, motion::relaxedPose(avatar->skeleton)));
+    return out;
+}
+
 Result<void> evaluateClips(const EvaluateArguments& options) {
     results::EvaluationInput input;
     auto bandwidth = bandwidthFrom(options.bandwidth);
@@ -162,6 +205,12 @@ Result<void> evaluateClips(const EvaluateArguments& options) {
     const auto mean_shift = meanShiftBandwidthFrom(options.mean_shift_bandwidth);
     if (!mean_shift) return tl::unexpected(mean_shift.error());
     input.mean_shift_bandwidth = *mean_shift;
+
+    if (!options.study.empty()) {
+        auto games = gamesOfStudy(options.study);
+        if (!games) return tl::unexpected(games.error());
+        input.study = std::move(*games);
+    }
 
     Listed listed;
     for (const std::string& manifest : options.manifests)
@@ -216,6 +265,9 @@ void addEvaluateCommand(CLI::App& cli, Command& chosen) {
         ->add_option("--meanshift-bandwidth", options->mean_shift_bandwidth,
                      "Of the clusters of training targets: metres, or auto")
         ->capture_default_str();
+    command->add_option("--study", options->study,
+                        "Study whose games the clips were made for: what simulated observers read, and what "
+                        "nobody can exceed");
     command->add_option("-o,--output", options->page, "HTML page to write")->capture_default_str();
     command->add_option("--json", options->json, "JSON file to write");
     command->add_option("--csv", options->tables, "Folder for CSV tables");

@@ -23,6 +23,19 @@ namespace {
 using motion::ArmTrack;
 using motion::Side;
 
+/// The arm's lines over the hold; without phases at the time of pointing.
+studies::ArmLines linesOf(const motion::Clip& clip, const motion::HumanoidMap& map, Side side,
+                          const motion::Placement& placement, int first, int last) {
+    std::vector<studies::ArmLines> frames;
+    for (int frame = first; frame <= last; ++frame) {
+        std::vector<Pose> world =
+            motion::worldPose(clip.skeleton, clip.frames[static_cast<std::size_t>(frame)]);
+        for (Pose& joint : world) joint = placement.stage_from_clip * joint;
+        frames.push_back(studies::armLines(clip.skeleton, map, world, side, {}));
+    }
+    return studies::meanOf(frames);
+}
+
 struct OneClip {
     results::MeasuredClip measured;
     std::string digest;
@@ -84,6 +97,9 @@ Result<OneClip> measure(const ClipToMeasure& job, const motion::AccuracyRule& ru
     one.measured.profile =
         motion::pointingProfile(*arm, target, one.measured.pointing_frame, results::profile_from_s,
                                 results::profile_to_s, results::profile_step_s);
+    if (map.has(motion::Bone::head))
+        one.measured.lines = linesOf(clip, map, arm->side, placement, one.measured.pointing_frame,
+                                     phases ? phases->hold_frame : one.measured.pointing_frame);
     one.digest = digestOf(*arm);
     return one;
 }

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "evaluation_comparisons.hpp"
+#include "evaluation_observers.hpp"
 #include "results/descriptive.hpp"
 
 namespace deixis::results {
@@ -197,6 +198,7 @@ Result<Evaluation> evaluate(EvaluationInput given) {
     }
     evaluation.comparisons = compareSystems(evaluation.systems);
     addRemarks(evaluation);
+    if (auto read = readGames(evaluation); !read) return tl::unexpected(read.error());
     return evaluation;
 }
 

@@ -6,6 +6,7 @@
 
 #include "evaluation_figures.hpp"
 #include "evaluation_page_tables.hpp"
+#include "observers_html.hpp"
 #include "page.hpp"
 #include "results/descriptive.hpp"
 #include "results/evaluation.hpp"
@@ -63,7 +64,7 @@ std::string findings(const Evaluation& evaluation) {
         return fmt::format("<b>{}</b> ({:.3f}; mean error {:.1f}&#176;)", escapeHtml(system->system),
                            mean(system->rewards), mean(system->errors_deg));
     };
-    std::string out = "\n<ul class=\"findings\"><li>";
+    std::string out = "\n<ul class=\"findings\">" + observersFinding(evaluation.observers) + "<li>";
     out += measured.size() == 1 ? "Mean accuracy of " + named(measured.front()) + "."
                                 : named(measured.front()) + " has the highest mean accuracy, " +
                                       named(measured.back()) + " the lowest.";
@@ -96,6 +97,15 @@ std::string systemsSection(const Evaluation& evaluation, Numbering& figures, Num
     out += systemsHtml(evaluation, tables);
     out += accuracyBoxesHtml(evaluation, tables);
     return out + comparisonsHtml(evaluation, tables);
+}
+
+std::string observersSection(const Evaluation& evaluation, Numbering& tables) {
+    if (!evaluation.input.study) return "";
+    return fmt::format(
+               "\n<h2>Read by observers</h2>\n<p class=\"small intro\">The games of the study {}: each clip "
+               "with the balls of its target, seen from each layout&#8217;s place in a headset. {}</p>",
+               escapeHtml(evaluation.input.study->name), nearestText(*evaluation.nearest)) +
+           observersTable(evaluation.observers, "clips and places", tables);
 }
 
 std::string profilesSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
@@ -142,8 +152,9 @@ std::string methods(const Evaluation& evaluation) {
         "posture is reached, the manifest&#8217;s <i>peak</i>. Speed is that of the hand joint by central "
         "differences. A clip whose hand is never so slow there has no accuracy: it is counted as missing, "
         "and nothing is filled in. Clips are measured on their own skeletons. Only the forearm counts, as in "
-        "the paper: an agent that brings eye, fingertip and target into line, as people do, scores lower "
-        "than one whose forearm points.</p>\n<p><b>Density</b> is a Gaussian kernel estimate over the {} "
+        "the paper: an agent that brings eye, fingertip and target into line, as people who point do, scores "
+        "lower than one whose forearm points.</p>\n<p><b>Density</b> is a Gaussian kernel estimate over the "
+        "{} "
         "training targets, bandwidths {}. <b>Correlation</b> is Spearman&#8217;s, with mean ranks for ties; "
         "p is exact over all pairings up to nine clips, beyond that by Student&#8217;s "
         "t.</p>\n<p><b>Clusters</b> are those of MeanShift with a flat kernel, by scikit-learn&#8217;s "
@@ -191,6 +202,7 @@ std::string renderEvaluation(const Evaluation& evaluation) {
     out += syntheticNote(evaluation) + findings(evaluation) + remarksHtml(evaluation.remarks);
     Numbering figures("Figure");
     Numbering tables;
+    out += observersSection(evaluation, tables);
     out += systemsSection(evaluation, figures, tables);
     out += profilesSection(evaluation, figures, tables);
     out += trainingSection(evaluation, figures, tables);

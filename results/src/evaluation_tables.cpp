@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "csv_table.hpp"
+#include "observers_tables.hpp"
 #include "results/descriptive.hpp"
 #include "results/evaluation.hpp"
 
@@ -143,6 +144,13 @@ std::string evaluationJson(const Evaluation& evaluation) {
                           {"density", point.density},
                           {"cluster", point.cluster + 1}});
     out["targets"] = std::move(points);
+    if (evaluation.nearest)
+        out["observers"] = {{"study", input.study->name},
+                            {"readings", readingsJson(evaluation.observers)},
+                            {"nearest_training_target",
+                             {{"targets", evaluation.nearest->targets},
+                              {"median_distance_m", evaluation.nearest->median_distance_m},
+                              {"share_right", evaluation.nearest->share_right}}}};
     out["remarks"] = evaluation.remarks;
     // What is not UTF-8 in a file's name must not stop the output.
     return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -315,12 +323,14 @@ std::string clustersCsv(const Evaluation& evaluation) {
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluation& evaluation) {
-    return {{"clips.csv", clipsTable(evaluation)},
-            {"systems.csv", systemsCsv(evaluation)},
-            {"comparisons.csv", comparisonsTable(evaluation)},
-            {"profiles.csv", profilesTable(evaluation)},
-            {"targets.csv", targetsTable(evaluation)},
-            {"clusters.csv", clustersCsv(evaluation)}};
+    std::vector<std::pair<std::string, std::string>> out{{"clips.csv", clipsTable(evaluation)},
+                                                         {"systems.csv", systemsCsv(evaluation)},
+                                                         {"comparisons.csv", comparisonsTable(evaluation)},
+                                                         {"profiles.csv", profilesTable(evaluation)},
+                                                         {"targets.csv", targetsTable(evaluation)},
+                                                         {"clusters.csv", clustersCsv(evaluation)}};
+    if (!evaluation.observers.empty()) out.emplace_back("observers.csv", readingsCsv(evaluation.observers));
+    return out;
 }
 
 }  // namespace deixis::results

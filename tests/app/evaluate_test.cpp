@@ -109,6 +109,50 @@ TEST_SUITE("app/evaluate") {
         CHECK(nlohmann::json::parse(slurp(scratch / "m.json"))["training"]["synthetic"] == true);
     }
 
+    TEST_CASE("With a study, observers read its games, and ceilings stand beside them") {
+        const Scratch scratch{WithSharedStimuli{}};
+        const auto list = program("targets pointing2023 --no-picture");
+        REQUIRE(list.status == 0);
+        // The first eight targets of the study, whose clips are quickly made.
+        std::string eight;
+        std::size_t end = 0;
+        for (int lines = 0; lines < 9; ++lines) end = list.out.find('\n', end) + 1;
+        spill(scratch / "eight.csv", list.out.substr(0, end));
+        for (const std::string system : {"direct", "drifting"})
+            REQUIRE(program("generate " + system + " --targets " + (scratch / "eight.csv") + " --out " +
+                            (scratch / system))
+                        .status == 0);
+        const auto done = program("evaluate " + (scratch / "direct") + " " + (scratch / "drifting") +
+                                  " --study pointing2023 -o " + (scratch / "e.html") + " --json " +
+                                  (scratch / "e.json") + " --csv " + (scratch / "tables"));
+        REQUIRE_MESSAGE(done.status == 0, done.err);
+        const auto observers = nlohmann::json::parse(slurp(scratch / "e.json"))["observers"];
+        CHECK(observers["study"] == "pointing2023");
+        REQUIRE(observers["readings"].size() == 6);  // two systems, all layouts and each of two
+        CHECK(observers["readings"][0]["layout"] == "all");
+        CHECK(observers["readings"][0]["trials"] == 16.0);
+        const auto& direct = observers["readings"][0]["observers"];
+        CHECK(direct["eye-fingertip"]["without_error"] == 1.0);
+        CHECK(direct["eye-fingertip"]["accuracy"].get<double>() >
+              direct["arm-finger"]["accuracy"].get<double>() + 0.2);
+        CHECK(direct["two-cue"]["accuracy"].get<double>() > 0.75);
+        CHECK(observers["nearest_training_target"]["targets"] == 100);
+        const double ceiling = observers["nearest_training_target"]["share_right"].get<double>();
+        CHECK(ceiling > 0.5);
+        CHECK(ceiling < 0.85);
+        const std::string page = slurp(scratch / "e.html");
+        CHECK(contains(page, "Read by observers"));
+        CHECK(contains(page, "None of them is shown to read as people do"));
+        CHECK(contains(slurp(scratch / "tables/observers.csv"), "system,layout,observer,trials"));
+        CHECK(shell("xmllint --noout " + (scratch / "e.html")).status == 0);
+        CHECK_FAILS_SAYING(
+            program("evaluate " + manifests() + " --study pointing2023 -o " + (scratch / "n.html")),
+            "--study", "no clip was made for a target of the study");
+        CHECK_FAILS_SAYING(
+            program("evaluate " + manifests() + " --study genea-pairwise -o " + (scratch / "n.html")),
+            "genea-pairwise", "plays no referential game");
+    }
+
     TEST_CASE("A clip without phases is measured where its hand is farthest out") {
         const Scratch scratch;
         const auto grid = slurp(corpus() / "grid.csv");

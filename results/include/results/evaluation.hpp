@@ -15,6 +15,7 @@
 #include "motion/pointing_accuracy.hpp"
 #include "results/density.hpp"
 #include "results/mean_shift.hpp"
+#include "results/observers.hpp"
 #include "results/signed_rank.hpp"
 #include "results/spearman.hpp"
 
@@ -37,6 +38,23 @@ struct MeasuredClip {
     bool placed = false;       ///< the figure was brought to the origin (motion::placementOf)
     std::optional<motion::PointingAccuracy> accuracy{};  ///< none: the hand was never slow enough
     motion::PointingProfile profile{};
+    studies::ArmLines lines{};  ///< over the hold, or at the time of pointing where no phases were given
+};
+
+/// The games of a study, for whose targets clips may have been made.
+struct StudyGames {
+    std::string name;
+    struct Place {
+        std::string layout;
+        Vec3 observer_eye{0.0};
+    };
+    std::vector<Place> places;  ///< in a headset
+    struct Game {
+        std::string target_id;
+        std::vector<Vec3> balls{};  ///< the target first
+    };
+    std::vector<Game> games;  ///< of each target and distance band
+    Vec3 pointer_eye{0.0};    ///< of the avatar at ease
 };
 
 struct InputFile {
@@ -54,6 +72,7 @@ struct EvaluationInput {
     bool training_synthetic = false;
     std::variant<BandwidthRule, std::vector<double>> bandwidth = BandwidthRule::normal_reference;
     std::optional<double> mean_shift_bandwidth{};              ///< none: estimated
+    std::optional<StudyGames> study{};                         ///< none: no game is looked at
     std::string program;                                       ///< name and version
     std::vector<std::pair<std::string, std::string>> build{};  ///< of the program: name, value
     std::vector<InputFile> files{};
@@ -133,6 +152,8 @@ struct Evaluation {
     bool mean_shift_estimated = false;
     std::vector<TargetCluster> clusters;
     std::vector<std::string> remarks;           ///< what a reader must know
+    std::vector<ObserverReading> observers;     ///< of the study's games; empty without a study
+    std::optional<NearestCeiling> nearest{};    ///< likewise
     std::vector<SystemComparison> comparisons;  ///< every pair: first with second, first with third, ...
 
     Evaluation() = default;
@@ -152,7 +173,8 @@ struct Evaluation {
 [[nodiscard]] std::string renderEvaluation(const Evaluation& evaluation);
 /// One JSON object, "format": "deixis-evaluation", "version": 1; documented in docs/evaluation.md.
 [[nodiscard]] std::string evaluationJson(const Evaluation& evaluation);
-/// File names and contents: clips.csv, systems.csv, comparisons.csv, profiles.csv, targets.csv, clusters.csv.
+/// File names and contents: clips.csv, systems.csv, comparisons.csv, profiles.csv, targets.csv, clusters.csv;
+/// of a study's games observers.csv.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluation& evaluation);
 
 }  // namespace deixis::results
