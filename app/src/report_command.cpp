@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -18,6 +19,7 @@
 #include "results/long_table.hpp"
 #include "results/server.hpp"
 #include "version.hpp"
+#include "watched_choices.hpp"
 
 namespace deixis::app {
 
@@ -43,6 +45,37 @@ Result<void> writeTables(const std::string& folder, const Tables& tables) {
     return {};
 }
 
+bool isDatabase(const std::string& file) {
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(file, code)) return false;
+    std::ifstream in(file, std::ios::binary);
+    std::string start(15, '\0');
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    return start == "SQLite format 3";
+}
+
+/// Adds what observers would read where the clips that were shown are at hand; else a note.
+void watchAgain(const std::vector<std::string>& data, const std::string& stimuli,
+                results::ResponseTable& table) {
+    std::string missing;
+    for (const std::string& file : data) {
+        if (!isDatabase(file)) continue;
+        auto choices = watchedChoices(file, stimuli);
+        if (choices)
+            table.watched.insert(table.watched.end(), std::make_move_iterator(choices->begin()),
+                                 std::make_move_iterator(choices->end()));
+        else
+            missing += (missing.empty() ? "" : "; ") + choices.error().text();
+    }
+    if (missing.empty()) return;
+    // Of some databases alone they would not be the choices that the other tables count.
+    table.watched.clear();
+    table.notes.push_back(
+        "What simulated observers would read in the same arms, and choices by where an arm was at the "
+        "beginning and the end of its hold, are left out: " +
+        missing);
+}
+
 /// One of the data: a database, a long table, or a study on a server.
 Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice& choice) {
     if (isServerAddress(data)) return results::loadServerResponses(data, choice.study);
@@ -56,12 +89,7 @@ Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice
 }  // namespace
 
 Result<void> checkOutput(const std::string& file) {
-    std::error_code code;
-    if (file.empty() || !std::filesystem::is_regular_file(file, code)) return {};
-    std::ifstream in(file, std::ios::binary);
-    std::string start(15, '\0');
-    in.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (start == "SQLite format 3")
+    if (!file.empty() && isDatabase(file))
         return fail(file, "is a database; a report is not written over it", "Name another file");
     return {};
 }
@@ -86,6 +114,7 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
         return fail(files.page, "was named for both the page and the JSON");
     auto table = loadAll(data, choice);
     if (!table) return tl::unexpected(table.error());
+    watchAgain(data, choice.stimuli, *table);
     results::AnalysisOptions named = options;
     named.program = programVersion();
     named.build = buildProperties();
@@ -134,6 +163,8 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     command->add_option(
         "--r", options->files.r,
         "Folder for the tables and analysis.R, which computes them anew and adds mixed models");
+    command->add_option("--stimuli", options->choice.stimuli,
+                        "Folder of the clips that the databases' sessions showed [where they lay]");
     command
         ->add_option("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
         ->check(CLI::Range(1e-6, 0.5));

@@ -97,6 +97,10 @@ void mapTargets(AnalysisResult& result) {
 }  // namespace
 
 void describeChoices(AnalysisResult& result) {
+    std::vector<ReadTrial> trials;
+    for (const WatchedChoice& choice : result.table.watched) trials.push_back(choice.seen);
+    result.observers = readByObservers(trials, result.table.systems);
+    result.drift = countDrift(result.table.watched, result.table.systems);
     if (result.table.choices.empty()) return;
     countConfusion(result);
     mapTargets(result);

@@ -3,6 +3,7 @@
 #include "analysis_json_groups.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "json_values.hpp"
+#include "observers_tables.hpp"
 #include "results/analysis.hpp"
 #include "results/descriptive.hpp"
 
@@ -219,6 +220,17 @@ void addChoices(Json& out, const AnalysisResult& result) {
     for (const ConfusionResult& one : result.confusion)
         out["confusion"].push_back(
             {{"system", one.system}, {"role", one.role}, {"chosen", one.chosen}, {"shown", one.shown}});
+    out["observers"] = readingsJson(result.observers);
+    out["drift"] = Json::array();
+    for (const DriftResult& one : result.drift)
+        out["drift"].push_back({{"system", one.system},
+                                {"line", one.line},
+                                {"choices", one.choices},
+                                {"of_first", one.of_first},
+                                {"of_last", one.of_last},
+                                {"moved", one.moved},
+                                {"moved_first", one.moved_first},
+                                {"moved_last", one.moved_last}});
     out["target_space"] = Json::array();
     for (const TargetPlace& one : result.target_space)
         out["target_space"].push_back({{"system", one.system},

@@ -174,6 +174,40 @@ PlainTable confusionTable(const AnalysisResult& result) {
     return out;
 }
 
+PlainTable observersTable(const AnalysisResult& result) {
+    PlainTable out{"observers",
+                   "Right choices that simulated observers are expected to make; no evidence about people",
+                   {{"system", text, Print::plain},
+                    {"layout", text, Print::plain},
+                    {"observer", text, Print::plain},
+                    {"choices", number},
+                    {"accuracy", number, Print::plain},
+                    {"without_error", number, Print::plain, "without error"}}};
+    for (const ObserverReading& one : result.observers)
+        for (std::size_t i = 0; i < observer_names.size(); ++i)
+            out.rows.push_back({one.system, one.layout, std::string(observer_names[i]), PlainCell(one.trials),
+                                PlainCell(one.accuracy[i]), PlainCell(one.without_error[i])});
+    return out;
+}
+
+PlainTable driftTable(const AnalysisResult& result) {
+    PlainTable out{"drift",
+                   "Choices of the ball nearest to the arm when the hold began and when it ended",
+                   {{"system", text, Print::plain},
+                    {"line", text, Print::plain},
+                    {"choices", whole, Print::plain},
+                    {"of_first", whole, Print::plain, "at first"},
+                    {"of_last", whole, Print::plain, "at last"},
+                    {"moved", whole, Print::plain, "two balls"},
+                    {"moved_first", whole, Print::plain, "the first"},
+                    {"moved_last", whole, Print::plain, "the last"}}};
+    for (const DriftResult& one : result.drift)
+        out.rows.push_back({one.system, one.line, wholeCell(one.choices), wholeCell(one.of_first),
+                            wholeCell(one.of_last), wholeCell(one.moved), wholeCell(one.moved_first),
+                            wholeCell(one.moved_last)});
+    return out;
+}
+
 PlainTable targetSpaceTable(const AnalysisResult& result) {
     PlainTable out{"target_space",
                    "Right choices by the target's place",
@@ -236,7 +270,8 @@ PlainTable scoresTable(const AnalysisResult& result) {
 std::vector<PlainTable> furtherTables(const AnalysisResult& result) {
     return {sensitivityTable(result), unansweredTable(result),
             betweenTable(result),     preferencesBetweenTable(result),
-            confusionTable(result),   targetSpaceTable(result),
+            confusionTable(result),   driftTable(result),
+            observersTable(result),   targetSpaceTable(result),
             pooledTable(result),      scoresTable(result)};
 }
 

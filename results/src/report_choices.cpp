@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "observers_html.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
 #include "report_tables.hpp"
@@ -82,11 +83,31 @@ std::string targetTable(const AnalysisResult& result, Numbering& numbering) {
     return out + close_table + "</details>";
 }
 
+std::string driftTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.drift.empty()) return "";
+    std::string out = openTable(
+        "Choices and arms that go on moving while they are held: how often the ball was chosen that is "
+        "nearest to a line of the arm when the hold begins, and when it ends; then the same of the choices "
+        "in which these are two balls. arm-finger: from the elbow through the fingertip; eye-fingertip: from "
+        "the avatar's eye. The hold is found in the clip as a simulated participant finds it.",
+        "<th>System</th><th class=\"text\">line</th><th>choices</th><th>nearest at first</th><th>at "
+        "last</th><th>two balls</th><th>the first chosen</th><th>the last</th><th>another</th>",
+        numbering, TableWidth::dense);
+    for (const DriftResult& one : result.drift)
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}"
+            "</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escapeHtml(one.system), one.line, one.choices, one.of_first, one.of_last, one.moved,
+            one.moved_first, one.moved_last, one.moved - one.moved_first - one.moved_last);
+    return out + close_table;
+}
+
 }  // namespace
 
 std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
     if (result.confusion.empty()) return "";
-    std::string out = "<h2>Which balls were chosen, and where</h2>" + confusionTable(result, numbering);
+    std::string out = "<h2>Which balls were chosen, and where</h2>" + confusionTable(result, numbering) +
+                      driftTable(result, numbering) + observersTable(result.observers, "choices", numbering);
     if (!result.target_space.empty())
         out += "<div class=\"plots\">" + figureHtml(placesFigure(result, figures)) + "</div>";
     return out + targetTable(result, numbering);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "observers_html.hpp"
+
 namespace deixis::results {
 
 std::string escapeHtml(std::string_view text) {
@@ -232,7 +234,8 @@ std::string preferenceSentence(const AnalysisResult& result) {
 }  // namespace
 
 std::string findingsHtml(const AnalysisResult& result) {
-    std::string out;
+    // What simulated participants chose is one observer's reading.
+    std::string out = result.synthetic ? observersFinding(result.observers) : std::string();
     for (std::size_t measure = 0; measure < result.measures.size(); ++measure) {
         std::string item = extremes(result, measure);
         if (result.participants > 1) item += " " + significance(result, result.measures[measure].name);

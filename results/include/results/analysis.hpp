@@ -292,6 +292,8 @@ struct AnalysisResult {
     std::vector<PreferenceBetweenResult> preferences_between;
     std::vector<ConfusionResult> confusion;  ///< where the balls' positions are known
     std::vector<TargetPlace> target_space;   ///< likewise; of each system by target
+    std::vector<ObserverReading> observers;  ///< where the choices' clips are at hand
+    std::vector<DriftResult> drift;          ///< likewise
     std::vector<PooledResult> pooled;        ///< of ratings
     std::vector<ChanceResult> chance;        ///< where there is a game
     std::vector<TimeResult> times;

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/name.hpp"
 #include "core/pose.hpp"
+#include "results/observers.hpp"
 
 namespace deixis::results {
 
@@ -134,6 +135,9 @@ struct ResponseTable {
     /// Choices that the experimenter skipped, of participants who count; `value` is 0.
     std::vector<ResponseRow> skipped_rows{};
     std::vector<ChoiceRow> choices{};  ///< of participants who count, where the balls are known
+    /// Choices with the arms that they were made after, where the clips are at hand; whoever reads them adds
+    /// them (the reading of a database does not).
+    std::vector<WatchedChoice> watched{};
 };
 
 /// The factors within participants that the rows differ in: "layout", "distance", then ResponseTable::within.

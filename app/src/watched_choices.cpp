@@ -1,0 +1,82 @@
+#include "watched_choices.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "recorded_avatar.hpp"
+#include "recorded_clips.hpp"
+#include "results/shown_choices.hpp"
+#include "studies/watched_gesture.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+/// The avatar that all of them were shown.
+Result<assets::Avatar> shownAvatar(const results::ShownChoices& shown,
+                                   const std::filesystem::path& database) {
+    results::Recording recording;
+    recording.study_source = shown.study_source;
+    recording.participant = "all participants";
+    for (const results::ShownChoice& choice : shown.choices)
+        recording.answers.emplace_back().avatar_hash = choice.avatar_hash;
+    return recordedAvatar(recording, database);
+}
+
+Result<results::ClipRecords> clipsOf(const results::ShownChoices& shown,
+                                     const std::filesystem::path& database) {
+    results::ClipRecords out;
+    for (const results::ShownChoice& choice : shown.choices)
+        if (const auto [known, added] = out.emplace(choice.stimulus, choice.clip);
+            !added && known->second.content_hash != choice.clip.content_hash)
+            return fail(database.string(), fmt::format("participants were shown different clips of {} for {}",
+                                                       choice.stimulus.system, choice.stimulus.item));
+    return out;
+}
+
+/// The target first.
+results::WatchedChoice watched(const results::ShownChoice& choice, const studies::WatchedGesture& gesture) {
+    results::WatchedChoice out;
+    out.seen.system = choice.stimulus.system;
+    out.seen.layout = choice.layout;
+    out.seen.arm = {gesture.hold, choice.head_m};
+    out.first = gesture.first;
+    out.last = gesture.last;
+    const auto target = static_cast<std::size_t>(choice.target_place);
+    const auto chosen = static_cast<std::size_t>(choice.chosen_place);
+    out.seen.balls = {choice.balls.at(target)};
+    for (std::size_t place = 0; place < choice.balls.size(); ++place) {
+        if (place == target) continue;
+        if (place == chosen) out.chosen = static_cast<int>(out.seen.balls.size());
+        out.seen.balls.push_back(choice.balls[place]);
+    }
+    return out;
+}
+
+}  // namespace
+
+Result<std::vector<results::WatchedChoice>> watchedChoices(const std::filesystem::path& database,
+                                                           const std::filesystem::path& stimuli) {
+    const auto shown = results::loadShownChoices(database);
+    if (!shown) return tl::unexpected(shown.error());
+    std::vector<results::WatchedChoice> out;
+    if (shown->choices.empty()) return out;
+    const auto avatar = shownAvatar(*shown, database);
+    if (!avatar) return tl::unexpected(avatar.error());
+    const auto records = clipsOf(*shown, database);
+    if (!records) return tl::unexpected(records.error());
+    const auto clips = RecordedClips::load(*records, *avatar, stimuli, database);
+    if (!clips) return tl::unexpected(clips.error());
+    std::map<studies::Stimulus, std::optional<studies::WatchedGesture>> gestures;
+    for (const results::ShownChoice& choice : shown->choices) {
+        const auto [gesture, fresh] = gestures.try_emplace(choice.stimulus);
+        if (fresh) gesture->second = studies::watchGesture(clips->clip(choice.stimulus), {});
+        if (gesture->second && choice.balls.size() > 1) out.push_back(watched(choice, *gesture->second));
+    }
+    return out;
+}
+
+}  // namespace deixis::app
