@@ -23,6 +23,7 @@ struct DataChoice {
     std::string study{};  ///< of a server's, its name or how its hash begins; empty: its only one
     results::FactorColumns factors{};  ///< of long tables
     std::string stimuli{};  ///< folder of the clips that databases' sessions showed; empty: where they lay
+    bool without_clips = false;  ///< they are not looked at
 };
 
 /// Analyses databases of one study, long tables (CSV), or a study on a server, and writes the files.

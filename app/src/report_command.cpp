@@ -114,7 +114,7 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
         return fail(files.page, "was named for both the page and the JSON");
     auto table = loadAll(data, choice);
     if (!table) return tl::unexpected(table.error());
-    watchAgain(data, choice.stimuli, *table);
+    if (!choice.without_clips) watchAgain(data, choice.stimuli, *table);
     results::AnalysisOptions named = options;
     named.program = programVersion();
     named.build = buildProperties();
@@ -165,6 +165,8 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
         "Folder for the tables and analysis.R, which computes them anew and adds mixed models");
     command->add_option("--stimuli", options->choice.stimuli,
                         "Folder of the clips that the databases' sessions showed [where they lay]");
+    command->add_flag("--without-clips", options->choice.without_clips,
+                      "Do not look at those clips: the answers alone decide what is written");
     command
         ->add_option("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
         ->check(CLI::Range(1e-6, 0.5));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace deixis::results {

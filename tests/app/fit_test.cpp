@@ -34,7 +34,7 @@ TEST_SUITE("app/fit") {
         CHECK(holds(fitted["pooled"]["noise_deg"], 4.0));
         CHECK(holds(fitted["pooled"]["lapse_rate"], 0.1));
         CHECK(holds(fitted["pooled"]["eye_line_share"], 0.7));
-        CHECK(holds(fitted["pooled"]["visual_weight"], 0.667));
+        CHECK(holds(fitted["pooled"]["visual_weight"], 0.5));
         CHECK(fitted["pooled"]["eye_line_share"]["lower"] > 0.3);
         CHECK_FALSE(fitted["participants"][0].contains("eye_line_share"));
         CHECK(fitted["population"]["noise_between"] < 0.4);

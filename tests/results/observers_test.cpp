@@ -161,7 +161,7 @@ TEST_SUITE("results/observers") {
         REQUIRE(readings.size() == 4);
         for (const ObserverReading& one : readings) {
             CAPTURE(one.system);
-            const auto [two_cue, arm, eye] = one.accuracy;
+            const double two_cue = one.accuracy[0], arm = one.accuracy[1], eye = one.accuracy[2];
             CHECK(arm < 0.5);
             if (one.system == "direct" || one.system == "stiff") {
                 CHECK(two_cue > 0.85);

@@ -35,7 +35,7 @@ struct ObserverModel {
     double eye_line_share = 0.5;
     /// Of where the finger stands in the observer's own field of view, while the gaze runs along the arm. It
     /// falls with the cosine of the angle between gaze and arm, to 0 from a right angle on.
-    double visual_weight = 0.667;
+    double visual_weight = 0.5;
 };
 
 /// The lines of an arm, unit length; the first two start at the fingertip.
