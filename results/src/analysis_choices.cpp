@@ -99,6 +99,11 @@ void mapTargets(AnalysisResult& result) {
 void describeChoices(AnalysisResult& result) {
     std::vector<ReadTrial> trials;
     for (const WatchedChoice& choice : result.table.watched) trials.push_back(choice.seen);
+    const auto& layouts = result.table.layouts;
+    std::stable_sort(trials.begin(), trials.end(), [&layouts](const ReadTrial& a, const ReadTrial& b) {
+        return std::find(layouts.begin(), layouts.end(), a.layout) <
+               std::find(layouts.begin(), layouts.end(), b.layout);
+    });
     result.observers = readByObservers(trials, result.table.systems);
     result.drift = countDrift(result.table.watched, result.table.systems);
     if (result.table.choices.empty()) return;

@@ -106,8 +106,10 @@ std::string driftTable(const AnalysisResult& result, Numbering& numbering) {
 
 std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
     if (result.confusion.empty()) return "";
-    std::string out = "<h2>Which balls were chosen, and where</h2>" + confusionTable(result, numbering) +
-                      driftTable(result, numbering) + observersTable(result.observers, "choices", numbering);
+    // One after another: the tables count.
+    std::string out = "<h2>Which balls were chosen, and where</h2>" + confusionTable(result, numbering);
+    out += driftTable(result, numbering);
+    out += observersTable(result.observers, "choices", numbering);
     if (!result.target_space.empty())
         out += "<div class=\"plots\">" + figureHtml(placesFigure(result, figures)) + "</div>";
     return out + targetTable(result, numbering);

@@ -35,6 +35,11 @@ TEST_SUITE("app/report_observers") {
         CHECK(finding < page.find("has the highest"));
         CHECK(page.find("Choices and arms that go on moving") != std::string::npos);
         CHECK(page.find("reads two-cue, noise 3 degrees, lapses 0.02") != std::string::npos);
+        int tables = 0;  // numbered as they stand
+        for (std::size_t at = 0; (at = page.find("<b>Table ", at)) != std::string::npos; ++at)
+            CHECK(std::stoi(page.substr(at + 9)) == ++tables);
+        CHECK(tables > 8);
+        CHECK(analysis["observers"][1]["layout"] == "across");
         CHECK(slurp(scratch / "tables/drift.csv").find("moved_first") != std::string::npos);
         CHECK(shell("xmllint --noout " + (scratch / "r.html")).status == 0);
 
