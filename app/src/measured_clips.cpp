@@ -3,17 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <exception>
+#include <glm/geometric.hpp>
 #include <mutex>
 #include <optional>
 #include <thread>
 
 #include "clip_files.hpp"
 #include "core/hash.hpp"
+#include "motion/pointing.hpp"
 #include "motion/retarget.hpp"
 
 namespace deixis::app {
@@ -58,6 +61,46 @@ std::string digestOf(const ArmTrack& arm) {
     return sha256Hex(bytes);
 }
 
+/// Whether the figure has what a ray goes through.
+bool hasRay(const motion::HumanoidMap& map, Side side, motion::PointingRay ray) {
+    using enum motion::PointingRay;
+    const motion::ArmBones arm = motion::armBones(side);
+    switch (ray) {
+        case forearm:
+            return true;
+        case index_finger:
+            return map.has(arm.index_proximal);
+        case shoulder_hand:
+            return map.has(arm.upper_arm);
+        case shoulder_fingertip:
+            return map.has(arm.upper_arm) && map.has(arm.index_proximal);
+        case elbow_fingertip:
+            return map.has(arm.index_proximal);
+        case eye_fingertip:
+            return map.has(motion::Bone::head);
+        case head:
+            return false;  // where it looks, not where it points
+    }
+    return false;
+}
+
+/// `target` in the clip's coordinates.
+std::array<std::optional<double>, motion::all_pointing_rays.size()> rayErrors(const motion::Clip& clip,
+                                                                              const motion::HumanoidMap& map,
+                                                                              Side side, int frame,
+                                                                              const Vec3& target) {
+    std::array<std::optional<double>, motion::all_pointing_rays.size()> out{};
+    const std::vector<Pose> world =
+        motion::worldPose(clip.skeleton, clip.frames[static_cast<std::size_t>(frame)]);
+    for (const motion::PointingRay kind : motion::all_pointing_rays) {
+        if (!hasRay(map, side, kind)) continue;
+        const Ray ray = motion::pointingRay(clip.skeleton, map, world, side, kind);
+        if (glm::length(ray.direction) > 0.5)
+            out.at(static_cast<std::size_t>(kind)) = degreesFromRadians(motion::angularError(ray, target));
+    }
+    return out;
+}
+
 Result<OneClip> measure(const ClipToMeasure& job, const motion::AccuracyRule& rule) {
     const std::string name = job.file.string();
     const auto file = readMappedClip(job.file);
@@ -100,6 +143,9 @@ Result<OneClip> measure(const ClipToMeasure& job, const motion::AccuracyRule& ru
     if (map.has(motion::Bone::head))
         one.measured.lines = linesOf(clip, map, arm->side, placement, one.measured.pointing_frame,
                                      phases ? phases->hold_frame : one.measured.pointing_frame);
+    const int frame = one.measured.accuracy ? one.measured.accuracy->frame : one.measured.pointing_frame;
+    one.measured.ray_errors_deg =
+        rayErrors(clip, map, arm->side, frame, transformPoint(inverse(placement.stage_from_clip), target));
     one.digest = digestOf(*arm);
     return one;
 }

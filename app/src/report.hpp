@@ -24,6 +24,8 @@ struct DataChoice {
     results::FactorColumns factors{};  ///< of long tables
     std::string stimuli{};  ///< folder of the clips that databases' sessions showed; empty: where they lay
     bool without_clips = false;  ///< they are not looked at
+    /// "apart", "together" or one kind of station; empty: as the study says, apart where it does not.
+    std::string stations{};
 };
 
 /// Analyses databases of one study, long tables (CSV), or a study on a server, and writes the files.

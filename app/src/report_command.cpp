@@ -1,23 +1,29 @@
 // deixis report: the analysis of databases or long tables as a page, as JSON and as tables.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "assets/data_paths.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
+#include "core/number.hpp"
 #include "core/server_address.hpp"
 #include "report.hpp"
 #include "results/analysis.hpp"
 #include "results/analysis_tables.hpp"
 #include "results/long_table.hpp"
 #include "results/server.hpp"
+#include "results/stations.hpp"
+#include "results/stations_page.hpp"
 #include "version.hpp"
 #include "watched_choices.hpp"
 
@@ -30,7 +36,22 @@ struct ReportArguments {
     ReportFiles files;
     results::AnalysisOptions analysis;
     DataChoice choice;
+    std::vector<std::string> equivalence;
 };
+
+/// "MEASURE=BOUND", each.
+Result<std::map<std::string, double>> boundsFrom(const std::vector<std::string>& texts) {
+    std::map<std::string, double> out;
+    for (const std::string& text : texts) {
+        const auto equals = text.rfind('=');
+        const auto bound = equals == std::string::npos ? std::nullopt : finiteNumber(text.substr(equals + 1));
+        if (!bound || *bound <= 0.0 || equals == 0)
+            return fail("--equivalence", fmt::format("found \"{}\", expected MEASURE=BOUND, above 0", text),
+                        "Such as naturalness=0.5");
+        out[text.substr(0, equals)] = *bound;
+    }
+    return out;
+}
 
 using Tables = std::vector<std::pair<std::string, std::string>>;  ///< file names and their bytes
 
@@ -106,19 +127,9 @@ Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, con
     return results::joinTables(std::move(tables));
 }
 
-Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
-                         const results::AnalysisOptions& options, const DataChoice& choice) {
-    for (const std::string& file : {files.page, files.json})
-        if (auto checked = checkOutput(file); !checked) return checked;
-    if (!files.page.empty() && files.page == files.json)
-        return fail(files.page, "was named for both the page and the JSON");
-    auto table = loadAll(data, choice);
-    if (!table) return tl::unexpected(table.error());
-    if (!choice.without_clips) watchAgain(data, choice.stimuli, *table);
-    results::AnalysisOptions named = options;
-    named.program = programVersion();
-    named.build = buildProperties();
-    const auto analysis = results::analyse(std::move(*table), named);
+namespace {
+
+Result<void> writeAnalysis(const results::AnalysisResult& analysis, const ReportFiles& files) {
     // Tables may hold millions of answers: they are made beside the page.
     const bool wants_csv = !files.csv.empty() || !files.r.empty();
     auto csv = std::async(std::launch::async, [&] {
@@ -142,6 +153,77 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
             return written;
     }
     return {};
+}
+
+/// "report.html" of the desktop is "report-desktop.html"; a folder gets one within.
+ReportFiles filesOf(const ReportFiles& files, const std::string& kind) {
+    const auto named = [&](const std::string& file) {
+        if (file.empty()) return file;
+        const std::filesystem::path path(file);
+        return (path.parent_path() / (path.stem().string() + "-" + kind + path.extension().string()))
+            .string();
+    };
+    const auto within = [&](const std::string& folder) {
+        return folder.empty() ? folder : (std::filesystem::path(folder) / kind).string();
+    };
+    return {named(files.page), named(files.json), within(files.csv), within(files.latex), within(files.r)};
+}
+
+/// One analysis, or one for each kind of station, with a page that leads to them and compares the stations.
+Result<void> writeByStation(results::ResponseTable table, const ReportFiles& files,
+                            const results::AnalysisOptions& options, const std::string& stations) {
+    const std::vector<std::string> kinds = results::stationKinds(table);
+    const bool together = stations == "together" || (stations.empty() && table.stations_together);
+    if (!stations.empty() && stations != "apart" && !together) {
+        if (std::find(kinds.begin(), kinds.end(), stations) == kinds.end())
+            return fail("--stations", fmt::format("found \"{}\", and no answer was given there", stations),
+                        fmt::format("apart, together, or one of: {}", fmt::join(kinds, ", ")));
+        return writeAnalysis(results::analyse(results::onlyAt(std::move(table), stations), options), files);
+    }
+    const auto people = std::count_if(kinds.begin(), kinds.end(), [](const std::string& kind) {
+        return kind != results::simulated_station;
+    });
+    if (kinds.size() <= 1) return writeAnalysis(results::analyse(std::move(table), options), files);
+    if (together && people > 0)
+        return writeAnalysis(results::analyse(people > 1 ? results::withStations(std::move(table))
+                                                         : results::onlyAt(std::move(table), std::nullopt),
+                                              options),
+                             files);
+    std::vector<results::StationReport> reports;
+    for (const std::string& kind : kinds) {
+        const std::string name = kind.empty() ? "unknown" : kind;
+        const ReportFiles own = filesOf(files, name);
+        const auto analysis = results::analyse(results::onlyAt(table, kind), options);
+        if (auto written = writeAnalysis(analysis, own); !written) return written;
+        reports.push_back({name, std::filesystem::path(own.page).filename().string(), analysis.participants,
+                           static_cast<int>(analysis.table.rows.size())});
+        fmt::print("station {}: {}\n", name, own.page);
+    }
+    const auto between = results::analyse(results::withStations(std::move(table)), options);
+    if (!files.page.empty())
+        if (auto written = writeFile(files.page, results::renderStations(between, reports)); !written)
+            return written;
+    if (!files.json.empty())
+        if (auto written = writeFile(files.json, results::stationsJson(between, reports)); !written)
+            return written;
+    return {};
+}
+
+}  // namespace
+
+Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
+                         const results::AnalysisOptions& options, const DataChoice& choice) {
+    for (const std::string& file : {files.page, files.json})
+        if (auto checked = checkOutput(file); !checked) return checked;
+    if (!files.page.empty() && files.page == files.json)
+        return fail(files.page, "was named for both the page and the JSON");
+    auto table = loadAll(data, choice);
+    if (!table) return tl::unexpected(table.error());
+    if (!choice.without_clips) watchAgain(data, choice.stimuli, *table);
+    results::AnalysisOptions named = options;
+    named.program = programVersion();
+    named.build = buildProperties();
+    return writeByStation(std::move(*table), files, named, choice.stations);
 }
 
 void addReportCommand(CLI::App& cli, Command& chosen) {
@@ -185,10 +267,23 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
         ->add_option("--within", options->choice.factors.within,
                      "Column of CSV files with the levels of a factor within participants; may be repeated")
         ->allow_extra_args(false);
+    command->add_option(
+        "--stations", options->choice.stations,
+        "Answers given at a desktop and in a headset: apart (a report each), together (station is "
+        "then a factor), or those of one kind; the study's, else apart. Simulated participants "
+        "always stand apart");
+    command
+        ->add_option(
+            "--equivalence", options->equivalence,
+            "MEASURE=BOUND within which two systems, levels or groups count as equivalent; may be repeated")
+        ->allow_extra_args(false);
     command->add_option("--seed", options->analysis.seed, "Seed of the bootstrap")->capture_default_str();
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
             const ReportFiles& files = options->files;
+            auto bounds = boundsFrom(options->equivalence);
+            if (!bounds) return tl::unexpected(bounds.error());
+            options->analysis.equivalence = std::move(*bounds);
             if (auto done = writeReport(options->data, files, options->analysis, options->choice); !done)
                 return done;
             fmt::print("report: {}\n", files.page);

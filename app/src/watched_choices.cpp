@@ -45,6 +45,7 @@ results::WatchedChoice watched(const results::ShownChoice& choice, const studies
     out.seen.arm = {gesture.hold, choice.head_m};
     out.first = gesture.first;
     out.last = gesture.last;
+    out.participant = choice.participant;
     const auto target = static_cast<std::size_t>(choice.target_place);
     const auto chosen = static_cast<std::size_t>(choice.chosen_place);
     out.seen.balls = {choice.balls.at(target)};

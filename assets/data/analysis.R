@@ -13,7 +13,7 @@ script <- sub("^--file=", "", grep("^--file=", arguments, value = TRUE))
 if (length(script) == 1) setwd(dirname(normalizePath(script)))
 
 labels <- c("participant", "measure", "system", "other_system", "layout", "distance", "item", "factor", "level",
-            "a", "b", "status", "station", "family", "method", "stage", "score", "name", "excluded")
+            "a", "b", "c", "d", "other_factor", "status", "station", "family", "method", "stage", "score", "name", "excluded")
 table_of <- function(name) {
     file <- paste0(name, ".csv")
     if (!file.exists(file)) return(NULL)
@@ -342,6 +342,71 @@ if (!is.null(between)) {
         people <- unique(answers$participant[here])
         sapply(people, function(one) mean(unlist(lapply(by_system, function(column) column[one])), na.rm = TRUE))
     })
+}
+
+# Of each participant and cell the mean of the means under each system.
+cell_means <- function(here) {
+    by_system <- lapply(unique(answers$system[here]), function(s) means_of(here & is("system", s)))
+    people <- unique(answers$participant[here])
+    vapply(setNames(people, people), function(one) mean(unlist(lapply(by_system, function(column) column[one])), na.rm = TRUE),
+           numeric(1))
+}
+
+interactions <- table_of("interactions")
+if (!is.null(interactions)) {
+    in_cell <- function(row, one, other)
+        cell_means(single & is("measure", row$measure) & is(row$factor, one) & is(row$other_factor, other))
+    contrasts <- function(i) {
+        row <- interactions[i, ]
+        paired(paired(in_cell(row, row$a, row$c), in_cell(row, row$b, row$c)),
+               paired(in_cell(row, row$a, row$d), in_cell(row, row$b, row$d)))
+    }
+    compare_tests(interactions, contrasts)
+    for (i in seq_len(nrow(interactions))) same(interactions, i, "mean_difference", mean(contrasts(i)))
+}
+
+group_interactions <- table_of("group_interactions")
+if (!is.null(group_interactions))
+    compare_groups(group_interactions, function(row, level) {
+        here <- single & is("measure", row$measure) & is(row$factor, level)
+        paired(cell_means(here & is(row$other_factor, row$c)), cell_means(here & is(row$other_factor, row$d)))
+    })
+
+equivalence <- table_of("equivalence")
+if (!is.null(equivalence)) {
+    # p of the shift being above 0, and below.
+    one_sided <- function(exactly) {
+        d <- tidy(exactly)
+        d <- d[d != 0]
+        if (length(d) == 0) return(c(1, 1))
+        rev(exact_tails(rank(abs(d)), sum(rank(abs(d))[d > 0])))
+    }
+    one_sided_groups <- function(a, b) {
+        ranks <- rank(tidy(c(a, b)))
+        rev(rank_sum_tails(ranks, length(a), sum(ranks[seq_along(a)])))
+    }
+    p <- vapply(seq_len(nrow(equivalence)), function(i) {
+        row <- equivalence[i, ]
+        factor <- if (is.na(row$factor)) "system" else row$factor
+        within <- if (is.na(row$system) || row$system == "all") rep(TRUE, nrow(answers)) else is("system", row$system)
+        of <- function(level) {
+            here <- single & is("measure", row$measure) & within & is(factor, level)
+            if (grepl("over systems|within systems", row$family)) means_of(here) else cell_means(here)
+        }
+        a <- of(row$a)
+        b <- of(row$b)
+        d <- paired(a, b)
+        if (length(d) > 0) max(one_sided(d + row$bound)[1], one_sided(d - row$bound)[2])
+        else max(one_sided_groups(a + row$bound, b)[1], one_sided_groups(a - row$bound, b)[2])
+    }, numeric(1))
+    for (family in unique(equivalence$family)) {
+        rows <- which(equivalence$family == family)
+        adjusted <- p.adjust(p[rows], "holm")
+        for (j in seq_along(rows)) {
+            same(equivalence, rows[j], "p", p[rows[j]])
+            same(equivalence, rows[j], "p_holm", adjusted[j])
+        }
+    }
 }
 
 pooled_ratings <- table_of("pooled_ratings")

@@ -11,7 +11,8 @@ CREATE TABLE study (
     source   TEXT,
     alpha    REAL NOT NULL,
     ball_diameter_m REAL,                -- NULL: brought over from an older version
-    locked_hash TEXT                     -- of all that a participant sees or that decides it; NULL: not locked
+    locked_hash TEXT,                    -- of all that a participant sees or that decides it; NULL: not locked
+    analysis TEXT                        -- the other keys of [analysis], JSON; NULL: brought over from an older version
 ) STRICT;
 
 CREATE TABLE stages (

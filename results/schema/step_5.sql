@@ -1,6 +1,7 @@
 -- From version 4 to 5; migration_5.cpp then gives each participant who has begun a token. Understood by SQLite and, as
 -- server_schema.cpp rewrites it, by PostgreSQL.
 ALTER TABLE study ADD COLUMN locked_hash TEXT;
+ALTER TABLE study ADD COLUMN analysis TEXT;
 ALTER TABLE plans ADD COLUMN locked_hash TEXT;
 ALTER TABLE participants ADD COLUMN token TEXT;
 ALTER TABLE trials ADD COLUMN visibility TEXT;

@@ -1,14 +1,20 @@
 #include "results/analysis.hpp"
 
+#include <cmath>
 #include <future>
 #include <map>
 #include <unordered_set>
 #include <utility>
 
+#include <fmt/core.h>
+
+#include <algorithm>
+
 #include "analysis_details.hpp"
 #include "analysis_remarks.hpp"
 #include "analysis_tests.hpp"
 #include "results/descriptive.hpp"
+#include "results/stations.hpp"
 
 namespace deixis::results {
 
@@ -29,6 +35,12 @@ Summary summarise(const Cells& cells, const std::string& system) {
         means};
 }
 
+/// From the least to the greatest of n values covers the middle of what they were drawn from in 1 - 2^(1-n)
+/// of all samples; a bootstrap interval lies within.
+bool fallsShort(std::size_t n, double level) {
+    return 1.0 - std::ldexp(1.0, 1 - static_cast<int>(n)) < level;
+}
+
 /// Of participants' means, resampling participants. Summaries of as many participants are resampled together:
 /// each gets what it would get alone, as the seed is the same, and the draws are made once.
 void addIntervals(const std::vector<Summary*>& summaries, const BootstrapOptions& options) {
@@ -40,8 +52,10 @@ void addIntervals(const std::vector<Summary*>& summaries, const BootstrapOptions
         for (std::size_t i = 0; i < size; ++i)
             for (const Summary* one : together) rows[i].push_back(one->by_participant[i]);
         const auto made = bootstrapMeans(rows, options);
-        for (std::size_t c = 0; c < together.size(); ++c)
+        for (std::size_t c = 0; c < together.size(); ++c) {
             together[c]->interval = made[c].bca ? made[c].bca : made[c].percentile;
+            together[c]->interval_falls_short = together[c]->interval && fallsShort(size, options.level);
+        }
     }
 }
 
@@ -83,12 +97,35 @@ void testAnswers(const RowPointers& rows, const CellsByMeasure& cells, AnalysisR
     comparePreferencesOfGroups(result);
 }
 
+/// The options' bound, else the study's; 0 without one. A measure on several scales has its scale in its
+/// name.
+double equivalenceBound(const std::string& measure, const AnalysisResult& result) {
+    for (const auto* bounds : {&result.options.equivalence, &result.table.equivalence})
+        for (const auto& [name, bound] : *bounds)
+            if (measure == name || measure.starts_with(name + " (")) return bound;
+    return 0.0;
+}
+
 void setUp(AnalysisResult& result) {
     result.alpha = result.options.alpha.value_or(result.table.alpha);
     result.level = result.options.level.value_or(1.0 - result.alpha);
     result.measures.clear();
     for (const Measure& measure : result.table.measures)
-        if (measure.kind != MeasureKind::preference) result.measures.push_back(measure);
+        if (measure.kind != MeasureKind::preference) {
+            result.measures.push_back(measure);
+            result.measures.back().equivalence_bound = equivalenceBound(measure.name, result);
+        }
+}
+
+/// People's answers and simulated ones are never one mean: where there are both, people's count.
+void takePeopleOnly(AnalysisResult& result) {
+    ResponseTable& table = result.table;
+    const auto synthetic = [](const ResponseRow& row) { return row.synthetic; };
+    const auto n = std::count_if(table.rows.begin(), table.rows.end(), synthetic);
+    if (n == 0 || n == static_cast<std::ptrdiff_t>(table.rows.size())) return;
+    result.table = onlyAt(std::move(table), {});
+    result.remarks.push_back(fmt::format(
+        "{} answers of simulated participants are left out: they are never one mean with people's.", n));
 }
 
 void countParticipants(AnalysisResult& result) {
@@ -118,6 +155,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     AnalysisResult result;
     result.table = std::move(table);
     result.options = options;
+    takePeopleOnly(result);
     setUp(result);
     const RowPointers rows = pointersTo(result.table.rows);
     const CellsByMeasure cells = cellsOf(rows);
@@ -134,6 +172,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
 
     if (!result.preferences.empty())
         result.bradley_terry = bradleyTerry(result.table, {options.resamples, options.seed, result.level});
+    testInteractions(result);
     compareOtherAnswers(result);
     summariseScores(result);
     describeChoices(result);

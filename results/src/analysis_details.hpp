@@ -22,6 +22,9 @@ inline constexpr const char* systems_between = "system";
 /// Pairs of systems that no participant met both of, as groups of participants. Needs pairwise.
 void compareSystemsBetween(const MeansByMeasure& means, AnalysisResult& result);
 
+/// Systems and factors that cross. Not in runTests().
+void testInteractions(AnalysisResult& result);
+
 /// Questionnaires' scores.
 void summariseScores(AnalysisResult& result);
 

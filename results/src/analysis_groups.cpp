@@ -55,35 +55,6 @@ GroupPreferences groupPreferences(const ResponseTable& table, const std::string&
     return out;
 }
 
-void compareLevelsOf(GroupTest& out, const Factor& factor, std::size_t a, std::size_t b,
-                     std::map<std::string, std::vector<Rational>>& by_level, double level) {
-    out.factor = factor.name;
-    out.a = factor.levels[a];
-    out.b = factor.levels[b];
-    out.mean_a = meanOf(by_level[out.a]);
-    out.mean_b = meanOf(by_level[out.b]);
-    out.test = rankSumTest(by_level[out.a], by_level[out.b], level);
-}
-
-template <typename Test>
-void adjustGroups(std::vector<Test>& tests, std::size_t first, const std::string& name, double alpha) {
-    std::vector<double> p;
-    int size = 0;
-    for (std::size_t i = first; i < tests.size(); ++i) {
-        p.push_back(tests[i].test.p_two_sided.value_or(std::numeric_limits<double>::quiet_NaN()));
-        size += tests[i].test.p_two_sided ? 1 : 0;
-    }
-    const auto adjusted = holm(p);
-    for (std::size_t i = first; i < tests.size(); ++i) {
-        GroupTest& one = tests[i];
-        one.family = name;
-        one.family_size = size;
-        if (!one.test.p_two_sided) continue;
-        one.p_holm = adjusted[i - first];
-        one.significant = *one.p_holm <= alpha;
-    }
-}
-
 /// In the order in which they first stand; level: of `factor`, or all participants where that is empty.
 void addScores(const std::string& factor, const std::string& level, AnalysisResult& result) {
     std::vector<std::pair<std::string, std::string>> order;
@@ -104,6 +75,26 @@ void addScores(const std::string& factor, const std::string& level, AnalysisResu
 
 }  // namespace
 
+void compareLevelsOf(GroupTest& out, const Factor& factor, std::size_t a, std::size_t b,
+                     std::map<std::string, std::vector<Rational>>& by_level, double level, double bound) {
+    out.factor = factor.name;
+    out.a = factor.levels[a];
+    out.b = factor.levels[b];
+    const std::vector<Rational>& of_a = by_level[out.a];
+    const std::vector<Rational>& of_b = by_level[out.b];
+    out.mean_a = meanOf(of_a);
+    out.mean_b = meanOf(of_b);
+    out.test = rankSumTest(of_a, of_b, level);
+    if (bound <= 0.0 || !out.test.p_two_sided) return;
+    const auto shifted = [&](const Rational& by) {
+        std::vector<Rational> values;
+        for (const Rational& value : of_a) values.push_back(value + by);
+        return rankSumTest(values, of_b, 0.0);
+    };
+    const Rational exactly = Rational::fromShortestDecimal(bound);
+    out.equivalence = {bound, std::max(*shifted(exactly).p_greater, *shifted(-exactly).p_less)};
+}
+
 void compareGroups(AnalysisResult& result) {
     const ResponseTable& table = result.table;
     std::vector<std::string> systems{"all"};
@@ -118,7 +109,8 @@ void compareGroups(AnalysisResult& result) {
                         BetweenResult& out = result.between.emplace_back();
                         out.measure = measure.name;
                         out.system = system;
-                        compareLevelsOf(out, factor, i, j, means[system], result.level);
+                        compareLevelsOf(out, factor, i, j, means[system], result.level,
+                                        measure.equivalence_bound);
                     }
             adjustGroups(result.between, family, fmt::format("{}: {}", measure.name, factor.name),
                          result.alpha);
@@ -144,7 +136,8 @@ void compareSystemsBetween(const MeansByMeasure& means, AnalysisResult& result) 
                 return static_cast<std::size_t>(
                     std::find(systems.levels.begin(), systems.levels.end(), system) - systems.levels.begin());
             };
-            compareLevelsOf(out, systems, place(pair.a), place(pair.b), by_system, result.level);
+            compareLevelsOf(out, systems, place(pair.a), place(pair.b), by_system, result.level,
+                            measure.equivalence_bound);
         }
         adjustGroups(result.between, family,
                      fmt::format("{}: pairs of systems, between participants", measure.name), result.alpha);

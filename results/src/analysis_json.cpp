@@ -33,6 +33,7 @@ Json summaryJson(const Summary& summary) {
     return {{"mean", numberOrNull(summary.n > 0, summary.mean)},
             {"median", numberOrNull(summary.n > 0, summary.median)},
             {"interval", intervalJson(summary.interval)},
+            {"interval_falls_short", summary.interval_falls_short},
             {"box", boxJson(boxSummary(summary.by_participant))},
             {"participants", participants},
             {"sd_participants", numberOrNull(participants > 1, summary.sd_participants)},
@@ -76,6 +77,7 @@ void addTest(Json& out, const AdjustedTest& adjusted, const AnalysisResult& resu
         {"upper_included", shift.upper_included},   {"level", numberOrNull(shift.level)}};
     out["shapiro_wilk"] = {{"w", numberOrNull(adjusted.normality.w)},
                            {"p", numberOrNull(adjusted.normality.p)}};
+    if (adjusted.equivalence) out["equivalence"] = equivalenceJson(*adjusted.equivalence);
 }
 
 Json comparisonJson(const Comparison& comparison, const AnalysisResult& result) {
@@ -374,6 +376,20 @@ std::string analysisJson(const AnalysisResult& result) {
     out["factor_tests"] = Json::array();
     for (const Factor& factor : table.within)
         for (Json& row : levelTestsJson(result, factor.name)) out["factor_tests"].push_back(std::move(row));
+    out["interactions"] = Json::array();
+    for (const InteractionResult& one : result.interactions) {
+        Json row{{"measure", one.measure},
+                 {"factor", one.factor},
+                 {"a", one.a},
+                 {"b", one.b},
+                 {"other_factor", one.other_factor},
+                 {"c", one.c},
+                 {"d", one.d},
+                 {"mean_difference", one.mean_difference}};
+        addTest(row, one, result);
+        out["interactions"].push_back(std::move(row));
+    }
+    out["group_interactions"] = groupInteractionsJson(result);
     out["preferences"] = preferencesJson(result);
     out["bradley_terry"] = bradleyTerryJson(result);
     out["sensitivity"] = sensitivityJson(result);

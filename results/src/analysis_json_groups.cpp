@@ -32,6 +32,7 @@ void addGroupTest(GroupJson& out, const GroupTest& one, double alpha) {
         {"estimate", numberOrNull(shift.estimate)}, {"lower", numberOrNull(shift.lower)},
         {"upper", numberOrNull(shift.upper)},       {"lower_included", shift.lower_included},
         {"upper_included", shift.upper_included},   {"level", numberOrNull(shift.level)}};
+    if (one.equivalence) out["equivalence"] = equivalenceJson(*one.equivalence);
 }
 
 GroupJson answersJson(const PreferenceCounts& counts) {
@@ -43,6 +44,21 @@ GroupJson answersJson(const PreferenceCounts& counts) {
 }
 
 }  // namespace
+
+GroupJson equivalenceJson(const Equivalence& one) {
+    return {{"bound", one.bound}, {"p", one.p}, {"p_holm", one.p_holm}, {"equivalent", one.equivalent}};
+}
+
+GroupJson groupInteractionsJson(const AnalysisResult& result) {
+    GroupJson out = GroupJson::array();
+    for (const GroupInteractionResult& one : result.group_interactions) {
+        GroupJson row{{"measure", one.measure},           {"factor", one.factor}, {"a", one.a}, {"b", one.b},
+                      {"other_factor", one.other_factor}, {"c", one.c},           {"d", one.d}};
+        addGroupTest(row, one, result.alpha);
+        out.push_back(std::move(row));
+    }
+    return out;
+}
 
 GroupJson betweenJson(const AnalysisResult& result) {
     GroupJson out = GroupJson::array();

@@ -82,7 +82,7 @@ void testLevels(const Measure& measure, const std::string& factor, LevelCells& c
     forTests(result.level_tests.size() - family, participants, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = family + from; i < family + to; ++i) {
             Comparison& pair = result.level_tests[i];
-            testDifferences(pair, means.at(pair.system), result.level);
+            testDifferences(pair, means.at(pair.system), result.level, measure.equivalence_bound);
         }
     });
     adjustFrom(result.level_tests, family,

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "by_name.hpp"
@@ -107,6 +108,22 @@ void remarkUnanswered(AnalysisResult& result) {
             all - known, all));
 }
 
+/// Bootstrap intervals of so few participants that they cannot reach their level.
+void remarkFewParticipants(AnalysisResult& result) {
+    std::size_t fewest = 0;
+    for (const SystemResult& system : result.systems)
+        for (const Summary& one : system.measures)
+            if (one.interval_falls_short && (fewest == 0 || one.by_participant.size() < fewest))
+                fewest = one.by_participant.size();
+    if (fewest > 0)
+        result.remarks.push_back(
+            fmt::format("Intervals of means of {} participants are too narrow: even from the least to the "
+                        "greatest of {} means "
+                        "covers the middle in {:.4g} % of all samples, and {:.4g} % were asked for.",
+                        fewest, fewest, 100.0 * (1.0 - std::ldexp(1.0, 1 - static_cast<int>(fewest))),
+                        100.0 * result.level));
+}
+
 /// Decimals that are taken as the fractions they were rounded from.
 void remarkRounded(AnalysisResult& result) {
     int n = 0;
@@ -146,15 +163,12 @@ void remarkAnswers(AnalysisResult& result) {
     const ResponseTable& table = result.table;
     ByName<int> answered;
     int interrupted = 0;
-    int synthetic = 0;
     for (const auto& row : table.rows) {
         ++answered[row.measure];
         interrupted += row.pauses > 0 ? 1 : 0;
-        synthetic += row.synthetic ? 1 : 0;
     }
     auto& remarks = result.remarks;
     remarks.insert(remarks.end(), table.notes.begin(), table.notes.end());
-    const int all = static_cast<int>(table.rows.size());
     std::string missing;
     for (const Measure& measure : table.measures) {
         if (answered[measure.name] == 0)
@@ -163,11 +177,6 @@ void remarkAnswers(AnalysisResult& result) {
             missing += fmt::format("{}{} of {} planned on {}", missing.empty() ? "" : ", ",
                                    answered[measure.name], measure.planned, measure.name);
     }
-    if (synthetic > 0 && synthetic < all)
-        remarks.push_back(
-            fmt::format("{} of {} answers come from simulated participants, the others from people: "
-                        "analyse them apart.",
-                        synthetic, all));
     if (!missing.empty())
         remarks.push_back(fmt::format("The data are incomplete: {} are answered.", missing));
     if (result.participants != table.planned_participants)
@@ -190,6 +199,7 @@ void remarkAnswers(AnalysisResult& result) {
 void remarkTests(AnalysisResult& result) {
     remarkUnanswered(result);
     remarkRounded(result);
+    remarkFewParticipants(result);
     remarkSensitivity(result);
     for (const Measure& measure : result.measures) remarkLeftOut(result.pairwise, measure.name, "", result);
     for (const Factor& factor : withinFactors(result.table))

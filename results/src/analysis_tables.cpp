@@ -189,6 +189,27 @@ PlainTable comparisonsTable(const std::string& name, const std::string& caption,
     return out;
 }
 
+PlainTable interactionsTable(const AnalysisResult& result) {
+    PlainTable out{"interactions",
+                   "Differences a - b under c less those under d: signed-rank tests of participants' means",
+                   {{"measure", text, Print::plain},
+                    {"factor", text, Print::plain},
+                    {"a", text, Print::plain},
+                    {"b", text, Print::plain},
+                    {"other_factor", text, Print::plain, "other factor"},
+                    {"c", text, Print::plain},
+                    {"d", text, Print::plain},
+                    {"mean_difference", number}}};
+    append(out.columns, testColumns());
+    for (const InteractionResult& one : result.interactions) {
+        std::vector<PlainCell> row{one.measure,      one.factor, one.a, one.b,
+                                   one.other_factor, one.c,      one.d, PlainCell(one.mean_difference)};
+        addTest(row, one);
+        out.rows.push_back(std::move(row));
+    }
+    return out;
+}
+
 PlainTable preferencesTable(const AnalysisResult& result) {
     PlainTable out{"preferences",
                    "Preferences between systems",
@@ -340,6 +361,7 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
                          result.pairwise, false),
         comparisonsTable("level_tests", "Levels within systems: signed-rank tests of participants' means",
                          result.level_tests, true),
+        interactionsTable(result),
         preferencesTable(result),
         bradleyTerryTable(result),
         chanceTable(result),

@@ -160,6 +160,56 @@ PlainTable preferencesBetweenTable(const AnalysisResult& result) {
     return out;
 }
 
+template <typename Result>
+std::vector<PlainCell> contrastCells(const Result& one) {
+    return {one.measure, one.factor, one.a, one.b, one.other_factor, one.c, one.d};
+}
+
+std::vector<PlainColumn> contrastColumns() {
+    return {{"measure", text, Print::plain},
+            {"factor", text, Print::plain},
+            {"a", text, Print::plain},
+            {"b", text, Print::plain},
+            {"other_factor", text, Print::plain, "other factor"},
+            {"c", text, Print::plain},
+            {"d", text, Print::plain}};
+}
+
+PlainTable groupInteractionsTable(const AnalysisResult& result) {
+    PlainTable out{
+        "group_interactions",
+        "Differences c - d between the groups a and b: rank-sum tests of participants' differences",
+        withMore(contrastColumns(), groupColumns())};
+    for (const GroupInteractionResult& one : result.group_interactions)
+        out.rows.push_back(withMore(contrastCells(one), groupCells(one)));
+    return out;
+}
+
+PlainTable equivalenceTable(const AnalysisResult& result) {
+    PlainTable out{"equivalence",
+                   "Equivalence within bounds that were declared before: two one-sided tests",
+                   {{"measure", text, Print::plain},
+                    {"factor", text, Print::plain},
+                    {"system", text, Print::plain},
+                    {"a", text, Print::plain},
+                    {"b", text, Print::plain},
+                    {"bound", number, Print::plain},
+                    {"p", number, Print::p_value, "$p$"},
+                    {"p_holm", number, Print::p_value, "$p_\\mathrm{Holm}$"},
+                    {"equivalent", truth},
+                    {"family", text}}};
+    const auto add = [&](const auto& one, const std::string& factor) {
+        if (const auto& found = one.equivalence; found)
+            out.rows.push_back({one.measure, factor, one.system, one.a, one.b, PlainCell(found->bound),
+                                PlainCell(found->p), PlainCell(found->p_holm), PlainCell(found->equivalent),
+                                one.family});
+    };
+    for (const auto* tests : {&result.pairwise, &result.level_tests})
+        for (const Comparison& one : *tests) add(one, one.factor);
+    for (const BetweenResult& one : result.between) add(one, one.factor);
+    return out;
+}
+
 PlainTable confusionTable(const AnalysisResult& result) {
     PlainTable out{"confusion",
                    "Which balls were chosen",
@@ -268,11 +318,10 @@ PlainTable scoresTable(const AnalysisResult& result) {
 }  // namespace
 
 std::vector<PlainTable> furtherTables(const AnalysisResult& result) {
-    return {sensitivityTable(result), unansweredTable(result),
-            betweenTable(result),     preferencesBetweenTable(result),
-            confusionTable(result),   driftTable(result),
-            observersTable(result),   targetSpaceTable(result),
-            pooledTable(result),      scoresTable(result)};
+    return {groupInteractionsTable(result), equivalenceTable(result), sensitivityTable(result),
+            unansweredTable(result),        betweenTable(result),     preferencesBetweenTable(result),
+            confusionTable(result),         driftTable(result),       observersTable(result),
+            targetSpaceTable(result),       pooledTable(result),      scoresTable(result)};
 }
 
 }  // namespace deixis::results

@@ -80,12 +80,31 @@ double meanOf(const std::vector<Rational>& values) {
     return values.empty() ? 0.0 : exactMean(values).toDouble();
 }
 
-void testDifferences(Comparison& comparison, const Means& means, double level) {
+void testDifferences(Comparison& comparison, const Means& means, double level, double bound) {
     const auto differences = pairedDifferences(means, comparison.a, comparison.b);
     comparison.mean_difference = meanOf(differences);
     for (const Rational& difference : differences) comparison.differences.push_back(difference.toDouble());
     comparison.test = signedRankTest(differences, level);
     comparison.normality = shapiroWilk(differences);
+    if (bound <= 0.0 || differences.empty()) return;
+    const auto shifted = [&](const Rational& by) {
+        std::vector<Rational> values;
+        for (const Rational& difference : differences) values.push_back(difference + by);
+        return signedRankTest(values, 0.0);
+    };
+    const Rational exactly = Rational::fromShortestDecimal(bound);
+    comparison.equivalence = {bound, std::max(shifted(exactly).p_greater, shifted(-exactly).p_less)};
+}
+
+void adjustEquivalence(const std::vector<std::optional<Equivalence>*>& family, double alpha) {
+    std::vector<double> p;
+    for (const auto* one : family) p.push_back(*one ? (*one)->p : std::numeric_limits<double>::quiet_NaN());
+    const auto adjusted = holm(p);
+    for (std::size_t i = 0; i < family.size(); ++i)
+        if (auto& one = *family[i]; one) {
+            one->p_holm = adjusted[i];
+            one->equivalent = adjusted[i] <= alpha;
+        }
 }
 
 void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& name, double alpha) {
@@ -93,8 +112,10 @@ void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& n
     std::vector<double> p;
     std::vector<double> pratt;
     std::vector<double> normal;
+    std::vector<std::optional<Equivalence>*> equivalence;
     int size = 0;
-    for (const AdjustedTest* one : family) {
+    for (AdjustedTest* one : family) {
+        equivalence.push_back(&one->equivalence);
         const bool tested = one->test.n_pairs > 0;
         size += tested ? 1 : 0;
         p.push_back(tested ? one->test.p_two_sided : missing);
@@ -117,6 +138,7 @@ void adjustFamily(const std::vector<AdjustedTest*>& family, const std::string& n
         one.depends_on_approximation = one.significant != (adjusted_normal[i] <= alpha);
         one.out_of_reach = one.test.smallest_p * size > alpha;
     }
+    adjustEquivalence(equivalence, alpha);
 }
 
 RowPointers pointersTo(const std::vector<ResponseRow>& rows) {
@@ -154,7 +176,7 @@ std::vector<Comparison> pairTests(const MeansByMeasure& means, const std::vector
             }
         forTests(out.size() - family, mostParticipants(of_measure), [&](std::size_t from, std::size_t to) {
             for (std::size_t i = family + from; i < family + to; ++i)
-                testDifferences(out[i], of_measure, level);
+                testDifferences(out[i], of_measure, level, measure.equivalence_bound);
         });
         adjustFrom(out, family, fmt::format("{}: pairs of systems", measure.name), alpha);
     }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "core/parallel.hpp"
 #include "results/analysis.hpp"
+#include "results/holm.hpp"
 
 namespace deixis::results {
 
@@ -70,7 +72,39 @@ class RecentCells {
 
 /// Fills in the differences' test, their mean and their normality: participants' means under comparison.a
 /// minus those under comparison.b, of the participants who have both.
-void testDifferences(Comparison& comparison, const Means& means, double level);
+/// `bound`: of equivalence; 0: none.
+void testDifferences(Comparison& comparison, const Means& means, double level, double bound = 0.0);
+
+/// Fills in the means and the test of two levels of a factor, from participants' scores by level.
+void compareLevelsOf(GroupTest& out, const Factor& factor, std::size_t a, std::size_t b,
+                     std::map<std::string, std::vector<Rational>>& by_level, double level,
+                     double bound = 0.0);
+
+/// Fills in p_holm and, of those that have one, the equivalence of a family.
+void adjustEquivalence(const std::vector<std::optional<Equivalence>*>& family, double alpha);
+
+/// The tests from `first` on are a family of rank-sum tests.
+template <typename Test>
+void adjustGroups(std::vector<Test>& tests, std::size_t first, const std::string& name, double alpha) {
+    std::vector<double> p;
+    std::vector<std::optional<Equivalence>*> equivalence;
+    int size = 0;
+    for (std::size_t i = first; i < tests.size(); ++i) {
+        p.push_back(tests[i].test.p_two_sided.value_or(std::numeric_limits<double>::quiet_NaN()));
+        size += tests[i].test.p_two_sided ? 1 : 0;
+        equivalence.push_back(&tests[i].equivalence);
+    }
+    const auto adjusted = holm(p);
+    for (std::size_t i = first; i < tests.size(); ++i) {
+        GroupTest& one = tests[i];
+        one.family = name;
+        one.family_size = size;
+        if (!one.test.p_two_sided) continue;
+        one.p_holm = adjusted[i - first];
+        one.significant = *one.p_holm <= alpha;
+    }
+    adjustEquivalence(equivalence, alpha);
+}
 
 /// Calls work(first, last) for all of `count` tests: on several cores where each takes long, which is so
 /// where many participants are compared.

@@ -6,6 +6,7 @@
 
 #include "evaluation_figures.hpp"
 #include "evaluation_page_tables.hpp"
+#include "evaluation_rays.hpp"
 #include "observers_html.hpp"
 #include "page.hpp"
 #include "results/descriptive.hpp"
@@ -68,19 +69,18 @@ std::string findings(const Evaluation& evaluation) {
     out += measured.size() == 1 ? "Mean accuracy of " + named(measured.front()) + "."
                                 : named(measured.front()) + " has the highest mean accuracy, " +
                                       named(measured.back()) + " the lowest.";
-    out += fmt::format(" The ceiling of Equation&#160;2 is {:.3f}.</li>", reward_ceiling);
-    const SystemEvaluation* strongest = nullptr;
+    out +=
+        fmt::format(" That is the forearm's, Equation&#160;2, whose ceiling is {:.3f}.</li>", reward_ceiling);
+    out += raysFinding(evaluation);
+    // None is picked out: the strongest of several is no finding.
+    std::string correlations;
     for (const auto& system : evaluation.systems)
-        if (system.correlation.method != "undefined" &&
-            (!strongest || std::abs(system.correlation.rho) > std::abs(strongest->correlation.rho)))
-            strongest = &system;
-    if (strongest)
-        out += fmt::format(
-            "<li>The correlation of accuracy with the density of the training targets is {} <b>{}</b>: "
-            "Spearman's &#961; = {}, p {}{}.</li>",
-            evaluation.systems.size() == 1 ? "for" : "strongest for", escapeHtml(strongest->system),
-            fixedText(strongest->correlation.rho, 3), strongest->correlation.p < 0.001 ? "" : "= ",
-            pText(strongest->correlation.p));
+        if (system.correlation.method != "undefined")
+            correlations += fmt::format("{}<b>{}</b> {}", correlations.empty() ? "" : ", ",
+                                        escapeHtml(system.system), fixedText(system.correlation.rho, 3));
+    if (!correlations.empty())
+        out += "<li>Spearman's correlation of accuracy with the density of the training targets: " +
+               correlations + "; p, and p after Holm's correction, stand in the table.</li>";
     return out + "</ul>";
 }
 
@@ -95,6 +95,7 @@ std::string systemsSection(const Evaluation& evaluation, Numbering& figures, Num
     if (compared) drawn += figureHtml(accuracyDifferences(evaluation, figures));
     std::string out = "\n<h2>Accuracy by system</h2>" + plots(drawn);
     out += systemsHtml(evaluation, tables);
+    out += raysHtml(evaluation, tables);
     out += accuracyBoxesHtml(evaluation, tables);
     return out + comparisonsHtml(evaluation, tables);
 }

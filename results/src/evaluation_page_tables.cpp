@@ -2,6 +2,7 @@
 #include "evaluation_page_tables.hpp"
 
 #include <fmt/format.h>
+#include <limits>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +11,7 @@
 
 #include "report_tables.hpp"
 #include "results/descriptive.hpp"
+#include "results/holm.hpp"
 
 namespace deixis::results {
 
@@ -99,19 +101,37 @@ std::string profilesHtml(const Evaluation& evaluation, Numbering& tables) {
     return rewards + profileTable(evaluation, false, tables);
 }
 
+namespace {
+
+/// Of the systems, in their order; NaN without a correlation.
+std::vector<double> holmOfCorrelations(const Evaluation& evaluation) {
+    std::vector<double> p;
+    for (const auto& system : evaluation.systems)
+        p.push_back(system.correlation.method == "undefined" ? std::numeric_limits<double>::quiet_NaN()
+                                                             : system.correlation.p);
+    return holm(p);
+}
+
+}  // namespace
+
 std::string correlationTable(const Evaluation& evaluation, Numbering& tables) {
     std::string out = openTable(
         "Spearman's correlation of accuracy with the density of the training targets at the clip's target, "
         "two-sided (the paper's Table&#160;2).",
-        "<th>System</th><th>n</th><th>&#961;</th><th>p</th><th class=\"text\">p by</th>", tables);
+        "<th>System</th><th>n</th><th>&#961;</th><th>p</th><th>p (Holm)</th><th class=\"text\">p by</th>",
+        tables);
+    const std::vector<double> adjusted = holmOfCorrelations(evaluation);
+    std::size_t place = 0;
     for (const auto& system : evaluation.systems) {
         const SpearmanTest& test = system.correlation;
         const bool known = test.method != "undefined";
         out += "<tr>" + nameCell(system) + fmt::format("<td>{}</td>", test.n) + cell(known, test.rho, 3) +
-               fmt::format("<td>{}</td><td class=\"text\">{}</td></tr>", known ? pText(test.p) : dash,
+               fmt::format("<td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>",
+                           known ? pText(test.p) : dash, known ? pText(adjusted[place]) : dash,
                            !known                   ? "undefined"
                            : test.method == "exact" ? "all pairings"
                                                     : "Student&#8217;s t");
+        ++place;
     }
     return out + close_table;
 }

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "csv_table.hpp"
+#include "evaluation_rays.hpp"
 #include "observers_tables.hpp"
 #include "results/descriptive.hpp"
 #include "results/evaluation.hpp"
@@ -51,6 +52,14 @@ Json correlationJson(const SpearmanTest& test) {
             {"method", test.method}};
 }
 
+Json raysJson(const SystemEvaluation& system) {
+    Json out = Json::object();
+    for (const motion::PointingRay ray : compared_rays)
+        if (const auto errors = rayErrors_deg(system, ray); !errors.empty())
+            out[std::string(motion::pointingRayName(ray))] = summaryJson(errors);
+    return out;
+}
+
 Json systemJson(const SystemEvaluation& system) {
     Json clusters = Json::array();
     for (const auto& value : system.cluster_means) clusters.push_back(value ? Json(*value) : Json());
@@ -64,6 +73,7 @@ Json systemJson(const SystemEvaluation& system) {
             {"placed", system.placed},
             {"accuracy", summaryJson(system.rewards)},
             {"error_deg", summaryJson(system.errors_deg)},
+            {"ray_errors_deg", raysJson(system)},
             {"density_correlation", correlationJson(system.correlation)},
             {"accuracy_by_cluster", std::move(clusters)},
             {"profiles", {{"left", profileJson(system.left)}, {"right", profileJson(system.right)}}}};
@@ -328,7 +338,8 @@ std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluati
                                                          {"comparisons.csv", comparisonsTable(evaluation)},
                                                          {"profiles.csv", profilesTable(evaluation)},
                                                          {"targets.csv", targetsTable(evaluation)},
-                                                         {"clusters.csv", clustersCsv(evaluation)}};
+                                                         {"clusters.csv", clustersCsv(evaluation)},
+                                                         {"rays.csv", raysTable(evaluation)}};
     if (!evaluation.observers.empty()) out.emplace_back("observers.csv", readingsCsv(evaluation.observers));
     return out;
 }

@@ -21,9 +21,10 @@ std::string cells(const Summary& summary, const Measure& measure, bool with_medi
     const auto number = [&](bool known, double value) {
         return known ? scoreText(measure, value) : std::string(dash);
     };
-    const std::string interval = summary.interval
-                                     ? intervalText(measure, summary.interval->lower, summary.interval->upper)
-                                     : std::string(dash);
+    const std::string interval =
+        summary.interval ? intervalText(measure, summary.interval->lower, summary.interval->upper) +
+                               (summary.interval_falls_short ? " &#8225;" : "")
+                         : std::string(dash);
     return fmt::format(
         "<td>{}</td>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", number(summary.n > 0, summary.mean),
         with_median
@@ -49,7 +50,16 @@ std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
             out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
                                escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
                                cells(system.measures[i], result.measures[i], with_median));
-    return out + close_table;
+    const bool falls_short =
+        std::any_of(result.systems.begin(), result.systems.end(), [](const auto& system) {
+            return std::any_of(system.measures.begin(), system.measures.end(),
+                               [](const Summary& one) { return one.interval_falls_short; });
+        });
+    return out + close_table +
+           (falls_short
+                ? "<p class=\"small\">&#8225; Of so few participants no interval within the range of their "
+                  "means covers so often; read it as too narrow.</p>"
+                : "");
 }
 
 /// A row for each system, and one for all; only that one where each system has one level. Empty without

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report_interactions.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -190,6 +191,8 @@ std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
                                 fmt::format("{}, levels of {} within each system (all: over the systems)",
                                             escapeHtml(capitalised(measure.name)), escapeHtml(factor.name)),
                                 result, numbering);
+    tables += interactionsHtml(result, numbering);
+    tables += equivalenceHtml(result, numbering);
     tables += preferenceTable(result, numbering);
     return tables.empty() ? "" : out + tables;
 }

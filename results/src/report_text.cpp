@@ -1,6 +1,7 @@
 #include "report_text.hpp"
 
 #include "analysis_details.hpp"
+#include "report_interactions.hpp"
 
 #include <fmt/core.h>
 
@@ -254,6 +255,7 @@ std::string findingsHtml(const AnalysisResult& result) {
             items.push_back(groupPreferenceSentence(result, factor.name));
         for (const auto& item : items)
             if (!item.empty()) out += "<li>" + item + "</li>";
+        out += interactionFindings(result);
     }
     if (out.empty()) return "";
     out = "<ul class=\"findings\">" + out + "</ul>";
@@ -368,6 +370,27 @@ std::string methodsHtml(const AnalysisResult& result) {
             "compares, for each pair of systems, the participants' net preferences, the means of their "
             "answers; "
             "Holm's correction covers all pairs of systems and of groups of one factor.</p>";
+    if (!result.interactions.empty() || !result.group_interactions.empty())
+        out +=
+            "<p><b>Interactions.</b> Where two factors cross, each pair of levels of the one and each of the "
+            "other "
+            "makes a difference of differences of each participant, in which participants' own level and "
+            "both "
+            "factors by themselves cancel (aligned observations: Hodges and Lehmann 1962; interaction "
+            "contrasts: "
+            "Marascuilo and Levin 1970). Within participants it is tested by the signed-rank test; between "
+            "groups "
+            "their differences are compared by the rank-sum test. Holm's correction covers all of one "
+            "measure and "
+            "pair of factors.</p>";
+    if (std::any_of(result.measures.begin(), result.measures.end(),
+                    [](const Measure& one) { return one.equivalence_bound > 0.0; }))
+        out +=
+            "<p><b>Equivalence.</b> Where a bound was declared, two one-sided tests (Schuirmann 1987) by the "
+            "same "
+            "rank tests ask whether the shift lies above the bound's negative and below the bound; p is the "
+            "larger "
+            "one, Holm's correction as for the tests of difference.</p>";
     out +=
         "<p><b>Other choices.</b> The pairs of systems are tested again with the participants who are left "
         "out "

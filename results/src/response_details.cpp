@@ -100,19 +100,22 @@ std::vector<Vec3> positionsOf(const std::string& text) {
 void readBalls(SQLite::Database& database, ResponseTable& table) {
     Statement rows(
         database,
-        fmt::format("SELECT r.participant, s.system, t.target_id, t.balls, t.target_place, r.chosen_place, "
-                    "r.head_x_m, r.head_z_m FROM responses AS r JOIN {} AS p ON p.id = r.participant "
-                    "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
-                    "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
-                    "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
-                    "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
-                    "ORDER BY r.participant, r.trial_index",
-                    participantsStanding()));
+        fmt::format(
+            "SELECT r.participant, s.system, t.target_id, t.balls, t.target_place, r.chosen_place, "
+            "r.head_x_m, r.head_z_m, CASE WHEN e.synthetic THEN 'simulated' ELSE e.station END "
+            "FROM responses AS r JOIN sessions AS e ON e.id = r.session JOIN {} AS p ON p.id = r.participant "
+            "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+            "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
+            "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
+            "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
+            "ORDER BY r.participant, r.trial_index",
+            participantsStanding()));
     while (rows.executeStep())
         table.choices.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getString(),
                                  rows.getColumn(2).getString(), positionsOf(rows.getColumn(3).getString()),
                                  rows.getColumn(4).getInt(), rows.getColumn(5).getInt(),
-                                 rows.getColumn(6).getDouble(), rows.getColumn(7).getDouble()});
+                                 rows.getColumn(6).getDouble(), rows.getColumn(7).getDouble(),
+                                 rows.getColumn(8).getString()});
 }
 
 }  // namespace

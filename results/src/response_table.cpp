@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "database_open.hpp"
@@ -29,12 +30,17 @@ std::vector<std::string> textColumn(SQLite::Database& database, const std::strin
 }
 
 void readStudy(SQLite::Database& database, ResponseTable& table) {
-    Statement study(database, "SELECT name, title, hash, alpha FROM study");
+    Statement study(database, "SELECT name, title, hash, alpha, analysis FROM study");
     study.executeStep();
     table.study_name = study.getColumn(0).getString();
     table.study_title = study.getColumn(1).getString();
     table.study_hash = study.getColumn(2).getString();
     table.alpha = study.getColumn(3).getDouble();
+    if (!study.getColumn(4).isNull()) {
+        const auto analysis = nlohmann::json::parse(study.getColumn(4).getString());
+        table.stations_together = analysis.at("stations").get<std::string>() == "together";
+        table.equivalence = analysis.at("equivalence").get<std::map<std::string, double>>();
+    }
     table.systems =
         textColumn(database,
                    "SELECT name FROM systems WHERE name IN (SELECT system FROM trial_stimuli WHERE scored) "

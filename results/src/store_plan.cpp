@@ -160,12 +160,14 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
 
 void Store::Impl::insertStudy(const studies::Study& study, const std::string& locked_hash) {
     auto row = query(
-        "INSERT INTO study (id, name, title, hash, source, alpha, ball_diameter_m, locked_hash) VALUES (1, "
-        "?, ?, "
-        "?, ?, ?, ?, ?)");
+        "INSERT INTO study (id, name, title, hash, source, alpha, ball_diameter_m, locked_hash, analysis) "
+        "VALUES (1, ?, ?, ?, ?, ?, ?, ?, ?)");
     row << study.name << study.title << study.hash;
     row.textOrNull(study.source) << study.alpha << study.targets.ball_diameter_m;
     row.textOrNull(locked_hash);
+    row << Json{{"stations", study.stations_together ? "together" : "apart"},
+                {"equivalence", Json(study.equivalence)}}
+               .dump();
     row.run();
     int position = 0;
     for (const auto& system : study.systems) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/generator.hpp"
+#include "studies/assumed_effects.hpp"
 #include "study_reading.hpp"
 
 namespace deixis::studies {
@@ -265,6 +266,18 @@ void readHeadset(StudyReader& reader) {
 void readAnalysis(StudyReader& reader) {
     TomlTable table = reader.root.below("analysis", reader.root.section("analysis", false), keys::analysis);
     reader.study.alpha = table.number("alpha", 1e-6, 0.5, reader.study.alpha);
+    constexpr std::string_view stations[] = {"apart", "together"};
+    reader.study.stations_together = table.choice("stations", stations, false).value_or(0) == 1;
+    const std::vector<AskedMeasure> measures = askedMeasures(reader.study);
+    std::vector<std::string_view> names;
+    for (const AskedMeasure& measure : measures)
+        if (measure.kind != AskedKind::preference) names.push_back(measure.name);
+    const toml::table* section = table.section("equivalence", false);
+    TomlTable bounds = table.below("equivalence", section, names);
+    for (const AskedMeasure& measure : measures)
+        if (bounds.has(measure.name) && measure.kind != AskedKind::preference)
+            reader.study.equivalence[measure.name] =
+                bounds.number(measure.name, 1e-6, static_cast<double>(measure.high - measure.low));
 }
 
 }  // namespace deixis::studies

@@ -106,7 +106,7 @@ constexpr std::string_view questions_keys[] = {"id",  "kind", "text",  "scale", 
 constexpr std::string_view options_keys[] = {"id", "text"};
 constexpr std::string_view headset_keys[] = {"eye_level", "assumed_eye_height_m", "place_tolerance_m",
                                              "record_gaze", "record_hands"};
-constexpr std::string_view analysis_keys[] = {"alpha"};
+constexpr std::string_view analysis_keys[] = {"alpha", "stations", "equivalence"};
 constexpr std::string_view questionnaire_keys[] = {"name",     "title", "text",      "reference", "languages",
                                                    "per_page", "scale", "questions", "scores",    "texts"};
 constexpr std::string_view scores_keys[] = {"name", "items", "reversed", "mean", "factor", "offset"};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "program.hpp"
 #include "progress_line.hpp"
@@ -88,6 +89,31 @@ TEST_SUITE("app/evaluate") {
         CHECK(json["files"].size() == 3);
         CHECK(shell("xmllint --noout " + (scratch / "one.html")).status == 0);
         CHECK(contains(slurp(scratch / "one.html"), "class=\"synthetic\""));
+    }
+
+    TEST_CASE("Every ray stands side by side, and that they disagree is said at the page's head") {
+        const Scratch scratch;
+        const auto made = program("evaluate " + (corpus() / "direct").string() + " " +
+                                  (corpus() / "stiff").string() + " -o " + (scratch / "e.html") + " --json " +
+                                  (scratch / "e.json") + " --csv " + (scratch / "t"));
+        INFO(made.err);
+        REQUIRE(made.status == 0);
+        const auto systems = nlohmann::json::parse(slurp(scratch / "e.json"))["systems"];
+        const auto& rays = systems[0]["ray_errors_deg"];
+        CHECK(systems[0]["system"] == "direct");
+        CHECK(rays.size() == 6);
+        // The forearm's is the angle of the accuracy; direct is made to have eye, fingertip and target in
+        // line.
+        CHECK(rays["forearm"]["mean"].get<double>() ==
+              doctest::Approx(systems[0]["error_deg"]["mean"].get<double>()).epsilon(1e-6));
+        CHECK(rays["eye-fingertip"]["mean"].get<double>() < 1.0);
+        CHECK(rays["forearm"]["mean"].get<double>() > 10.0);
+        const std::string page = slurp(scratch / "e.html");
+        CHECK(contains(page, "Every ray side by side"));
+        CHECK(contains(page, "Mean angle between ray and target: <b>direct</b>"));
+        CHECK_FALSE(contains(page, "strongest for"));
+        CHECK(contains(page, "p (Holm)"));
+        CHECK(contains(slurp(scratch / "t/rays.csv"), "direct,eye-fingertip,8,"));
     }
 
     TEST_CASE("Bandwidths and training targets can be given; the settings stand in the numbers") {

@@ -185,8 +185,8 @@ TEST_SUITE("results/evaluation") {
         CHECK(json["training"]["targets"].size() == 4);
         CHECK(json["targets"].size() == 4);
         const auto tables = evaluationTables(evaluation);
-        REQUIRE(tables.size() == 6);
-        const std::vector<std::size_t> rows{9, 3, 2, 13, 5, 3};  // with the header
+        REQUIRE(tables.size() == 7);
+        const std::vector<std::size_t> rows{9, 3, 2, 13, 5, 3, 1};  // with the header
         for (std::size_t i = 0; i < tables.size(); ++i) {
             CAPTURE(tables[i].first);
             const auto records = parseCsv(tables[i].second, tables[i].first);

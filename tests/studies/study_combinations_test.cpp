@@ -268,7 +268,17 @@ TEST_SUITE("studies/study_combinations") {
               "stages.about_participant",
               {"\"questionnaire\" only"}},
              {"eye_level = \"scale\"", "eye_level = \"lift\"", "lift", "headset.eye_level", {"\"raise\""}},
-             {"alpha = 0.05", "alpha = 1.0", "alpha", "analysis.alpha", {"0.5"}}});
+             {"alpha = 0.05", "alpha = 1.0", "alpha", "analysis.alpha", {"0.5"}},
+             {"stations = \"together\"",
+              "stations = \"mixed\"",
+              "stations",
+              "analysis.stations",
+              {"\"together\""}},
+             {"equivalence = {accuracy = 0.1}",
+              "equivalence = {accuracy = 2.0}",
+              "equivalence",
+              "analysis.equivalence.accuracy",
+              {"1"}}});
     }
 
     TEST_CASE(

@@ -207,6 +207,8 @@ TEST_SUITE("studies/study_file") {
         CHECK(study.headset.record_gaze);
         CHECK(study.headset.record_hands);
         CHECK(study.alpha == 0.05);
+        CHECK(study.stations_together);
+        CHECK(study.equivalence == std::map<std::string, double>{{"accuracy", 0.1}});
     }
 
     TEST_CASE("What a file says of pages and questionnaires is what the stages hold.") {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,11 +20,12 @@
 namespace deixis::results {
 
 struct AnalysisOptions {
-    std::optional<double> alpha{};  ///< in (0, 1); none: the study's
-    std::optional<double> level{};  ///< of intervals, in (0, 1); none: 1 - alpha
-    int resamples = 10000;          ///< of bootstraps, at least 1
-    std::uint64_t seed = 1;         ///< of bootstraps
-    std::string program{};          ///< that analyses, and its version; for provenance
+    std::optional<double> alpha{};                ///< in (0, 1); none: the study's
+    std::optional<double> level{};                ///< of intervals, in (0, 1); none: 1 - alpha
+    std::map<std::string, double> equivalence{};  ///< bounds by measure, before those of the study
+    int resamples = 10000;                        ///< of bootstraps, at least 1
+    std::uint64_t seed = 1;                       ///< of bootstraps
+    std::string program{};                        ///< that analyses, and its version; for provenance
     std::vector<std::pair<std::string, std::string>> build{};  ///< of the program: name, value; likewise
 };
 
@@ -37,6 +39,8 @@ struct Summary {
     std::optional<BootstrapInterval>
         interval{};  ///< of the mean, resampling participants; BCa, or percentile
                      ///< where there is none; from two participants on
+    /// So few participants that the range of their means itself covers the middle less often than the level.
+    bool interval_falls_short = false;
 };
 
 struct SystemResult {
@@ -55,6 +59,14 @@ struct LevelResult {
     int n = 0;
 };
 
+/// Whether a shift lies within a bound that was declared before, by two one-sided tests.
+struct Equivalence {
+    double bound = 0.0;  ///< in the measure, above 0
+    double p = 1.0;      ///< the larger of the two one-sided p
+    double p_holm = 1.0;
+    bool equivalent = false;  ///< p_holm <= alpha
+};
+
 /// A signed-rank test of participants' means in its family of Holm's correction.
 struct AdjustedTest {
     SignedRankTest test{};  ///< n_pairs: the participants who have both conditions
@@ -69,7 +81,8 @@ struct AdjustedTest {
     /// Even the smallest p that so many differences can give, times the family's size, exceeds alpha:
     /// significant at the most where others of the family have a smaller p.
     bool out_of_reach = false;
-    ShapiroWilk normality{};  ///< of the differences; for description only
+    ShapiroWilk normality{};                   ///< of the differences; for description only
+    std::optional<Equivalence> equivalence{};  ///< where a bound was declared
 };
 
 struct Comparison : AdjustedTest {
@@ -167,6 +180,25 @@ struct GroupTest {
     int family_size = 0;  ///< tests of it that have a p
     std::optional<double> p_holm{};
     bool significant = false;
+    std::optional<Equivalence> equivalence{};  ///< where a bound was declared
+};
+
+/// Whether the difference a - b is another one under c than under d: a signed-rank test of participants'
+/// differences of these differences.
+struct InteractionResult : AdjustedTest {
+    std::string measure;
+    std::string factor;  ///< of a and b: "system" or one within participants
+    std::string a, b;
+    std::string other_factor;  ///< of c and d, within participants
+    std::string c, d;
+    double mean_difference = 0.0;
+};
+
+/// Whether participants' difference c - d is another one in group a than in group b: a rank-sum test.
+struct GroupInteractionResult : GroupTest {
+    std::string measure;
+    std::string other_factor;  ///< of c and d: "system" or one within participants
+    std::string c, d;
 };
 
 /// Of participants' means. The family: all pairs of levels, over all and within each system.
@@ -281,6 +313,8 @@ struct AnalysisResult {
     std::vector<OmnibusResult> omnibus;
     std::vector<Comparison> pairwise;
     std::vector<Comparison> level_tests;
+    std::vector<InteractionResult> interactions;
+    std::vector<GroupInteractionResult> group_interactions;
     std::vector<PreferenceResult> preferences;
     BradleyTerry bradley_terry;
     std::vector<ScoreResult> scores;  ///< each over all participants, then by factors between them

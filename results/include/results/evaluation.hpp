@@ -3,6 +3,7 @@
 // (motion/pointing_accuracy.hpp). docs/evaluation.md says what is computed.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "core/pose.hpp"
+#include "motion/pointing.hpp"
 #include "motion/pointing_accuracy.hpp"
 #include "results/density.hpp"
 #include "results/mean_shift.hpp"
@@ -38,6 +40,9 @@ struct MeasuredClip {
     bool placed = false;       ///< the figure was brought to the origin (motion::placementOf)
     std::optional<motion::PointingAccuracy> accuracy{};  ///< none: the hand was never slow enough
     motion::PointingProfile profile{};
+    /// By PointingRay, the angle between ray and target in the frame of the accuracy, or else of pointing;
+    /// none where the figure lacks a joint of it.
+    std::array<std::optional<double>, motion::all_pointing_rays.size()> ray_errors_deg{};
     studies::ArmLines lines{};  ///< over the hold, or at the time of pointing where no phases were given
 };
 
@@ -173,8 +178,8 @@ struct Evaluation {
 [[nodiscard]] std::string renderEvaluation(const Evaluation& evaluation);
 /// One JSON object, "format": "deixis-evaluation", "version": 1; documented in docs/evaluation.md.
 [[nodiscard]] std::string evaluationJson(const Evaluation& evaluation);
-/// File names and contents: clips.csv, systems.csv, comparisons.csv, profiles.csv, targets.csv, clusters.csv;
-/// of a study's games observers.csv.
+/// File names and contents: clips.csv, systems.csv, comparisons.csv, profiles.csv, targets.csv, clusters.csv,
+/// rays.csv; of a study's games observers.csv.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluation& evaluation);
 
 }  // namespace deixis::results

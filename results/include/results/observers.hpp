@@ -26,6 +26,7 @@ struct WatchedChoice {
     int chosen = 0;             ///< of the balls
     studies::ArmLines first{};  ///< of the arm when the hold began
     studies::ArmLines last{};   ///< and when it ended
+    std::string participant{};  ///< who chose
 };
 
 /// Choices where an arm goes on moving while it is held: of the ball nearest to a line when the hold began,

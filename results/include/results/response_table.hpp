@@ -29,6 +29,8 @@ struct Measure {
     int balls = 0;         ///< accuracy: shown in a trial, the most there are; 0 else
     int planned = 0;       ///< values planned, of participants who count; confidence: as many as choices
     int fewest_balls = 0;  ///< likewise, the fewest
+    /// Within which a difference counts as none that matters, declared before; 0: none was.
+    double equivalence_bound = 0.0;
 };
 
 /// What answers or participants differ in, and its levels in the order of the tables.
@@ -72,6 +74,7 @@ struct ChoiceRow {
     int chosen_place = 0;       ///< likewise
     double head_x_m = 0.0;      ///< where the participant stood at the answer
     double head_z_m = 0.0;
+    std::string station{};  ///< at which kind, as of the rows
 };
 
 /// The sessions of one kind of station.
@@ -125,6 +128,8 @@ struct ResponseTable {
     std::set<std::string> failed_checks{};  ///< participants who count and failed an attention check
     std::string database{};                 ///< file names without their folders, joined by ", "
     std::vector<StationUse> stations{};
+    bool stations_together = false;                ///< the study says so
+    std::map<std::string, double> equivalence{};   ///< bounds by measure, which the study declares
     std::vector<std::string> program_versions{};   ///< that recorded the sessions, in order of their text
     std::vector<std::string> operating_systems{};  ///< on which they were recorded, likewise; none: not kept
     std::vector<std::string> avatar_hashes{};      ///< likewise

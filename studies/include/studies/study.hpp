@@ -238,6 +238,9 @@ struct Study {
     AfterInterruption after_interruption = AfterInterruption::resume;
     double instructions_again_after_s = 3600.0;  ///< who comes back later than this reads them again
     double alpha = 0.01;                         ///< for the report's tests
+    /// Bounds within which the report calls systems, levels and groups equivalent, by measure.
+    std::map<std::string, double> equivalence{};
+    bool stations_together = false;  ///< the report pools what was answered at desktops and in headsets
     TargetSpace targets{};
     std::vector<DistanceBand> distances{};
     std::vector<Layout> layouts;
