@@ -105,8 +105,9 @@ TEST_SUITE("studies/observer_fit") {
     TEST_CASE("No point of a grid is more likely than what was fitted.") {
         const auto choices = choicesOf(21, 150, oneLine(4.0, 0.1));
         const ObserverFit fit = fitObserver(choices, oneLine(1.0, 0.0), 0.95);
-        CHECK(observerLogLikelihood(choices, oneLine(fit.noise_deg.value, fit.lapse_rate.value)) ==
-              doctest::Approx(fit.log_likelihood).epsilon(1e-4));
+        CHECK(
+            observerLogLikelihood(choices, oneLine(fit.noise_deg.value, fit.lapse_rate.value)) ==
+            doctest::Approx(fit.log_likelihood).epsilon(5e-4));  // which the fit reads off a table of noises
         CHECK(fit.aic == doctest::Approx(4.0 - 2.0 * fit.log_likelihood));
         for (double noise_deg = 0.5; noise_deg < 35.0; noise_deg *= 1.15)
             for (double lapse = 0.0; lapse <= 1.0; lapse += 0.04)
