@@ -72,12 +72,8 @@ Result<results::ClipRecords> clipsShown(const std::vector<results::Recording>& g
     for (const results::Recording& recording : games)
         for (const results::RecordedAnswer& answer : recording.answers)
             for (const auto& [stimulus, record] : answer.clips)
-                if (const auto [known, added] = out.emplace(stimulus, record);
-                    !added && known->second.content_hash != record.content_hash)
-                    return fail(database,
-                                fmt::format("participants were shown different clips of {} for {}",
-                                            stimulus.system, stimulus.item),
-                                "Fit the databases of each set of clips by themselves");
+                if (auto added = addShownClip(out, stimulus, record, database); !added)
+                    return tl::unexpected(added.error());
     return out;
 }
 
@@ -86,10 +82,9 @@ Result<ChoicesMade> choicesMade(const FitArguments& options, const studies::Simu
     if (!games) return tl::unexpected(games.error());
     const auto records = clipsShown(*games, options.database);
     if (!records) return tl::unexpected(records.error());
-    results::Recording all{games->front().study_title, games->front().study_source, "the participants", {}};
-    for (const results::Recording& recording : *games)
-        all.answers.insert(all.answers.end(), recording.answers.begin(), recording.answers.end());
-    const auto avatar = recordedAvatar(all, options.database, options.avatar);
+    ShownAvatar shown{games->front().study_source, {}, "the participants"};
+    for (const results::Recording& recording : *games) shown.hashes.merge(shownAvatar(recording).hashes);
+    const auto avatar = recordedAvatar(shown, options.database, options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     const auto clips = RecordedClips::load(*records, *avatar, options.stimuli, options.database);
     if (!clips) return tl::unexpected(clips.error());

@@ -36,12 +36,17 @@ std::vector<fs::path> placesOf(const fs::path& named, const fs::path& database) 
 
 }  // namespace
 
-Result<assets::Avatar> recordedAvatar(const results::Recording& recording, const fs::path& database,
+ShownAvatar shownAvatar(const results::Recording& recording) {
+    ShownAvatar out{recording.study_source, {}, recording.participant};
+    for (const results::RecordedAnswer& answer : recording.answers) out.hashes.insert(answer.avatar_hash);
+    return out;
+}
+
+Result<assets::Avatar> recordedAvatar(const ShownAvatar& shown, const fs::path& database,
                                       const fs::path& instead) {
-    const assets::AvatarOptions size{studies::avatarHeightIn(recording.study_source)};
+    const assets::AvatarOptions size{studies::avatarHeightIn(shown.study_source)};
     if (!instead.empty()) return assets::loadAvatar(instead, size);
-    std::set<std::string> hashes;
-    for (const results::RecordedAnswer& answer : recording.answers) hashes.insert(answer.avatar_hash);
+    const std::set<std::string>& hashes = shown.hashes;
     // Locked with the study.
     if (hashes.size() == 1 && !hashes.contains("")) {
         std::error_code code;
@@ -53,12 +58,11 @@ Result<assets::Avatar> recordedAvatar(const results::Recording& recording, const
                 if (avatar && hashes.contains(avatar->content_hash)) return avatar;
             }
     }
-    const std::string named = studies::avatarNamedIn(recording.study_source);
+    const std::string named = studies::avatarNamedIn(shown.study_source);
     if (named.empty() || hashes.empty()) return shippedAvatarFor(hashes);
     if (hashes.size() > 1)
         return fail(database.string(),
-                    fmt::format("the sessions of {} showed {} different avatars", recording.participant,
-                                hashes.size()),
+                    fmt::format("the sessions of {} showed {} different avatars", shown.whose, hashes.size()),
                     "Choose one trial with --trial, or name the avatar to show with --avatar");
     std::string found;
     for (const fs::path& place : placesOf(named, database)) {

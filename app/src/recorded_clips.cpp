@@ -62,6 +62,16 @@ Result<fs::path> findClip(const results::ClipRecord& record, const fs::path& fol
 
 }  // namespace
 
+Result<void> addShownClip(results::ClipRecords& to, const studies::Stimulus& stimulus,
+                          const results::ClipRecord& record, const fs::path& database) {
+    const auto [known, added] = to.emplace(stimulus, record);
+    if (added || known->second.content_hash == record.content_hash) return {};
+    return fail(
+        database.string(),
+        fmt::format("participants were shown different clips of {} for {}", stimulus.system, stimulus.item),
+        "Take the databases of each set of clips by themselves");
+}
+
 Result<RecordedClips> RecordedClips::load(const results::ClipRecords& records, const assets::Avatar& avatar,
                                           const fs::path& folder, const fs::path& database) {
     RecordedClips out;

@@ -11,6 +11,11 @@
 
 namespace deixis::app {
 
+/// Adds the clip of a stimulus to those of other participants. Error: they were shown another one for it.
+[[nodiscard]] Result<void> addShownClip(results::ClipRecords& to, const studies::Stimulus& stimulus,
+                                        const results::ClipRecord& record,
+                                        const std::filesystem::path& database);
+
 class RecordedClips : public studies::ClipSource {
   public:
     /// Clips are looked for in what is locked beside the database, where `folder` is given under it by their

@@ -112,7 +112,7 @@ Result<void> replay(ReplayArguments options) {
                     fmt::format("{} has answered no trial that shows clips", options.participant));
     results::ClipRecords records;
     for (const auto& answer : recording->answers) records.insert(answer.clips.begin(), answer.clips.end());
-    const auto avatar = recordedAvatar(*recording, options.database, options.avatar);
+    const auto avatar = recordedAvatar(shownAvatar(*recording), options.database, options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     const auto clips = RecordedClips::load(records, *avatar, options.stimuli, options.database);
     if (!clips) return tl::unexpected(clips.error());

@@ -8,10 +8,10 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "core/parallel.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "recorders.hpp"
 #include "session_loop.hpp"
 #include "simulated_setup.hpp"
 #include "studies/standing.hpp"
@@ -117,10 +117,9 @@ class Sessions {
         const Session& session = one.session;
         store_.beginSession(
             {one.plan->participant, session.station, programVersion(), avatar_.content_hash, one.now_utc_s});
-        for (const studies::SessionEvent& event : session.events) {
-            store_.record(event, study_, *one.plan, records_);
-            answered_ += std::holds_alternative<studies::Response>(event) ? 1 : 0;
-        }
+        DirectRecorder recorder(store_, study_, *one.plan, records_);
+        for (const studies::SessionEvent& event : session.events) recorder.record(event);
+        answered_ += recorder.answered();
         store_.endSession(session.outcome, session.ended_utc_s);
         if (session.failure) return fail(where(one), session.failure->message, session.failure->mend);
         one.now_utc_s = session.ended_utc_s;

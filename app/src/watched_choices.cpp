@@ -1,7 +1,5 @@
 #include "watched_choices.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
 #include <optional>
 #include <utility>
@@ -14,28 +12,6 @@
 namespace deixis::app {
 
 namespace {
-
-/// The avatar that all of them were shown.
-Result<assets::Avatar> shownAvatar(const results::ShownChoices& shown,
-                                   const std::filesystem::path& database) {
-    results::Recording recording;
-    recording.study_source = shown.study_source;
-    recording.participant = "all participants";
-    for (const results::ShownChoice& choice : shown.choices)
-        recording.answers.emplace_back().avatar_hash = choice.avatar_hash;
-    return recordedAvatar(recording, database);
-}
-
-Result<results::ClipRecords> clipsOf(const results::ShownChoices& shown,
-                                     const std::filesystem::path& database) {
-    results::ClipRecords out;
-    for (const results::ShownChoice& choice : shown.choices)
-        if (const auto [known, added] = out.emplace(choice.stimulus, choice.clip);
-            !added && known->second.content_hash != choice.clip.content_hash)
-            return fail(database.string(), fmt::format("participants were shown different clips of {} for {}",
-                                                       choice.stimulus.system, choice.stimulus.item));
-    return out;
-}
 
 /// The target first.
 results::WatchedChoice watched(const results::ShownChoice& choice, const studies::WatchedGesture& gesture) {
@@ -65,11 +41,16 @@ Result<std::vector<results::WatchedChoice>> watchedChoices(const std::filesystem
     if (!shown) return tl::unexpected(shown.error());
     std::vector<results::WatchedChoice> out;
     if (shown->choices.empty()) return out;
-    const auto avatar = shownAvatar(*shown, database);
+    ShownAvatar showed{shown->study_source, {}, "all participants"};
+    results::ClipRecords records;
+    for (const results::ShownChoice& choice : shown->choices) {
+        showed.hashes.insert(choice.avatar_hash);
+        if (auto added = addShownClip(records, choice.stimulus, choice.clip, database); !added)
+            return tl::unexpected(added.error());
+    }
+    const auto avatar = recordedAvatar(showed, database);
     if (!avatar) return tl::unexpected(avatar.error());
-    const auto records = clipsOf(*shown, database);
-    if (!records) return tl::unexpected(records.error());
-    const auto clips = RecordedClips::load(*records, *avatar, stimuli, database);
+    const auto clips = RecordedClips::load(records, *avatar, stimuli, database);
     if (!clips) return tl::unexpected(clips.error());
     std::map<studies::Stimulus, std::optional<studies::WatchedGesture>> gestures;
     for (const results::ShownChoice& choice : shown->choices) {

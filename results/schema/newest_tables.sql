@@ -176,7 +176,6 @@ CREATE TABLE sessions (
 CREATE TABLE locked_changes (            -- what was changed in a study under way
     id      INTEGER PRIMARY KEY,
     utc_s   REAL NOT NULL,
-    session INTEGER REFERENCES sessions (id) ON DELETE SET NULL,
     what    TEXT NOT NULL,               -- JSON
     reason  TEXT
 ) STRICT;

@@ -17,7 +17,6 @@ CREATE INDEX responses_of_participant ON responses (participant, session);
 CREATE TABLE locked_changes (
     id      INTEGER PRIMARY KEY,
     utc_s   REAL NOT NULL,
-    session INTEGER REFERENCES sessions (id) ON DELETE SET NULL,
     what    TEXT NOT NULL,
     reason  TEXT
 ) STRICT;

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "analysis_table_parts.hpp"
 #include "analysis_tables_further.hpp"
 #include "answers_csv.hpp"
 #include "bradley_terry_outputs.hpp"
@@ -14,14 +15,6 @@ namespace deixis::results {
 namespace {
 
 using enum ColumnType;
-
-PlainCell count(std::size_t n) {
-    return static_cast<long long>(n);
-}
-
-PlainCell count(int n) {
-    return static_cast<long long>(n);
-}
 
 PlainTable meansTable(const AnalysisResult& result) {
     PlainTable out{
@@ -48,7 +41,7 @@ PlainTable meansTable(const AnalysisResult& result) {
                                 one.interval ? PlainCell(one.interval->lower) : PlainCell(),
                                 one.interval ? PlainCell(one.interval->upper) : PlainCell(),
                                 knownCell(people > 1, one.sd_participants),
-                                knownCell(one.n > 1, one.sd_trials), count(people), count(one.n)});
+                                knownCell(one.n > 1, one.sd_trials), wholeCell(people), wholeCell(one.n)});
         }
     return out;
 }
@@ -65,7 +58,7 @@ PlainTable levelsTable(const AnalysisResult& result) {
                     {"answers", whole, Print::plain}}};
     for (const LevelResult& row : result.levels)
         out.rows.push_back({row.measure, row.factor, row.system, row.level, knownCell(row.n > 0, row.mean),
-                            knownCell(row.n > 1, row.sd_trials), count(row.n)});
+                            knownCell(row.n > 1, row.sd_trials), wholeCell(row.n)});
     return out;
 }
 
@@ -85,95 +78,24 @@ PlainTable omnibusTable(const AnalysisResult& result) {
     for (const OmnibusResult& one : result.omnibus) {
         const FriedmanTest& test = one.test;
         const ImanDavenport& f = test.iman_davenport;
-        out.rows.push_back({one.measure, count(test.n), plainCell(test.chi2), count(test.df),
-                            plainCell(test.p), plainCell(test.kendalls_w), plainCell(f.f), count(f.df1),
-                            count(f.df2), plainCell(f.p)});
+        out.rows.push_back({one.measure, wholeCell(test.n), plainCell(test.chi2), wholeCell(test.df),
+                            plainCell(test.p), plainCell(test.kendalls_w), plainCell(f.f), wholeCell(f.df1),
+                            wholeCell(f.df2), plainCell(f.p)});
     }
     return out;
 }
 
-std::vector<PlainColumn> testColumns() {
-    return {{"n", whole, Print::plain, "$n$"},
-            {"n_zero", whole, Print::plain, "zeros"},
-            {"n_positive", whole},
-            {"n_negative", whole},
-            {"ties", whole},
-            {"w_plus", number, Print::plain, "$W^+$"},
-            {"w_minus", number, Print::plain, "$W^-$"},
-            {"z", number},
-            {"p", number, Print::p_value, "$p$"},
-            {"p_holm", number, Print::p_value, "$p_\\mathrm{Holm}$"},
-            {"p_normal", number},
-            {"p_pratt", number},
-            {"p_holm_pratt", number},
-            {"p_holm_normal", number},
-            {"smallest_p", number},
-            {"significant", truth},
-            {"depends_on_zeros", truth},
-            {"out_of_reach", truth},
-            {"hodges_lehmann", number, Print::plain, "shift"},
-            {"hodges_lehmann_lower", number, Print::plain, "lower"},
-            {"hodges_lehmann_upper", number, Print::plain, "upper"},
-            {"hodges_lehmann_lower_included", truth},
-            {"hodges_lehmann_upper_included", truth},
-            {"hodges_lehmann_level", number},
-            {"rank_biserial", number, Print::plain, "$r$"},
-            {"paired_superiority", number},
-            {"shapiro_w", number},
-            {"shapiro_p", number},
-            {"method", text},
-            {"family", text},
-            {"family_size", whole}};
-}
-
-void addTest(std::vector<PlainCell>& row, const AdjustedTest& one) {
-    const SignedRankTest& test = one.test;
-    const bool tested = test.n_pairs > 0;
-    const HodgesLehmann& shift = test.hodges_lehmann;
-    for (PlainCell cell : {count(test.n_pairs),
-                           count(test.n_zero),
-                           count(test.n_positive),
-                           count(test.n_negative),
-                           count(test.ties),
-                           PlainCell(test.w_plus),
-                           PlainCell(test.w_minus),
-                           plainCell(test.z),
-                           knownCell(tested, test.p_two_sided),
-                           plainCell(one.p_holm),
-                           knownCell(tested, test.normal_p_two_sided),
-                           knownCell(tested, test.pratt_p_two_sided),
-                           plainCell(one.p_holm_pratt),
-                           plainCell(one.p_holm_normal),
-                           knownCell(tested, test.smallest_p),
-                           PlainCell(one.significant),
-                           PlainCell(one.depends_on_zeros),
-                           PlainCell(one.out_of_reach),
-                           plainCell(shift.estimate),
-                           plainCell(shift.lower),
-                           plainCell(shift.upper),
-                           PlainCell(shift.lower_included),
-                           PlainCell(shift.upper_included),
-                           plainCell(shift.level),
-                           plainCell(test.rank_biserial),
-                           plainCell(test.paired_superiority),
-                           plainCell(one.normality.w),
-                           plainCell(one.normality.p),
-                           PlainCell(test.method),
-                           PlainCell(one.family),
-                           count(one.family_size)})
-        row.push_back(std::move(cell));
-}
-
-void append(std::vector<PlainColumn>& to, std::vector<PlainColumn> more) {
-    for (PlainColumn& column : more) to.push_back(std::move(column));
-}
-
 PlainTable comparisonsTable(const std::string& name, const std::string& caption,
                             const std::vector<Comparison>& comparisons, bool with_factor) {
-    PlainTable out{name, caption, {{"measure", text, Print::plain}}};
-    if (with_factor) append(out.columns, {{"factor", text, Print::plain}, {"system", text, Print::plain}});
-    append(out.columns, {{"a", text, Print::plain}, {"b", text, Print::plain}, {"mean_difference", number}});
-    append(out.columns, testColumns());
+    std::vector<PlainColumn> columns{{"measure", text, Print::plain}};
+    if (with_factor) {
+        columns.push_back({"factor", text, Print::plain});
+        columns.push_back({"system", text, Print::plain});
+    }
+    columns.push_back({"a", text, Print::plain});
+    columns.push_back({"b", text, Print::plain});
+    columns.push_back({"mean_difference", number});
+    PlainTable out{name, caption, withMore(std::move(columns), testColumns())};
     for (const Comparison& one : comparisons) {
         std::vector<PlainCell> row{one.measure};
         if (with_factor) {
@@ -183,8 +105,7 @@ PlainTable comparisonsTable(const std::string& name, const std::string& caption,
         row.emplace_back(one.a);
         row.emplace_back(one.b);
         row.push_back(knownCell(one.test.n_pairs > 0, one.mean_difference));
-        addTest(row, one);
-        out.rows.push_back(std::move(row));
+        out.rows.push_back(withMore(std::move(row), testCells(one)));
     }
     return out;
 }
@@ -192,85 +113,68 @@ PlainTable comparisonsTable(const std::string& name, const std::string& caption,
 PlainTable interactionsTable(const AnalysisResult& result) {
     PlainTable out{"interactions",
                    "Differences a - b under c less those under d: signed-rank tests of participants' means",
-                   {{"measure", text, Print::plain},
-                    {"factor", text, Print::plain},
-                    {"a", text, Print::plain},
-                    {"b", text, Print::plain},
-                    {"other_factor", text, Print::plain, "other factor"},
-                    {"c", text, Print::plain},
-                    {"d", text, Print::plain},
-                    {"mean_difference", number}}};
-    append(out.columns, testColumns());
-    for (const InteractionResult& one : result.interactions) {
-        std::vector<PlainCell> row{one.measure,      one.factor, one.a, one.b,
-                                   one.other_factor, one.c,      one.d, PlainCell(one.mean_difference)};
-        addTest(row, one);
-        out.rows.push_back(std::move(row));
-    }
+                   withMore(withMore(contrastColumns(), {{"mean_difference", number}}), testColumns())};
+    for (const InteractionResult& one : result.interactions)
+        out.rows.push_back(
+            withMore(withMore(contrastCells(one), {PlainCell(one.mean_difference)}), testCells(one)));
     return out;
 }
 
 PlainTable preferencesTable(const AnalysisResult& result) {
-    PlainTable out{"preferences",
-                   "Preferences between systems",
-                   {{"a", text, Print::plain},
-                    {"b", text, Print::plain},
-                    {"prefers_a", whole, Print::plain, "for A"},
-                    {"equal", whole, Print::plain, "equal"},
-                    {"prefers_b", whole, Print::plain, "for B"},
-                    {"mean", number, Print::plain}}};
-    append(out.columns, testColumns());
+    PlainTable out{"preferences", "Preferences between systems",
+                   withMore<PlainColumn>({{"a", text, Print::plain},
+                                          {"b", text, Print::plain},
+                                          {"prefers_a", whole, Print::plain, "for A"},
+                                          {"equal", whole, Print::plain, "equal"},
+                                          {"prefers_b", whole, Print::plain, "for B"},
+                                          {"mean", number, Print::plain}},
+                                         testColumns())};
     for (const PreferenceResult& pair : result.preferences) {
         std::vector<PlainCell> row{pair.a,
                                    pair.b,
-                                   count(pair.prefers_a),
-                                   count(pair.ties),
-                                   count(pair.prefers_b),
+                                   wholeCell(pair.prefers_a),
+                                   wholeCell(pair.ties),
+                                   wholeCell(pair.prefers_b),
                                    PlainCell(pair.mean)};
-        addTest(row, pair);
-        out.rows.push_back(std::move(row));
+        out.rows.push_back(withMore(std::move(row), testCells(pair)));
     }
     return out;
 }
 
 PlainTable chanceTable(const AnalysisResult& result) {
     PlainTable out{
-        "chance",
-        "Right choices and chance: signed-rank tests of participants' means of correct - 1 / balls",
-        {{"system", text, Print::plain},
-         {"successes", whole, Print::plain, "right"},
-         {"choices", whole, Print::plain, "of"},
-         {"choices_with_balls", whole},
-         {"estimate", number, Print::plain, "share"},
-         {"chance", number, Print::plain},
-         {"mean_above", number, Print::plain, "above"}}};
-    append(out.columns, testColumns());
+        "chance", "Right choices and chance: signed-rank tests of participants' means of correct - 1 / balls",
+        withMore<PlainColumn>({{"system", text, Print::plain},
+                               {"successes", whole, Print::plain, "right"},
+                               {"choices", whole, Print::plain, "of"},
+                               {"choices_with_balls", whole},
+                               {"estimate", number, Print::plain, "share"},
+                               {"chance", number, Print::plain},
+                               {"mean_above", number, Print::plain, "above"}},
+                              testColumns())};
     for (const ChanceResult& one : result.chance) {
         const bool known = one.n_known > 0;
         std::vector<PlainCell> row{one.system,
-                                   count(one.successes),
-                                   count(one.n),
-                                   count(one.n_known),
+                                   wholeCell(one.successes),
+                                   wholeCell(one.n),
+                                   wholeCell(one.n_known),
                                    knownCell(one.n > 0, static_cast<double>(one.successes) / one.n),
                                    knownCell(known, one.chance),
                                    knownCell(known, one.mean_above)};
-        addTest(row, one);
-        out.rows.push_back(std::move(row));
+        out.rows.push_back(withMore(std::move(row), testCells(one)));
     }
     return out;
 }
 
 PlainTable orderTable(const AnalysisResult& result) {
-    PlainTable out{"order",
-                   "First and second half of each participant's answers",
-                   {{"measure", text, Print::plain},
-                    {"first_half", number, Print::plain, "first half"},
-                    {"second_half", number, Print::plain, "second half"}}};
-    append(out.columns, testColumns());
+    PlainTable out{"order", "First and second half of each participant's answers",
+                   withMore<PlainColumn>({{"measure", text, Print::plain},
+                                          {"first_half", number, Print::plain, "first half"},
+                                          {"second_half", number, Print::plain, "second half"}},
+                                         testColumns())};
     for (const OrderResult& one : result.order) {
         std::vector<PlainCell> row{one.measure, PlainCell(one.first), PlainCell(one.second)};
-        addTest(row, one);
-        out.rows.push_back(std::move(row));
+        out.rows.push_back(withMore(std::move(row), testCells(one)));
     }
     return out;
 }
@@ -285,7 +189,7 @@ PlainTable timesTable(const AnalysisResult& result) {
                     {"median_s", number, Print::plain, "median"},
                     {"q75_s", number, Print::plain, "75 \\%"}}};
     for (const TimeResult& one : result.times)
-        out.rows.push_back({one.measure, one.system, count(one.n), PlainCell(one.q25_s),
+        out.rows.push_back({one.measure, one.system, wholeCell(one.n), PlainCell(one.q25_s),
                             PlainCell(one.median_s), PlainCell(one.q75_s)});
     return out;
 }
@@ -295,7 +199,7 @@ PlainTable itemsTable(const AnalysisResult& result) {
                    "Items over systems and participants",
                    {{"measure", text}, {"item", text}, {"mean", number}, {"answers", whole}}};
     for (const ItemResult& one : result.items)
-        out.rows.push_back({one.measure, one.item, PlainCell(one.mean), count(one.n)});
+        out.rows.push_back({one.measure, one.item, PlainCell(one.mean), wholeCell(one.n)});
     return out;
 }
 
@@ -307,7 +211,7 @@ PlainTable checksTable(const AnalysisResult& result) {
                     {"passed", whole, Print::plain},
                     {"failed", whole, Print::plain}}};
     for (const CheckCount& one : result.table.checks)
-        out.rows.push_back({one.stage, one.kind, count(one.passed), count(one.failed)});
+        out.rows.push_back({one.stage, one.kind, wholeCell(one.passed), wholeCell(one.failed)});
     return out;
 }
 
@@ -333,7 +237,7 @@ PlainTable participantsTable(const AnalysisResult& result) {
                 if (const int answers = row.answers[m][s]; answers > 0)
                     out.rows.push_back({row.participant, result.measures[m].name, result.systems[s].system,
                                         PlainCell(result.systems[s].measures[m].by_participant[next[s]++]),
-                                        count(answers)});
+                                        wholeCell(answers)});
     }
     return out;
 }

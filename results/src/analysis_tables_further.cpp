@@ -1,14 +1,12 @@
 #include "analysis_tables_further.hpp"
 
+#include "analysis_table_parts.hpp"
+
 namespace deixis::results {
 
 namespace {
 
 using enum ColumnType;
-
-PlainCell wholeCell(int n) {
-    return static_cast<long long>(n);
-}
 
 /// One row for each pair and choice.
 PlainTable sensitivityTable(const AnalysisResult& result) {
@@ -59,72 +57,14 @@ PlainTable unansweredTable(const AnalysisResult& result) {
     return out;
 }
 
-std::vector<PlainColumn> groupColumns() {
-    return {{"n_a", whole, Print::plain, "$n_a$"},
-            {"n_b", whole, Print::plain, "$n_b$"},
-            {"mean_a", number},
-            {"mean_b", number},
-            {"u", number, Print::plain, "$U$"},
-            {"ties", whole},
-            {"z", number},
-            {"p", number, Print::p_value, "$p$"},
-            {"p_holm", number, Print::p_value, "$p_\\mathrm{Holm}$"},
-            {"p_normal", number},
-            {"significant", truth},
-            {"hodges_lehmann", number, Print::plain, "shift"},
-            {"hodges_lehmann_lower", number, Print::plain, "lower"},
-            {"hodges_lehmann_upper", number, Print::plain, "upper"},
-            {"hodges_lehmann_lower_included", truth},
-            {"hodges_lehmann_upper_included", truth},
-            {"hodges_lehmann_level", number},
-            {"cliffs_delta", number, Print::plain, "$\\delta$"},
-            {"a12", number},
-            {"method", text},
-            {"family", text},
-            {"family_size", whole}};
-}
-
-std::vector<PlainCell> groupCells(const GroupTest& one) {
-    const RankSumTest& test = one.test;
-    const HodgesLehmann& shift = test.hodges_lehmann;
-    return {wholeCell(test.n_a),
-            wholeCell(test.n_b),
-            knownCell(test.n_a > 0, one.mean_a),
-            knownCell(test.n_b > 0, one.mean_b),
-            knownCell(test.p_two_sided.has_value(), test.u),
-            wholeCell(test.ties),
-            plainCell(test.z),
-            plainCell(test.p_two_sided),
-            plainCell(one.p_holm),
-            plainCell(test.normal_p_two_sided),
-            PlainCell(one.significant),
-            plainCell(shift.estimate),
-            plainCell(shift.lower),
-            plainCell(shift.upper),
-            PlainCell(shift.lower_included),
-            PlainCell(shift.upper_included),
-            plainCell(shift.level),
-            plainCell(test.cliffs_delta),
-            plainCell(test.a12),
-            test.method,
-            one.family,
-            wholeCell(one.family_size)};
-}
-
-template <typename Item>
-std::vector<Item> withMore(std::vector<Item> first, std::vector<Item> more) {
-    for (Item& one : more) first.push_back(std::move(one));
-    return first;
-}
-
 PlainTable betweenTable(const AnalysisResult& result) {
     PlainTable out{"between", "Groups of participants: rank-sum tests of participants' means",
-                   withMore({{"measure", text, Print::plain},
-                             {"factor", text, Print::plain},
-                             {"system", text, Print::plain},
-                             {"a", text, Print::plain},
-                             {"b", text, Print::plain}},
-                            groupColumns())};
+                   withMore<PlainColumn>({{"measure", text, Print::plain},
+                                          {"factor", text, Print::plain},
+                                          {"system", text, Print::plain},
+                                          {"a", text, Print::plain},
+                                          {"b", text, Print::plain}},
+                                         groupColumns())};
     for (const BetweenResult& one : result.between)
         out.rows.push_back(withMore({one.measure, one.factor, one.system, one.a, one.b}, groupCells(one)));
     return out;
@@ -134,20 +74,20 @@ PlainTable preferencesBetweenTable(const AnalysisResult& result) {
     PlainTable out{"preferences_between",
                    "Groups of participants: preferences for system over other system (shares of answers), "
                    "rank-sum tests of participants' net preferences",
-                   withMore({{"factor", text, Print::plain},
-                             {"system", text, Print::plain},
-                             {"other_system", text, Print::plain, "other system"},
-                             {"a", text, Print::plain},
-                             {"b", text, Print::plain},
-                             {"answers_a", whole},
-                             {"wins_a", number, Print::plain, "wins A"},
-                             {"ties_a", number},
-                             {"losses_a", number, Print::plain, "losses A"},
-                             {"answers_b", whole},
-                             {"wins_b", number, Print::plain, "wins B"},
-                             {"ties_b", number},
-                             {"losses_b", number, Print::plain, "losses B"}},
-                            groupColumns())};
+                   withMore<PlainColumn>({{"factor", text, Print::plain},
+                                          {"system", text, Print::plain},
+                                          {"other_system", text, Print::plain, "other system"},
+                                          {"a", text, Print::plain},
+                                          {"b", text, Print::plain},
+                                          {"answers_a", whole},
+                                          {"wins_a", number, Print::plain, "wins A"},
+                                          {"ties_a", number},
+                                          {"losses_a", number, Print::plain, "losses A"},
+                                          {"answers_b", whole},
+                                          {"wins_b", number, Print::plain, "wins B"},
+                                          {"ties_b", number},
+                                          {"losses_b", number, Print::plain, "losses B"}},
+                                         groupColumns())};
     for (const PreferenceBetweenResult& one : result.preferences_between) {
         std::vector<PlainCell> row{one.factor, one.system, one.other_system, one.a, one.b};
         for (const PreferenceCounts& counts : {one.answers_a, one.answers_b}) {
@@ -158,21 +98,6 @@ PlainTable preferencesBetweenTable(const AnalysisResult& result) {
         out.rows.push_back(withMore(std::move(row), groupCells(one)));
     }
     return out;
-}
-
-template <typename Result>
-std::vector<PlainCell> contrastCells(const Result& one) {
-    return {one.measure, one.factor, one.a, one.b, one.other_factor, one.c, one.d};
-}
-
-std::vector<PlainColumn> contrastColumns() {
-    return {{"measure", text, Print::plain},
-            {"factor", text, Print::plain},
-            {"a", text, Print::plain},
-            {"b", text, Print::plain},
-            {"other_factor", text, Print::plain, "other factor"},
-            {"c", text, Print::plain},
-            {"d", text, Print::plain}};
 }
 
 PlainTable groupInteractionsTable(const AnalysisResult& result) {

@@ -54,6 +54,15 @@ struct LockedChange {
     friend auto operator<=>(const LockedChange&, const LockedChange&) = default;
 };
 
+/// NULL where there is none.
+template <typename Value>
+void bindIfAny(Statement& to, int place, const std::optional<Value>& value) {
+    if (value)
+        to.bind(place, *value);
+    else
+        to.bind(place);
+}
+
 struct Source {
     fs::path path;
     std::string study_hash;
@@ -252,10 +261,7 @@ void writeWithdrawals(SQLite::Database& database, const Withdrawals& withdrawals
     Statement insert(database, "INSERT INTO withdrawals (utc_s, token) VALUES (?, ?)");
     for (const Withdrawal& one : withdrawals.all()) {
         insert.bind(1, one.utc_s);
-        if (one.token)
-            insert.bind(2, *one.token);
-        else
-            insert.bind(2);
+        bindIfAny(insert, 2, one.token);
         insert.exec();
         insert.reset();
     }
@@ -269,10 +275,7 @@ void writeLockedChanges(SQLite::Database& database, const std::vector<Source>& s
     for (const LockedChange& one : all) {
         insert.bind(1, one.utc_s);
         insert.bind(2, one.what);
-        if (one.reason)
-            insert.bind(3, *one.reason);
-        else
-            insert.bind(3);
+        bindIfAny(insert, 3, one.reason);
         insert.exec();
         insert.reset();
     }

@@ -1,6 +1,7 @@
 // A table of cells, written as CSV or as LaTeX; private to the analysis' outputs.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <variant>
@@ -36,6 +37,9 @@ struct PlainTable {
 
 [[nodiscard]] PlainCell plainCell(const std::optional<double>& value);
 [[nodiscard]] PlainCell knownCell(bool known, double value);
+[[nodiscard]] inline PlainCell wholeCell(std::integral auto n) {
+    return static_cast<long long>(n);
+}
 
 /// Safe for spreadsheets (safeText()).
 [[nodiscard]] std::string csvText(const PlainTable& table);

@@ -162,22 +162,27 @@ std::vector<double> logVoices(const ObserverModel& model, const Cues& cues) {
     return out;
 }
 
-double cueChance(const ObserverModel& model, const Cues& cues, std::size_t ball) {
-    const std::vector<double> voices = logVoices(model, cues);
+double cueChance(const std::vector<double>& voices, std::size_t ball) {
     double sum = 0.0;
     for (const double voice : voices) sum += std::exp(voice - voices[ball]);  // infinite at worst
     return 1.0 / sum;
 }
 
-std::vector<double> misses(const ObserverModel& model, const SeenArm& arm, const std::vector<Vec3>& balls) {
+double cueChance(const ObserverModel& model, const Cues& cues, std::size_t ball) {
+    return cueChance(logVoices(model, cues), ball);
+}
+
+std::vector<double> cueMisses(const ObserverModel& model, const std::vector<double>& voices) {
+    const double noise_rad = std::max(model.noise_rad, least_noise_rad);
     std::vector<double> out;
-    if (model.reading.twoCue()) {
-        const double noise_rad = std::max(model.noise_rad, least_noise_rad);
-        for (const double voice : logVoices(model, cuesOf(arm, balls)))
-            out.push_back(noise_rad * std::sqrt(std::max(0.0, -2.0 * voice)));
-    } else {
-        for (const Vec3& ball : balls) out.push_back(motion::angularError(arm.lines.line, ball));
-    }
+    for (const double voice : voices) out.push_back(noise_rad * std::sqrt(std::max(0.0, -2.0 * voice)));
+    return out;
+}
+
+std::vector<double> misses(const ObserverModel& model, const SeenArm& arm, const std::vector<Vec3>& balls) {
+    if (model.reading.twoCue()) return cueMisses(model, logVoices(model, cuesOf(arm, balls)));
+    std::vector<double> out;
+    for (const Vec3& ball : balls) out.push_back(motion::angularError(arm.lines.line, ball));
     return out;
 }
 

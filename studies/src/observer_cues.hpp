@@ -24,7 +24,11 @@ struct Cues {
 /// Of each ball the logarithm of how much the cues together speak for it.
 [[nodiscard]] std::vector<double> logVoices(const ObserverModel& model, const Cues& cues);
 
-/// ballChance() of two cues.
+/// ballChance() of two cues, from these.
+[[nodiscard]] double cueChance(const std::vector<double>& voices, std::size_t ball);
 [[nodiscard]] double cueChance(const ObserverModel& model, const Cues& cues, std::size_t ball);
+
+/// misses() of two cues, likewise.
+[[nodiscard]] std::vector<double> cueMisses(const ObserverModel& model, const std::vector<double>& voices);
 
 }  // namespace deixis::studies

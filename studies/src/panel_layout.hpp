@@ -156,9 +156,6 @@ struct QuestionnaireBoard {
 /// Lower and nearer still: the game.
 [[nodiscard]] Pose deskPose(const Panel& panel, const Pose& stage_from_viewer, double eye_height_m);
 
-/// Whether a ball lies before or behind the panel for these eyes, or nearly.
-[[nodiscard]] bool overlapsBall(const Panel& panel, const Vec3& eyes, const BallView& ball);
-
 /// The lectern's place, or the lower desk's, or turned aside by as much as it takes that it overlaps no ball
 /// for the viewer's eyes. None where balls are all around.
 [[nodiscard]] std::optional<Pose> poseBesideBalls(const Panel& panel, const Pose& stage_from_viewer,

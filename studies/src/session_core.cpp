@@ -82,6 +82,13 @@ void SessionCore::openPanel(Panel panel, const InputFrame& input, PanelPlace pla
     panel_since_s = now.time_s;
 }
 
+Panel SessionCore::endQuestion(const std::string& text) const {
+    return messagePanel(words()("end_title"), text, "",
+                        {{words()("go_back"), button_id::back},
+                         {words()("end_yes"), button_id::end_for_good, ButtonRole::leave}},
+                        -1.0, hint);
+}
+
 void SessionCore::standAlone() {
     pair = false;
     poser.standAt(Vec3(0.0));

@@ -53,6 +53,9 @@ struct SessionCore {
     void note(const char* kind, std::string detail = {});
     void noteAt(const Moment& at, std::string kind, std::string detail);
     void openPanel(Panel panel, const InputFrame& input, PanelPlace place);
+    /// Whether the session is to end, with what that means: one press must not end it. Its buttons are back
+    /// and end_for_good.
+    [[nodiscard]] Panel endQuestion(const std::string& text) const;
 
     void standAlone();  ///< one avatar, at the origin
     /// Two avatars, to either side of the line of sight.

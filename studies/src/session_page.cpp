@@ -125,7 +125,8 @@ class ConsentUnit : public TrialUnit {
         if (!core_.settled() || !onset_known_ || !input.select) return;
         if (met.button == button_id::decline || met.button == button_id::back) {
             declining_ = met.button == button_id::decline;
-            core_.openPanel(declining_ ? declineBoard() : board(), input, messagePose);
+            core_.openPanel(declining_ ? core_.endQuestion(core_.words()("declined_text")) : board(), input,
+                            messagePose);
             return;
         }
         const bool agrees = met.button == button_id::agree && left == 0;
@@ -160,14 +161,6 @@ class ConsentUnit : public TrialUnit {
         opened_ = core_.view.frame.number;
         declining_ = false;
         core_.openPanel(board(), input, messagePose);
-    }
-
-    [[nodiscard]] Panel declineBoard() const {
-        const LanguageTable& words = core_.words();
-        return messagePanel(words("end_title"), words("declined_text"), "",
-                            {{words("go_back"), button_id::back},
-                             {words("end_yes"), button_id::end_for_good, ButtonRole::leave}},
-                            -1.0, core_.hint);
     }
 
     [[nodiscard]] Panel board() const {

@@ -51,12 +51,7 @@ void SessionRunner::State::openPausePanel(const InputFrame& input) {
 
 // One press must not end a study.
 void SessionRunner::State::askWhetherToEnd(const InputFrame& input) {
-    const LanguageTable& words = study.words;
-    core.openPanel(messagePanel(words("end_title"), words("end_text"), "",
-                                {{words("go_back"), button_id::back},
-                                 {words("end_yes"), button_id::end_for_good, ButtonRole::leave}},
-                                -1.0, core.hint),
-                   input, messagePose);
+    core.openPanel(core.endQuestion(study.words("end_text")), input, messagePose);
 }
 
 void SessionRunner::State::stepPaused(const InputFrame& input) {

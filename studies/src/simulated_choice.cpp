@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "motion/pointing.hpp"
+#include "observer_cues.hpp"
 
 namespace deixis::studies {
 
@@ -34,16 +35,17 @@ BallChoice BallChooser::choose(const SeenArm& arm, const std::vector<BallView>& 
 }
 
 BallChoice BallChooser::byTwoCues(const SeenArm& arm, const std::vector<Vec3>& balls) {
+    const std::vector<double> voices = logVoices(model_, cuesOf(arm, balls));
     double left = choices_.uniform();
     std::size_t place = 0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double chance = ballChance(model_, arm, balls, i);
+        const double chance = cueChance(voices, i);
         if (chance <= 0.0) continue;
         place = i;  // the last that is possible takes what rounding leaves
         left -= chance;
         if (left < 0.0) break;
     }
-    const std::vector<double> missed = misses(model_, arm, balls);
+    const std::vector<double> missed = cueMisses(model_, voices);
     double margin_rad = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (i != place) margin_rad = std::min(margin_rad, missed[i] - missed[place]);

@@ -71,6 +71,18 @@ int compared(const std::string& said) {
     return std::stoi(said.substr(begin == std::string::npos ? 0 : begin + 1));
 }
 
+/// The answers' report with its analysis.R, as that ends.
+Finished analysedByR(const Scratch& scratch, const std::string& answers) {
+    spill(scratch / "lab.csv", answers);
+    const auto made = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") + " --r " +
+                              (scratch / "r"));
+    REQUIRE_MESSAGE(made.status == 0, made.err);
+    CHECK(contains(made.out, "analysis.R"));
+    Finished done = shell("Rscript " + (scratch / "r/analysis.R"));
+    CHECK_MESSAGE(done.status == 0, done.out, done.err);
+    return done;
+}
+
 }  // namespace
 
 TEST_SUITE("app/report_r") {
@@ -78,16 +90,8 @@ TEST_SUITE("app/report_r") {
         "R finds the same numbers in uneven answers, adds mixed models, and names a number that is off") {
         if (!hasR()) return;
         const Scratch scratch;
-        spill(scratch / "lab.csv", unevenAnswers());
-        const auto made = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") +
-                                  " --r " + (scratch / "r"));
-        INFO(made.err);
-        REQUIRE(made.status == 0);
-        CHECK(contains(made.out, "analysis.R"));
-
-        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        const auto done = analysedByR(scratch, unevenAnswers());
         INFO(done.out, done.err);
-        CHECK(done.status == 0);
         CHECK(compared(done.out) > 300);
         if (contains(done.out, "not installed"))
             MESSAGE("skipped: the mixed models; ", done.out);
@@ -130,14 +134,8 @@ TEST_SUITE("app/report_r") {
                                "\n";
             }
         const Scratch scratch;
-        spill(scratch / "lab.csv", answers);
-        const auto made = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") +
-                                  " --r " + (scratch / "r"));
-        INFO(made.err);
-        REQUIRE(made.status == 0);
-        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        const auto done = analysedByR(scratch, answers);
         INFO(done.out, done.err);
-        CHECK(done.status == 0);
         CHECK(compared(done.out) > 50);
         if (!contains(done.out, "not installed"))
             CHECK(contains(slurp(scratch / "r/mixed_models.csv"),
@@ -147,13 +145,8 @@ TEST_SUITE("app/report_r") {
     TEST_CASE("Ratings with many steps get a linear mixed model, and what R says of it is told") {
         if (!hasR()) return;
         const Scratch scratch;
-        spill(scratch / "lab.csv", manySteps());
-        REQUIRE(program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") + " --r " +
-                        (scratch / "r"))
-                    .status == 0);
-        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        const auto done = analysedByR(scratch, manySteps());
         INFO(done.out, done.err);
-        CHECK(done.status == 0);
         if (contains(done.out, "not installed")) {
             MESSAGE("skipped: the mixed models; ", done.out);
             return;
@@ -194,13 +187,8 @@ TEST_SUITE("app/report_r") {
             answers += "P" + std::to_string(10 + i / 18) + "," + std::string(1, "abc"[i / 6 % 3]) + ",T" +
                        std::to_string(i % 6) + "," + right[i] + "\n";
         const Scratch scratch;
-        spill(scratch / "lab.csv", answers);
-        REQUIRE(program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") + " --r " +
-                        (scratch / "r"))
-                    .status == 0);
-        const auto done = shell("Rscript " + (scratch / "r/analysis.R"));
+        const auto done = analysedByR(scratch, answers);
         INFO(done.out, done.err);
-        CHECK(done.status == 0);
         if (contains(done.out, "not installed")) {
             MESSAGE("skipped: the mixed models; ", done.out);
             return;

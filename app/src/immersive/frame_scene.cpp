@@ -114,24 +114,6 @@ renderer::Board boardFromPanel(const studies::Panel& panel) {
     return board;
 }
 
-constexpr double notice_away_m = 0.55;  // nearer than any avatar, ball or panel
-
-// Seen from the scene's eye.
-bool hidesNoBall(const renderer::Board& notice, const renderer::Scene& scene) {
-    constexpr double rings = 1.6;  // of a ball's radius, with what is drawn around it
-    const Pose eye_from_stage = inverse(scene.camera.stage_from_eye);
-    const Vec3 corner = transformPoint(eye_from_stage, notice.stage_from_board.position);
-    return std::none_of(scene.balls.begin(), scene.balls.end(), [&](const renderer::Ball& ball) {
-        const Vec3 seen = transformPoint(eye_from_stage, ball.centre);
-        if (seen.z > -notice_away_m) return false;
-        const double nearer = notice_away_m / -seen.z;
-        const double x = nearer * seen.x - corner.x;
-        const double y = nearer * seen.y - corner.y;
-        const double reach_m = nearer * rings * ball.radius_m;
-        return x > -reach_m && x < notice.width_m + reach_m && y > -reach_m && y < notice.height_m + reach_m;
-    });
-}
-
 }  // namespace
 
 renderer::Scene sceneFromFrame(const studies::PresentedFrame& frame, const Pose& stage_from_eye) {
@@ -156,24 +138,30 @@ renderer::Board noticeBoard(const std::string& sentence, double line_m) {
 void addNotice(renderer::Scene& scene, const std::string& notice) {
     if (notice.empty()) return;
     constexpr double line_m = 0.023;
+    constexpr double away_m = 0.55;  // nearer than any avatar, ball or panel
     constexpr double above_m = 0.21;
     constexpr double aside_m = 0.28;
-    renderer::Board board = noticeBoard(notice, line_m);
-    const Pose middle_from_corner{{-board.width_m / 2.0, -board.height_m / 2.0, 0.0}, no_rotation};
+    constexpr double rings = 1.25;  // what is drawn around a ball, of its radius
+    const Pose& eye = scene.camera.stage_from_eye;
+    studies::Panel panel = studies::noticePanel(notice, line_m);
     const auto standAt = [&](double x, double y) {
-        board.stage_from_board =
-            scene.camera.stage_from_eye * Pose{{x, y, -notice_away_m}, no_rotation} * middle_from_corner;
+        panel.stage_from_panel =
+            eye * Pose{{x - panel.width_m / 2.0, y - panel.height_m / 2.0, -away_m}, no_rotation};
+    };
+    const auto hidesBall = [&] {
+        return std::any_of(scene.balls.begin(), scene.balls.end(), [&](const renderer::Ball& ball) {
+            return studies::overlapsBall(panel, eye.position, {ball.centre, rings * ball.radius_m});
+        });
     };
     for (const double x : {0.0, -aside_m, aside_m})
         for (const double y : {above_m, -above_m}) {
             standAt(x, y);
-            if (hidesNoBall(board, scene)) {
-                scene.boards.push_back(std::move(board));
-                return;
-            }
+            if (hidesBall()) continue;
+            scene.boards.push_back(boardFromPanel(panel));
+            return;
         }
     standAt(0.0, above_m);
-    scene.boards.push_back(std::move(board));
+    scene.boards.push_back(boardFromPanel(panel));
 }
 
 }  // namespace deixis::app

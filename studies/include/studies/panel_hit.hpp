@@ -1,4 +1,4 @@
-// What a ray meets on a board.
+// What a ray meets on a board, and what a board hides.
 #pragma once
 
 #include <optional>
@@ -18,5 +18,8 @@ struct PanelHit {
 
 /// Where the ray meets the board from either side; none where it passes it by.
 [[nodiscard]] std::optional<PanelHit> meetPanel(const Panel& panel, const Ray& ray);
+
+/// Whether a ball lies before or behind the panel for these eyes, or nearly.
+[[nodiscard]] bool overlapsBall(const Panel& panel, const Vec3& eyes, const BallView& ball);
 
 }  // namespace deixis::studies

@@ -17,20 +17,20 @@ import numpy
 close = 1e-11  # p values are sums of exact binary fractions, or of quotients of whole numbers
 
 
-def midranks(values):
+def doubled_midranks(values):
     order = sorted(values)
     first, last = {}, {}
     for i, value in enumerate(order, 1):
         first.setdefault(value, i)
         last[value] = i
-    return [first[value] + last[value] for value in values]  # doubled
+    return [first[value] + last[value] for value in values]
 
 
 def signed_rank_p(differences, shift):
     moved = [d - shift for d in differences if d != shift]
     if not moved:
         return 1.0
-    ranks = midranks([abs(d) for d in moved])
+    ranks = doubled_midranks([abs(d) for d in moved])
     ways = numpy.ones(1)
     for rank in ranks:
         longer = numpy.zeros(len(ways) + rank)
@@ -42,7 +42,7 @@ def signed_rank_p(differences, shift):
 
 
 def rank_sum_p(a, b, shift):
-    ranks = midranks([x - shift for x in a] + b)
+    ranks = doubled_midranks([x - shift for x in a] + b)
     ways = numpy.zeros((len(a) + 1, sum(ranks) + 1))
     ways[0, 0] = 1
     for rank in ranks:

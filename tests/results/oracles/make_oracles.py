@@ -23,7 +23,7 @@ import numpy
 import scipy
 import scipy.stats
 
-from invert_tests import rank_sum_interval, signed_rank_interval
+from invert_tests import doubled_midranks, rank_sum_interval, signed_rank_interval
 
 here = Path(__file__).parent
 draw = random.Random(1995)
@@ -37,12 +37,7 @@ def number(cell):
 
 
 def midranks(values):
-    ordered = sorted(values)
-    first, last = {}, {}
-    for place, value in enumerate(ordered, 1):
-        first.setdefault(value, place)
-        last[value] = place
-    return [Fraction(first[value] + last[value], 2) for value in values]
+    return [Fraction(rank, 2) for rank in doubled_midranks(values)]
 
 
 def median(values):
