@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <future>
 #include <optional>
 #include <span>
 #include <string>
@@ -62,27 +63,27 @@ class Sessions {
           parameters_(parameters),
           store_(store) {}
 
-    /// The next session of those who have trials left. Returns who may have another.
+    /// The next session of those who have trials left. Returns who may have another. While some take part,
+    /// what happened in the sessions before theirs is written.
     Result<std::vector<Participant>> round(const std::vector<Participant>& waiting) {
         std::vector<Participant> again;
+        std::vector<Participant> played;
         for (std::size_t first = 0; first < waiting.size(); first += at_once) {
-            auto some =
+            auto next =
                 withTrialsLeft(std::span(waiting).subspan(first, std::min(at_once, waiting.size() - first)));
-            if (!some) return tl::unexpected(some.error());
-            forRanges(some->size(), 1, [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) takePart((*some)[i]);
-            });
-            for (Participant& one : *some) {
-                if (auto kept = keep(one); !kept) return tl::unexpected(kept.error());
-                if (one.session.outcome == studies::SessionOutcome::finished) again.push_back(std::move(one));
-            }
+            if (!next) return tl::unexpected(next.error());
+            auto playing = std::async(std::launch::async, [&] { takePart(*next); });
+            if (auto kept = keep(played, again); !kept) return tl::unexpected(kept.error());
+            playing.get();
+            played = std::move(*next);
         }
+        if (auto kept = keep(played, again); !kept) return tl::unexpected(kept.error());
         return again;
     }
     [[nodiscard]] int answered() const { return answered_; }
 
   private:
-    static constexpr std::size_t at_once = 64;  // what happened in so many sessions is held in memory
+    static constexpr std::size_t at_once = 64;  // what happened in twice so many sessions is held in memory
 
     [[nodiscard]] std::string where(const Participant& one) const {
         return fmt::format("study '{}': {}", study_.name, one.plan->participant);
@@ -101,6 +102,12 @@ class Sessions {
         return out;
     }
 
+    void takePart(std::vector<Participant>& some) const {
+        forRanges(some.size(), 1, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) takePart(some[i]);
+        });
+    }
+
     void takePart(Participant& one) const {
         studies::SimulatedStation station(parameters_, avatar_.skeleton, simulatedSeed(*one.plan));
         Session& session = one.session;
@@ -111,6 +118,14 @@ class Sessions {
         session.events = recorder.taken();
         session.outcome = runner.outcome();
         session.failure = station.failure();
+    }
+
+    Result<void> keep(std::vector<Participant>& played, std::vector<Participant>& again) {
+        for (Participant& one : played) {
+            if (auto kept = keep(one); !kept) return kept;
+            if (one.session.outcome == studies::SessionOutcome::finished) again.push_back(std::move(one));
+        }
+        return {};
     }
 
     Result<void> keep(Participant& one) {
