@@ -60,6 +60,7 @@ CREATE TABLE questions (                 -- of questionnaires, rating, confidenc
     low      REAL,
     high     REAL,
     options  TEXT,                       -- JSON array of {id, text}
+    labels   TEXT,                       -- of a scale's steps, or of its ends: JSON array; NULL: none
     PRIMARY KEY (stage, question)
 ) STRICT, WITHOUT ROWID;
 

@@ -2,6 +2,7 @@
 -- server_schema.cpp rewrites it, by PostgreSQL.
 ALTER TABLE study ADD COLUMN locked_hash TEXT;
 ALTER TABLE study ADD COLUMN analysis TEXT;
+ALTER TABLE questions ADD COLUMN labels TEXT;
 ALTER TABLE plans ADD COLUMN locked_hash TEXT;
 ALTER TABLE participants ADD COLUMN token TEXT;
 ALTER TABLE trials ADD COLUMN visibility TEXT;

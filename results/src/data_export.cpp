@@ -34,7 +34,7 @@ ExportedFile fillTable(SQLite::Database& database, const ExportTable& table, con
     for (const ExportColumn& column : table.columns) {
         if (leftOut(column, anonymise)) continue;
         if (!specs.empty()) query += ", ";
-        query += anonymise && column.anonymous_sql != nullptr ? column.anonymous_sql : column.sql;
+        query += anonymise && !column.anonymous_sql.empty() ? column.anonymous_sql : column.sql;
         specs.push_back(column.spec);
         privacies.push_back(column.privacy);
     }
@@ -158,7 +158,7 @@ class Staging {
         std::error_code code;
         syncFileSystem(path());
         for (const char* name : {"codebook.json", "responses.csv", "trials.csv", "sessions.csv", "events.csv",
-                                 "participants.csv", "scores.csv", "tracking.csv"})
+                                 "participants.csv", "scores.csv", "questions.csv", "tracking.csv"})
             fs::remove(folder_ / name, code);
         keep_ = true;
         for (const std::string& name : names) {
@@ -184,10 +184,11 @@ Result<std::vector<ExportedFile>> readAll(SQLite::Database& database, const Expo
                                           const fs::path& folder, std::string& description) {
     const Naming naming(database, options.anonymise);
     std::vector<ExportedFile> files;
-    for (const ExportTable& table : exportTables())
+    for (const ExportTable& table : exportTables(database))
         files.push_back(fillTable(database, table, naming, options.anonymise));
     files.push_back(participantsFile(database, naming, options.anonymise));
     files.push_back(scoresFile(database, naming));
+    files.push_back(questionsFile(database));
     if (options.tracking) {
         auto tracking = trackingFile(database, naming, options.anonymise, folder / tracking_name);
         if (!tracking) return tl::unexpected(tracking.error());

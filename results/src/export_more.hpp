@@ -1,4 +1,5 @@
-// The tables of an export that are more than a query: participants with their fields, scores, tracked frames.
+// The tables of an export that are more than a query: participants with their fields, scores, questions,
+// tracked frames.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -22,6 +23,8 @@ struct ExportedFile {
 [[nodiscard]] ExportedFile participantsFile(SQLite::Database& database, const Naming& naming, bool anonymise);
 /// The questionnaires' scores, a row each.
 [[nodiscard]] ExportedFile scoresFile(SQLite::Database& database, const Naming& naming);
+/// What was asked, with the words that were read: a row for each option or labelled step of a question.
+[[nodiscard]] ExportedFile questionsFile(SQLite::Database& database);
 /// One row a tracked frame, written to `file` as it is read, for it may be larger than memory; the table that
 /// comes back has its columns and number of rows only.
 [[nodiscard]] Result<ExportedFile> trackingFile(SQLite::Database& database, const Naming& naming,

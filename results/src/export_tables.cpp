@@ -41,14 +41,23 @@ ExportTable responsesTable() {
             {{"question", text,
               "rating, preference, confidence, reasons, consent, or a questionnaire's question"},
              "question"},
-            {{"stimulus", whole, "Which of the trial's clips, from 0"}, "stimulus"},
-            {{"system", text, "System that made the clip"}, "system"},
+            {{"measure", text, "What the answer measures in the report; empty: nothing, or a choice"},
+             "CASE question WHEN 'rating' THEN (SELECT measure FROM stages WHERE name = f.stage) "
+             "WHEN 'confidence' THEN question WHEN 'preference' THEN question END"},
+            {{"stimulus", whole, "Which of the trial's clips, from 0; empty: of both, or none"}, "stimulus"},
+            {{"system", text, "System that made the clip; of a pair the one that stood left"}, "system"},
+            {{"other_system", text, "Of a pair: the one that stood right"}, "other_system"},
             {{"item", text, "Item (target) that the clip is for"}, "item"},
             {{"scored", truth, "1: counts in the analysis; 0: practice, an attention check, a page"},
              "scored"},
             {{"value", number,
-              "The answer as a number; a preference runs from -2 (clearly left) to 2 (clearly right)"},
+              "The answer as a number; a preference runs from -2 (clearly left, system) to 2 (clearly right, "
+              "other_system)"},
              "value"},
+            {{"scale_low", number, "Least that could be answered"},
+             "(SELECT low FROM questions AS q WHERE q.stage = f.stage AND q.question = f.question)"},
+            {{"scale_high", number, "Most that could be answered"},
+             "(SELECT high FROM questions AS q WHERE q.stage = f.stage AND q.question = f.question)"},
             {{"text", text, "Chosen options by their ids, or what was typed"},
              "text",
              Privacy::kept,
@@ -57,6 +66,7 @@ ExportTable responsesTable() {
              "q.kind = 'text') THEN NULL ELSE text END"},
             {{"chosen_place", whole, "Game: the ball chosen, from 0 in the order shown"}, "chosen_place"},
             {{"target_place", whole, "Game: the ball that was the target"}, "target_place"},
+            {{"balls", whole, "Game: how many balls were shown"}, "json_array_length(balls)"},
             {{"correct", truth, "Game: 1 where the target was chosen"}, "correct"},
             {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
             {{"check_passed", truth, "Attention check: 1 passed, 0 failed"}, "check_passed"},
@@ -77,6 +87,10 @@ ExportTable responsesTable() {
             {{"paused_s", number, "How long while the answer was open", "s"}, "paused_s"},
             {{"begun_before", truth, "1: its clip had been begun in an earlier session, which broke off"},
              "begun_before"},
+            {{"marked", text, "Why the trial is in doubt: interrupted, off place; empty: it is not"},
+             "(SELECT group_concat(why, ', ') FROM (SELECT 'interrupted' AS why WHERE f.pauses > 0 OR "
+             "f.begun_before UNION ALL SELECT 'off place' WHERE EXISTS (SELECT 1 FROM events AS v WHERE "
+             "v.session = f.session AND v.trial_index = f.trial_index AND v.kind = 'off_place')))"},
             {{"input", text, "ray or key; empty where nothing was answered"}, "input"},
             {{"dropped_frames", whole, "Display periods without a new frame during the trial"},
              "dropped_frames"},
@@ -200,11 +214,50 @@ ExportTable eventsTable() {
             }};
 }
 
+/// A text in SQL.
+std::string quoted(const std::string& value) {
+    std::string out = "'";
+    for (const char c : value) out += c == '\'' ? "''" : std::string(1, c);
+    return out + "'";
+}
+
+/// What is known of the participant, and the levels of the system, beside each answer.
+void joinColumns(SQLite::Database& database, std::vector<ExportColumn>& columns) {
+    const auto add = [&](const char* names, const std::string& prefix, const char* description,
+                         const auto& sql) {
+        SQLite::Statement name(database, names);
+        while (name.executeStep()) {
+            const std::string one = name.getColumn(0).getString();
+            columns.push_back({{prefix + one, text, description}, sql(quoted(one), "")});
+            columns.back().anonymous_sql =
+                sql(quoted(one), " AND field NOT IN (SELECT question FROM questions WHERE kind = 'text')");
+        }
+    };
+    add("SELECT DISTINCT factor FROM participant_groups ORDER BY 1", "group_",
+        "The participant's level of this factor between participants",
+        [](const std::string& one, const char*) {
+            return "(SELECT level FROM participant_groups WHERE participant = ?1 AND factor = " + one + ")";
+        });
+    add("SELECT DISTINCT l.key FROM systems AS s, json_each(s.levels) AS l ORDER BY 1", "level_",
+        "The system's level of this factor", [](const std::string& one, const char*) {
+            return "(SELECT l.value FROM systems AS s, json_each(s.levels) AS l WHERE s.name = f.system AND "
+                   "l.key = " +
+                   one + ")";
+        });
+    add("SELECT DISTINCT field FROM participant_fields ORDER BY 1", "field_",
+        "The participant's answer to this question about themselves",
+        [](const std::string& one, const char* shared) {
+            return "(SELECT coalesce(text, value) FROM participant_fields WHERE participant = ?1 AND field "
+                   "= " +
+                   one + shared + ")";
+        });
+}
+
 }  // namespace
 
-const std::vector<ExportTable>& exportTables() {
-    static const std::vector<ExportTable> tables{responsesTable(), trialsTable(), sessionsTable(),
-                                                 eventsTable()};
+std::vector<ExportTable> exportTables(SQLite::Database& database) {
+    std::vector<ExportTable> tables{responsesTable(), trialsTable(), sessionsTable(), eventsTable()};
+    joinColumns(database, tables.front().columns);
     return tables;
 }
 

@@ -19,9 +19,9 @@ enum class Privacy : unsigned char {
 
 struct ExportColumn {
     ColumnSpec spec;
-    const char* sql;  ///< in the query of the table
+    std::string sql;  ///< in the query of the table
     Privacy privacy = Privacy::kept;
-    const char* anonymous_sql = nullptr;  ///< in the place of `sql`, anonymised
+    std::string anonymous_sql{};  ///< in the place of `sql`, anonymised; empty: `sql` stays
 };
 
 /// One CSV file. The query is "SELECT <columns> <from>" for one participant, ?1; a column named `session`
@@ -33,7 +33,8 @@ struct ExportTable {
     std::vector<ExportColumn> columns;
 };
 
-/// responses.csv, trials.csv, sessions.csv and events.csv.
-[[nodiscard]] const std::vector<ExportTable>& exportTables();
+/// responses.csv with the participants' groups and fields beside each row, trials.csv, sessions.csv and
+/// events.csv.
+[[nodiscard]] std::vector<ExportTable> exportTables(SQLite::Database& database);
 
 }  // namespace deixis::results

@@ -155,7 +155,7 @@ struct Store::Impl {
     /// Where the database holds another study than this one.
     [[nodiscard]] std::optional<Error> studyObjection(const studies::Study& study);
     void insertStudy(const studies::Study& study, const std::string& locked_hash);
-    void insertStage(const studies::Stage& stage, int position);
+    void insertStage(const studies::Stage& stage, int position, const studies::LanguageTable& words);
     void insertRegistration(const Registration& registration);
     void insertPlan(const studies::StudyPlan& plan, const std::string& json, const std::string& locked_hash);
     void insertTrial(const std::string& participant, const studies::Trial& trial);

@@ -45,13 +45,16 @@ bool rated(const studies::Stage& stage) {
 }
 
 /// All that is asked in a stage, under the names that its answers have.
-std::vector<studies::Question> questionsOf(const studies::Stage& stage) {
+std::vector<studies::Question> questionsOf(const studies::Stage& stage, const studies::LanguageTable& words) {
     std::vector<studies::Question> out = stage.questionnaire.questions;
     if (rated(stage)) out.push_back({"rating", studies::QuestionKind::scale, stage.question, stage.scale});
     if (stage.kind == studies::StageKind::pairwise) {
         studies::Scale preference;
         preference.low = -2;
         preference.high = 2;
+        for (const char* key : {"prefer_left_clearly", "prefer_left_slightly", "prefer_neither",
+                                "prefer_right_slightly", "prefer_right_clearly"})
+            preference.labels.push_back(words(key));
         out.push_back({"preference", studies::QuestionKind::scale, stage.question, preference});
     }
     for (const auto& [name, question] :
@@ -189,10 +192,12 @@ void Store::Impl::insertStudy(const studies::Study& study, const std::string& lo
         insert.run();
     }
     position = 0;
-    for (const auto& stage : study.stages) insertStage(stage, position++);
+    const auto& words = study.words.texts().empty() ? studies::LanguageTable::english() : study.words;
+    for (const auto& stage : study.stages) insertStage(stage, position++, words);
 }
 
-void Store::Impl::insertStage(const studies::Stage& stage, int position) {
+void Store::Impl::insertStage(const studies::Stage& stage, int position,
+                              const studies::LanguageTable& words) {
     auto row = query("INSERT INTO stages VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
     row << position << stage.name << studies::stageKindName(stage.kind) << stage.session;
     row.textOrNull(stage.practice ? stage.practice->of : "").textOrNull(stage.measure);
@@ -204,8 +209,8 @@ void Store::Impl::insertStage(const studies::Stage& stage, int position) {
     row.run();
 
     int place = 0;
-    for (const studies::Question& question : questionsOf(stage)) {
-        auto insert = query("INSERT INTO questions VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const studies::Question& question : questionsOf(stage, words)) {
+        auto insert = query("INSERT INTO questions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
         insert << stage.name << question.id << place++ << kindName(question.kind) << question.text;
         if (question.kind == studies::QuestionKind::scale)
             insert << question.scale.low << question.scale.high;
@@ -217,6 +222,8 @@ void Store::Impl::insertStage(const studies::Stage& stage, int position) {
         for (const auto& option : question.options)
             options.push_back(Json{{"id", option.id}, {"text", option.text}});
         insert.textOrNull(options.empty() ? "" : options.dump());
+        const auto& labels = question.scale.labels;
+        insert.textOrNull(labels.empty() ? "" : Json(labels).dump());
         insert.run();
     }
     place = 0;

@@ -9,7 +9,8 @@ namespace {
 
 /// Takes away what version 5 added, in a file or on a server.
 constexpr const char* back_to_4 =
-    "DROP VIEW responses_flat; ALTER TABLE study DROP COLUMN locked_hash; ALTER TABLE study DROP COLUMN "
+    "DROP VIEW responses_flat; ALTER TABLE questions DROP COLUMN labels; ALTER TABLE study DROP COLUMN "
+    "locked_hash; ALTER TABLE study DROP COLUMN "
     "analysis;"
     "ALTER TABLE plans DROP COLUMN locked_hash; DROP INDEX sessions_of_participant;"
     "DROP INDEX responses_of_participant;"

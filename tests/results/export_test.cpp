@@ -105,7 +105,8 @@ TEST_SUITE("results/export") {
         REQUIRE_MESSAGE(files, files.error().text());
         CHECK(std::set<std::string>(files->begin(), files->end()) ==
               std::set<std::string>{"responses.csv", "trials.csv", "sessions.csv", "events.csv",
-                                    "participants.csv", "scores.csv", "tracking.csv", "codebook.json"});
+                                    "participants.csv", "scores.csv", "questions.csv", "tracking.csv",
+                                    "codebook.json"});
         const Table responses = tableOf(folder / "out/responses.csv");
         std::map<std::string, std::size_t> by_question;
         for (std::size_t i = 0; i < responses.rows.size(); ++i)
@@ -118,6 +119,11 @@ TEST_SUITE("results/export") {
         CHECK(responses.cell(choice, "response_time_s") == "1.25");
         CHECK(responses.cell(choice, "ray_dz") == "-1");
         CHECK(responses.cell(by_question["remark"], "text") == "'" + formula);
+        CHECK(responses.cell(choice, "measure") == "confidence");
+        CHECK(responses.cell(choice, "scale_high") == "7");
+        CHECK(responses.cell(choice, "balls") == "3");
+        CHECK(responses.cell(choice, "group_style") == "calm");
+        CHECK(responses.cell(choice, "field_age") == "31");
         const Table people = tableOf(folder / "out/participants.csv");
         REQUIRE(people.rows.size() == 2);
         CHECK(people.cell(0, "participant") == "Anna7");

@@ -152,10 +152,10 @@ TEST_SUITE("results/store answers") {
               "3|0|rating|0|80.0|NULL\n3|1|rating|1|15.0|NULL\n4|0|preference|NULL|-2.0|NULL\n"
               "4|1|reasons|NULL|NULL|speed;arm\n5|0|confidence|NULL|6.0|NULL\n9|0|effort|NULL|12.0|NULL\n"
               "9|1|calm|NULL|3.0|NULL\n");
-        // Each rating beside its own system and clip; a pair's preference beside neither.
+        // Each rating beside its own system and clip; a pair's preference beside the one on the left.
         CHECK(db.rows("SELECT trial_index, question, system, item, value, clip_file FROM responses_flat") ==
               "3|rating|stiff|T001|80.0|stiff-T001.bvh\n3|rating|direct|T001|15.0|direct-T001.bvh\n"
-              "4|preference|NULL|NULL|-2.0|NULL\n4|reasons|NULL|NULL|NULL|NULL\n"
+              "4|preference|direct|T002|-2.0|NULL\n4|reasons|direct|T002|NULL|NULL\n"
               "5|confidence|direct|T003|6.0|direct-T003.bvh\n9|effort|NULL|NULL|12.0|NULL\n"
               "9|calm|NULL|NULL|3.0|NULL\n");
         CHECK(db.rows("SELECT count(*) FROM response_stimuli") == "5\n");
