@@ -37,6 +37,8 @@ struct ReportArguments {
     results::AnalysisOptions analysis;
     DataChoice choice;
     std::vector<std::string> equivalence;
+    std::vector<std::string> columns;
+    std::vector<std::string> scales;
 };
 
 /// "MEASURE=BOUND", each.
@@ -49,6 +51,39 @@ Result<std::map<std::string, double>> boundsFrom(const std::vector<std::string>&
             return fail("--equivalence", fmt::format("found \"{}\", expected MEASURE=BOUND, above 0", text),
                         "Such as naturalness=0.5");
         out[text.substr(0, equals)] = *bound;
+    }
+    return out;
+}
+
+/// "MEASURE=LOW..HIGH", each.
+Result<std::map<std::string, studies::Range>> scalesFrom(const std::vector<std::string>& texts) {
+    std::map<std::string, studies::Range> out;
+    for (const std::string& text : texts) {
+        const auto equals = text.rfind('=');
+        const auto dots = text.rfind("..");
+        std::optional<double> low;
+        std::optional<double> high;
+        if (equals != std::string::npos && dots != std::string::npos && dots > equals) {
+            low = finiteNumber(text.substr(equals + 1, dots - equals - 1));
+            high = finiteNumber(text.substr(dots + 2));
+        }
+        if (!low || !high || *low >= *high || equals == 0)
+            return fail("--scale", fmt::format("found \"{}\", expected MEASURE=LOW..HIGH", text),
+                        "Such as naturalness=1..5");
+        out[text.substr(0, equals)] = {*low, *high};
+    }
+    return out;
+}
+
+/// "MEANING=NAME", each.
+Result<std::map<std::string, std::string>> columnsFrom(const std::vector<std::string>& texts) {
+    std::map<std::string, std::string> out;
+    for (const std::string& text : texts) {
+        const auto equals = text.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+            return fail("--column", fmt::format("found \"{}\", expected MEANING=NAME", text),
+                        "Such as participant=subject: the file calls participants so");
+        out[text.substr(0, equals)] = text.substr(equals + 1);
     }
     return out;
 }
@@ -104,7 +139,10 @@ Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice
     if (looksLikeServerAddress(data) && !std::filesystem::exists(data, code))
         return fail(data, "is neither a file nor the address of a PostgreSQL server",
                     "Such an address begins postgresql://, in small letters");
-    return results::loadAnswers(data, choice.factors);
+    auto table = results::loadAnswers(data, choice.csv);
+    if (table && !isDatabase(data))
+        for (const std::string& note : table->notes) fmt::print(stderr, "note: {}: {}\n", data, note);
+    return table;
 }
 
 }  // namespace
@@ -260,12 +298,22 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
         ->check(CLI::Range(100, 1000000))
         ->capture_default_str();
     command
-        ->add_option("--between", options->choice.factors.between,
+        ->add_option("--between", options->choice.csv.between,
                      "Column of CSV files with the groups of a factor between participants; may be repeated")
         ->allow_extra_args(false);
     command
-        ->add_option("--within", options->choice.factors.within,
+        ->add_option("--within", options->choice.csv.within,
                      "Column of CSV files with the levels of a factor within participants; may be repeated")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--column", options->columns,
+                     "MEANING=NAME: what CSV files call a column, such as participant=subject, "
+                     "rating=slider.response or rt_ms=rt; may be repeated")
+        ->allow_extra_args(false);
+    command
+        ->add_option("--scale", options->scales,
+                     "MEASURE=LOW..HIGH: the scale of ratings in CSV files, beyond which no answer may lie; "
+                     "may be repeated")
         ->allow_extra_args(false);
     command->add_option(
         "--stations", options->choice.stations,
@@ -284,6 +332,12 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
             auto bounds = boundsFrom(options->equivalence);
             if (!bounds) return tl::unexpected(bounds.error());
             options->analysis.equivalence = std::move(*bounds);
+            auto columns = columnsFrom(options->columns);
+            if (!columns) return tl::unexpected(columns.error());
+            options->choice.csv.columns = std::move(*columns);
+            auto scales = scalesFrom(options->scales);
+            if (!scales) return tl::unexpected(scales.error());
+            options->choice.csv.scales = std::move(*scales);
             if (auto done = writeReport(options->data, files, options->analysis, options->choice); !done)
                 return done;
             fmt::print("report: {}\n", files.page);

@@ -11,6 +11,7 @@
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "core/foreign_csv.hpp"
 #include "results/rounded_fraction.hpp"
 
 namespace deixis::app {
@@ -47,6 +48,7 @@ struct Source {
     std::string name;
     std::vector<std::string> header;
     std::vector<CsvRecord> rows;
+    char separator = ',';
     mutable int rounded = 0;  ///< cells that number() took as fractions
 
     [[nodiscard]] std::string place(const CsvRecord& row, std::size_t column) const {
@@ -56,14 +58,17 @@ struct Source {
         const auto found = std::find(header.begin(), header.end(), column);
         if (found == header.end())
             return fail(name, fmt::format("has no column \"{}\"", column),
-                        fmt::format("Its columns are: {}", fmt::join(header, ", ")));
+                        fmt::format("The columns found, parted by {}: {}", separatorName(separator),
+                                    fmt::join(header, ", ")));
         if (std::find(found + 1, header.end(), column) != header.end())
             return fail(name, fmt::format("has several columns \"{}\"", column), "Name them differently");
         return static_cast<std::size_t>(found - header.begin());
     }
     [[nodiscard]] Result<Cell> number(const CsvRecord& row, std::size_t column) const {
-        const std::string_view text = trimmed(row.fields[column]);
+        std::string_view text = trimmed(row.fields[column]);
         if (isMissing(text)) return Cell();
+        const auto with_point = decimalCommaAsPoint(text);
+        if (with_point) text = *with_point;
         auto value = Rational::parse(text);
         if (!value) return fail(place(row, column), value.error());
         if (auto fraction = results::roundedFraction(*value, decimalsOf(text))) {
@@ -97,14 +102,17 @@ void restoreEmptyCells(std::vector<CsvRecord>& records, std::string_view text) {
 Result<Source> readSource(const std::string& file) {
     Source source;
     source.name = file == "-" ? "standard input" : file;
-    const auto read = file == "-" ? readAll(std::cin, source.name) : readFile(file);
+    auto read = file == "-" ? readAll(std::cin, source.name) : readFile(file);
     if (!read) return tl::unexpected(read.error());
-    const std::string& text = *read;
-    auto records = parseCsv(text, source.name);
+    const auto csv = readForeignCsv(std::move(*read), source.name);
+    if (!csv) return tl::unexpected(csv.error());
+    const std::string& text = csv->text;
+    auto records = parseCsv(text, source.name, csv->form);
     if (!records) return tl::unexpected(records.error());
     if (records->empty())
         return fail(source.name, "is empty; expected a CSV file with the columns' names in its first line");
     if (records->front().fields.size() == 1) restoreEmptyCells(*records, text);
+    source.separator = csv->form.separator;
     for (const std::string& name : records->front().fields) source.header.emplace_back(trimmed(name));
     source.rows.assign(std::make_move_iterator(records->begin() + 1),
                        std::make_move_iterator(records->end()));

@@ -20,7 +20,16 @@ bool looksLikeFormula(std::string_view text) {
 
 }  // namespace
 
-CsvReader::CsvReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
+const char* separatorName(char separator) {
+    return separator == ',' ? "a comma" : separator == ';' ? "a semicolon" : "a tab";
+}
+
+bool isCsvComment(std::string_view line) {
+    return line.starts_with('#') || line.starts_with("sep=");
+}
+
+CsvReader::CsvReader(std::string_view text, std::string name, CsvForm form)
+    : text_(text), name_(std::move(name)), form_(form) {
     constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
     if (text_.substr(0, utf8_mark.size()) == utf8_mark) text_.remove_prefix(utf8_mark.size());
 }
@@ -36,8 +45,10 @@ Result<void> CsvReader::checkText() const {
 }
 
 Result<bool> CsvReader::next(CsvRecord& record) {
-    if (!std::exchange(checked_, true))
+    if (!std::exchange(checked_, true)) {
         if (auto text = checkText(); !text) return tl::unexpected(text.error());
+        if (form_.comments) skipComments();
+    }
     while (at_ < text_.size() && atLineEnd()) skipLineEnd();
     if (at_ >= text_.size()) return false;
     record.line = line_;
@@ -45,12 +56,21 @@ Result<bool> CsvReader::next(CsvRecord& record) {
     for (;;) {
         if (count == record.fields.size()) record.fields.emplace_back();
         if (auto read = readField(record.fields[count++]); !read) return tl::unexpected(read.error());
-        if (at_ >= text_.size() || text_[at_] != ',') break;
+        if (at_ >= text_.size() || text_[at_] != form_.separator) break;
         ++at_;
     }
     record.fields.resize(count);
     skipLineEnd();
     return true;
+}
+
+void CsvReader::skipComments() {
+    while (at_ < text_.size()) {
+        const std::string_view rest = text_.substr(at_);
+        if (!atLineEnd() && !isCsvComment(rest)) return;
+        at_ += std::min(rest.find('\n'), rest.size() - 1) + 1;
+        ++line_;
+    }
 }
 
 bool CsvReader::atLineEnd() const {
@@ -68,8 +88,9 @@ Result<void> CsvReader::readField(std::string& field) {
     const std::size_t begin = at_;
     for (; at_ < text_.size(); ++at_) {
         const char c = text_[at_];
-        if (static_cast<unsigned char>(c) > ',') continue;  // what ends a field comes before in ASCII
-        if (c == ',' || c == '\n' || (c == '\r' && atLineEnd())) break;
+        // What ends a field comes before the comma in ASCII, but for another separator.
+        if (static_cast<unsigned char>(c) > ',' && c != form_.separator) continue;
+        if (c == form_.separator || c == '\n' || (c == '\r' && atLineEnd())) break;
         if (c == '"')
             return fail(fmt::format("{}:{}", name_, line_), "a quote stands inside an unquoted field",
                         "Quote the whole field and double the quote");
@@ -93,14 +114,15 @@ Result<void> CsvReader::readQuoted(std::string& field) {
     if (at_ >= text_.size())
         return fail(fmt::format("{}:{}", name_, opened), "a quoted field has no closing quote");
     ++at_;
-    if (at_ < text_.size() && text_[at_] != ',' && !atLineEnd())
+    if (at_ < text_.size() && text_[at_] != form_.separator && !atLineEnd())
         return fail(fmt::format("{}:{}", name_, line_),
-                    "text follows a closing quote; expected a comma or the end of the line");
+                    fmt::format("text follows a closing quote; expected {} or the end of the line",
+                                separatorName(form_.separator)));
     return {};
 }
 
-Result<std::vector<CsvRecord>> parseCsv(std::string_view text, const std::string& name) {
-    CsvReader reader(text, name);
+Result<std::vector<CsvRecord>> parseCsv(std::string_view text, const std::string& name, CsvForm form) {
+    CsvReader reader(text, name, form);
     std::vector<CsvRecord> records;
     for (;;) {
         CsvRecord record;
@@ -134,6 +156,11 @@ void appendCsvField(std::string& out, std::string_view text) {
 
 std::string safeText(std::string_view text) {
     return (looksLikeFormula(text) ? "'" : "") + std::string(text);
+}
+
+std::string_view withoutGuard(std::string_view safe) {
+    return safe.size() > 1 && safe.front() == '\'' && looksLikeFormula(safe.substr(1)) ? safe.substr(1)
+                                                                                       : safe;
 }
 
 void appendSafeCsvField(std::string& out, std::string_view text) {

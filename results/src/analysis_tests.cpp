@@ -188,9 +188,9 @@ PreferencesByPair preferencesByPair(const RowPointers& rows, const std::vector<s
         return static_cast<std::size_t>(std::find(systems.begin(), systems.end(), system) - systems.begin());
     };
     PreferencesByPair pairs;
-    const Name preference("preference");
     for (const ResponseRow* row : rows) {
-        if (row->measure != preference) continue;
+        // A rating may be called preference, too.
+        if (row->other_system.empty()) continue;
         const auto left = order(row->system);
         const auto right = order(row->other_system);
         // Positive: for the one that comes first in the study.

@@ -15,18 +15,20 @@ namespace {
 std::vector<ColumnSpec> answerColumns(const ResponseTable& table) {
     using enum ColumnType;
     std::vector<ColumnSpec> columns{
-        {"participant", text, ""},  {"measure", text, ""},    {"system", text, ""},
-        {"other_system", text, ""}, {"layout", text, ""},     {"distance", text, ""},
-        {"item", text, ""},         {"order", whole, ""},     {"balls", whole, ""},
-        {"status", text, ""},       {"correct", whole, ""},   {"rating", number, ""},
-        {"rt", number, "", "s"},    {"synthetic", truth, ""}, {"station", text, ""},
-        {"marked", text, ""},       {"excluded", text, ""}};
+        {"participant", text, ""},  {"measure", text, ""},      {"system", text, ""},
+        {"other_system", text, ""}, {"layout", text, ""},       {"distance", text, ""},
+        {"item", text, ""},         {"order", whole, ""},       {"balls", whole, ""},
+        {"status", text, ""},       {"correct", whole, ""},     {"rating", number, ""},
+        {"scale_low", number, ""},  {"scale_high", number, ""}, {"rt", number, "", "s"},
+        {"synthetic", truth, ""},   {"station", text, ""},      {"marked", text, ""},
+        {"excluded", text, ""}};
     for (const auto* factors : {&table.within, &table.between})
         for (const Factor& factor : *factors) columns.push_back({factor.name, text, ""});
     return columns;
 }
 
-void addAnswer(const ResponseTable& table, const ResponseRow& row, bool is_choice, CsvTable& csv) {
+void addAnswer(const ResponseTable& table, const ResponseRow& row, const Measure& measure, CsvTable& csv) {
+    const bool is_choice = measure.kind == MeasureKind::accuracy;
     for (const Name name : {row.participant, row.measure, row.system, row.other_system, row.layout,
                             row.distance, row.target_id})
         csv.text(name.text());
@@ -35,6 +37,8 @@ void addAnswer(const ResponseTable& table, const ResponseRow& row, bool is_choic
     csv.text(row.unanswered.empty() ? "answered" : row.unanswered.text());
     is_choice&& row.unanswered != "skipped" ? csv.whole(static_cast<int>(row.value)) : csv.empty();
     is_choice ? csv.empty() : csv.number(row.value);
+    for (const double end : {measure.low, measure.high})
+        measure.kind == MeasureKind::rating ? csv.number(end) : csv.empty();
     row.response_time_s > 0.0 ? csv.number(row.response_time_s) : csv.empty();
     csv.whole(row.synthetic ? 1 : 0);
     csv.text(row.station.text());
@@ -58,11 +62,10 @@ std::string answersCsv(const ResponseTable& table) {
             if (from > 0 || rows != &table.rows) (void)csv.take();  // the columns' names stand once
             // The first part takes the others'.
             csv.expect((from == 0 ? rows->size() : to - from) * usual_row_bytes);
-            ByName<bool> is_choice;
-            for (const Measure& measure : table.measures)
-                is_choice[measure.name] = measure.kind == MeasureKind::accuracy;
+            ByName<Measure> measures;
+            for (const Measure& measure : table.measures) measures[measure.name] = measure;
             for (std::size_t i = from; i < to; ++i)
-                addAnswer(table, (*rows)[i], is_choice[(*rows)[i].measure], csv);
+                addAnswer(table, (*rows)[i], measures[(*rows)[i].measure], csv);
             return csv.take();
         });
         for (std::string& part : parts)

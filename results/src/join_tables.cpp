@@ -52,6 +52,14 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
+/// The first that is of another kind than the one of its name; null: none.
+const Measure* otherKind(const std::vector<Measure>& known, const std::vector<Measure>& next) {
+    for (const Measure& one : next)
+        for (const Measure& same : known)
+            if (one.name == same.name && one.kind != same.kind) return &one;
+    return nullptr;
+}
+
 void joinMeasures(std::vector<Measure>& to, const std::vector<Measure>& from) {
     for (const Measure& one : from) {
         const auto known =
@@ -116,6 +124,11 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
                                     out.database, out.study_hash),
                         "Only databases of the same study file are analysed together");
         if (auto claimed = claim(next); !claimed) return tl::unexpected(claimed.error());
+        if (const Measure* other = otherKind(out.measures, next.measures))
+            return fail(
+                next.database,
+                fmt::format("\"{}\" is answered in another way than in {}", other->name, out.database),
+                "Give the two measures different names");
         addOnce(out.systems, next.systems);
         addOnce(out.layouts, next.layouts);
         addOnce(out.distances, next.distances);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/csv.hpp"
+#include "core/foreign_csv.hpp"
 #include "core/number.hpp"
 #include "core/text.hpp"
 
@@ -47,7 +49,12 @@ NumberCell numberCell(const std::string& cell) {
     if (cell.empty()) return {true};
     if (const auto value = numberOf(cell)) return {false, value};
     const std::string text = lowered(cell);
+    if (const auto point = decimalCommaAsPoint(text)) return {false, finiteNumber(*point), true};
     return {isMissing(text), numberOf(text)};
+}
+
+Name nameIn(const std::string& cell) {
+    return Name(withoutGuard(trimmed(cell)));
 }
 
 TruthCell truthCell(const std::string& cell) {

@@ -22,6 +22,7 @@ namespace deixis::results {
 struct NumberCell {
     bool missing = false;
     std::optional<double> value{};
+    bool with_comma = false;  ///< for the decimal point
 };
 [[nodiscard]] NumberCell numberCell(const std::string& cell);
 
@@ -59,13 +60,16 @@ class LastCell {
     bool known_ = false;
 };
 
+/// A name as it stands in a cell: trimmed, without a spreadsheet's guard.
+[[nodiscard]] Name nameIn(const std::string& cell);
+
 /// The names that stand in one column, trimmed; each cell's is made once.
 class NameCells {
   public:
     Name of(const std::string& cell) {
         if (cell == last_cell_) return last_;
         const auto [found, is_new] = names_.try_emplace(cell);
-        if (is_new) found->second = Name(trimmed(cell));
+        if (is_new) found->second = nameIn(cell);
         last_cell_ = cell;
         return last_ = found->second;
     }

@@ -1,5 +1,6 @@
 // What the lines of a long table make together.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -10,9 +11,13 @@
 namespace deixis::results {
 
 Result<void> LongTableReader::append(LongTableReader& next) {
+    scaled_.merge(next.scaled_);
+    if (preference_of_.empty()) preference_of_ = next.preference_of_;
+    if (!next.preference_of_.empty() && next.preference_of_ != preference_of_)
+        return fail(file_, "has preferences of different measures");
     for (const Measure& one : next.table_.measures) {
         Measure& known = measureNamed(one.name, one.kind);
-        if (known.kind != one.kind) return fail(file_, "has ratings and choices of one name");
+        if (known.kind != one.kind) return fail(file_, "has answers of different kinds under one name");
         known.planned += one.planned;
         known.low = std::min(known.low, one.low);
         known.high = std::max(known.high, one.high);
@@ -41,10 +46,12 @@ Result<void> LongTableReader::append(LongTableReader& next) {
         for (const auto& name : next.table_.within[i].levels)
             within_seen_[i].add(name, table_.within[i].levels);
     for (const CheckCount& one : next.table_.checks) {
-        CheckCount& known = checksOf(one.stage);
+        CheckCount& known = checksOf(one.stage, one.kind);
         known.passed += one.passed;
         known.failed += one.failed;
     }
+    // A consent is asked once in a file, or anew in a later line.
+    for (const auto& [who, declines] : next.declined_) declined_[who] = declines;
     table_.failed_checks.merge(next.table_.failed_checks);
     table_.rows.insert(table_.rows.end(), std::move_iterator(next.table_.rows.begin()),
                        std::move_iterator(next.table_.rows.end()));
@@ -53,16 +60,22 @@ Result<void> LongTableReader::append(LongTableReader& next) {
                                std::move_iterator(next.table_.skipped_rows.end()));
     balls_ = std::max(balls_, next.balls_);
     fewest_balls_ = std::min(fewest_balls_, next.fewest_balls_);
+    if (decimal_comma_.empty()) decimal_comma_ = next.decimal_comma_;
+    if (decimal_point_.empty()) decimal_point_ = next.decimal_point_;
     empty_ += next.empty_;
     unscored_checks_ += next.unscored_checks_;
     return {};
 }
 
-void LongTableReader::nameResponses() {
+Result<void> LongTableReader::nameResponses() {
     for (const auto& [stage_name, responses] : responses_) {
         const bool accuracy = responses.only_truth;
         const Name name = accuracy ? accuracy_ : stage_name;
-        Measure& of = measureNamed(name, accuracy ? MeasureKind::accuracy : MeasureKind::rating);
+        const MeasureKind kind = accuracy ? MeasureKind::accuracy : MeasureKind::rating;
+        Measure& of = measureNamed(name, kind);
+        if (of.kind != kind || (!accuracy && name == accuracy_))
+            return fail(file_, fmt::format("has answers of different kinds under the name \"{}\"", name),
+                        "Give them different names in a column \"measure\"");
         of.planned += responses.missing;
         for (const std::size_t i : responses.rows) {
             table_.rows[i].measure = name;
@@ -72,6 +85,70 @@ void LongTableReader::nameResponses() {
             table_.notes.push_back(fmt::format(
                 "Every response in \"{}\" is 0 or 1: they are taken as wrong and right.", stage_name));
     }
+    return {};
+}
+
+void LongTableReader::nameScales() {
+    std::map<Name, int> scales;
+    for (const auto& [on_scale, of] : scaled_) ++scales[of.measure];
+    std::map<Name, Name> plain;
+    for (const auto& [on_scale, of] : scaled_) {
+        const auto known = std::find_if(table_.measures.begin(), table_.measures.end(),
+                                        [&](const Measure& one) { return one.name == on_scale; });
+        const bool taken = std::any_of(table_.measures.begin(), table_.measures.end(),
+                                       [&](const Measure& one) { return of.measure == one.name; });
+        if (known == table_.measures.end()) continue;
+        known->low = std::min(known->low, of.scale.low);
+        known->high = std::max(known->high, of.scale.high);
+        if (scales[of.measure] > 1 || taken) continue;
+        known->name = of.measure;
+        plain[on_scale] = of.measure;
+    }
+    if (plain.empty()) return;
+    for (auto* rows : {&table_.rows, &table_.left_out_rows})
+        for (ResponseRow& row : *rows)
+            if (const auto found = plain.find(row.measure); found != plain.end()) row.measure = found->second;
+}
+
+Result<void> LongTableReader::finishMeasures() {
+    if (!decimal_comma_.empty() && !decimal_point_.empty())
+        return fail(file_,
+                    fmt::format("has numbers with a decimal comma ({}) and with a decimal point ({})",
+                                decimal_comma_, decimal_point_),
+                    "Write all of them in one way");
+    if (!decimal_comma_.empty())
+        table_.notes.push_back(
+            fmt::format("Commas in numbers are read as decimal points, as in {}.", decimal_comma_));
+    for (const auto& [name, scale] : options_.scales) {
+        const auto found = std::find_if(
+            table_.measures.begin(), table_.measures.end(),
+            [&](const Measure& one) { return one.name == name && one.kind == MeasureKind::rating; });
+        if (found == table_.measures.end()) {
+            std::vector<std::string> ratings;
+            for (const Measure& one : table_.measures)
+                if (one.kind == MeasureKind::rating) ratings.push_back(one.name);
+            return fail("--scale",
+                        fmt::format("found \"{}\", and {} has no ratings of that name", name, file_),
+                        fmt::format("Its ratings: {}",
+                                    ratings.empty() ? "none" : fmt::format("{}", fmt::join(ratings, ", "))));
+        }
+        found->low = scale.low;
+        found->high = scale.high;
+    }
+    for (Measure& one : table_.measures) {
+        if (one.kind == MeasureKind::preference) {
+            one.low = -2.0;
+            one.high = 2.0;
+        }
+        if (one.kind != MeasureKind::accuracy) continue;
+        one.low = 0.0;
+        one.high = 1.0;
+        one.balls = balls_;
+        one.fewest_balls = std::min(fewest_balls_, balls_);
+    }
+    std::stable_partition(table_.measures.begin(), table_.measures.end(),
+                          [](const Measure& one) { return one.kind == MeasureKind::accuracy; });
+    return {};
 }
 
 void LongTableReader::takePeople() {
@@ -90,6 +167,10 @@ void LongTableReader::takePeople() {
 
 void LongTableReader::partLeftOut() {
     if (!table_.left_out.empty()) {
+        // Without consent the answers come back nowhere.
+        std::erase_if(table_.rows, [&](const ResponseRow& row) {
+            return !row.excluded.empty() && declines(row.participant);
+        });
         const auto first = std::stable_partition(table_.rows.begin(), table_.rows.end(),
                                                  [](const ResponseRow& row) { return row.excluded.empty(); });
         table_.left_out_rows.assign(std::move_iterator(first), std::move_iterator(table_.rows.end()));
@@ -99,22 +180,15 @@ void LongTableReader::partLeftOut() {
 }
 
 Result<ResponseTable> LongTableReader::finish() {
-    nameResponses();
+    if (auto named = nameResponses(); !named) return tl::unexpected(named.error());
     takePeople();
     partLeftOut();
     if (table_.rows.empty())
         return fail(file_, table_.left_out_rows.empty()
                                ? "holds no answers to analyse"
                                : "holds no answers to analyse: everybody who answered is excluded");
-    for (Measure& one : table_.measures)
-        if (one.kind == MeasureKind::accuracy) {
-            one.low = 0.0;
-            one.high = 1.0;
-            one.balls = balls_;
-            one.fewest_balls = std::min(fewest_balls_, balls_);
-        }
-    std::stable_partition(table_.measures.begin(), table_.measures.end(),
-                          [](const Measure& one) { return one.kind == MeasureKind::accuracy; });
+    nameScales();
+    if (auto finished = finishMeasures(); !finished) return tl::unexpected(finished.error());
     if (empty_ > 0) table_.notes.push_back(fmt::format("{} lines hold no answer.", empty_));
     if (unscored_checks_ > 0)
         table_.notes.push_back(fmt::format(

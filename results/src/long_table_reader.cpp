@@ -6,37 +6,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "long_table_doubts.hpp"
+
 namespace deixis::results {
 
-namespace {
-
-constexpr const char* expected_rating = "a number from -1e12 to 1e12";
-
-/// Sums and squares of such values are doubles.
-bool isSensible(const std::optional<double>& value) {
-    constexpr double most = 1e12;
-    return value && std::abs(*value) <= most;
-}
-
-}  // namespace
-
-LongTableReader::LongTableReader(const std::filesystem::path& file, std::string_view text,
-                                 const FactorColumns& factors)
-    : file_(file.string()), reader_(text, file_), factors_(factors) {
+LongTableReader::LongTableReader(const std::filesystem::path& file, std::string_view text, CsvForm form,
+                                 const LongTableOptions& options)
+    : file_(file.string()), form_(form), reader_(text, file_, form), options_(options) {
     table_.study_name = file.stem().string();
     table_.study_title = file.filename().string();
     table_.database = file.filename().string();
 }
 
 LongTableReader::LongTableReader(const LongTableReader& first, std::string_view text)
-    : file_(first.file_), reader_(text, file_), factors_(first.factors_) {
-    setUp(first.record_, first.head_);
+    : file_(first.file_),
+      form_{first.form_.separator, false},
+      reader_(text, file_, form_),
+      options_(first.options_) {
+    setUp(first.head_);
 }
 
-void LongTableReader::setUp(const CsvRecord& names, const LongHead& head) {
+void LongTableReader::setUp(const LongHead& head) {
     head_ = head;
-    for (const std::size_t at : head.between) table_.between.push_back({trimmed(names.fields[at])});
-    for (const std::size_t at : head.within) table_.within.push_back({trimmed(names.fields[at])});
+    for (const LongHead::FactorAt& factor : head.between) table_.between.push_back({factor.name});
+    for (const LongHead::FactorAt& factor : head.within) table_.within.push_back({factor.name});
     between_seen_.resize(table_.between.size());
     within_seen_.resize(table_.within.size());
     within_cells_.resize(table_.within.size());
@@ -46,12 +39,14 @@ Result<void> LongTableReader::readHead() {
     const auto more = reader_.next(record_);
     if (!more) return tl::unexpected(more.error());
     if (!*more) return fail(file_, "is empty; expected a CSV file with the columns' names in its first line");
-    const auto head = readLongHead(record_, file_, factors_);
+    const auto head = readLongHead(record_, file_, form_.separator, options_);
     if (!head) return tl::unexpected(head.error());
-    setUp(record_, *head);
-    if (!head_.unread.empty())
+    setUp(*head);
+    if (!head_.unread.empty() && !head_.exported) {
         table_.notes.push_back(fmt::format("Columns of {} that are not read: {}.", table_.database,
                                            fmt::join(head_.unread, ", ")));
+        if (auto doubt = doubtOfUnread(head_.unread)) table_.notes.push_back(std::move(*doubt));
+    }
     return {};
 }
 
@@ -73,6 +68,17 @@ const std::string& LongTableReader::cell(LongColumn column) const {
 
 Name LongTableReader::name(LongColumn column) {
     return names_[static_cast<std::size_t>(column)].of(cell(column));
+}
+
+NumberCell LongTableReader::number(LongColumn column) {
+    const std::string& text = cell(column);
+    NumberCell out = numberCell(text);
+    if (!out.value) return out;
+    const bool with_point = text.find('.') != std::string::npos;
+    if (std::string& first = out.with_comma ? decimal_comma_ : decimal_point_;
+        (out.with_comma || with_point) && first.empty())
+        first = fmt::format("\"{}\" in line {}", trimmed(text), record_.line);
+    return out;
 }
 
 const TruthCell& LongTableReader::truth(LongColumn column) {
@@ -108,16 +114,16 @@ Person& LongTableReader::personOf(Name who) {
 
 Result<void> LongTableReader::readFactors(Person& person, ResponseRow& row) {
     for (std::size_t i = 0; i < table_.between.size(); ++i) {
-        const std::string level = trimmed(record_.fields[head_.between[i]]);
+        const Name level = nameIn(record_.fields[head_.between[i].at]);
         Factor& factor = table_.between[i];
-        if (isMissing(lowered(level))) continue;
+        if (isMissing(lowered(level.text()))) continue;
         if (auto same = agree(person.between[i], level, row.participant, factor.name); !same) return same;
         between_seen_[i].add(level, factor.levels);
     }
     for (std::size_t i = 0; i < table_.within.size(); ++i) {
-        const Name level = within_cells_[i].of(record_.fields[head_.within[i]], [](const std::string& cell) {
-            return isMissing(lowered(cell)) ? Name() : Name(trimmed(cell));
-        });
+        const Name level = within_cells_[i].of(
+            record_.fields[head_.within[i].at],
+            [](const std::string& cell) { return isMissing(lowered(cell)) ? Name() : nameIn(cell); });
         within_seen_[i].add(level, table_.within[i].levels);
         row.within.push_back(level);
     }
@@ -129,11 +135,14 @@ Result<void> LongTableReader::readRow() {
         return fail(fmt::format("{}:{}", file_, record_.line),
                     fmt::format("has {} field{}, but the first line names {} columns", record_.fields.size(),
                                 record_.fields.size() == 1 ? "" : "s", head_.width));
+    if (head_.exported && !takeExportLine()) return {};
     ResponseRow row;
     row.participant = name(participant);
     row.system = name(system);
     for (const LongColumn needed : {participant, system})
         if (name(needed).empty()) return fail(where(needed), "is empty; expected a name");
+    row.other_system = name(other_system);
+    if (row.other_system == row.system) return bad(other_system, "another one than in \"system\"");
     row.layout = name(layout);
     row.distance = name(distance);
     row.target_id = name(item);
@@ -155,7 +164,7 @@ Result<void> LongTableReader::readRow() {
     row.marked =
         marked_.of(cell(marked), [](const std::string& text) { return Name(reasonOf(text, "marked")); });
     if (*check != Attention::none) {
-        countCheck(name(stage), *check);
+        countCheck(name(stage), "attention", *check);
         if (*check == Attention::failed && row.excluded.empty()) table_.failed_checks.insert(row.participant);
         return {};
     }
@@ -163,6 +172,7 @@ Result<void> LongTableReader::readRow() {
     if (auto read = readFactors(person, row); !read) return read;
     person.counts = person.counts || row.excluded.empty();
     systems_.add(row.system, table_.systems);
+    systems_.add(row.other_system, table_.systems);
     layouts_.add(row.layout, table_.layouts);
     distances_.add(row.distance, table_.distances);
     return readAnswers(row);
@@ -170,22 +180,23 @@ Result<void> LongTableReader::readRow() {
 
 Result<void> LongTableReader::readDetails(ResponseRow& row) {
     const LongColumn counter = head_.place(order) ? order : trial;
-    if (const NumberCell number = numberCell(cell(counter)); !number.missing) {
-        const auto value = number.value;
+    if (const NumberCell found = number(counter); !found.missing) {
+        const auto value = found.value;
         const bool whole = value && *value == std::floor(*value) && std::abs(*value) < 1e9;
         if (!whole && counter == order) return bad(order, "a whole number");
         if (whole) row.trial = static_cast<int>(*value);
     }
-    if (const NumberCell number = numberCell(cell(rt)); !number.missing) {
-        if (!number.value || *number.value < 0.0) return bad(rt, "seconds, from 0 up");
-        row.response_time_s = *number.value;
+    if (const NumberCell found = number(rt); !found.missing) {
+        if (!found.value || *found.value < 0.0)
+            return bad(rt, head_.rt_unit_s < 1.0 ? "milliseconds, from 0 up" : "seconds, from 0 up");
+        row.response_time_s = *found.value * head_.rt_unit_s;
     }
     if (const TruthCell& is_synthetic = truth(synthetic); !is_synthetic.missing) {
         if (!is_synthetic.value) return bad(synthetic, "0 or 1");
         row.synthetic = *is_synthetic.value;
     }
-    if (const NumberCell number = numberCell(cell(balls)); !number.missing) {
-        const auto value = number.value;
+    if (const NumberCell found = number(balls); !found.missing) {
+        const auto value = found.value;
         if (!value || *value != std::floor(*value) || *value < 2.0 || *value > 1000.0)
             return bad(balls, "how many balls were shown, from 2 up");
         row.balls = static_cast<int>(*value);
@@ -195,23 +206,24 @@ Result<void> LongTableReader::readDetails(ResponseRow& row) {
     if (const std::string said = lowered(cell(status)); !isMissing(said) && said != "answered") {
         if (said != "timed_out" && said != "skipped") return bad(status, "answered, timed_out or skipped");
         row.unanswered = said;
+        row.response_time_s = 0.0;
     }
     return {};
 }
 
-void LongTableReader::countCheck(const std::string& stage_name, Attention result) {
+void LongTableReader::countCheck(const std::string& stage_name, const std::string& kind, Attention result) {
     if (result == Attention::check) {
         ++unscored_checks_;
         return;
     }
-    CheckCount& checks = checksOf(stage_name);
+    CheckCount& checks = checksOf(stage_name, kind);
     ++(result == Attention::passed ? checks.passed : checks.failed);
 }
 
-CheckCount& LongTableReader::checksOf(const std::string& stage_name) {
+CheckCount& LongTableReader::checksOf(const std::string& stage_name, const std::string& kind) {
     for (CheckCount& known : table_.checks)
-        if (known.stage == stage_name) return known;
-    return table_.checks.emplace_back(CheckCount{stage_name, "attention", 0, 0});
+        if (known.stage == stage_name && known.kind == kind) return known;
+    return table_.checks.emplace_back(CheckCount{stage_name, kind, 0, 0});
 }
 
 Measure& LongTableReader::measureNamed(const std::string& name, MeasureKind kind) {
@@ -226,78 +238,6 @@ void LongTableReader::count(Measure& of, const ResponseRow& row) {
     ++of.planned;
     of.low = std::min(of.low, row.value);
     of.high = std::max(of.high, row.value);
-}
-
-Name LongTableReader::ratingName() {
-    const Name named = name(measure);
-    if (!named.empty()) return named;
-    const Name of_stage = name(stage);
-    return of_stage.empty() ? rating_ : of_stage;
-}
-
-Result<void> LongTableReader::addRow(const ResponseRow& answer, Name name, MeasureKind kind, double value) {
-    Measure& of = measureNamed(name, kind);
-    if (of.kind != kind)
-        return fail(fmt::format("{}:{}", file_, record_.line),
-                    fmt::format("\"{}\" is a rating here and right or wrong elsewhere", name),
-                    "Give the two different names in a column \"measure\"");
-    ResponseRow& row = table_.rows.emplace_back(answer);
-    row.measure = name;
-    row.value = value;
-    if (row.excluded.empty()) count(of, row);
-    return {};
-}
-
-Result<void> LongTableReader::readUnanswered(const ResponseRow& row) {
-    // What else was asked of such a trial stands in lines of its own.
-    if (!numberCell(cell(rating)).missing)
-        return fail(where(status), fmt::format("found \"{}\" beside a rating", cell(status)),
-                    "Only choices time out or are skipped");
-    if (const TruthCell& is_right = truth(correct); !is_right.missing && is_right.value.value_or(true))
-        return fail(where(status), fmt::format("found \"{}\" beside a right choice", cell(status)),
-                    "Where nothing was chosen, \"correct\" is 0 or empty");
-    if (row.unanswered == "timed_out") return addRow(row, accuracy_, MeasureKind::accuracy, 0.0);
-    if (row.excluded.empty()) {
-        ResponseRow& skipped = table_.skipped_rows.emplace_back(row);
-        skipped.measure = accuracy_;
-        ++measureNamed(accuracy_, MeasureKind::accuracy).planned;
-    }
-    return {};
-}
-
-Result<void> LongTableReader::readAnswers(const ResponseRow& row) {
-    bool answered = false;
-    if (!row.unanswered.empty()) return readUnanswered(row);
-    if (const TruthCell& is_right = truth(correct); !is_right.missing) {
-        if (!is_right.value) return bad(correct, "0 or 1");
-        if (auto added = addRow(row, accuracy_, MeasureKind::accuracy, *is_right.value ? 1.0 : 0.0); !added)
-            return added;
-        answered = true;
-    }
-    if (const NumberCell number = numberCell(cell(rating)); !number.missing) {
-        if (!isSensible(number.value)) return bad(rating, expected_rating);
-        if (auto added = addRow(row, ratingName(), MeasureKind::rating, *number.value); !added) return added;
-        answered = true;
-    }
-    if (answered) return {};
-    if (!head_.place(response)) {
-        ++empty_;
-        return {};
-    }
-    // What it is shows when all of the stage are known.
-    StageResponses& responses = responses_[ratingName()];
-    const TruthCell& is_true = truth(response);
-    if (is_true.missing) {
-        responses.missing += row.excluded.empty() ? 1 : 0;
-        return {};
-    }
-    const auto value =
-        is_true.value ? std::optional<double>(*is_true.value ? 1.0 : 0.0) : numberCell(cell(response)).value;
-    if (!isSensible(value)) return bad(response, "a number from -1e12 to 1e12, or true or false");
-    responses.only_truth = responses.only_truth && is_true.value.has_value();
-    responses.rows.push_back(table_.rows.size());
-    table_.rows.emplace_back(row).value = *value;
-    return {};
 }
 
 }  // namespace deixis::results

@@ -49,8 +49,9 @@ class LongTableReader {
   public:
     using enum LongColumn;
 
-    /// `text` and `factors` must outlive this.
-    LongTableReader(const std::filesystem::path& file, std::string_view text, const FactorColumns& factors);
+    /// `text` and `options` must outlive this.
+    LongTableReader(const std::filesystem::path& file, std::string_view text, CsvForm form,
+                    const LongTableOptions& options);
     /// Of a part of the file that follows the first one, whose columns are those of `first`; its line numbers
     /// begin anew.
     LongTableReader(const LongTableReader& first, std::string_view text);
@@ -64,11 +65,12 @@ class LongTableReader {
     [[nodiscard]] Result<ResponseTable> finish();
 
   private:
-    void setUp(const CsvRecord& names, const LongHead& head);
+    void setUp(const LongHead& head);
 
     [[nodiscard]] const std::string& cell(LongColumn column) const;
     [[nodiscard]] Name name(LongColumn column);
     [[nodiscard]] const TruthCell& truth(LongColumn column);
+    [[nodiscard]] NumberCell number(LongColumn column);
     [[nodiscard]] std::string where(LongColumn column) const;
     [[nodiscard]] tl::unexpected<Error> bad(LongColumn column, const char* expected) const;
     /// What holds of a participant stands alike in all of the participant's lines.
@@ -79,30 +81,45 @@ class LongTableReader {
     [[nodiscard]] Result<void> readDetails(ResponseRow& row);
     [[nodiscard]] Result<void> readFactors(Person& person, ResponseRow& row);
     [[nodiscard]] Result<void> readAnswers(const ResponseRow& row);
+    /// A line of an export's responses.csv in a long table's terms; false where it is no answer to be
+    /// analysed.
+    [[nodiscard]] bool takeExportLine();
+    void countExportedCheck();
+    [[nodiscard]] const std::string& cell(ExportColumnOf column) const;
+    [[nodiscard]] bool declines(Name who) const;
+    /// One of two systems is preferred.
+    [[nodiscard]] Result<void> readPreference(const ResponseRow& row, LongColumn column);
     /// A choice that was not made.
     [[nodiscard]] Result<void> readUnanswered(const ResponseRow& row);
     [[nodiscard]] Result<void> addRow(const ResponseRow& answer, Name name, MeasureKind kind, double value);
-    void countCheck(const std::string& stage_name, Attention result);
+    void countCheck(const std::string& stage_name, const std::string& kind, Attention result);
     /// Who is left out has no say in what was planned and in the scale.
     static void count(Measure& of, const ResponseRow& row);
     [[nodiscard]] Name ratingName();
+    /// With the scale that the line gives: on different scales one measure is several.
+    [[nodiscard]] Result<Name> nameOnScale(Name name);
+    [[nodiscard]] Result<void> checkScale(Name name, double value, LongColumn column) const;
 
     // Made where they are new.
     Person& personOf(Name who);
-    CheckCount& checksOf(const std::string& stage_name);
+    CheckCount& checksOf(const std::string& stage_name, const std::string& kind);
     Measure& measureNamed(const std::string& name, MeasureKind kind);
 
-    void nameResponses();
+    [[nodiscard]] Result<void> nameResponses();
+    void nameScales();
+    [[nodiscard]] Result<void> finishMeasures();
     void takePeople();
     void partLeftOut();
 
     std::string file_;
+    CsvForm form_;
     CsvReader reader_;
     CsvRecord record_;
-    const FactorColumns& factors_;
+    const LongTableOptions& options_;
     LongHead head_;
     const Name accuracy_{"accuracy"};
     const Name rating_{"rating"};
+    const Name preference_{"preference"};
     const Name not_excluded_{"no"};
     // What has been read of each column.
     std::array<NameCells, long_column_count> names_;
@@ -117,6 +134,18 @@ class LongTableReader {
     Name person_name_;
     ResponseTable table_;
     std::map<Name, StageResponses> responses_;
+    /// A measure with its scale in its name.
+    struct OnScale {
+        Name measure;
+        studies::Range scale;
+    };
+    std::map<std::string, OnScale> scaled_;  ///< by that name
+    Name preference_of_;                     ///< what the preferences are called in the file
+    /// Places and texts of the first numbers that are written so; empty: none is.
+    std::string decimal_comma_, decimal_point_;
+    std::map<Name, bool> declined_;  ///< whether consent was refused when last asked, in responses.csv
+    Name exported_participant_;      ///< of the line before in responses.csv
+    std::string exported_trial_;
     int balls_ = 0;
     int fewest_balls_ = std::numeric_limits<int>::max();
     int empty_ = 0;

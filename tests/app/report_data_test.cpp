@@ -1,4 +1,7 @@
 // deixis report on answers that come as CSV, and on several databases.
+#include <cmath>
+#include <map>
+
 #include "program.hpp"
 #include "text.hpp"
 
@@ -20,6 +23,28 @@ std::string answersOf(int first, int last) {
                 out += start + "game," + system + "," + layout + ",T1," +
                        std::to_string(p % 3 == 0 && better == 0 ? 0 : 1) + ",,2\n";
         }
+    return out;
+}
+
+/// The tests of pairs, whichever system of a pair stands first.
+std::map<std::string, std::vector<json>> pairsOf(const json& analysis) {
+    std::map<std::string, std::vector<json>> out;
+    for (const char* kind : {"pairwise", "preferences"})
+        for (const json& pair : analysis[kind]) {
+            const bool turned = pair["a"].get<std::string>() > pair["b"].get<std::string>();
+            const json& mean = pair[kind == std::string("pairwise") ? "mean_difference" : "mean"];
+            out[pair.value("measure", "preference") + " " + pair[turned ? "b" : "a"].get<std::string>() +
+                " " + pair[turned ? "a" : "b"].get<std::string>()] = {
+                pair["n"], pair["p"], pair["p_holm"], std::round((turned ? -1e9 : 1e9) * mean.get<double>()),
+                pair.contains("ties") ? pair["ties"] : json()};
+        }
+    return out;
+}
+
+/// Numbers of each system by its name.
+std::map<std::string, json> bySystem(const json& rows) {
+    std::map<std::string, json> out;
+    for (const json& row : rows) out[row.value("measure", "") + row["system"].get<std::string>()] = row;
     return out;
 }
 
@@ -148,5 +173,44 @@ TEST_SUITE("app/report_data") {
         const std::string single = page("P1,x,3\n");
         CHECK(contains(single, "1 participant &#183; 1 answer analysed &#183; 1 system<"));
         CHECK_FALSE(contains(single, "had the"));
+    }
+
+    TEST_CASE("what export writes, and the report's own table of answers, give the database's numbers") {
+        const Scratch scratch;
+        for (const std::string study : {"genea-pairwise", "pointing2023"}) {
+            const std::string database = scratch / (study + ".sqlite");
+            REQUIRE(program("simulate " + study + " --participants 3 --db " + database + " --stimuli " +
+                            sharedStimuli())
+                        .status == 0);
+            const auto analysis = [&](const std::string& data, const std::string& name) {
+                const auto done =
+                    program("report " + data + " --without-clips -o " + (scratch / "r.html") + " --json " +
+                            (scratch / name) + " --csv " + (scratch / (study + "-csv")));
+                INFO(done.err);
+                REQUIRE(done.status == 0);
+                return json::parse(slurp(scratch / name));
+            };
+            const json of_database = analysis(database, "a.json");
+            REQUIRE(program("export " + database + " --anonymise -o " + (scratch / study)).status == 0);
+            fs::copy_file(scratch / (study + "-csv/answers.csv"), scratch / (study + ".csv"));
+            const json of_answers = analysis(scratch / (study + ".csv"), "b.json");
+            const json of_export = analysis(scratch / (study + "/responses.csv"), "c.json");
+            CHECK(pairsOf(of_database).size() >= 6);
+            for (const json* other : {&of_answers, &of_export}) {
+                CHECK(pairsOf(*other) == pairsOf(of_database));
+                for (const char* key : {"chance", "response_times"})
+                    CHECK(bySystem((*other)[key]) == bySystem(of_database[key]));
+                CHECK((*other)["measures"] == of_database["measures"]);
+                CHECK((*other)["order"] == of_database["order"]);
+                CHECK((*other)["synthetic"] == true);
+            }
+            CHECK(of_export["checks"] == of_database["checks"]);
+        }
+        const std::string asked = slurp(scratch / "genea-pairwise/questions.csv");
+        CHECK(contains(asked,
+                       "preference,pairwise,,preference,scale,Which of the two movements looks more "
+                       "natural?,-2,2,-2,Clearly left"));
+        CHECK(contains(asked, ",other,something else"));
+        CHECK(contains(slurp(scratch / "genea-pairwise/responses.csv").substr(0, 3000), ",field_age,"));
     }
 }

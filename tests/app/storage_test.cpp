@@ -159,7 +159,8 @@ TEST_SUITE("app/storage") {
         spill(scratch / "study.toml", replaced(shippedStudy(), "title = \"", "title = \"A\\u0000B "));
         CHECK_FAILS_SAYING(program("plan " + (scratch / "study.toml") + " --participant P01"),
                            "study.toml:", "U+0000");
-        spill(scratch / "answers.csv", "participant,system,naturalness\nP01,Z\xFCrich,3\n");
+        // In Windows-1252, too, this byte is no letter.
+        spill(scratch / "answers.csv", "participant,system,naturalness\nP01,Z\x81rich,3\n");
         CHECK_FAILS_SAYING(program("report " + (scratch / "answers.csv") + " -o " + (scratch / "r.html")),
                            "answers.csv:2", "UTF-8");
     }

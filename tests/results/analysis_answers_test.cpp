@@ -28,10 +28,10 @@ AnalysisResult analyseOracle() {
     return analyse(*table);
 }
 
-std::string errorOfText(const std::string& text, const FactorColumns& factors) {
+std::string errorOfText(const std::string& text, const LongTableOptions& choice) {
     const fixtures::Folder folder;
     REQUIRE(writeFile(folder / "answers.csv", text).has_value());
-    const auto table = loadAnswers(folder / "answers.csv", factors);
+    const auto table = loadAnswers(folder / "answers.csv", choice);
     REQUIRE_FALSE(table.has_value());
     return table.error().text();
 }

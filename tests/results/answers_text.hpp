@@ -14,11 +14,11 @@
 namespace fixtures {
 
 inline results::AnalysisResult analyseText(const std::string& text,
-                                           const results::FactorColumns& factors = {},
+                                           const results::LongTableOptions& choice = {},
                                            const results::AnalysisOptions& options = {}) {
     const Folder folder;
     REQUIRE(writeFile(folder / "answers.csv", text).has_value());
-    const auto table = results::loadAnswers(folder / "answers.csv", factors);
+    const auto table = results::loadAnswers(folder / "answers.csv", choice);
     REQUIRE_MESSAGE(table.has_value(), (table ? "" : table.error().text()));
     return results::analyse(*table, options);
 }

@@ -14,18 +14,30 @@ struct CsvRecord {
     std::vector<std::string> fields;
 };
 
+/// How the records of a text are laid out.
+struct CsvForm {
+    char separator = ',';
+    bool comments =
+        false;  ///< lines before the first record that begin with #, and Excel's "sep=;", are none
+};
+
+[[nodiscard]] const char* separatorName(char separator);  ///< "a comma"
+/// Whether CsvForm::comments passes over a line that begins so.
+[[nodiscard]] bool isCsvComment(std::string_view line);
+
 /// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and
 /// a UTF-8 mark at the start are passed over. `name` stands for the file in errors. A text that is not UTF-8
 /// (keepableText()) is an error, which names the line.
 class CsvReader {
   public:
     /// `text` must outlive this.
-    CsvReader(std::string_view text, std::string name);
+    CsvReader(std::string_view text, std::string name, CsvForm form = {});
     /// The next record into `record`, whose memory is used anew; false where there is none left.
     [[nodiscard]] Result<bool> next(CsvRecord& record);
 
   private:
     [[nodiscard]] Result<void> checkText() const;
+    void skipComments();
     [[nodiscard]] bool atLineEnd() const;
     void skipLineEnd();
     [[nodiscard]] Result<void> readField(std::string& field);
@@ -33,13 +45,15 @@ class CsvReader {
 
     std::string_view text_;
     std::string name_;
+    CsvForm form_;
     std::size_t at_ = 0;
     int line_ = 1;
     bool checked_ = false;
 };
 
 /// All records at once.
-[[nodiscard]] Result<std::vector<CsvRecord>> parseCsv(std::string_view text, const std::string& name);
+[[nodiscard]] Result<std::vector<CsvRecord>> parseCsv(std::string_view text, const std::string& name,
+                                                      CsvForm form = {});
 
 /// The field, quoted where it must be.
 [[nodiscard]] std::string csvField(std::string_view text);
@@ -50,6 +64,8 @@ void appendCsvField(std::string& out, std::string_view text);
 /// @, a tab or a carriage return) gets an apostrophe before it. For tables that people open, not for files
 /// that the program reads again.
 [[nodiscard]] std::string safeText(std::string_view text);
+/// The text that safeText() was made from, which may be left as it was.
+[[nodiscard]] std::string_view withoutGuard(std::string_view safe);
 /// safeText() as a field, behind what stands in `out`.
 void appendSafeCsvField(std::string& out, std::string_view text);
 
