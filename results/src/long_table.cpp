@@ -79,6 +79,9 @@ Result<ResponseTable> loadAnswers(const std::filesystem::path& file, const LongT
     // What a pipe gives is gone once it is looked at; and a database is no pipe.
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         return loadLongTable(file, options);
+    if (!std::filesystem::exists(status))
+        return fail(file.string(), "no such file, expected a database or a CSV file with answers",
+                    "Check the path; a run prints the path of its database");
     std::ifstream in(file, std::ios::binary);
     std::string start(15, '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));

@@ -93,10 +93,11 @@ void LongTableReader::nameScales() {
     for (const auto& [on_scale, of] : scaled_) ++scales[of.measure];
     std::map<Name, Name> plain;
     for (const auto& [on_scale, of] : scaled_) {
-        const auto known = std::find_if(table_.measures.begin(), table_.measures.end(),
-                                        [&](const Measure& one) { return one.name == on_scale; });
+        const auto known =
+            std::find_if(table_.measures.begin(), table_.measures.end(),
+                         [&scaled = on_scale](const Measure& one) { return one.name == scaled; });
         const bool taken = std::any_of(table_.measures.begin(), table_.measures.end(),
-                                       [&](const Measure& one) { return of.measure == one.name; });
+                                       [&base = of.measure](const Measure& one) { return one.name == base; });
         if (known == table_.measures.end()) continue;
         known->low = std::min(known->low, of.scale.low);
         known->high = std::max(known->high, of.scale.high);
@@ -120,9 +121,10 @@ Result<void> LongTableReader::finishMeasures() {
         table_.notes.push_back(
             fmt::format("Commas in numbers are read as decimal points, as in {}.", decimal_comma_));
     for (const auto& [name, scale] : options_.scales) {
-        const auto found = std::find_if(
-            table_.measures.begin(), table_.measures.end(),
-            [&](const Measure& one) { return one.name == name && one.kind == MeasureKind::rating; });
+        const auto found = std::find_if(table_.measures.begin(), table_.measures.end(),
+                                        [&wanted = name](const Measure& one) {
+                                            return one.name == wanted && one.kind == MeasureKind::rating;
+                                        });
         if (found == table_.measures.end()) {
             std::vector<std::string> ratings;
             for (const Measure& one : table_.measures)
