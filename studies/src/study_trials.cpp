@@ -255,6 +255,12 @@ void readTrials(TomlTable& table, const Study& study, Stage& stage) {
     const bool rating = stage.kind == StageKind::rating || stage.kind == StageKind::parallel_rating;
     if (rating) stage.scale = readScale(table, "scale");
     if (stage.kind != StageKind::game) stage.measure = table.name("measure", stage.name);
+    // The report has one table of each name.
+    if (rating && (stage.measure == "accuracy" || stage.measure == "preference"))
+        table.problem(
+            "measure",
+            fmt::format("found \"{}\", which the report calls {} so; expected another name", stage.measure,
+                        stage.measure == "accuracy" ? "right choices of the game" : "answers to pairs"));
     if (stage.kind == StageKind::rating || stage.kind == StageKind::game)
         stage.max_replays = table.count("max_replays", 0, 100, 0);
     readBreaks(table, stage);

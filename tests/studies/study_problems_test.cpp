@@ -53,6 +53,11 @@ TEST_SUITE("studies/study_problems") {
         checkEdits(
             "small.toml",
             {{"seed = 7", "seed = \"7\"", "seed = ", "study.seed", {"the text \"7\"", "a whole number"}},
+             {"kind = \"rating\"",
+              "kind = \"rating\"\nmeasure = \"accuracy\"",
+              "measure = ",
+              "stages.measure",
+              {"the report calls right choices of the game so"}},
              {"items = 4",
               "items = 4.0",
               "items = 4.0",
