@@ -45,6 +45,12 @@
     });
   }
 
+  // A table that is cut says so.
+  const marked = new ResizeObserver(entries => {
+    for (const {target} of entries) target.classList.toggle("cut", target.scrollWidth > target.clientWidth + 1);
+  });
+  for (const one of document.querySelectorAll(".scroll")) marked.observe(one);
+
   for (const figure of document.querySelectorAll("figure")) {
     const specification = figure.querySelector("script[type='application/json']");
     if (!specification) continue;

@@ -27,6 +27,14 @@ std::vector<double> participantMeans(const Cells& cells, const std::string& cond
     return means;
 }
 
+/// From the least to the greatest of n values covers the middle of what they were drawn from in 1 - 2^(1-n)
+/// of all samples; a bootstrap interval lies within.
+bool fallsShort(std::size_t n, double level) {
+    return 1.0 - std::ldexp(1.0, 1 - static_cast<int>(n)) < level;
+}
+
+}  // namespace
+
 Summary summarise(const Cells& cells, const std::string& system) {
     const auto means = participantMeans(cells, system);
     const auto trials = allTrials(cells, system);
@@ -35,14 +43,6 @@ Summary summarise(const Cells& cells, const std::string& system) {
         means};
 }
 
-/// From the least to the greatest of n values covers the middle of what they were drawn from in 1 - 2^(1-n)
-/// of all samples; a bootstrap interval lies within.
-bool fallsShort(std::size_t n, double level) {
-    return 1.0 - std::ldexp(1.0, 1 - static_cast<int>(n)) < level;
-}
-
-/// Of participants' means, resampling participants. Summaries of as many participants are resampled together:
-/// each gets what it would get alone, as the seed is the same, and the draws are made once.
 void addIntervals(const std::vector<Summary*>& summaries, const BootstrapOptions& options) {
     std::map<std::size_t, std::vector<Summary*>> by_size;
     for (Summary* one : summaries)
@@ -58,6 +58,8 @@ void addIntervals(const std::vector<Summary*>& summaries, const BootstrapOptions
         }
     }
 }
+
+namespace {
 
 std::vector<SystemResult> summariseSystems(const CellsByMeasure& cells, const AnalysisResult& result) {
     std::vector<SystemResult> out;
@@ -172,6 +174,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
 
     if (!result.preferences.empty())
         result.bradley_terry = bradleyTerry(result.table, {options.resamples, options.seed, result.level});
+    describeLevels(result);
     testInteractions(result);
     compareOtherAnswers(result);
     summariseScores(result);

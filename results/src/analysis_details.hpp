@@ -9,6 +9,14 @@ namespace deixis::results {
 /// Means of the levels of each factor within participants, and tests of all pairs of levels.
 void compareLevels(AnalysisResult& result);
 
+/// Of participants' means, resampling participants. Summaries of as many participants are resampled together:
+/// each gets what it would get alone, as the seed is the same, and the draws are made once.
+void addIntervals(const std::vector<Summary*>& summaries, const BootstrapOptions& options);
+[[nodiscard]] Summary summarise(const Cells& cells, const std::string& condition);
+
+/// Participants' means of the levels that compareLevels() found, with their intervals.
+void describeLevels(AnalysisResult& result);
+
 /// Sensitivity: the pairs of systems with other participants and trials. Needs pairwise and preferences.
 void compareOtherAnswers(AnalysisResult& result);
 

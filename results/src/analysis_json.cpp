@@ -104,6 +104,10 @@ Json levelsJson(const AnalysisResult& result, const std::string& factor, const s
         one["mean"] = numberOrNull(row.n > 0, row.mean);
         one["sd_trials"] = numberOrNull(row.n > 1, row.sd_trials);
         one["n"] = row.n;
+        const Summary& of = row.over_participants;
+        one["mean_participants"] = numberOrNull(of.n > 0, of.mean);
+        one["interval"] = intervalJson(of.interval);
+        one["participants"] = of.by_participant.size();
         out.push_back(std::move(one));
     }
     return out;
@@ -334,10 +338,12 @@ std::string analysisJson(const AnalysisResult& result) {
                       {"recorded_by", table.program_versions},
                       {"recorded_on", table.operating_systems}};
     for (const auto& [name, value] : result.options.build) out["program"]["build"][name] = value;
-    out["study"] = {{"name", table.study_name},
-                    {"title", table.study_title},
-                    {"hash", table.study_hash},
-                    {"planned_participants", table.planned_participants}};
+    out["study"] = {
+        {"name", table.study_name},
+        {"title", table.study_title},
+        {"hash", table.study_hash},
+        {"planned_participants", numberOrNull(!table.study_hash.empty() && table.planned_participants > 0,
+                                              table.planned_participants)}};
     out["data"] = {
         {"files", table.database}, {"answers_hash", result.answers_hash}, {"answers", table.rows.size()}};
     out["measures"] = Json::array();

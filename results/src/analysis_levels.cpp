@@ -46,8 +46,14 @@ void addLevels(const Measure& measure, const std::string& factor, LevelCells& ce
     const auto add = [&](const std::string& system, const Cells& of_system) {
         for (const auto& level : cells.levels) {
             const auto trials = allTrials(of_system, level);
-            result.levels.push_back({measure.name, factor, system, level, mean(trials), sampleSd(trials),
-                                     static_cast<int>(trials.size())});
+            result.levels.push_back({measure.name,
+                                     factor,
+                                     system,
+                                     level,
+                                     mean(trials),
+                                     sampleSd(trials),
+                                     static_cast<int>(trials.size()),
+                                     {}});
         }
     };
     add("all", cells.of_all);
@@ -102,6 +108,22 @@ void compareLevels(AnalysisResult& result) {
             addLevels(measure, factor.name, cells, result);
             testLevels(measure, factor.name, cells, result);
         }
+}
+
+void describeLevels(AnalysisResult& result) {
+    if (result.levels.empty()) return;
+    std::vector<Summary*> summaries;
+    for (const Factor& factor : withinFactors(result.table))
+        for (const Measure& measure : result.measures) {
+            LevelCells cells = levelCells(result.table, measure.name, factor);
+            for (LevelResult& row : result.levels) {
+                if (row.factor != factor.name || row.measure != measure.name) continue;
+                row.over_participants =
+                    summarise(row.system == "all" ? cells.of_all : cells.by_system[row.system], row.level);
+                summaries.push_back(&row.over_participants);
+            }
+        }
+    addIntervals(summaries, {result.options.resamples, result.options.seed, result.level});
 }
 
 }  // namespace deixis::results

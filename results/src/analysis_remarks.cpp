@@ -179,7 +179,7 @@ void remarkAnswers(AnalysisResult& result) {
     }
     if (!missing.empty())
         remarks.push_back(fmt::format("The data are incomplete: {} are answered.", missing));
-    if (result.participants != table.planned_participants)
+    if (table.planned_participants > 0 && result.participants != table.planned_participants)
         remarks.push_back(fmt::format("{} of {} participants with a plan have answered.", result.participants,
                                       table.planned_participants));
     if (interrupted > 0)

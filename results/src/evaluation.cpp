@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <map>
 #include <tuple>
@@ -92,6 +93,13 @@ Result<void> findClusters(Evaluation& evaluation) {
         ++evaluation.clusters[static_cast<std::size_t>(point.cluster)].test_points;
     }
     return {};
+}
+
+/// To nine significant digits, so that what is equal on paper is tied: targets that mirror each other have
+/// the same density but for the last bits, and their clips the same accuracy.
+std::vector<double> tied(std::vector<double> values) {
+    for (double& value : values) value = std::strtod(fmt::format("{:.8e}", value).c_str(), nullptr);
+    return values;
 }
 
 void addClip(SystemEvaluation& system, const MeasuredClip& clip, double density) {
@@ -191,7 +199,7 @@ Result<Evaluation> evaluate(EvaluationInput given) {
         addClip(evaluation.systems[at->second], clip, points.at(place(clip.target))->density);
     }
     for (SystemEvaluation& system : evaluation.systems) {
-        system.correlation = spearman(system.rewards, system.densities);
+        system.correlation = spearman(tied(system.rewards), tied(system.densities));
         system.left = profileOf(system.clips, motion::Side::left);
         system.right = profileOf(system.clips, motion::Side::right);
         meansByCluster(system, points, evaluation.clusters.size());

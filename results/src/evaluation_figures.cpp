@@ -78,7 +78,8 @@ Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
     return {"accuracy",
             figures.next() +
                 " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
-                "median; diamond: mean; whiskers: 5th and 95th percentile. Right: the same as angle between "
+                "median where the notch lies within the box; diamond: mean; whiskers: 5th and 95th "
+                "percentile. Right: the same as angle between "
                 "forearm and target; dashed: the ceiling." +
                 (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the least "
                                        "to the greatest; all else is of all clips.",

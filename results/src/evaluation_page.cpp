@@ -200,7 +200,8 @@ std::string renderEvaluation(const Evaluation& evaluation) {
                           evaluation.systems.size(), evaluation.systems.size() == 1 ? "" : "s",
                           evaluation.input.clips.size(), evaluation.points.size(),
                           evaluation.input.training.size(), escapeHtml(evaluation.input.training_source));
-    out += syntheticNote(evaluation) + findings(evaluation) + remarksHtml(evaluation.remarks);
+    const std::string lead = out + syntheticNote(evaluation) + findings(evaluation);
+    out = remarksHtml(evaluation.remarks);
     Numbering figures("Figure");
     Numbering tables;
     out += observersSection(evaluation, tables);
@@ -211,7 +212,7 @@ std::string renderEvaluation(const Evaluation& evaluation) {
         out +=
             "\n<p class=\"small\">* Built into this program and synthetic: a stand-in until learned systems "
             "come.</p>";
-    return out + methods(evaluation) + provenance(evaluation) +
+    return withContents(lead, out + methods(evaluation) + provenance(evaluation)) +
            pageEnd(
                "The tables hold their numbers in short; clip by clip, step by step and place by place they "
                "are in the files that deixis evaluate --csv writes.");

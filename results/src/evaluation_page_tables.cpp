@@ -86,9 +86,10 @@ std::string systemsHtml(const Evaluation& evaluation, Numbering& tables) {
 }
 
 std::string accuracyBoxesHtml(const Evaluation& evaluation, Numbering& tables) {
-    std::string out =
-        openTable("What the box plots draw: quantiles of the accuracy of a system&#8217;s clips.",
-                  std::string("<th>System</th>") + box_columns, tables);
+    std::string out = openTable(
+        "What the box plots draw: quantiles of the accuracy of a system&#8217;s clips; no notch where "
+        "it would reach beyond its box.",
+        std::string("<th>System</th>") + box_columns, tables);
     for (const auto& system : evaluation.systems)
         if (const auto box = boxSummary(system.rewards))
             out += "<tr>" + nameCell(system) +

@@ -188,11 +188,11 @@ figcaption b { color: var(--ink); font-size: 1rem; }
   .drawing [fill="#d55e00"] { fill: #f28a3d; } .drawing [stroke="#d55e00"] { stroke: #f28a3d; }
 }
 @media print {
-  .plots { grid-template-columns: 1fr 1fr; gap: 1rem; }
-  .single { max-width: 70%; }
+  /* At the size at which they were drawn, so that their words can be read. */
+  .plots { grid-template-columns: 1fr; gap: 1rem; }
+  .single { max-width: none; }
   .drawing > details { display: none; }
-  .drawing svg { width: 100%; }
-  .wide .drawing svg { width: auto; }
+  .drawing svg { width: auto; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )css";

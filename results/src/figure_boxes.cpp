@@ -57,28 +57,23 @@ struct BoxParts {
     FigureJson nothing = FigureJson::array();  ///< names of systems without answers
 };
 
-void addBox(BoxParts& parts, const BoxPlot& plot, const BoxSummary& box, const BoxAxis& axis,
-            std::size_t place, double half) {
+void addBox(BoxParts& parts, const BoxPlot& plot, const BoxSummary& box, std::size_t place, double half) {
     const auto x = static_cast<double>(place);
     const std::string colour = systemColour(place);
-    const std::string tip = fmt::format(
-        "{}: median {} (notch {} to {}), middle half {} to {}, mean {}, n = {}", plot.boxes[place].name,
-        plot.text(box.median), plot.text(box.notch_low), plot.text(box.notch_high), plot.text(box.q25),
-        plot.text(box.q75), plot.text(box.mean), box.n);
-    const auto within = [&](double value) {
-        return std::clamp(value, axis.low - axis.room, axis.high + axis.room);
-    };
-    const double waist = 0.55 * half;
-    const std::vector<std::pair<double, double>> corners{{half, box.q25},
-                                                         {half, within(box.notch_low)},
-                                                         {waist, box.median},
-                                                         {half, within(box.notch_high)},
-                                                         {half, box.q75},
-                                                         {-half, box.q75},
-                                                         {-half, within(box.notch_high)},
-                                                         {-waist, box.median},
-                                                         {-half, within(box.notch_low)},
-                                                         {-half, box.q25}};
+    // Beyond its box a notch would fold back, and may pass the scale's end.
+    const bool notched = box.notch_low >= box.q25 && box.notch_high <= box.q75;
+    const std::string notch =
+        notched ? fmt::format(" (notch {} to {})", plot.text(box.notch_low), plot.text(box.notch_high))
+                : std::string();
+    const std::string tip = fmt::format("{}: median {}{}, middle half {} to {}, mean {}, n = {}",
+                                        plot.boxes[place].name, plot.text(box.median), notch,
+                                        plot.text(box.q25), plot.text(box.q75), plot.text(box.mean), box.n);
+    const double waist = notched ? 0.55 * half : half;
+    const double notch_low = notched ? box.notch_low : box.q25;
+    const double notch_high = notched ? box.notch_high : box.q75;
+    const std::vector<std::pair<double, double>> corners{
+        {half, box.q25},  {half, notch_low},   {waist, box.median},  {half, notch_high}, {half, box.q75},
+        {-half, box.q75}, {-half, notch_high}, {-waist, box.median}, {-half, notch_low}, {-half, box.q25}};
     for (std::size_t i = 0; i < corners.size(); ++i)
         parts.outlines.push_back({{"box", place},
                                   {"corner", i},
@@ -240,7 +235,7 @@ FigureJson boxPlotSpec(const BoxPlot& plot) {
     for (std::size_t i = 0; i < plot.boxes.size(); ++i) {
         names.push_back(brokenName(plot.boxes[i].name));
         if (const auto box = boxSummary(plot.boxes[i].values)) {
-            addBox(parts, plot, *box, axis, i, half);
+            addBox(parts, plot, *box, i, half);
             addPoints(parts, plot, axis, i, half);
         } else {
             parts.nothing.push_back({{"x", i}, {"y", 0.5 * (axis.low + axis.high)}, {"tip", plot.nothing}});

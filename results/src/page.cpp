@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 #include "figure.hpp"
 #include "report_text.hpp"
@@ -35,7 +36,19 @@ p { margin: .5rem 0; max-width: 48rem; }
 .intro { break-after: avoid; }
 .findings { padding-left: 1.2rem; max-width: 48rem; }
 .findings li { margin: .35rem 0; }
-.scroll { overflow-x: auto; margin: 1rem 0; }
+.scroll { overflow-x: auto; margin: 1rem 0; scrollbar-width: thin; }
+/* A table that is wider than its place says so, and darkens where it is cut. */
+.scroll.cut { background:
+    linear-gradient(to right, var(--paper) 30%, transparent) left / 2.5rem 100% no-repeat local,
+    linear-gradient(to left, var(--paper) 30%, transparent) right / 2.5rem 100% no-repeat local,
+    linear-gradient(to right, rgb(0 0 0 / .28), transparent) left / .8rem 100% no-repeat scroll,
+    linear-gradient(to left, rgb(0 0 0 / .28), transparent) right / .8rem 100% no-repeat scroll; }
+.scroll.cut::before { content: "wider than the screen: scroll sideways \2192"; display: block; position: sticky; left: 0;
+  width: max-content; max-width: 100%; font-size: .8125rem; color: var(--warn); }
+.contents { margin: 1.2rem 0; padding: .7rem 1rem; background: var(--shade); border-radius: .3rem; }
+.contents ul { list-style: none; margin: 0; padding: 0; columns: 15rem; column-gap: 2rem; }
+.contents li { padding: .1rem 0; break-inside: avoid; }
+.contents a { color: inherit; }
 table { border-collapse: collapse; font-size: .9375rem; break-inside: avoid; }
 caption { text-align: left; padding-bottom: .4rem; }
 caption b { color: var(--ink); }
@@ -63,7 +76,8 @@ dd { margin: 0; overflow-wrap: anywhere; }
   dl { break-inside: avoid; }
   th, td { padding: .2rem .6rem; }
   p, .findings { max-width: none; }
-  .scroll { overflow: visible; }
+  .scroll, .scroll.cut { overflow: visible; background: none; }
+  .scroll.cut::before, .contents { display: none; }
 }
 )css";
 
@@ -74,7 +88,7 @@ std::string pageStart(const std::string& title, const std::string& heading) {
         "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
         "charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n"
-        "<style>{}{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
+        "<style>{}{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n",
         escapeHtml(title), page_css, figure_css, escapeHtml(heading));
 }
 
@@ -85,8 +99,27 @@ std::string remarksHtml(const std::vector<std::string>& remarks) {
     return out + "</ul>";
 }
 
+std::string withContents(const std::string& lead, const std::string& sections) {
+    constexpr std::string_view open = "<h2>";
+    constexpr std::string_view close = "</h2>";
+    std::string items;
+    std::string out;
+    std::size_t from = 0;
+    int number = 0;
+    for (std::size_t at = sections.find(open); at != std::string::npos; at = sections.find(open, from)) {
+        const std::size_t end = sections.find(close, at);
+        const std::string heading = sections.substr(at + open.size(), end - at - open.size());
+        out += sections.substr(from, at - from) + fmt::format("<h2 id=\"section-{}\">", ++number);
+        items += fmt::format("<li><a href=\"#section-{}\">{}</a></li>", number, heading);
+        from = at + open.size();
+    }
+    out += sections.substr(from);
+    if (number < 2) return lead + out;
+    return lead + "\n<nav class=\"contents\" aria-label=\"Contents\"><ul>" + items + "</ul></nav>" + out;
+}
+
 std::string pageEnd(const std::string& elsewhere) {
-    return figuresEnd(elsewhere) + "\n</body>\n</html>\n";
+    return "\n</main>" + figuresEnd(elsewhere) + "\n</body>\n</html>\n";
 }
 
 std::string propertyLabel(std::string name) {

@@ -6,6 +6,7 @@
 
 #include "bradley_terry_outputs.hpp"
 #include "page.hpp"
+#include "report_computed.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
 #include "report_paper.hpp"
@@ -86,11 +87,12 @@ std::string levelTable(const AnalysisResult& result, const Measure& measure, con
     const bool accuracy = measure.kind == MeasureKind::accuracy;
     std::string columns = "<th>System</th>";
     for (const auto& level : levels) columns += fmt::format("<th>{}</th><th>n</th>", escapeHtml(level));
-    std::string out = openTable(fmt::format("{} by {}: {}mean &#177; standard deviation over trials{}.",
-                                            escapeHtml(capitalised(measure.name)), escapeHtml(factor),
-                                            accuracy ? "proportion correct, " : "",
-                                            accuracy && factor == "layout" ? " (the paper's Table 1)" : ""),
-                                columns, numbering);
+    std::string out = openTable(
+        fmt::format(
+            "{} by {}: {}mean &#177; standard deviation over trials{}.",
+            escapeHtml(capitalised(measure.name)), escapeHtml(factor), accuracy ? "proportion correct, " : "",
+            accuracy && factor == "layout" && isPointing2023(result.table) ? " (the paper's Table 1)" : ""),
+        columns, numbering);
     for (const auto& system : systems) {
         out += fmt::format("<tr{}><th scope=\"row\">{}</th>", system == "all" ? " class=\"all\"" : "",
                            escapeHtml(system));
@@ -228,8 +230,8 @@ std::string renderReport(const AnalysisResult& result) {
             "<p class=\"synthetic\"><b>Simulated participants:</b> these numbers test the pipeline and are "
             "no evidence "
             "about people.</p>\n";
-    out += findingsHtml(result);
-    out += designHtml(result);
+    const std::string lead = out + findingsHtml(result);
+    out = designHtml(result);
     Numbering figures("Figure");
     out += figuresHtml(result, figures);
     Numbering numbering;
@@ -255,7 +257,7 @@ std::string renderReport(const AnalysisResult& result) {
     out += remarksHtml(result.remarks);
     out += paperHtml(result);
     out += "\n<h2>Methods in full</h2>" + methodsHtml(result) + "\n" + provenance(result);
-    return out + pageEnd("The tables hold all their numbers.");
+    return withContents(lead, out) + pageEnd("The tables hold all their numbers.");
 }
 
 }  // namespace deixis::results

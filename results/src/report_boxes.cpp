@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "figure_boxes.hpp"
 #include "report_figures.hpp"
@@ -26,7 +27,7 @@ std::vector<BoxPlot::Pair> differingPairs(const AnalysisResult& result, const st
     return pairs;
 }
 
-/// Numbers at whole steps of a scale, at most some ten; of accuracy at each fifth.
+/// Round numbers, at most some ten, and the scale's ends; of accuracy each fifth.
 FigureJson scaleValues(const Measure& measure) {
     FigureJson values = FigureJson::array();
     if (measure.kind == MeasureKind::accuracy) {
@@ -34,24 +35,29 @@ FigureJson scaleValues(const Measure& measure) {
         return values;
     }
     const double range = measure.high - measure.low;
-    const int every = range <= 10.0    ? 1
-                      : range <= 50.0  ? 5
-                      : range <= 100.0 ? 20
-                                       : static_cast<int>(range / 5.0);
-    for (int step = static_cast<int>(measure.low); step <= static_cast<int>(measure.high); step += every)
-        values.push_back(step);
+    const double most = range <= 10.0 ? 10.0 : 6.0;
+    double every = 1.0;
+    for (int i = 0; range / every > most; ++i) every *= i % 3 == 1 ? 2.5 : 2.0;  // 2, 5, 10, 20, 50, ...
+    values.push_back(measure.low);
+    for (double at = every * std::ceil(measure.low / every); at < measure.high; at += every)
+        if (at - measure.low >= 0.5 * every && measure.high - at >= 0.5 * every) values.push_back(at);
+    if (measure.high > measure.low) values.push_back(measure.high);
     return values;
 }
+
+}  // namespace
 
 FigureJson scaleAxis(const Measure& measure) {
     if (measure.kind == MeasureKind::accuracy)
         return {{"values", scaleValues(measure)},
-                {"title", "right choices"},
+                {"title", "correct choices"},
                 {"labelExpr", "format(100 * datum.value, '.0f') + '\u00a0%'"}};
     return {{"values", scaleValues(measure)},
             {"title", fmt::format("{} ({:g} to {:g})", measure.name, measure.low, measure.high)},
-            {"format", ".0f"}};
+            {"format", "~g"}};
 }
+
+namespace {
 
 std::string boxLabel(const AnalysisResult& result, const BoxPlot& plot, const Measure& measure,
                      std::size_t differing) {

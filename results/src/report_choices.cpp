@@ -61,9 +61,9 @@ std::string targetTable(const AnalysisResult& result, Numbering& numbering) {
     std::string columns = "<th>Target</th><th>x</th><th>y</th><th>z</th>";
     for (const std::string& system : systems) columns += fmt::format("<th>{}</th>", escapeHtml(system));
     std::string out =
-        "<details><summary>Right choices by the target's place</summary>" +
+        "<details><summary>Correct choices by the target's place</summary>" +
         openTable(
-            "Right choices of all for each target; centres in metres in the avatar's frame, x to its left, "
+            "Correct choices of all for each target; centres in metres in the avatar's frame, x to its left, "
             "y up, z ahead.",
             columns, numbering);
     for (const auto& [place, of_place] : places) {

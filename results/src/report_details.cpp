@@ -17,12 +17,12 @@ std::string chanceTable(const AnalysisResult& result, Numbering& numbering) {
     const bool known = accuracy.balls > 1;
     std::string out = openTable(
         fmt::format(
-            "Right choices of each system, over all participants{}.",
+            "Correct choices of each system, over all participants{}.",
             known ? fmt::format(", and against chance ({}): signed-rank tests of participants' means of "
-                                "right choices less each trial's own chance. n counts participants",
+                                "correct choices less each trial's own chance. n counts participants",
                                 ballsText(accuracy))
                   : ""),
-        "<th>System</th><th>right</th><th>of</th><th>Share</th><th>Chance</th><th>Mean above</th><th>n</th>"
+        "<th>System</th><th>correct</th><th>of</th><th>Share</th><th>Chance</th><th>Mean above</th><th>n</th>"
         "<th>p</th><th>p (Holm)</th>",
         numbering);
     for (const ChanceResult& one : result.chance) {
@@ -64,7 +64,7 @@ std::string unansweredTable(const AnalysisResult& result, Numbering& numbering) 
 std::string orderTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.order.empty() || result.participants < 2) return "";
     std::string out = openTable(
-        "Do answers change while a participant goes on? First and second half of each participant's answers, "
+        "Answers while a participant goes on: first and second half of each participant's answers, "
         "signed-rank test over participants, Holm over the measures.",
         "<th>Measure</th><th>First half</th><th>Second half</th><th>n</th><th>p</th><th>p (Holm)</th>",
         numbering);

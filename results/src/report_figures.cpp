@@ -16,6 +16,9 @@ std::string figuresHtml(const AnalysisResult& result, Numbering& figures) {
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         if (const auto counts = stepCounts(result, i))
             out += figureHtml(answersFigure(result, i, *counts, figures));
+    for (const Factor& factor : withinFactors(result.table))
+        for (std::size_t i = 0; i < result.measures.size(); ++i)
+            if (const auto levels = levelsFigure(result, i, factor, figures)) out += figureHtml(*levels);
     if (!result.preferences.empty()) out += figureHtml(preferencesFigure(result, figures));
     return out.empty() ? "" : "<div class=\"plots\">" + out + "</div>";
 }
@@ -34,8 +37,11 @@ std::string boxesTable(const AnalysisResult& result, Numbering& tables) {
                                 boxCells(*box, score));
         }
     if (rows.empty()) return "";
-    return openTable("What the box plots draw: quantiles of the participants' means. n counts participants.",
-                     std::string("<th>Measure</th><th class=\"text\">System</th>") + box_columns, tables) +
+    return openTable(
+               "What the box plots draw: quantiles of the participants' means; no notch where it would reach "
+               "beyond its "
+               "box. n counts participants.",
+               std::string("<th>Measure</th><th class=\"text\">System</th>") + box_columns, tables) +
            rows + close_table;
 }
 
@@ -62,7 +68,7 @@ std::string stepsTable(const AnalysisResult& result, std::size_t measure, const 
 }  // namespace
 
 std::string distributionsHtml(const AnalysisResult& result, Numbering& tables) {
-    std::string out = boxesTable(result, tables);
+    std::string out = result.participants > 1 ? boxesTable(result, tables) : std::string();
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         if (const auto counts = stepCounts(result, i)) out += stepsTable(result, i, *counts, tables);
     return out;

@@ -21,6 +21,12 @@ struct StepCounts {
 
 /// Participants' means of AnalysisResult::measures[measure] by system.
 [[nodiscard]] Figure boxPlot(const AnalysisResult& result, std::size_t measure, Numbering& figures);
+/// Of a measure's values: title, ticks at round numbers and at the scale's ends.
+[[nodiscard]] FigureJson scaleAxis(const Measure& measure);
+/// Means under the levels of a factor within participants, a line for each system; none where fewer than two
+/// levels have answers.
+[[nodiscard]] std::optional<Figure> levelsFigure(const AnalysisResult& result, std::size_t measure,
+                                                 const Factor& factor, Numbering& figures);
 /// Shares of a rating's steps by system, the scale's middle at 0.
 [[nodiscard]] Figure answersFigure(const AnalysisResult& result, std::size_t measure,
                                    const StepCounts& counts, Numbering& figures);
@@ -29,7 +35,7 @@ struct StepCounts {
 /// Participants' differences between each pair of systems in a measure.
 [[nodiscard]] Figure differencesFigure(const AnalysisResult& result, std::size_t measure, Numbering& figures);
 
-/// Right choices at each target's place. AnalysisResult::target_space is not empty.
+/// Correct choices at each target's place. AnalysisResult::target_space is not empty.
 [[nodiscard]] Figure placesFigure(const AnalysisResult& result, Numbering& figures);
 
 /// Of the above what stands at the page's head.

@@ -3,6 +3,7 @@
 
 #include "analysis_details.hpp"
 #include "report_details.hpp"
+#include "report_paragraphs.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -53,12 +54,12 @@ std::string groupTable(const std::vector<Test>& tests, const Takes& takes, const
                first_columns + group_test_columns, numbering, TableWidth::dense) +
            rows + close_table +
            fmt::format(
-               "<p class=\"small\">Holm's family: {} tests, &#945;&#160;=&#160;{}; bold: "
+               "<p class=\"small\">Holm's family: {}, &#945;&#160;=&#160;{}; bold: "
                "significant. Shift: "
                "Hodges&#8211;Lehmann with the interval of the shifts that the test does not reject (asked "
                "for: "
                "{:g}&#160;%; a round bracket: without that end).</p>",
-               family, result.alpha, 100.0 * result.level);
+               counted(family, "test", "tests"), result.alpha, 100.0 * result.level);
 }
 
 std::string meansOfGroups(const AnalysisResult& result, const Factor& factor, const Measure& measure,

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include "report_details.hpp"
+#include "report_paragraphs.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -16,7 +17,8 @@ std::string decided(const std::optional<double>& p_holm, double alpha, bool chan
 }
 
 std::string countsText(const AnswerCounts& counts) {
-    return fmt::format("{} participants, {} answers", counts.participants, counts.answers);
+    return fmt::format("{}, {}", counted(counts.participants, "participant", "participants"),
+                       counted(counts.answers, "answer", "answers"));
 }
 
 /// A column of the table.
@@ -79,11 +81,11 @@ std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) 
         columns += fmt::format("<th>{}</th>", one.column);
     }
     std::string out =
-        "<h2>Does the decision hang on a choice?</h2>" +
+        "<h2>Decisions under other choices</h2>" +
         openTable(caption + ".",
                   fmt::format("<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th>"
-                              "<th>headline</th><th>Pratt</th><th>normal</th>{}<th class=\"text\">Does it?"
-                              "</th>",
+                              "<th>headline</th><th>Pratt</th><th>normal</th>{}<th class=\"text\">Depends "
+                              "on it</th>",
                               columns),
                   numbering, TableWidth::dense) +
         rows + close_table;

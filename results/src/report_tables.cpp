@@ -27,7 +27,10 @@ std::string boxCells(const BoxSummary& box, const std::function<std::string(doub
     for (const double value : {box.q05, box.q25, box.median, box.q75, box.q95})
         out += "<td>" + text(value) + "</td>";
     return out +
-           fmt::format("<td>[{}, {}]</td><td>{}</td>", text(box.notch_low), text(box.notch_high), box.n);
+           (box.notch_low >= box.q25 && box.notch_high <= box.q75
+                ? fmt::format("<td>[{}, {}]</td>", text(box.notch_low), text(box.notch_high))
+                : fmt::format("<td>{}</td>", dash)) +
+           fmt::format("<td>{}</td>", box.n);
 }
 
 Measure measureOf(const AnalysisResult& result, const std::string& name) {

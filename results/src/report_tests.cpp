@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "report_interactions.hpp"
+#include "report_paragraphs.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -74,8 +75,8 @@ std::string tableFoot(const Tests& tests, const AnalysisResult& result) {
             lowest = std::min(lowest, *level);
             highest = std::max(highest, *level);
         }
-    std::string out = fmt::format("<p class=\"small\">Holm's family: {} tests, &#945;&#160;=&#160;{}.",
-                                  tests.front()->family_size, result.alpha);
+    std::string out = fmt::format("<p class=\"small\">Holm's family: {}, &#945;&#160;=&#160;{}.",
+                                  counted(tests.front()->family_size, "test", "tests"), result.alpha);
     if (highest > 0.0)
         out += fmt::format(
             " Shift: Hodges&#8211;Lehmann, with the interval of the shifts that the test does not reject, at "

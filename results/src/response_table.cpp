@@ -62,17 +62,23 @@ void readStudy(SQLite::Database& database, ResponseTable& table) {
 }
 
 // How many values of the scored trials of a stage were planned, of participants who count.
-int planned(SQLite::Database& database, const std::string& stage) {
-    Statement count(
+int planned(SQLite::Database& database, const std::string& stage, const std::string& measure,
+            ResponseTable& table) {
+    Statement counts(
         database,
         fmt::format(
-            "SELECT count(*) FROM trial_stimuli AS s JOIN trials AS t USING (participant, trial_index) "
-            "JOIN {} AS p ON p.id = t.participant WHERE s.scored AND p.status = 'active' AND t.stage = ? AND "
-            "(t.kind <> 'pairwise' OR s.position = 0)",
+            "SELECT t.participant, count(*) FROM trial_stimuli AS s JOIN trials AS t USING (participant, "
+            "trial_index) JOIN {} AS p ON p.id = t.participant WHERE s.scored AND p.status = 'active' AND "
+            "t.stage = ? AND (t.kind <> 'pairwise' OR s.position = 0) GROUP BY t.participant",
             participantsStanding()));
-    count.bind(1, stage);
-    count.executeStep();
-    return count.getColumn(0).getInt();
+    counts.bind(1, stage);
+    int all = 0;
+    while (counts.executeStep()) {
+        const int of_participant = counts.getColumn(1).getInt();
+        table.planned_answers[counts.getColumn(0).getString()][measure] += of_participant;
+        all += of_participant;
+    }
+    return all;
 }
 
 void addMeasure(ResponseTable& table, const Measure& measure) {
@@ -118,7 +124,8 @@ MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
         "t.check_kind IS NOT 'catch' GROUP BY s.name ORDER BY s.position");
     while (games.executeStep())
         addMeasure(table, {"accuracy", MeasureKind::accuracy, 0.0, 1.0, games.getColumn(1).getInt(),
-                           planned(database, games.getColumn(0).getString()), games.getColumn(2).getInt()});
+                           planned(database, games.getColumn(0).getString(), "accuracy", table),
+                           games.getColumn(2).getInt()});
     Statement stages(
         database,
         "SELECT s.name, s.kind, s.measure, s.scale_low, s.scale_high, q.low, q.high FROM stages AS s LEFT "
@@ -129,7 +136,8 @@ MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
         const std::string name = stages.getColumn(0).getString();
         const std::string kind = stages.getColumn(1).getString();
         if (kind == "pairwise")
-            addMeasure(table, {"preference", MeasureKind::preference, -2.0, 2.0, 0, planned(database, name)});
+            addMeasure(table, {"preference", MeasureKind::preference, -2.0, 2.0, 0,
+                               planned(database, name, "preference", table)});
         else if (kind == "rating" || kind == "parallel-rating")
             scales.push_back({name, stages.getColumn(2).getString(), stages.getColumn(3).getDouble(),
                               stages.getColumn(4).getDouble()});
@@ -144,8 +152,8 @@ MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
             "have no common mean.",
             name));
     for (const StageScale& one : scales) {
-        addMeasure(table,
-                   {one.measure, MeasureKind::rating, one.low, one.high, 0, planned(database, one.stage)});
+        addMeasure(table, {one.measure, MeasureKind::rating, one.low, one.high, 0,
+                           planned(database, one.stage, one.measure, table)});
         measures[one.stage] = one.measure;
     }
     return measures;

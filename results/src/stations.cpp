@@ -22,6 +22,26 @@ std::map<std::string, std::set<std::string>> kindsByParticipant(const ResponseTa
     return out;
 }
 
+/// What was planned for those whose answers are left; who moved from one kind of station to another was
+/// planned to answer here what is answered here.
+void planAt(ResponseTable& table, const std::map<std::string, std::set<std::string>>& kinds) {
+    std::map<Name, int> planned;
+    const auto whole = [&](const std::string& participant) {
+        const auto of = kinds.find(participant);
+        return table.planned_answers.contains(participant) && of != kinds.end() && of->second.size() == 1;
+    };
+    std::set<Name> answered;
+    for (const ResponseRow& row : table.rows) {
+        answered.insert(row.measure);
+        if (!whole(row.participant)) ++planned[row.measure];
+    }
+    for (const auto& [participant, measures] : table.planned_answers)
+        if (whole(participant))
+            for (const auto& [measure, n] : measures) planned[Name(measure)] += n;
+    for (Measure& measure : table.measures) measure.planned = planned[Name(measure.name)];
+    std::erase_if(table.measures, [&](const Measure& one) { return !answered.contains(Name(one.name)); });
+}
+
 }  // namespace
 
 std::vector<std::string> stationKinds(const ResponseTable& table) {
@@ -63,16 +83,9 @@ ResponseTable onlyAt(ResponseTable table, const std::optional<std::string>& kind
     std::erase_if(table.stations, [&](const StationUse& one) {
         return !taken(one.synthetic ? simulated_station : one.kind);
     });
-    std::set<Name> participants;
-    std::map<Name, int> answers;
-    for (const ResponseRow& row : table.rows) {
-        participants.insert(row.participant);
-        ++answers[row.measure];
-    }
-    for (const ScoreRow& row : table.scores) participants.insert(row.participant);
-    table.planned_participants = static_cast<int>(participants.size());
-    for (Measure& measure : table.measures) measure.planned = answers[measure.name];
-    std::erase_if(table.measures, [](const Measure& measure) { return measure.planned == 0; });
+    std::erase_if(table.planned_answers, [&](const auto& one) { return !takenParticipant(one.first); });
+    table.planned_participants = 0;  // where those who have not begun will sit is not known
+    planAt(table, kinds);
     return table;
 }
 

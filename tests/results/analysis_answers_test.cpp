@@ -76,7 +76,7 @@ TEST_SUITE("results/analysis_answers") {
         CHECK(out["pairs"][0]["normal"]["p"] == result.pairwise[0].test.normal_p_two_sided);
         CHECK(out["with_left_out"]["participants"] == 20);
         const std::string page = renderReport(result);
-        CHECK(contains(page, "Does the decision hang on a choice?"));
+        CHECK(contains(page, "Decisions under other choices</h2>"));
         CHECK(contains(page, "0.043 (no)"));
         REQUIRE(result.table.left_out.size() == 3);
         CHECK(result.table.left_out[0].reason == "slept");

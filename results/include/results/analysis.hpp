@@ -57,6 +57,7 @@ struct LevelResult {
     double mean = 0.0;  ///< over trials, as in the paper's Table 1
     double sd_trials = 0.0;
     int n = 0;
+    Summary over_participants{};  ///< participants' means under this level; not in runTests()
 };
 
 /// Whether a shift lies within a bound that was declared before, by two one-sided tests.

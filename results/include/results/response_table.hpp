@@ -118,7 +118,10 @@ struct ResponseTable {
     std::vector<std::string> distances{};  ///< likewise
     std::vector<Factor> within{};          ///< further factors within participants
     std::vector<Measure> measures{};       ///< accuracy first, then in the order of the stages
-    int planned_participants = 0;          ///< those left out are not counted
+    int planned_participants =
+        0;  ///< those left out are not counted; 0: not known, as of one kind of station
+    /// Participant, measure: values planned. Empty where the answers come without a study.
+    std::map<std::string, std::map<std::string, int>> planned_answers{};
     int withdrawn = 0;
     std::vector<LeftOut> left_out{};
     std::vector<CheckCount> checks{};

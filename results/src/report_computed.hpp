@@ -1,0 +1,35 @@
+// What of an analysis was computed, so that the page speaks of that and of nothing else; private to the
+// report.
+#pragma once
+
+#include "results/analysis.hpp"
+
+namespace deixis::results {
+
+struct Computed {
+    bool pairs = false;  ///< signed-rank tests of pairs of systems; like all tests from two participants on
+    bool friedman = false;  ///< of three systems and more
+    bool levels = false;    ///< of factors within participants
+    bool preferences = false;
+    bool chance = false;
+    bool halves = false;         ///< first against second
+    bool systems_apart = false;  ///< systems that no participant met both of
+    bool groups = false;
+    bool preferences_of_groups = false;
+    bool interactions = false;
+    bool equivalence = false;
+    bool intervals = false;    ///< of means, by bootstrap
+    bool boxes = false;        ///< drawn
+    bool zeros = false;        ///< some signed-rank test met differences of zero
+    bool approximate = false;  ///< some signed-rank test has no exact p
+
+    explicit Computed(const AnalysisResult& result);
+
+    [[nodiscard]] bool signedRank() const { return pairs || levels || preferences || chance || halves; }
+    [[nodiscard]] bool rankSum() const { return systems_apart || groups || preferences_of_groups; }
+};
+
+/// The study that Deichler et al. (2023) ran, as it ships or changed in what a study file may change.
+[[nodiscard]] bool isPointing2023(const ResponseTable& table);
+
+}  // namespace deixis::results
