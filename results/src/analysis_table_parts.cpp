@@ -10,8 +10,8 @@ std::vector<PlainColumn> testColumns() {
             {"n_positive", whole},
             {"n_negative", whole},
             {"ties", whole},
-            {"w_plus", number, Print::plain, "$W^+$"},
-            {"w_minus", number, Print::plain, "$W^-$"},
+            {"w_plus", number, Print::rank, "$W^+$"},
+            {"w_minus", number},
             {"z", number},
             {"p", number, Print::p_value, "$p$"},
             {"p_holm", number, Print::p_value, "$p_\\mathrm{Holm}$"},
@@ -24,8 +24,8 @@ std::vector<PlainColumn> testColumns() {
             {"depends_on_zeros", truth},
             {"out_of_reach", truth},
             {"hodges_lehmann", number, Print::plain, "shift"},
-            {"hodges_lehmann_lower", number, Print::plain, "lower"},
-            {"hodges_lehmann_upper", number, Print::plain, "upper"},
+            {"hodges_lehmann_lower", number, Print::range, "interval"},
+            {"hodges_lehmann_upper", number},
             {"hodges_lehmann_lower_included", truth},
             {"hodges_lehmann_upper_included", truth},
             {"hodges_lehmann_level", number},
@@ -80,7 +80,7 @@ std::vector<PlainColumn> groupColumns() {
             {"n_b", whole, Print::plain, "$n_b$"},
             {"mean_a", number},
             {"mean_b", number},
-            {"u", number, Print::plain, "$U$"},
+            {"u", number, Print::rank, "$U$"},
             {"ties", whole},
             {"z", number},
             {"p", number, Print::p_value, "$p$"},
@@ -88,8 +88,8 @@ std::vector<PlainColumn> groupColumns() {
             {"p_normal", number},
             {"significant", truth},
             {"hodges_lehmann", number, Print::plain, "shift"},
-            {"hodges_lehmann_lower", number, Print::plain, "lower"},
-            {"hodges_lehmann_upper", number, Print::plain, "upper"},
+            {"hodges_lehmann_lower", number, Print::range, "interval"},
+            {"hodges_lehmann_upper", number},
             {"hodges_lehmann_lower_included", truth},
             {"hodges_lehmann_upper_included", truth},
             {"hodges_lehmann_level", number},
@@ -128,13 +128,10 @@ std::vector<PlainCell> groupCells(const GroupTest& one) {
 }
 
 std::vector<PlainColumn> contrastColumns() {
-    return {{"measure", text, Print::plain},
-            {"factor", text, Print::plain},
-            {"a", text, Print::plain},
-            {"b", text, Print::plain},
-            {"other_factor", text, Print::plain, "other factor"},
-            {"c", text, Print::plain},
-            {"d", text, Print::plain}};
+    return {
+        {"measure", text, Print::heading}, {"factor", text, Print::heading},       {"a", text, Print::plain},
+        {"b", text, Print::plain},         {"other_factor", text, Print::heading}, {"c", text, Print::plain},
+        {"d", text, Print::plain}};
 }
 
 }  // namespace deixis::results

@@ -22,12 +22,12 @@ PlainTable meansTable(const AnalysisResult& result) {
         fmt::format("Means of participants' means, {:g} % bootstrap intervals over participants, and "
                     "standard deviations",
                     100.0 * result.level),
-        {{"measure", text, Print::plain},
+        {{"measure", text, Print::heading},
          {"system", text, Print::plain},
          {"mean", number, Print::plain, "mean"},
          {"median", number},
-         {"lower", number, Print::plain, "lower"},
-         {"upper", number, Print::plain, "upper"},
+         {"lower", number, Print::range, "interval"},
+         {"upper", number},
          {"sd_participants", number, Print::plain, "SD (participants)"},
          {"sd_trials", number, Print::plain, "SD (trials)"},
          {"participants", whole, Print::plain},
@@ -49,16 +49,25 @@ PlainTable meansTable(const AnalysisResult& result) {
 PlainTable levelsTable(const AnalysisResult& result) {
     PlainTable out{"levels",
                    "Means and standard deviations over trials, by the levels of within factors",
-                   {{"measure", text, Print::plain},
-                    {"factor", text, Print::plain},
+                   {{"measure", text, Print::heading},
+                    {"factor", text, Print::heading},
                     {"system", text, Print::plain},
                     {"level", text, Print::plain},
                     {"mean", number, Print::plain},
                     {"sd_trials", number, Print::plain, "SD (trials)"},
-                    {"answers", whole, Print::plain}}};
-    for (const LevelResult& row : result.levels)
-        out.rows.push_back({row.measure, row.factor, row.system, row.level, knownCell(row.n > 0, row.mean),
-                            knownCell(row.n > 1, row.sd_trials), wholeCell(row.n)});
+                    {"answers", whole, Print::plain},
+                    {"mean_participants", number},
+                    {"lower", number},
+                    {"upper", number},
+                    {"participants", whole}}};
+    for (const LevelResult& row : result.levels) {
+        const Summary& of = row.over_participants;
+        out.rows.push_back(
+            {row.measure, row.factor, row.system, row.level, knownCell(row.n > 0, row.mean),
+             knownCell(row.n > 1, row.sd_trials), wholeCell(row.n), knownCell(of.n > 0, of.mean),
+             of.interval ? PlainCell(of.interval->lower) : PlainCell(),
+             of.interval ? PlainCell(of.interval->upper) : PlainCell(), wholeCell(of.by_participant.size())});
+    }
     return out;
 }
 
@@ -87,9 +96,9 @@ PlainTable omnibusTable(const AnalysisResult& result) {
 
 PlainTable comparisonsTable(const std::string& name, const std::string& caption,
                             const std::vector<Comparison>& comparisons, bool with_factor) {
-    std::vector<PlainColumn> columns{{"measure", text, Print::plain}};
+    std::vector<PlainColumn> columns{{"measure", text, Print::heading}};
     if (with_factor) {
-        columns.push_back({"factor", text, Print::plain});
+        columns.push_back({"factor", text, Print::heading});
         columns.push_back({"system", text, Print::plain});
     }
     columns.push_back({"a", text, Print::plain});
@@ -143,9 +152,10 @@ PlainTable preferencesTable(const AnalysisResult& result) {
 
 PlainTable chanceTable(const AnalysisResult& result) {
     PlainTable out{
-        "chance", "Right choices and chance: signed-rank tests of participants' means of correct - 1 / balls",
+        "chance",
+        "Correct choices and chance: signed-rank tests of participants' means of correct - 1 / balls",
         withMore<PlainColumn>({{"system", text, Print::plain},
-                               {"successes", whole, Print::plain, "right"},
+                               {"successes", whole, Print::plain, "correct"},
                                {"choices", whole, Print::plain, "of"},
                                {"choices_with_balls", whole},
                                {"estimate", number, Print::plain, "share"},
@@ -182,7 +192,7 @@ PlainTable orderTable(const AnalysisResult& result) {
 PlainTable timesTable(const AnalysisResult& result) {
     PlainTable out{"response_times",
                    "Response times over answers, seconds",
-                   {{"measure", text, Print::plain},
+                   {{"measure", text, Print::heading},
                     {"system", text, Print::plain},
                     {"n", whole, Print::plain, "$n$"},
                     {"q25_s", number, Print::plain, "25 \\%"},
@@ -206,7 +216,7 @@ PlainTable itemsTable(const AnalysisResult& result) {
 PlainTable checksTable(const AnalysisResult& result) {
     PlainTable out{"checks",
                    "Attention checks",
-                   {{"stage", text, Print::plain},
+                   {{"stage", text, Print::heading},
                     {"kind", text, Print::plain},
                     {"passed", whole, Print::plain},
                     {"failed", whole, Print::plain}}};

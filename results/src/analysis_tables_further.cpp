@@ -12,10 +12,10 @@ using enum ColumnType;
 PlainTable sensitivityTable(const AnalysisResult& result) {
     PlainTable out{"sensitivity",
                    "The pairs of systems under other choices",
-                   {{"measure", text, Print::plain},
+                   {{"measure", text, Print::heading},
                     {"a", text, Print::plain},
                     {"b", text, Print::plain},
-                    {"choice", text, Print::plain},
+                    {"choice", text, Print::key, "choice"},
                     {"n", whole, Print::plain, "$n$"},
                     {"p", number, Print::p_value, "$p$"},
                     {"p_holm", number, Print::p_value, "$p_\\mathrm{Holm}$"},
@@ -59,8 +59,8 @@ PlainTable unansweredTable(const AnalysisResult& result) {
 
 PlainTable betweenTable(const AnalysisResult& result) {
     PlainTable out{"between", "Groups of participants: rank-sum tests of participants' means",
-                   withMore<PlainColumn>({{"measure", text, Print::plain},
-                                          {"factor", text, Print::plain},
+                   withMore<PlainColumn>({{"measure", text, Print::heading},
+                                          {"factor", text, Print::heading},
                                           {"system", text, Print::plain},
                                           {"a", text, Print::plain},
                                           {"b", text, Print::plain}},
@@ -74,7 +74,7 @@ PlainTable preferencesBetweenTable(const AnalysisResult& result) {
     PlainTable out{"preferences_between",
                    "Groups of participants: preferences for system over other system (shares of answers), "
                    "rank-sum tests of participants' net preferences",
-                   withMore<PlainColumn>({{"factor", text, Print::plain},
+                   withMore<PlainColumn>({{"factor", text, Print::heading},
                                           {"system", text, Print::plain},
                                           {"other_system", text, Print::plain, "other system"},
                                           {"a", text, Print::plain},
@@ -113,8 +113,8 @@ PlainTable groupInteractionsTable(const AnalysisResult& result) {
 PlainTable equivalenceTable(const AnalysisResult& result) {
     PlainTable out{"equivalence",
                    "Equivalence within bounds that were declared before: two one-sided tests",
-                   {{"measure", text, Print::plain},
-                    {"factor", text, Print::plain},
+                   {{"measure", text, Print::heading},
+                    {"factor", text, Print::heading},
                     {"system", text, Print::plain},
                     {"a", text, Print::plain},
                     {"b", text, Print::plain},
@@ -151,7 +151,7 @@ PlainTable confusionTable(const AnalysisResult& result) {
 
 PlainTable observersTable(const AnalysisResult& result) {
     PlainTable out{"observers",
-                   "Right choices that simulated observers are expected to make; no evidence about people",
+                   "Correct choices that simulated observers are expected to make; no evidence about people",
                    {{"system", text, Print::plain},
                     {"layout", text, Print::plain},
                     {"observer", text, Print::plain},
@@ -185,14 +185,14 @@ PlainTable driftTable(const AnalysisResult& result) {
 
 PlainTable targetSpaceTable(const AnalysisResult& result) {
     PlainTable out{"target_space",
-                   "Right choices by the target's place",
-                   {{"system", text},
-                    {"item", text},
-                    {"x_m", number},
-                    {"y_m", number},
-                    {"z_m", number},
-                    {"mean", number},
-                    {"n", whole}}};
+                   "Correct choices by the target's place",
+                   {{"system", text, Print::heading},
+                    {"item", text, Print::plain},
+                    {"x_m", number, Print::plain, "$x$ (m)"},
+                    {"y_m", number, Print::plain, "$y$ (m)"},
+                    {"z_m", number, Print::plain, "$z$ (m)"},
+                    {"mean", number, Print::plain, "correct"},
+                    {"n", whole, Print::plain, "$n$"}}};
     for (const TargetPlace& one : result.target_space)
         out.rows.push_back({one.system, one.target_id, PlainCell(one.position_m.x),
                             PlainCell(one.position_m.y), PlainCell(one.position_m.z), PlainCell(one.mean),
@@ -203,7 +203,7 @@ PlainTable targetSpaceTable(const AnalysisResult& result) {
 PlainTable pooledTable(const AnalysisResult& result) {
     PlainTable out{"pooled_ratings",
                    "Ratings taken one by one (pseudo-replicated)",
-                   {{"measure", text, Print::plain},
+                   {{"measure", text, Print::heading},
                     {"system", text, Print::plain},
                     {"n", whole, Print::plain, "$n$"},
                     {"mean", number, Print::plain},
@@ -223,9 +223,9 @@ PlainTable pooledTable(const AnalysisResult& result) {
 PlainTable scoresTable(const AnalysisResult& result) {
     PlainTable out{"scores",
                    "Scores of questionnaires over participants",
-                   {{"stage", text, Print::plain},
+                   {{"stage", text, Print::heading},
                     {"score", text, Print::plain},
-                    {"factor", text, Print::plain},
+                    {"factor", text, Print::heading},
                     {"level", text, Print::plain},
                     {"mean", number, Print::plain},
                     {"sd", number, Print::plain, "SD"},

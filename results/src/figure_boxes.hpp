@@ -36,8 +36,8 @@ struct BoxPlot {
     std::size_t most_points = std::numeric_limits<std::size_t>::max();
 };
 
-/// The notches of BoxSummary where they lie within their box; a participant's or clip's value a point, spread sideways where points would
-/// cover each other.
+/// The notches of BoxSummary where they lie within their box; a participant's or clip's value a point, spread
+/// sideways where points would cover each other.
 [[nodiscard]] FigureJson boxPlotSpec(const BoxPlot& plot);
 /// "direct 0.62, stiff 0.61": for a figure's label.
 [[nodiscard]] std::string mediansText(const BoxPlot& plot);

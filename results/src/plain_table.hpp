@@ -19,13 +19,17 @@ enum class Print : unsigned char {
     no,       ///< in CSV only
     plain,    ///< texts and whole numbers as they are, others with three digits behind the point
     p_value,  ///< "< 0.001" or three digits
+    rank,     ///< sums of ranks: whole, or with a half
+    range,    ///< "[lower, upper]" of this column and the next
+    key,      ///< a text whose underscores stand for spaces
+    heading,  ///< a line of its own above the rows that have it in common
 };
 
 struct PlainColumn {
     std::string name;
     ColumnType type = ColumnType::text;
     Print print = Print::no;
-    std::string heading{};  ///< in print, LaTeX; empty: the name
+    std::string heading{};  ///< in print, LaTeX; empty: the name in words
 };
 
 struct PlainTable {
@@ -44,7 +48,9 @@ struct PlainTable {
 /// Safe for spreadsheets (safeText()).
 [[nodiscard]] std::string csvText(const PlainTable& table);
 
-/// A table environment with \toprule, \midrule and \bottomrule; texts are escaped.
+/// A table environment with \toprule, \midrule and \bottomrule, or a longtable where a page cannot hold it;
+/// texts are escaped. Smaller, and scaled where it must be, to fit a page of 345 pt (article on A4 or
+/// letter).
 [[nodiscard]] std::string latexText(const PlainTable& table);
 
 }  // namespace deixis::results

@@ -54,7 +54,7 @@ FigureJson scaleAxis(const Measure& measure) {
                 {"labelExpr", "format(100 * datum.value, '.0f') + '\u00a0%'"}};
     return {{"values", scaleValues(measure)},
             {"title", fmt::format("{} ({:g} to {:g})", measure.name, measure.low, measure.high)},
-            {"format", "~g"}};
+            {"format", "~r"}};
 }
 
 namespace {
