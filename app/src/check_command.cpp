@@ -1,12 +1,14 @@
 // deixis check: every problem of a study file at once.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <utility>
 
+#include "angles_text.hpp"
 #include "assets/manifest.hpp"
 #include "commands.hpp"
 #include "studies/plan.hpp"
@@ -127,7 +129,18 @@ void describe(const StudySetup& setup, const assets::Avatar& avatar,
             fmt::print("\n");
         }
     }
-    fmt::print("{}", visibilityText(setup, avatar));
+    for (const auto& system : study.systems) {
+        std::vector<int> several;
+        for (const auto& item : setup.targets)
+            if (const auto of = item.clips.find(system.name); of != item.clips.end())
+                several.push_back(of->second);
+        if (several.empty()) continue;
+        const auto [least, most] = std::minmax_element(several.begin(), several.end());
+        fmt::print("clips: {} has {} for {} of {} items; a participant is shown one of them\n", system.name,
+                   *least == *most ? fmt::format("{}", *least) : fmt::format("{} to {}", *least, *most),
+                   several.size(), setup.targets.size());
+    }
+    fmt::print("{}{}", visibilityText(setup, avatar), anglesText(setup));
 }
 
 Result<void> check(const std::string& name) {

@@ -52,14 +52,17 @@ Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
         Part part;
         for (const auto& [stimulus, target] : *wanted) {
             if (stimulus.system != system.name) continue;
-            const studies::TargetItem item{stimulus.item, target, target != Vec3(0.0), {}};
+            const studies::TargetItem item{stimulus.item, target, target != Vec3(0.0)};
+            int before = stimulus.clip;
             const auto row = std::find_if(manifest->rows.begin(), manifest->rows.end(), [&](const auto& one) {
-                return one.target_id == item.id && madeFor(one, item);
+                return one.target_id == item.id && madeFor(one, item) && before-- == 0;
             });
             if (row == manifest->rows.end())
-                return fail(manifest->file.string(),
-                            fmt::format("has no clip for {} at ({:.4f}, {:.4f}, {:.4f}), which a plan shows",
-                                        item.id, target.x, target.y, target.z));
+                return fail(
+                    manifest->file.string(),
+                    fmt::format("has no clip{} for {} at ({:.4f}, {:.4f}, {:.4f}), which a plan shows",
+                                stimulus.clip > 0 ? fmt::format(" {}", stimulus.clip + 1) : "", item.id,
+                                target.x, target.y, target.z));
             const fs::path file = manifest->file.parent_path() / row->clip;
             const auto bytes = readFile(file);
             if (!bytes) return tl::unexpected(bytes.error());
@@ -72,7 +75,7 @@ Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
             if (!read) return tl::unexpected(read.error());
             auto clip = clipOnAvatar(*read, file.string(), avatar);
             if (!clip) return tl::unexpected(clip.error());
-            part.emplace(stimulus, Loaded{std::move(*clip), {name, hash}});
+            part.emplace(stimulus, Loaded{std::move(*clip), {name, hash, row->author, row->trial}});
         }
         return part;
     };

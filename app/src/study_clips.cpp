@@ -94,25 +94,29 @@ class SystemClips {
                                             fmt::join(names, ", "), system_.name)});
             return {};
         }
-        std::map<std::string, const assets::ManifestRow*> by_item;
+        std::multimap<std::string, const assets::ManifestRow*> by_item;  // each item's in their order
         for (const auto* row : rows) {
-            const auto [first, is_new] = by_item.emplace(row->target_id, row);
-            if (!is_new)
-                problem(*row, "target_id",
-                        fmt::format("a second clip of system '{}' for target {}; line {} has the first",
-                                    row->system, row->target_id, first->second->line));
+            const auto [first, last] = by_item.equal_range(row->target_id);
+            const auto same =
+                std::find_if(first, last, [&](const auto& one) { return one.second->clip == row->clip; });
+            if (same != last)
+                problem(*row, "clip",
+                        fmt::format("the clip {} of system '{}' a second time for target {}; line {} has the "
+                                    "first",
+                                    row->clip, row->system, row->target_id, same->second->line),
+                        "Several clips of one target are different files");
+            by_item.emplace(row->target_id, row);
         }
         std::vector<const assets::ManifestRow*> out;
         std::vector<std::string> lacking;
         int in_centimetres = 0;
         for (const auto& item : sources_.setup.targets) {
-            const auto found = by_item.find(item.id);
-            if (found == by_item.end()) {
-                lacking.push_back(item.id);
-                continue;
+            const auto [first, last] = by_item.equal_range(item.id);
+            if (first == last) lacking.push_back(item.id);
+            for (auto row = first; row != last; ++row) {
+                out.push_back(row->second);
+                checkTarget(*row->second, item, in_centimetres);
             }
-            out.push_back(found->second);
-            checkTarget(*found->second, item, in_centimetres);
         }
         if (in_centimetres > 0)
             problem(Error{manifest_.file.string(),

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <glm/vector_relational.hpp>
+#include <map>
 #include <utility>
 
 #include "assets/data_paths.hpp"
 #include "assets/manifest.hpp"
 #include "core/room.hpp"
 #include "motion/generator.hpp"
+#include "study_clips.hpp"
 
 namespace deixis::app {
 
@@ -94,10 +96,24 @@ tl::expected<std::vector<studies::TargetItem>, std::vector<Error>> targetsOf(stu
     if (!items) return items;
     study.targets.count = static_cast<int>(items->size());
     if (study.distances.empty()) return items;
-    auto targets = studies::drawDistractors(std::move(*items), study.targets, study.distances, study.seed,
-                                            studies::askedViewpoints(study));
+    auto targets = studies::drawDistractors(std::move(*items), study);
     if (!targets) return inStudy(targets.error());
     return std::move(*targets);
+}
+
+// How many clips a system has for an item, where they are several. What else is wrong with its manifest,
+// whoever reads the clips tells: targets are printed before there are any.
+void countClips(const studies::Study& study, std::vector<studies::TargetItem>& targets) {
+    for (const auto& system : study.systems) {
+        if (system.manifest.empty()) continue;
+        const auto manifest = assets::readManifest(system.manifest);
+        if (!manifest) continue;
+        std::map<std::string, int> clips;
+        for (const auto* row : rowsOfSystem(*manifest, system.name)) ++clips[row->target_id];
+        for (auto& item : targets)
+            if (const auto of = clips.find(item.id); of != clips.end() && of->second > 1)
+                item.clips[system.name] = of->second;
+    }
 }
 
 // Where there are no targets to look for clips of, the manifests of the systems are still read.
@@ -161,6 +177,7 @@ tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& 
         checkManifests(*study, problems);
     } else {
         checkRoom(*study, *targets, problems);
+        countClips(*study, *targets);
     }
     if (!problems.empty()) return tl::unexpected(std::move(problems));
     return StudySetup{std::move(*study), std::move(*targets)};

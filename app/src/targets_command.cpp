@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "angles_text.hpp"
 #include "assets/data_paths.hpp"
 #include "assets/demonstrations.hpp"
 #include "commands.hpp"
@@ -53,9 +54,11 @@ Result<void> printTargets(const TargetsArguments& options) {
         if (auto written = writeFile(picture, svg); !written) return written;
         fmt::print(stderr, "picture: {}\n", picture);
     }
-    fmt::print("{}", studies::targetsCsv(setup->study, setup->targets));
+    const auto table = studies::targetsCsv(setup->study, setup->targets);
+    if (!table) return tl::unexpected(table.error());
+    fmt::print("{}", *table);
     if (auto avatar = loadStudyAvatar(setup->study))
-        fmt::print(stderr, "{}", visibilityText(*setup, *avatar));
+        fmt::print(stderr, "{}{}", visibilityText(*setup, *avatar), anglesText(*setup));
     else
         return tl::unexpected(avatar.error());
     return {};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "motion/reference_humanoid.hpp"
+#include "studies/targets.hpp"
 #include "studies/visibility.hpp"
 
 namespace deixis::app {
@@ -55,7 +56,14 @@ std::string visibilityText(const StudySetup& setup, const assets::Avatar& avatar
                                count > most_named ? fmt::format(" and {} more", count - most_named) : "");
         out += "\n";
     }
-    return out;
+    const auto drawn = studies::drawnAnew(study, setup.targets);
+    if (!drawn || !study.targets.clear_view) return out;
+    const auto count = [&](studies::DrawnAnew what) {
+        return std::count(drawn->begin(), drawn->end(), what);
+    };
+    return out +
+           fmt::format("  drawn anew, unlike the bare rule's: {} targets, and the distractors of {} others\n",
+                       count(studies::DrawnAnew::target), count(studies::DrawnAnew::distractors));
 }
 
 }  // namespace deixis::app

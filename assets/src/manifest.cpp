@@ -34,16 +34,33 @@ enum Column {
     fps,
     seed,
     source_error_deg,
-    avatar_error_deg
+    avatar_error_deg,
+    author,
+    trial
 };
-constexpr std::array<std::string_view, 15> manifest_columns{
-    "clip", "system", "target_id", "target_x", "target_y",         "target_z",        "hand", "onset", "peak",
-    "hold", "end",    "fps",       "seed",     "source_error_deg", "avatar_error_deg"};
+constexpr std::array<std::string_view, 17> manifest_columns{"clip",
+                                                            "system",
+                                                            "target_id",
+                                                            "target_x",
+                                                            "target_y",
+                                                            "target_z",
+                                                            "hand",
+                                                            "onset",
+                                                            "peak",
+                                                            "hold",
+                                                            "end",
+                                                            "fps",
+                                                            "seed",
+                                                            "source_error_deg",
+                                                            "avatar_error_deg",
+                                                            "author",
+                                                            "trial"};
 constexpr std::size_t required_columns = 13;  // the first ones
 constexpr std::size_t absent = ~std::size_t{0};
 
-std::string header(std::size_t columns = required_columns) {
-    return fmt::format("{}", fmt::join(manifest_columns.begin(), manifest_columns.begin() + columns, ","));
+std::string header() {
+    return fmt::format("{}",
+                       fmt::join(manifest_columns.begin(), manifest_columns.begin() + required_columns, ","));
 }
 
 /// One record by column name; notes the first problem.
@@ -89,9 +106,12 @@ class RowReader {
                            std::move(mend)};
     }
 
+    /// Whether an optional column is there and has a value.
+    [[nodiscard]] bool has(Column column) const { return places_[column] != absent && any({column}); }
+
     /// Degrees from 0 to 180; none where there is no such column, or the field is empty.
     std::optional<double> angle(Column column) {
-        if (places_[column] == absent || !any({column})) return std::nullopt;
+        if (!has(column)) return std::nullopt;
         constexpr std::string_view expected = "degrees from 0 to 180";
         const auto value = number<double>(column, expected);
         if (value < 0.0 || value > 180.0)
@@ -149,6 +169,11 @@ Result<ManifestRow> readRow(RowReader reader) {
     row.seed = reader.number<std::uint64_t>(seed, "a whole number from 0 to 18446744073709551615");
     row.source_error_deg = reader.angle(source_error_deg);
     row.avatar_error_deg = reader.angle(avatar_error_deg);
+    if (reader.has(author)) row.author = reader.text(author);
+    if (reader.has(trial)) {
+        row.trial = reader.number<int>(trial, "a whole number from 1");
+        if (*row.trial < 1) reader.problem(trial, fmt::format("found {}, expected 1 or more", *row.trial));
+    }
     if (reader.first()) return tl::unexpected(*reader.first());
     return row;
 }
@@ -228,10 +253,15 @@ Result<Manifest> readManifest(const std::filesystem::path& path) {
 }
 
 std::string manifestCsv(const std::vector<ManifestRow>& rows) {
-    const bool errors = std::any_of(rows.begin(), rows.end(), [](const ManifestRow& row) {
-        return row.source_error_deg || row.avatar_error_deg;
-    });
-    std::string out = header(errors ? manifest_columns.size() : required_columns) + "\n";
+    const auto any = [&](const auto& has) { return std::any_of(rows.begin(), rows.end(), has); };
+    const bool errors = any([](const auto& row) { return row.source_error_deg || row.avatar_error_deg; });
+    const bool authors = any([](const auto& row) { return !row.author.empty(); });
+    const bool trials = any([](const auto& row) { return row.trial.has_value(); });
+    std::string out = header();
+    if (errors) out += ",source_error_deg,avatar_error_deg";
+    if (authors) out += ",author";
+    if (trials) out += ",trial";
+    out += "\n";
     for (const ManifestRow& row : rows) {
         out += fmt::format("{},{},{},", csvField(row.clip), csvField(row.system), csvField(row.target_id));
         out += row.target ? fmt::format("{},{},{},", row.target->x, row.target->y, row.target->z) : ",,,";
@@ -244,6 +274,8 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
         if (errors)
             for (const auto& error : {row.source_error_deg, row.avatar_error_deg})
                 out += error ? fmt::format(",{}", *error) : ",";
+        if (authors) out += "," + csvField(row.author);
+        if (trials) out += row.trial ? fmt::format(",{}", *row.trial) : ",";
         out += "\n";
     }
     return out;

@@ -142,6 +142,7 @@ CREATE TABLE trials (
     check_expected REAL,
     check_of_trial INTEGER,
     visibility     TEXT,                 -- JSON: what is seen of each ball
+    angles         TEXT,                 -- JSON: how far the distractors look from the target
     PRIMARY KEY (participant, trial_index),
     CHECK ((balls IS NOT NULL) = (kind = 'referential-game')),
     CHECK ((balls IS NULL) = (target_place IS NULL))
@@ -154,6 +155,7 @@ CREATE TABLE trial_stimuli (
     system      TEXT NOT NULL REFERENCES systems (name),
     item        TEXT NOT NULL,
     scored      INTEGER NOT NULL CHECK (scored IN (0, 1)),
+    clip        INTEGER NOT NULL DEFAULT 0, -- which of the system's clips for the item, from 0
     PRIMARY KEY (participant, trial_index, position),
     FOREIGN KEY (participant, trial_index) REFERENCES trials (participant, trial_index)
 ) STRICT, WITHOUT ROWID;
@@ -258,6 +260,8 @@ CREATE TABLE response_stimuli (
     clip_file TEXT NOT NULL,
     clip_hash TEXT NOT NULL,
     plays     INTEGER NOT NULL,          -- to the end
+    author       TEXT,                   -- who made the clip, and in which trial of theirs: as the manifest says
+    author_trial INTEGER,
     PRIMARY KEY (response, position)
 ) STRICT, WITHOUT ROWID;
 

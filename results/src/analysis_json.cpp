@@ -4,6 +4,7 @@
 #include "bradley_terry_outputs.hpp"
 #include "json_values.hpp"
 #include "observers_tables.hpp"
+#include "results/accuracy_by_angle.hpp"
 #include "results/analysis.hpp"
 #include "results/descriptive.hpp"
 
@@ -226,6 +227,14 @@ void addChoices(Json& out, const AnalysisResult& result) {
     for (const ConfusionResult& one : result.confusion)
         out["confusion"].push_back(
             {{"system", one.system}, {"role", one.role}, {"chosen", one.chosen}, {"shown", one.shown}});
+    out["accuracy_by_angle"] = Json::array();
+    for (const AngleResult& one : accuracyByAngle(result.table))
+        out["accuracy_by_angle"].push_back({{"eyes", one.eyes},
+                                            {"system", one.system},
+                                            {"from_deg", one.from_deg},
+                                            {"below_deg", numberOrNull(one.below_deg)},
+                                            {"right", one.right},
+                                            {"choices", one.choices}});
     out["observers"] = readingsJson(result.observers);
     out["drift"] = Json::array();
     for (const DriftResult& one : result.drift)

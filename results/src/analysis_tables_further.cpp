@@ -1,6 +1,7 @@
 #include "analysis_tables_further.hpp"
 
 #include "analysis_table_parts.hpp"
+#include "results/accuracy_by_angle.hpp"
 
 namespace deixis::results {
 
@@ -149,6 +150,21 @@ PlainTable confusionTable(const AnalysisResult& result) {
     return out;
 }
 
+PlainTable anglesTable(const AnalysisResult& result) {
+    PlainTable out{"angles",
+                   "Right choices by the angle from the target to the distractor that looks nearest",
+                   {{"eyes", text, Print::plain},
+                    {"system", text, Print::plain},
+                    {"from_deg", number, Print::plain, "from (deg)"},
+                    {"below_deg", number, Print::plain, "below (deg)"},
+                    {"right", whole, Print::plain},
+                    {"choices", whole, Print::plain}}};
+    for (const AngleResult& one : accuracyByAngle(result.table))
+        out.rows.push_back({one.eyes, one.system, PlainCell(one.from_deg), plainCell(one.below_deg),
+                            wholeCell(one.right), wholeCell(one.choices)});
+    return out;
+}
+
 PlainTable observersTable(const AnalysisResult& result) {
     PlainTable out{"observers",
                    "Correct choices that simulated observers are expected to make; no evidence about people",
@@ -243,10 +259,19 @@ PlainTable scoresTable(const AnalysisResult& result) {
 }  // namespace
 
 std::vector<PlainTable> furtherTables(const AnalysisResult& result) {
-    return {groupInteractionsTable(result), equivalenceTable(result), sensitivityTable(result),
-            unansweredTable(result),        betweenTable(result),     preferencesBetweenTable(result),
-            confusionTable(result),         driftTable(result),       observersTable(result),
-            targetSpaceTable(result),       pooledTable(result),      scoresTable(result)};
+    return {groupInteractionsTable(result),
+            equivalenceTable(result),
+            sensitivityTable(result),
+            unansweredTable(result),
+            betweenTable(result),
+            preferencesBetweenTable(result),
+            confusionTable(result),
+            driftTable(result),
+            observersTable(result),
+            anglesTable(result),
+            targetSpaceTable(result),
+            pooledTable(result),
+            scoresTable(result)};
 }
 
 }  // namespace deixis::results

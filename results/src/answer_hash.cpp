@@ -27,7 +27,7 @@ constexpr const char* response_columns =
 constexpr const char* trial_columns =
     "stage, kind, practice, attempt, page, layout, distance, target_id, target_x_m, target_y_m, target_z_m, "
     "distractors, balls, target_place, check_kind, check_stimulus, check_expected, check_of_trial, "
-    "visibility";
+    "visibility, angles";
 
 // What is the same in each database of a study, whatever the language of its texts.
 constexpr std::array<const char*, 7> study_queries{
@@ -85,12 +85,13 @@ AnswerHasher::AnswerHasher(SQLite::Database& database, Scope scope)
       answers_{Statement(database, select("response, position, question, stimulus, value, text FROM answers",
                                           "response", "response, position", scope))},
       clips_{
-          Statement(database, select("response, position, clip_file, clip_hash, plays FROM response_stimuli",
+          Statement(database, select("response, position, clip_file, clip_hash, plays, author, author_trial "
+                                     "FROM response_stimuli",
                                      "response", "response, position", scope))},
       trial_(database,
              fmt::format("SELECT {} FROM trials WHERE participant = ? AND trial_index = ?", trial_columns)),
       stimuli_(database,
-               "SELECT position, system, item, scored FROM trial_stimuli WHERE participant = ? AND "
+               "SELECT position, system, item, scored, clip FROM trial_stimuli WHERE participant = ? AND "
                "trial_index = ? ORDER BY position"),
       groups_(database, "SELECT factor, level FROM participant_groups WHERE participant = ? ORDER BY factor"),
       study_(studyContent(database)) {

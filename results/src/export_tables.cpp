@@ -99,6 +99,12 @@ ExportTable responsesTable() {
              "max_off_place_m"},
             {{"clip_file", text, "File of the clip"}, "clip_file", Privacy::left_out},
             {{"clip_hash", text, "SHA-256 of the clip's bytes"}, "clip_hash"},
+            {{"clip", whole,
+              "Which of the system's clips for the item, from 0; more than one where several stand "
+              "for it"},
+             "clip"},
+            {{"author", text, "Who made the clip, as its manifest says"}, "author", Privacy::left_out},
+            {{"author_trial", whole, "In which of the author's trials"}, "author_trial"},
             {{"onset_s", number, "First frame of the last clip's last play", "s"}, "onset_s", Privacy::clock},
             {{"motion_end_s", number, "Last frame of that clip: the answer opened", "s"},
              "motion_end_s",
@@ -137,8 +143,10 @@ ExportTable trialsTable() {
             {{"practice", truth, "1: practice, which is not analysed"}, "practice"},
             {{"attempt", whole, "Practice: which attempt, from 0"}, "attempt"},
             {{"page", whole, "Questionnaire: which page, from 0"}, "page"},
-            {{"stimuli", text, "Clips in the order shown, SYSTEM/ITEM parted by ';'"},
-             "(SELECT group_concat(one, ';') FROM (SELECT s.system || '/' || s.item AS one FROM "
+            {{"stimuli", text,
+              "Clips in the order shown, SYSTEM/ITEM parted by ';', with /CLIP where that is not 0"},
+             "(SELECT group_concat(one, ';') FROM (SELECT s.system || '/' || s.item || CASE WHEN s.clip > 0 "
+             "THEN '/' || s.clip ELSE '' END AS one FROM "
              "trial_stimuli AS s WHERE "
              "s.participant = t.participant AND s.trial_index = t.trial_index ORDER BY s.position))"},
             {{"layout", text, "Where the participant stands"}, "layout"},
@@ -159,6 +167,19 @@ ExportTable trialsTable() {
              "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
             {{"least_seen_desktop", number, "The same at the place for a desktop"},
              "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
+            {{"angles", text,
+              "Game: how far each distractor looks from the target, as the avatar's eyes and the "
+              "participant's "
+              "at the layout's places see it, JSON",
+              "degrees"},
+             "angles"},
+            {{"least_angle_avatar_deg", number, "Game: the least of these angles as the avatar's eyes see it",
+              "degrees"},
+             "(SELECT min(s.atom) FROM json_tree(t.angles, '$.avatar') AS s WHERE s.atom IS NOT NULL)"},
+            {{"least_angle_headset_deg", number, "The same from the place for a headset", "degrees"},
+             "(SELECT min(s.atom) FROM json_tree(t.angles, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
+            {{"least_angle_desktop_deg", number, "The same from the place for a desktop", "degrees"},
+             "(SELECT min(s.atom) FROM json_tree(t.angles, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
             {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
             {{"check_stimulus", whole, "Number: the clip with which it is shown"}, "check_stimulus"},
             {{"check_expected", number, "Number: the number to be given"}, "check_expected"},

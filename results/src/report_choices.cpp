@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "observers_html.hpp"
+#include "report_angles.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
 #include "report_tables.hpp"
@@ -110,6 +111,7 @@ std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Number
     std::string out = "<h2>Which balls were chosen, and where</h2>" + confusionTable(result, numbering);
     out += driftTable(result, numbering);
     out += observersTable(result.observers, "choices", numbering);
+    out += anglesHtml(result, figures, numbering);
     if (!result.target_space.empty())
         out += "<div class=\"plots\">" + figureHtml(placesFigure(result, figures)) + "</div>";
     return out + targetTable(result, numbering);

@@ -97,12 +97,18 @@ std::vector<Vec3> positionsOf(const std::string& text) {
     return out;
 }
 
+double leastOf(const json& angles) {
+    const auto all = angles.get<std::vector<double>>();
+    return *std::min_element(all.begin(), all.end());
+}
+
 void readBalls(SQLite::Database& database, ResponseTable& table) {
     Statement rows(
         database,
         fmt::format(
             "SELECT r.participant, s.system, t.target_id, t.balls, t.target_place, r.chosen_place, "
-            "r.head_x_m, r.head_z_m, CASE WHEN e.synthetic THEN 'simulated' ELSE e.station END "
+            "r.head_x_m, r.head_z_m, CASE WHEN e.synthetic THEN 'simulated' ELSE e.station END, t.angles, "
+            "t.layout "
             "FROM responses AS r JOIN sessions AS e ON e.id = r.session JOIN {} AS p ON p.id = r.participant "
             "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
             "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
@@ -110,12 +116,19 @@ void readBalls(SQLite::Database& database, ResponseTable& table) {
             "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
             "ORDER BY r.participant, r.trial_index",
             participantsStanding()));
-    while (rows.executeStep())
-        table.choices.push_back({rows.getColumn(0).getString(), rows.getColumn(1).getString(),
-                                 rows.getColumn(2).getString(), positionsOf(rows.getColumn(3).getString()),
-                                 rows.getColumn(4).getInt(), rows.getColumn(5).getInt(),
-                                 rows.getColumn(6).getDouble(), rows.getColumn(7).getDouble(),
-                                 rows.getColumn(8).getString()});
+    while (rows.executeStep()) {
+        ChoiceRow& choice = table.choices.emplace_back(
+            ChoiceRow{rows.getColumn(0).getString(), rows.getColumn(1).getString(),
+                      rows.getColumn(2).getString(), positionsOf(rows.getColumn(3).getString()),
+                      rows.getColumn(4).getInt(), rows.getColumn(5).getInt(), rows.getColumn(6).getDouble(),
+                      rows.getColumn(7).getDouble(), rows.getColumn(8).getString()});
+        choice.layout = rows.getColumn(10).getString();
+        if (rows.getColumn(9).isNull()) continue;
+        const json angles = json::parse(rows.getColumn(9).getString());
+        choice.avatar_angle_deg = leastOf(angles.at("avatar"));
+        choice.participant_angle_deg =
+            leastOf(angles.at(choice.station == "headset" ? "headset" : "desktop"));
+    }
 }
 
 }  // namespace

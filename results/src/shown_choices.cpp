@@ -18,7 +18,7 @@ ShownChoices readShown(SQLite::Database& database) {
         database,
         fmt::format(
             "SELECT r.participant, s.system, s.item, t.layout, t.balls, t.target_place, r.chosen_place, "
-            "r.head_x_m, r.head_y_m, r.head_z_m, c.clip_file, c.clip_hash, e.avatar_hash "
+            "r.head_x_m, r.head_y_m, r.head_z_m, c.clip_file, c.clip_hash, e.avatar_hash, s.clip "
             "FROM responses AS r JOIN {} AS p ON p.id = r.participant "
             "JOIN sessions AS e ON e.id = r.session "
             "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
@@ -31,7 +31,8 @@ ShownChoices readShown(SQLite::Database& database) {
     while (rows.executeStep()) {
         ShownChoice& one = out.choices.emplace_back();
         one.participant = rows.getColumn(0).getString();
-        one.stimulus = {rows.getColumn(1).getString(), rows.getColumn(2).getString()};
+        one.stimulus = {rows.getColumn(1).getString(), rows.getColumn(2).getString(),
+                        rows.getColumn(13).getInt()};
         one.layout = rows.getColumn(3).getString();
         for (const auto& ball : nlohmann::json::parse(rows.getColumn(4).getString()))
             one.balls.emplace_back(ball.at(0).get<double>(), ball.at(1).get<double>(),

@@ -262,13 +262,14 @@ void Store::Impl::insertPlan(const studies::StudyPlan& plan, const std::string& 
 void Store::Impl::insertTrial(const std::string& participant, const studies::Trial& trial) {
     auto row = query(
         "INSERT INTO trials (participant, trial_index, stage, kind, practice, attempt, page, layout, "
-        "distance, visibility, "
+        "distance, visibility, angles, "
         "target_id, target_x_m, target_y_m, target_z_m, distractors, balls, target_place, check_kind, "
         "check_stimulus, check_expected, check_of_trial) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     row << participant << trial.index << trial.stage << studies::stageKindName(trial.kind) << trial.practice
         << trial.attempt << trial.page;
     row.textOrNull(trial.layout).textOrNull(trial.distance).textOrNull(studies::visibilityJson(trial));
+    row.textOrNull(studies::anglesJson(trial));
     if (trial.stimuli.empty())
         row.null(4);
     else
@@ -298,9 +299,9 @@ void Store::Impl::insertTrial(const std::string& participant, const studies::Tri
     }
     row.run();
     for (std::size_t i = 0; i < trial.stimuli.size(); ++i) {
-        auto stimulus = query("INSERT INTO trial_stimuli VALUES (?, ?, ?, ?, ?, ?)");
+        auto stimulus = query("INSERT INTO trial_stimuli VALUES (?, ?, ?, ?, ?, ?, ?)");
         stimulus << participant << trial.index << i << trial.stimuli[i].system << trial.stimuli[i].item
-                 << trial.scored(static_cast<int>(i));
+                 << trial.scored(static_cast<int>(i)) << trial.stimuli[i].clip;
         stimulus.run();
     }
 }

@@ -61,9 +61,10 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
 
     for (std::size_t i = 0; i < trial.stimuli.size(); ++i) {
         const ClipRecord& clip = clipOf(clips, trial.stimuli[i]);
-        auto stimulus = query("INSERT INTO response_stimuli VALUES (?, ?, ?, ?, ?)");
+        auto stimulus = query("INSERT INTO response_stimuli VALUES (?, ?, ?, ?, ?, ?, ?)");
         stimulus << id << i << clip.file << clip.content_hash
                  << (i < response.plays.size() ? response.plays[i] : 0);
+        stimulus.textOrNull(clip.author) << clip.trial;
         stimulus.run();
     }
     int position = 0;

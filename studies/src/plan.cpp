@@ -138,6 +138,32 @@ void placePages(const Study& study, std::vector<Trial>& trials) {
     }
 }
 
+/// Which clip each stimulus is, where its system has several for the item: one for each participant, whatever
+/// else the plan draws.
+void drawClips(const std::vector<TargetItem>& targets, std::uint64_t seed, std::vector<Trial>& trials) {
+    std::map<std::string, const TargetItem*> several;
+    for (const TargetItem& item : targets)
+        if (!item.clips.empty()) several.emplace(item.id, &item);
+    if (several.empty()) return;
+    for (Trial& trial : trials)
+        for (Stimulus& stimulus : trial.stimuli) {
+            const auto item = several.find(stimulus.item);
+            if (item == several.end()) continue;
+            const auto clips = item->second->clips.find(stimulus.system);
+            if (clips == item->second->clips.end()) continue;
+            Random random(seed, "clip of " + stimulus.system + " for " + stimulus.item);
+            stimulus.clip = static_cast<int>(random.below(static_cast<std::uint64_t>(clips->second)));
+        }
+}
+
+/// How far the distractors of each game trial look from its target.
+void noteAngles(const Study& study, std::vector<Trial>& trials) {
+    for (Trial& trial : trials)
+        if (trial.kind == StageKind::game)
+            trial.angles =
+                ballAngles(study, *study.findLayout(trial.layout), trial.target, trial.distractors);
+}
+
 /// What is seen of the balls of each game trial, past the reference avatar. All systems show an item with the
 /// same balls, so that it is worked out once for each.
 void noteVisibility(const Study& study, std::vector<Trial>& trials) {
@@ -220,7 +246,9 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
         }
     }
     placePages(study, plan.trials);
+    drawClips(targets, seed, plan.trials);
     noteVisibility(study, plan.trials);
+    noteAngles(study, plan.trials);
     return plan;
 }
 

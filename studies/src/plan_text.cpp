@@ -41,10 +41,16 @@ Json seenJson(const std::vector<SeenBalls>& seen) {
     return out;
 }
 
+Json anglesObject(const BallAngles& angles) {
+    return {{"avatar", angles.avatar_deg}, {"headset", angles.headset_deg}, {"desktop", angles.desktop_deg}};
+}
+
 Json trialJson(const Trial& trial) {
     Json stimuli = Json::array();
-    for (const Stimulus& stimulus : trial.stimuli)
-        stimuli.push_back({{"system", stimulus.system}, {"item", stimulus.item}});
+    for (const Stimulus& stimulus : trial.stimuli) {
+        Json& one = stimuli.emplace_back(Json{{"system", stimulus.system}, {"item", stimulus.item}});
+        if (stimulus.clip > 0) one["clip"] = stimulus.clip;
+    }
     Json distractors = Json::array();
     for (const Vec3& distractor : trial.distractors) distractors.push_back(positionJson(distractor));
     Json out = {{"index", trial.index},
@@ -61,6 +67,7 @@ Json trialJson(const Trial& trial) {
                 {"ball_order", trial.ball_order},
                 {"check", trial.check ? checkJson(*trial.check) : Json()}};
     if (!trial.seen.empty()) out["visibility"] = seenJson(trial.seen);
+    if (trial.angles) out["angles"] = anglesObject(*trial.angles);
     return out;
 }
 
@@ -156,8 +163,9 @@ std::vector<Stimulus> readStimuli(const Reader& reader, StageKind kind) {
     const Json& json = reader.list("stimuli");
     std::vector<Stimulus> out;
     for (const Json& entry : json) {
-        const Reader one(entry, reader.name(fmt::format("stimuli[{}]", out.size())), 2);
-        out.push_back({one.text("system"), one.text("item")});
+        const bool several = entry.is_object() && entry.contains("clip");
+        const Reader one(entry, reader.name(fmt::format("stimuli[{}]", out.size())), several ? 3 : 2);
+        out.push_back({one.text("system"), one.text("item"), several ? one.whole("clip", 1, most) : 0});
     }
     constexpr std::size_t most_on_a_page = 6;
     const std::size_t n = out.size();
@@ -216,9 +224,29 @@ std::vector<SeenBalls> readSeen(const Reader& trial, const Trial& read) {
     return out;
 }
 
+std::vector<double> readDegrees(const Reader& reader, const char* key, std::size_t distractors) {
+    const Json& json = reader.list(key);
+    std::vector<double> out;
+    for (const Json& angle : json)
+        if (angle.is_number() && angle.get<double>() >= 0.0 && angle.get<double>() <= 180.0)
+            out.push_back(angle.get<double>());
+    if (out.size() != distractors || json.size() != distractors)
+        reader.bad(key, json, "degrees from 0 to 180 for each distractor");
+    return out;
+}
+
+/// Plans from before they were kept have none.
+BallAngles readAngles(const Reader& trial, std::size_t distractors) {
+    constexpr std::size_t keys = 3;
+    const Reader reader(trial.get("angles"), trial.name("angles"), keys);
+    return {readDegrees(reader, "avatar", distractors), readDegrees(reader, "headset", distractors),
+            readDegrees(reader, "desktop", distractors)};
+}
+
 Trial readTrial(const Json& json, std::size_t index, const std::vector<std::string>& stages) {
     const bool seen = json.is_object() && json.contains("visibility");
-    const std::size_t keys = seen ? 14 : 13;
+    const bool angles = json.is_object() && json.contains("angles");
+    const std::size_t keys = std::size_t{13} + (seen ? 1 : 0) + (angles ? 1 : 0);
     const Reader reader(json, fmt::format("trials[{}]", index), keys);
     Trial trial;
     if (reader.count("index") != index)
@@ -250,6 +278,7 @@ Trial readTrial(const Json& json, std::size_t index, const std::vector<std::stri
     trial.ball_order = readBallOrder(reader, game ? trial.distractors.size() + 1 : 0);
     trial.check = readCheck(reader, trial);
     if (seen) trial.seen = readSeen(reader, trial);
+    if (angles) trial.angles = readAngles(reader, trial.distractors.size());
     return trial;
 }
 
@@ -284,7 +313,10 @@ using Row = std::array<std::string, 8>;
 
 Row tableRow(const Trial& trial) {
     std::vector<std::string> systems;
-    for (const Stimulus& stimulus : trial.stimuli) systems.push_back(stimulus.system);
+    for (const Stimulus& stimulus : trial.stimuli)
+        systems.push_back(stimulus.clip == 0
+                              ? stimulus.system
+                              : fmt::format("{} (clip {})", stimulus.system, stimulus.clip + 1));
     std::string role = "page";
     if (trial.practice)
         role = trial.attempt == 0 ? "practice" : fmt::format("practice, attempt {}", trial.attempt + 1);
@@ -346,6 +378,10 @@ Result<StudyPlan> planFromJson(std::string_view json) {
 
 std::string visibilityJson(const Trial& trial) {
     return trial.seen.empty() ? std::string() : seenJson(trial.seen).dump();
+}
+
+std::string anglesJson(const Trial& trial) {
+    return trial.angles ? anglesObject(*trial.angles).dump() : std::string();
 }
 
 std::string planTable(const StudyPlan& plan) {

@@ -139,7 +139,12 @@ void readDistances(StudyReader& reader) {
                                     fmt::format("found {} m as the least distance, expected no less than "
                                                 "targets.ball_diameter_m ({} m): balls would overlap",
                                                 range.low, ball_m));
-                  return DistanceBand{name, range, table.count("distractors", 1, 8)};
+                  DistanceBand band{name, range, table.count("distractors", 1, 8), {}, {}};
+                  if (table.has("avatar_angle_deg"))
+                      band.avatar_angle_deg = asRange(table.range("avatar_angle_deg", 0.0, 180.0));
+                  if (table.has("participant_angle_deg"))
+                      band.participant_angle_deg = asRange(table.range("participant_angle_deg", 0.0, 180.0));
+                  return band;
               });
 }
 

@@ -90,7 +90,8 @@ constexpr std::string_view study_keys[] = {
 constexpr std::string_view targets_keys[] = {"count",           "height_m",     "arc_deg",
                                              "radius_m",        "fit_manifest", "from_manifest",
                                              "ball_diameter_m", "visibility"};
-constexpr std::string_view distances_keys[] = {"name", "distance_m", "distractors"};
+constexpr std::string_view distances_keys[] = {"name", "distance_m", "distractors", "avatar_angle_deg",
+                                               "participant_angle_deg"};
 constexpr std::string_view layouts_keys[] = {"name", "viewer_m", "heading_deg", "desktop_viewer_m",
                                              "desktop_heading_deg"};
 constexpr std::string_view systems_keys[] = {"name",           "generator", "manifest", "hold_s",

@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "core/random.hpp"
+#include "studies/angles.hpp"
 
 namespace deixis::studies {
 
@@ -79,11 +81,44 @@ std::optional<Error> problemWith(const DistanceBand& band) {
                  ""};
 }
 
+/// What a band asks of the angles between a target and its distractors.
+class AngleLimits {
+  public:
+    AngleLimits(const DistanceBand& band, const std::vector<Viewpoint>& places, const Vec3& target)
+        : target_(target) {
+        if (band.avatar_angle_deg)
+            limits_.emplace_back(StandingAvatar::reference().eyes(), *band.avatar_angle_deg);
+        if (band.participant_angle_deg)
+            for (const Viewpoint& place : places)
+                limits_.emplace_back(place.eyes.at(place.eyes.size() / 2), *band.participant_angle_deg);
+    }
+    [[nodiscard]] bool admit(const Vec3& distractor) const {
+        return std::all_of(limits_.begin(), limits_.end(), [&](const auto& limit) {
+            const double seen_deg = angleSeen_deg(limit.first, target_, distractor);
+            return seen_deg >= limit.second.low && seen_deg <= limit.second.high;
+        });
+    }
+
+  private:
+    Vec3 target_;
+    std::vector<std::pair<Vec3, Range>> limits_;  ///< by eye
+};
+
+std::string describeAngles(const DistanceBand& band) {
+    std::string out;
+    const auto add = [&](const std::optional<Range>& range, std::string_view whose) {
+        if (range) out += fmt::format(", {} to {} degrees as {} sees it", range->low, range->high, whose);
+    };
+    add(band.avatar_angle_deg, "the avatar");
+    add(band.participant_angle_deg, "the participant");
+    return out;
+}
+
 /// Draws until a position fits; empty after a bounded search (about a tenth of a second). With the ranges of
 /// the paper's size about one draw in 30 is near enough, and most of these are seen.
 std::optional<GridPoint> drawDistractor(const TargetSpace& space, const DistanceBand& band,
                                         const GridPoint& target, const std::vector<GridPoint>& others,
-                                        const ClearView* view, Random& random) {
+                                        const AngleLimits& angles, const ClearView* view, Random& random) {
     constexpr int most_draws = 1'000'000;
     constexpr int most_hidden = 3000;
     const std::int64_t diameter = gridUnits(space.ball_diameter_m);
@@ -99,14 +134,14 @@ std::optional<GridPoint> drawDistractor(const TargetSpace& space, const Distance
         const bool free = std::none_of(others.begin(), others.end(), [&](const GridPoint& other) {
             return squaredDistance(point, other) < diameter * diameter;
         });
-        if (!free) continue;
+        if (!free || !angles.admit(metres(point))) continue;
         if (view == nullptr || view->admits(seen_beside, metres(point))) return point;
         ++hidden;
     }
     return std::nullopt;
 }
 
-std::string csvPosition(const Vec3& position) {
+std::string positionText(const Vec3& position) {
     return fmt::format("{:.4f},{:.4f},{:.4f}", position.x, position.y, position.z);
 }
 
@@ -114,24 +149,28 @@ std::string csvPosition(const Vec3& position) {
 /// independent of each other; one that differs from another only in their number has the same ones and more.
 Result<std::vector<Vec3>> bandDistractors(const TargetItem& item, const TargetSpace& space,
                                           const DistanceBand& band, std::uint64_t seed,
-                                          const ClearView* view) {
+                                          const std::vector<Viewpoint>& places, const ClearView* view) {
     Random random(seed, "distractors of " + item.id);
     const GridPoint target{gridUnits(item.target.x), gridUnits(item.target.y), gridUnits(item.target.z)};
+    const AngleLimits angles(band, places, metres(target));
     std::vector<GridPoint> points;
     while (static_cast<int>(points.size()) < band.distractors) {
-        const std::optional<GridPoint> point = drawDistractor(space, band, target, points, view, random);
+        const std::optional<GridPoint> point =
+            drawDistractor(space, band, target, points, angles, view, random);
         if (!point)
             return fail(
                 fmt::format("distances.{}.distance_m", band.name),
                 fmt::format("found no place for distractor {} of target {} ({} m): it must lie "
-                            "within {}, {} to {} m from the target and {} m (a ball's diameter) "
+                            "within {}, {} to {} m from the target{} and {} m (a ball's diameter) "
                             "from the others{}",
-                            points.size() + 1, item.id, csvPosition(item.target), describeRanges(space),
-                            band.distance_m.low, band.distance_m.high, space.ball_diameter_m,
-                            view != nullptr ? ", be seen, and hide none of them" : ""),
-                fmt::format("Widen its distance_m or the ranges of height, arc and radius, or ask for fewer "
-                            "distractors or smaller balls{}",
-                            view != nullptr ? ", or for targets.visibility = \"any\"" : ""));
+                            points.size() + 1, item.id, positionText(item.target), describeRanges(space),
+                            band.distance_m.low, band.distance_m.high, describeAngles(band),
+                            space.ball_diameter_m, view != nullptr ? ", be seen, and hide none of them" : ""),
+                fmt::format(
+                    "Widen its distance_m{} or the ranges of height, arc and radius, or ask for fewer "
+                    "distractors or smaller balls{}",
+                    describeAngles(band).empty() ? "" : ", its angles",
+                    view != nullptr ? ", or for targets.visibility = \"any\"" : ""));
         points.push_back(*point);
     }
     std::vector<Vec3> out;
@@ -165,7 +204,8 @@ std::string listedPlaces(const std::vector<Viewpoint>& from) {
 
 Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
                                               const std::vector<DistanceBand>& bands, std::uint64_t seed,
-                                              const std::vector<Viewpoint>& from) {
+                                              const std::vector<Viewpoint>& from,
+                                              const std::vector<Viewpoint>& places) {
     if (const std::optional<Error> problem = problemWith(space)) return tl::unexpected(*problem);
     if (space.count < 1)
         return fail("targets.count", fmt::format("found {}, expected at least 1", space.count));
@@ -186,12 +226,13 @@ Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
                 "Move the places in [[layouts]], or ask for targets.visibility = \"any\"");
         item.target = *seen;
     }
-    return drawDistractors(std::move(items), space, bands, seed, from);
+    return drawDistractors(std::move(items), space, bands, seed, from, places);
 }
 
 Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items, const TargetSpace& space,
                                                 const std::vector<DistanceBand>& bands, std::uint64_t seed,
-                                                const std::vector<Viewpoint>& from) {
+                                                const std::vector<Viewpoint>& from,
+                                                const std::vector<Viewpoint>& places) {
     for (TargetItem& item : items) item.distractors.clear();
     if (bands.empty()) return items;
     if (const std::optional<Error> problem = problemWith(space)) return tl::unexpected(*problem);
@@ -203,7 +244,7 @@ Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items, c
         const bool asked = !from.empty() && view.seesTarget();
         for (const DistanceBand& band : bands) {
             Result<std::vector<Vec3>> drawn =
-                bandDistractors(item, space, band, seed, asked ? &view : nullptr);
+                bandDistractors(item, space, band, seed, places, asked ? &view : nullptr);
             if (!drawn) return tl::unexpected(drawn.error());
             item.distractors.push_back(std::move(*drawn));
         }
@@ -216,7 +257,28 @@ std::vector<Viewpoint> askedViewpoints(const Study& study) {
 }
 
 Result<std::vector<TargetItem>> sampleTargets(const Study& study) {
-    return sampleTargets(study.targets, study.distances, study.seed, askedViewpoints(study));
+    return sampleTargets(study.targets, study.distances, study.seed, askedViewpoints(study),
+                         viewpoints(study));
+}
+
+Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items, const Study& study) {
+    return drawDistractors(std::move(items), study.targets, study.distances, study.seed,
+                           askedViewpoints(study), viewpoints(study));
+}
+
+Result<std::vector<DrawnAnew>> drawnAnew(const Study& study, const std::vector<TargetItem>& targets) {
+    std::vector<DrawnAnew> out(targets.size(), DrawnAnew::nothing);
+    const std::vector<Viewpoint> places = viewpoints(study);
+    if (!study.targets.clear_view || places.empty()) return out;
+    const auto bare = study.targets.from_manifest.empty()
+                          ? sampleTargets(study.targets, study.distances, study.seed, {}, places)
+                          : drawDistractors(targets, study.targets, study.distances, study.seed, {}, places);
+    if (!bare) return tl::unexpected(bare.error());
+    for (std::size_t i = 0; i < std::min(bare->size(), targets.size()); ++i)
+        out[i] = (*bare)[i].target != targets[i].target             ? DrawnAnew::target
+                 : (*bare)[i].distractors != targets[i].distractors ? DrawnAnew::distractors
+                                                                    : DrawnAnew::nothing;
+    return out;
 }
 
 Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions) {
@@ -235,7 +297,7 @@ Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& p
             return problem(
                 fmt::format("found a target at {} m, expected one off the avatar's axis, within {} "
                             "m of it, and at least {} m high, half a ball's diameter",
-                            csvPosition(position), farthest_m, space.ball_diameter_m / 2),
+                            positionText(position), farthest_m, space.ball_diameter_m / 2),
                 "Positions in a manifest are in metres");
         const auto widen = [&](Range& range, double value) {
             range =
@@ -257,56 +319,6 @@ std::vector<SeenBalls> seenOf(const Study& study, const TargetItem& item, std::s
     std::vector<SeenBalls> out;
     for (const Viewpoint& viewpoint : from) out.push_back(seenFrom(viewpoint, avatar, balls));
     return out;
-}
-
-namespace {
-
-using MoreColumns = std::vector<std::pair<std::string, std::vector<std::string>>>;  // name, a cell by target
-
-std::string csvOf(const std::vector<TargetItem>& targets, const std::vector<DistanceBand>& bands,
-                  const MoreColumns& more) {
-    std::string out = "target_id,x,y,z";
-    for (const DistanceBand& band : bands)
-        for (int i = 1; i <= band.distractors; ++i)
-            out += fmt::format(",{0}d{1}_x,{0}d{1}_y,{0}d{1}_z", bands.size() > 1 ? band.name + "_" : "", i);
-    for (const auto& column : more) out += "," + column.first;
-    out += '\n';
-    for (std::size_t row = 0; row < targets.size(); ++row) {
-        const TargetItem& item = targets[row];
-        out += item.id + "," + (item.placed ? csvPosition(item.target) : ",,");
-        for (std::size_t b = 0; b < bands.size(); ++b)
-            for (int i = 0; i < bands[b].distractors; ++i)
-                out += "," + (item.placed ? csvPosition(item.distractors.at(b).at(i)) : ",,");
-        for (const auto& column : more) out += "," + column.second[row];
-        out += '\n';
-    }
-    return out;
-}
-
-}  // namespace
-
-std::string targetsCsv(const std::vector<TargetItem>& targets, const std::vector<DistanceBand>& bands) {
-    return csvOf(targets, bands, {});
-}
-
-std::string targetsCsv(const Study& study, const std::vector<TargetItem>& targets) {
-    const std::vector<Viewpoint> from = viewpoints(study);
-    MoreColumns more;
-    for (std::size_t band = 0; band < study.distances.size(); ++band) {
-        const std::size_t first = more.size();
-        for (const Viewpoint& viewpoint : from)
-            more.push_back({fmt::format("{}seen_{}_{}",
-                                        study.distances.size() > 1 ? study.distances[band].name + "_" : "",
-                                        viewpoint.layout, standingName(viewpoint.standing)),
-                            {}});
-        for (const TargetItem& item : targets) {
-            const auto seen = item.placed ? seenOf(study, item, band, from, StandingAvatar::reference())
-                                          : std::vector<SeenBalls>(from.size());
-            for (std::size_t i = 0; i < from.size(); ++i)
-                more[first + i].second.push_back(item.placed ? fmt::format("{:.3f}", seen[i].least()) : "");
-        }
-    }
-    return csvOf(targets, study.distances, more);
 }
 
 }  // namespace deixis::studies

@@ -29,9 +29,11 @@ std::string targetsJson(const std::vector<TargetItem>& targets) {
             for (const Vec3& distractor : band) positions.push_back(keptPosition(distractor));
             bands.push_back(std::move(positions));
         }
-        out.push_back({{"id", item.id},
-                       {"target", item.placed ? keptPosition(item.target) : Json(nullptr)},
-                       {"distractors", std::move(bands)}});
+        Json& kept =
+            out.emplace_back(Json{{"id", item.id},
+                                  {"target", item.placed ? keptPosition(item.target) : Json(nullptr)},
+                                  {"distractors", std::move(bands)}});
+        if (!item.clips.empty()) kept["clips"] = item.clips;
     }
     // One item a line.
     std::string text = "[";
@@ -51,6 +53,7 @@ Result<std::vector<TargetItem>> targetsFromJson(std::string_view json) {
                 auto& positions = item.distractors.emplace_back();
                 for (const Json& position : band) positions.push_back(readPosition(position));
             }
+            if (kept.contains("clips")) item.clips = kept.at("clips").get<std::map<std::string, int>>();
             targets.push_back(std::move(item));
         }
         return targets;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "motion/pointing.hpp"
 #include "motion/reference_humanoid.hpp"
 
 namespace deixis::studies {
@@ -73,6 +74,11 @@ const StandingAvatar& StandingAvatar::reference() {
     static const StandingAvatar avatar(motion::referenceHumanoid(),
                                        motion::relaxedPose(motion::referenceHumanoid()));
     return avatar;
+}
+
+Vec3 StandingAvatar::eyes() const {
+    const Vec3 eyes = motion::eyePosition(map_, world_);
+    return {onGrid(eyes.x), onGrid(eyes.y), onGrid(eyes.z)};
 }
 
 std::vector<motion::Capsule> StandingAvatar::pointing(const Vec3& target) const {

@@ -86,7 +86,7 @@ TEST_SUITE("app/bad-input") {
             program("plan " + (scratch / "study.toml") + " --participant P01 --json").out);
         std::string target;
         for (const auto& trial : plan["trials"])
-            if (trial["system"] == "direct" && target.empty()) target = trial["target_id"];
+            if (trial.value("system", "") == "direct" && target.empty()) target = trial["target_id"];
         REQUIRE_FALSE(target.empty());
         const std::string file = "direct_" + target + ".bvh";
         const std::string bvh = slurp(scratch / ("clips/" + file));

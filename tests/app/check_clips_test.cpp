@@ -50,7 +50,9 @@ TEST_SUITE("app/check_clips") {
               place + file + ":4: end: found 99999, which lies outside the clip direct_T003.bvh",
               place + file + ":5: fps: found 12, but the clip direct_T004.bvh has 30",
               place + file + ":6: clip: " + lab.path("clips/direct_T005.bvh") + ":",
-              place + file + ":7: target_id: a second clip of system 'direct' for target T003; line 4 has",
+              place + file +
+                  ":7: clip: the clip direct_T003.bvh of system 'direct' a second time for target T003; line "
+                  "4",
               place + file + ": has no clip of system 'ours' for 1 of 6 targets: T006",
               std::string("has 7 problems")})
             CHECK_MESSAGE(contains(checked.err, line), line);

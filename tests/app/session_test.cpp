@@ -14,7 +14,8 @@ int answerCount(const std::string& database) {
         SQLite::Database db(database, SQLite::OPEN_READONLY, 1000);
         return db
             .execAndGet(
-                "select count(*) from responses join trials using (participant, trial_index) where not "
+                "select count(*) from responses join trials using (participant, trial_index) where kind <> "
+                "'questionnaire' and not "
                 "practice")
             .getInt();
     } catch (const SQLite::Exception&) {
@@ -61,8 +62,9 @@ TEST_SUITE("app/session") {
         INFO(last.err);
         REQUIRE(last.status == 0);
         CHECK(answerCount(database) == 60);
-        CHECK(rows(database, "select count(distinct trial_index) from responses_flat where not practice") ==
-              "60\n");
+        CHECK(rows(database,
+                   "select count(distinct trial_index) from responses_flat where not practice and kind <> "
+                   "'questionnaire'") == "60\n");
         CHECK(rows(database,
                    "select count(*) from responses_flat where not practice and correct is not null and "
                    "chosen_place >= 0") == "40\n");

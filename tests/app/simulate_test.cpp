@@ -11,10 +11,11 @@ using nlohmann::json;
 namespace {
 
 std::string answers(const std::string& database) {
-    return shell("sqlite3 -readonly " + database +
-                 " 'select participant, trial_index, value, chosen_place, correct, round(response_time_s, 6) "
-                 "from "
-                 "responses_flat where not practice order by participant, trial_index'")
+    return shell(
+               "sqlite3 -readonly " + database +
+               " 'select participant, trial_index, value, chosen_place, correct, round(response_time_s, 6) "
+               "from "
+               "responses_flat where not practice and system is not null order by participant, trial_index'")
         .out;
 }
 
@@ -29,7 +30,7 @@ TEST_SUITE("app/simulate") {
             program("simulate pointing2023 --participants 39 --db " + (scratch / "study.sqlite"));
         INFO(run.err);
         REQUIRE(run.status == 0);
-        CHECK(run.out.find("2496 trials and pages answered") != std::string::npos);  // 39 x 64
+        CHECK(run.out.find("2574 trials and pages answered") != std::string::npos);  // 39 x 66
 
         const auto report = program("report " + (scratch / "study.sqlite") + " -o " +
                                     (scratch / "report.html") + " --json " + (scratch / "analysis.json"));

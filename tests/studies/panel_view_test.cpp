@@ -11,11 +11,11 @@ namespace {
 constexpr double half_height = 0.57735026919;  // the tangent of 30 degrees
 constexpr double half_width = half_height * 16.0 / 9.0;
 constexpr double eye_m = 1.65;
-const Pose across{{0.0, 0.0, 3.4}, no_rotation};
+const Pose opposite{{0.0, 0.0, 3.4}, no_rotation};
 
 /// Turned from the participant's eyes up by this angle.
 Pose viewAt(double pitch_rad) {
-    return across *
+    return opposite *
            Pose{{0.0, eye_m, 0.0}, Quat(std::cos(pitch_rad / 2.0), std::sin(pitch_rad / 2.0), 0.0, 0.0)};
 }
 
@@ -70,14 +70,14 @@ TEST_SUITE("studies/panel_view") {
                     content.stimuli.resize(count);
                     content.hint = words("play_all");
                     Panel panel = parallelPanel(content, words);
-                    panel.stage_from_panel = benchPose(panel, across, eye_m);
+                    panel.stage_from_panel = benchPose(panel, opposite, eye_m);
                     CAPTURE(panel.height_m);
                     // The desktop looks between straight ahead, a little down, and the board's middle.
                     const Pose view = viewAt(0.5 * (radiansFromDegrees(-6.0) + pitchOf(middleOf(panel))));
                     for (const Vec3& corner : cornersOf(panel)) CHECK(inView(view, corner));
                     CHECK(inView(view, head + Vec3(0.0, 0.15, 0.0)));
                     Panel sign = signPanel(words("attention_number"), "46");
-                    sign.stage_from_panel = signPose(sign, head, across.position + Vec3(0.0, eye_m, 0.0));
+                    sign.stage_from_panel = signPose(sign, head, opposite.position + Vec3(0.0, eye_m, 0.0));
                     CHECK_MESSAGE(inView(view, middleOf(sign)), "the number cannot be read");
                 }
         }
@@ -91,14 +91,14 @@ TEST_SUITE("studies/panel_view") {
                 CAPTURE(code);
                 Panel page = messagePanel(texts(1, 5), texts(1, 120), texts(1, 10), {{texts(1, 3), 1}}, 0.5,
                                           words("station_desktop_controls"));
-                page.stage_from_panel = messagePose(page, across, eye_m);
+                page.stage_from_panel = messagePose(page, opposite, eye_m);
                 for (const Vec3& corner : cornersOf(page))
                     CHECK(inView(viewAt(pitchOf(middleOf(page))), corner));
                 for (const Scale& scale : scales(texts)) {
                     RatingBoard content{texts(3, 12), scale};
                     content.replay = ButtonSpec{words("show_again"), 1, ButtonRole::play};
                     Panel rating = ratingPanel(content);
-                    rating.stage_from_panel = lecternPose(rating, across, eye_m);
+                    rating.stage_from_panel = lecternPose(rating, opposite, eye_m);
                     for (const Vec3& corner : cornersOf(rating))
                         CHECK(inView(viewAt(pitchOf(middleOf(rating))), corner));
                 }

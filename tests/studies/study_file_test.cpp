@@ -87,6 +87,15 @@ TEST_SUITE("studies/study_file") {
         CHECK(39 * static_cast<std::size_t>(game.design.items) * game.design.systems.size() == 1560);
         CHECK(stageOf(study, "naturalness-practice").design.items == 2);
         CHECK(stageOf(study, "game-practice").design.items == 2);
+        // "age: min = 20, median = 23, max = 39; female: 16, male: 23" (3.1); and a comment.
+        const Stage& about = stageOf(study, "about-you");
+        CHECK(about.about_participant);
+        CHECK(about.questionnaire.find("age") != nullptr);
+        CHECK(about.questionnaire.find("gender") != nullptr);
+        const Stage& comment = stageOf(study, "comment");
+        CHECK_FALSE(comment.about_participant);
+        CHECK(comment.questionnaire.questions.front().kind == QuestionKind::text);
+        CHECK_FALSE(comment.questionnaire.questions.front().required);
         CHECK(study.hash == sha256Hex(readText(shipped_pointing)));
         CHECK(study.file == shipped_pointing);
     }

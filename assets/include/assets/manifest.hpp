@@ -37,7 +37,9 @@ struct ManifestRow {
     /// Where the clip was retargeted: the error of its pointing ray as recorded, and on the avatar; degrees.
     std::optional<double> source_error_deg{};
     std::optional<double> avatar_error_deg{};
-    std::size_t line = 0;  ///< of the file on which the row begins; 0: it comes from no file
+    std::string author{};        ///< who made it, where people do; empty: not known
+    std::optional<int> trial{};  ///< which of the author's trials it came from, from 1
+    std::size_t line = 0;        ///< of the file on which the row begins; 0: it comes from no file
 };
 
 struct Manifest {
@@ -53,8 +55,8 @@ struct Manifest {
 [[nodiscard]] tl::expected<Manifest, std::vector<Error>> checkManifest(const std::filesystem::path& path);
 /// The first problem alone, from text; `name` stands for the file in errors and in the result.
 [[nodiscard]] Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name);
-/// Header and rows, with the columns of the errors where a row has one; every number with as many digits as
-/// bring the same number back.
+/// Header and rows, with those of the optional columns that a row has a value in; every number with as many
+/// digits as bring the same number back.
 [[nodiscard]] std::string manifestCsv(const std::vector<ManifestRow>& rows);
 
 }  // namespace deixis::assets

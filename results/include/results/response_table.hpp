@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -75,6 +76,11 @@ struct ChoiceRow {
     double head_x_m = 0.0;      ///< where the participant stood at the answer
     double head_z_m = 0.0;
     std::string station{};  ///< at which kind, as of the rows
+    /// The least angle from the target to a distractor, as the avatar's eyes see it and as the participant's
+    /// do from the layout's place for the station; degrees, none where they were not kept.
+    std::optional<double> avatar_angle_deg{};
+    std::optional<double> participant_angle_deg{};
+    std::string layout{};
 };
 
 /// The sessions of one kind of station.

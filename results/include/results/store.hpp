@@ -26,7 +26,9 @@ namespace deixis::results {
 /// What a stimulus was: kept with each response.
 struct ClipRecord {
     std::string file;
-    std::string content_hash;  ///< SHA-256 of the file's bytes
+    std::string content_hash;    ///< SHA-256 of the file's bytes
+    std::string author{};        ///< who made it, as the manifest says; empty: not known
+    std::optional<int> trial{};  ///< which of the author's trials it came from
 };
 
 /// Error: no database may be made under this name, since what is left of another one with it lies there,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "studies/angles.hpp"
 #include "studies/study.hpp"
 #include "studies/targets.hpp"
 
@@ -22,6 +23,7 @@ inline constexpr int planner_version = 1;
 struct Stimulus {
     std::string system;
     std::string item;  ///< TargetItem::id
+    int clip = 0;      ///< which of them, in the order of the manifest, where the system has several
     friend bool operator==(const Stimulus&, const Stimulus&) = default;
     friend auto operator<=>(const Stimulus&, const Stimulus&) = default;
 };
@@ -56,6 +58,8 @@ struct Trial {
     /// What is seen of each ball, in the order in which they are shown, from the layout's places. Game only;
     /// empty in plans from before it was kept.
     std::vector<SeenBalls> seen{};
+    /// How far the distractors look from the target. Game only; none in plans from before it was kept.
+    std::optional<BallAngles> angles{};
     std::optional<TrialCheck> check{};
 
     /// Position of the ball shown at `place`.
@@ -116,6 +120,8 @@ struct Turn {
 ///   not divide, chance gives the odd ones out, anew for each participant.
 /// - Order: blocks as TrialDesign says, shuffled within, under its constraints. Stimuli of a page and of a
 ///   pair are shuffled for each trial, left and right evenly over a pair's trials.
+/// - Where a system has several clips for an item, chance draws one of them, the same for all of the
+///   participant's trials (Yoon et al. 2021, 7.2.1).
 ///
 /// Depends on the study's seed and design, the targets, the numbers and the groups alone, and not on the
 /// texts. Fails where the id is not valid, a group is missing or unknown, there are too few targets, or the
@@ -136,6 +142,10 @@ struct Turn {
 /// Trial::seen as JSON: {"headset": {"at_rest": [...], "pointing": [...]}, "desktop": {...}}, shares of each
 /// ball's disc in the order in which the balls are shown; empty where it was not kept.
 [[nodiscard]] std::string visibilityJson(const Trial& trial);
+
+/// Trial::angles as JSON: {"avatar": [...], "headset": [...], "desktop": [...]}, degrees, in the order of the
+/// distractors; empty where they were not kept.
+[[nodiscard]] std::string anglesJson(const Trial& trial);
 
 /// The same for people: a table, one line a trial.
 [[nodiscard]] std::string planTable(const StudyPlan& plan);

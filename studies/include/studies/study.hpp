@@ -45,6 +45,10 @@ struct DistanceBand {
     std::string name;
     Range distance_m{};  ///< centre to centre, from the target
     int distractors = 2;
+    /// How far from the target each distractor must look, in degrees: as the avatar's eyes see it, and as the
+    /// participant's do from every place of a game's layouts (ballAngles()). None: the distance alone says.
+    std::optional<Range> avatar_angle_deg{};
+    std::optional<Range> participant_angle_deg{};
 };
 
 /// Where the items of a study come from: targets drawn from the half-cylinder before the avatar (Deichler et

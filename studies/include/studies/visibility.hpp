@@ -37,6 +37,7 @@ class StandingAvatar {
     [[nodiscard]] static const StandingAvatar& reference();
 
     [[nodiscard]] const std::vector<motion::Capsule>& atRest() const { return at_rest_; }
+    [[nodiscard]] Vec3 eyes() const;  ///< midpoint between them at rest; metres, rounded to 0.1 mm
     [[nodiscard]] std::vector<motion::Capsule> pointing(const Vec3& target) const;
 
   private:

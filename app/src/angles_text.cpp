@@ -1,0 +1,57 @@
+#include "angles_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "studies/angles.hpp"
+#include "studies/visibility.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+constexpr double near_deg = 3.0;  // about what people's own pointing misses by
+
+std::string line(const std::string& who, std::vector<double> least_deg) {
+    std::sort(least_deg.begin(), least_deg.end());
+    const auto near = std::count_if(least_deg.begin(), least_deg.end(),
+                                    [](double angle_deg) { return angle_deg < near_deg; });
+    return fmt::format("  {}: {:.1f}, median {:.1f}; under {:g} in {} of {}\n", who, least_deg.front(),
+                       least_deg[least_deg.size() / 2], near_deg, near, least_deg.size());
+}
+
+}  // namespace
+
+std::string anglesText(const StudySetup& setup) {
+    const studies::Study& study = setup.study;
+    const std::vector<studies::Viewpoint> places = studies::viewpoints(study);
+    std::vector<double> by_avatar;
+    std::vector<std::vector<double>> by_place(places.size());
+    const auto least = [](const std::vector<double>& angles_deg) {
+        return *std::min_element(angles_deg.begin(), angles_deg.end());
+    };
+    for (const auto& item : setup.targets) {
+        if (!item.placed || places.empty()) continue;
+        for (const auto& distractors : item.distractors)
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const auto angles =
+                    ballAngles(study, *study.findLayout(places[i].layout), item.target, distractors);
+                const bool headset = places[i].standing == studies::Standing::headset;
+                by_place[i].push_back(least(headset ? angles.headset_deg : angles.desktop_deg));
+                if (i == 0) by_avatar.push_back(least(angles.avatar_deg));
+            }
+    }
+    if (by_avatar.empty()) return {};
+    std::string out =
+        "angles: how near the nearest distractor looks to the target, in degrees; the least of all sets of "
+        "balls\n" +
+        line("as the avatar's eyes see it", by_avatar);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        out += line(fmt::format("{}, {}", places[i].layout, studies::standingName(places[i].standing)),
+                    by_place[i]);
+    return out;
+}
+
+}  // namespace deixis::app
