@@ -152,7 +152,7 @@ PlainTable confusionTable(const AnalysisResult& result) {
 
 PlainTable anglesTable(const AnalysisResult& result) {
     PlainTable out{"angles",
-                   "Right choices by the angle from the target to the distractor that looks nearest",
+                   "Correct choices by the angle from the target to the distractor that looks nearest",
                    {{"eyes", text, Print::plain},
                     {"system", text, Print::plain},
                     {"from_deg", number, Print::plain, "from (deg)"},

@@ -39,7 +39,7 @@ FigureJson specOf(const AnalysisResult& result, const Rows& rows, const std::str
                           {"system", row.system},
                           {"share", static_cast<double>(row.right) / row.choices},
                           {"n", row.choices},
-                          {"tip", fmt::format("{}, {} degrees: {} of {} right", row.system, band, row.right,
+                          {"tip", fmt::format("{}, {} degrees: {} of {} correct", row.system, band, row.right,
                                               row.choices)}});
     }
     FigureJson colours = FigureJson::array();
@@ -50,7 +50,7 @@ FigureJson specOf(const AnalysisResult& result, const Rows& rows, const std::str
                  {"axis", {{"title", "degrees to the nearest distractor"}, {"labelAngle", 0}}}};
     FigureJson y = quantity("share");
     y["scale"] = {{"domain", {0.0, 1.0}}};
-    y["axis"] = {{"title", "right choices"}, {"format", ".0%"}, {"tickCount", 5}};
+    y["axis"] = {{"title", "correct choices"}, {"format", ".0%"}, {"tickCount", 5}};
     FigureJson colour{{"field", "system"},
                       {"type", "nominal"},
                       {"scale", {{"domain", systems}, {"range", std::move(colours)}}},
@@ -75,7 +75,8 @@ std::string tableOf(const AnalysisResult& result, const Rows& rows, Numbering& t
     std::string columns = "<th>Angle</th><th class=\"text\">degrees</th>";
     for (const std::string& system : systems) columns += fmt::format("<th>{}</th>", escapeHtml(system));
     std::string out = openTable(
-        "Right choices by the angle from the target to the distractor that looks nearest to it: how many, of "
+        "Correct choices by the angle from the target to the distractor that looks nearest to it: how many, "
+        "of "
         "how "
         "many choices. The participant&#8217;s eyes stand where the layout puts them, at the study&#8217;s "
         "eye "
@@ -110,10 +111,10 @@ std::string anglesHtml(const AnalysisResult& result, Numbering& figures, Numberi
     for (const std::string& eyes : eyesOf(rows))
         out += figureHtml(
             {fmt::format("angles-{}", ++number),
-             fmt::format("{} Right choices by how near the nearest distractor looks to the target, "
+             fmt::format("{} Correct choices by how near the nearest distractor looks to the target, "
                          "{}; larger points stand for more choices.",
                          figures.next(), whoLooks(eyes)),
-             fmt::format("Share of right choices by the angle from the target to its nearest "
+             fmt::format("Share of correct choices by the angle from the target to its nearest "
                          "distractor ({}), a line for each system; the numbers stand in a table of "
                          "this page.",
                          eyes),

@@ -97,7 +97,7 @@ TEST_SUITE("app/several_clips") {
         for (const auto& band : analysis["accuracy_by_angle"])
             if (band["eyes"] == "avatar" && band["system"] == "all") choices += band["choices"].get<int>();
         CHECK(choices == 9 * 6);
-        CHECK(contains(lab.read("r.html"), "Right choices by how near the nearest distractor looks"));
+        CHECK(contains(lab.read("r.html"), "Correct choices by how near the nearest distractor looks"));
         CHECK(program("replay " + lab.path("study.sqlite") + " --participant S003 --choices").status == 0);
     }
 }
