@@ -123,6 +123,10 @@ void watchAgain(const std::vector<std::string>& data, const std::string& stimuli
         else
             missing += (missing.empty() ? "" : "; ") + choices.error().text();
     }
+    std::erase_if(table.watched, [&](const results::WatchedChoice& one) {
+        return std::any_of(table.left_out.begin(), table.left_out.end(),
+                           [&](const results::LeftOut& left) { return left.participant == one.participant; });
+    });
     if (missing.empty()) return;
     // Of some databases alone they would not be the choices that the other tables count.
     table.watched.clear();

@@ -164,12 +164,14 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     // What needs no test is worked out beside the tests.
     auto hash = std::async(std::launch::async, [&] { return answersHash(result.table); });
     auto systems = std::async(std::launch::async, [&] { return summariseSystems(cells, result); });
+    auto quality = std::async(std::launch::async, [&] { return dataQuality(result.table); });
     auto descriptions = std::async(std::launch::async, [&] { describeAnswers(result); });
     testAnswers(rows, cells, result);
     countParticipants(result);
     remarkAnswers(result);
     result.systems = systems.get();
     result.answers_hash = hash.get();
+    result.quality = quality.get();
     descriptions.get();
 
     if (!result.preferences.empty())

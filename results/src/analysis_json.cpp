@@ -4,6 +4,7 @@
 #include "bradley_terry_outputs.hpp"
 #include "json_values.hpp"
 #include "observers_tables.hpp"
+#include "quality_outputs.hpp"
 #include "results/accuracy_by_angle.hpp"
 #include "results/analysis.hpp"
 #include "results/descriptive.hpp"
@@ -415,6 +416,7 @@ std::string analysisJson(const AnalysisResult& result) {
     addPooled(out, result);
     out["scores"] = scoresJson(result, false);
     out["scores_by_group"] = scoresJson(result, true);
+    out["quality"] = qualityJson(result);
     out["checks"] = Json::array();
     for (const auto& check : table.checks)
         out["checks"].push_back({{"stage", check.stage},

@@ -9,6 +9,7 @@
 #include "answers_csv.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "plain_table.hpp"
+#include "quality_outputs.hpp"
 
 namespace deixis::results {
 
@@ -285,8 +286,8 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
     for (PlainTable table : furtherTables(result)) tables.push_back(std::move(table));
     const bool csv = format == TableFormat::csv;
     if (csv)
-        for (PlainTable table :
-             {itemsTable(result), leftOutTable(result), participantsTable(result), settingsTable(result)})
+        for (PlainTable table : {itemsTable(result), leftOutTable(result), participantsTable(result),
+                                 qualityTable(result), settingsTable(result)})
             tables.push_back(std::move(table));
     std::vector<std::pair<std::string, std::string>> out;
     for (const PlainTable& table : tables)

@@ -1,6 +1,7 @@
 #include "analysis_tables_further.hpp"
 
 #include "analysis_table_parts.hpp"
+#include "quality_outputs.hpp"
 #include "results/accuracy_by_angle.hpp"
 
 namespace deixis::results {
@@ -271,7 +272,8 @@ std::vector<PlainTable> furtherTables(const AnalysisResult& result) {
             anglesTable(result),
             targetSpaceTable(result),
             pooledTable(result),
-            scoresTable(result)};
+            scoresTable(result),
+            reliabilityTable(result)};
 }
 
 }  // namespace deixis::results

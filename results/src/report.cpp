@@ -6,6 +6,7 @@
 
 #include "bradley_terry_outputs.hpp"
 #include "page.hpp"
+#include "quality_outputs.hpp"
 #include "report_computed.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
@@ -252,6 +253,7 @@ std::string renderReport(const AnalysisResult& result) {
     out += "\n" + choicesHtml(result, figures, numbering);
     out += "\n" + detailsHtml(result, numbering);
     out += "\n" + scoresHtml(result, numbering);
+    out += "\n" + qualityHtml(result, numbering);
     out += "\n" + checksAndLeftOut(result, numbering);
     out += "\n" + presenceHtml(result, numbering);
     out += remarksHtml(result.remarks);

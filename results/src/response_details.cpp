@@ -75,12 +75,12 @@ void readMarks(SQLite::Database& database, ResponseTable& table) {
                 row.marked = found->second;
 }
 
-void readParticipants(SQLite::Database& database, ResponseTable& table) {
+void readParticipants(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement failed(database,
                      fmt::format("SELECT DISTINCT r.participant FROM responses AS r JOIN {} AS p ON p.id = "
                                  "r.participant WHERE r.superseded IS NULL AND r.check_passed = 0 AND "
                                  "p.status = 'active'",
-                                 participantsStanding()));
+                                 people));
     while (failed.executeStep()) table.failed_checks.insert(failed.getColumn(0).getString());
     std::set<std::string> declined;
     // Who declined and agreed later has agreed.
@@ -102,7 +102,7 @@ double leastOf(const json& angles) {
     return *std::min_element(all.begin(), all.end());
 }
 
-void readBalls(SQLite::Database& database, ResponseTable& table) {
+void readBalls(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement rows(
         database,
         fmt::format(
@@ -115,7 +115,7 @@ void readBalls(SQLite::Database& database, ResponseTable& table) {
             "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
             "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
             "ORDER BY r.participant, r.trial_index",
-            participantsStanding()));
+            people));
     while (rows.executeStep()) {
         ChoiceRow& choice = table.choices.emplace_back(
             ChoiceRow{rows.getColumn(0).getString(), rows.getColumn(1).getString(),
@@ -133,12 +133,12 @@ void readBalls(SQLite::Database& database, ResponseTable& table) {
 
 }  // namespace
 
-void readResponseDetails(SQLite::Database& database, ResponseTable& table) {
+void readResponseDetails(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     readGroups(database, table);
     readSystemFactors(database, table);
     readMarks(database, table);
-    readParticipants(database, table);
-    readBalls(database, table);
+    readParticipants(database, people, table);
+    readBalls(database, people, table);
 }
 
 }  // namespace deixis::results

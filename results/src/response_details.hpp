@@ -8,7 +8,7 @@
 namespace deixis::results {
 
 /// Fills in groups, further factors, marks, failed checks and the choices with their balls; takes out of
-/// left_out_rows who refused consent. Needs the rows.
-void readResponseDetails(SQLite::Database& database, ResponseTable& table);
+/// left_out_rows who refused consent. Needs the rows. `people`: SQL in place of the table `participants`.
+void readResponseDetails(SQLite::Database& database, const std::string& people, ResponseTable& table);
 
 }  // namespace deixis::results

@@ -13,6 +13,7 @@
 #include "questionnaire_scores.hpp"
 #include "response_details.hpp"
 #include "response_reading.hpp"
+#include "results/data_quality.hpp"
 #include "standing.hpp"
 
 namespace deixis::results {
@@ -29,7 +30,14 @@ std::vector<std::string> textColumn(SQLite::Database& database, const std::strin
     return out;
 }
 
-void readStudy(SQLite::Database& database, ResponseTable& table) {
+studies::LeaveOutRule leaveOutFrom(const nlohmann::json& declared) {
+    const auto share = [&](const char* key) {
+        return declared.contains(key) ? std::optional(declared.at(key).get<double>()) : std::nullopt;
+    };
+    return {share("same_rating_share"), share("one_side_share"), share("median_time_below_s")};
+}
+
+void readStudy(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement study(database, "SELECT name, title, hash, alpha, analysis FROM study");
     study.executeStep();
     table.study_name = study.getColumn(0).getString();
@@ -40,6 +48,7 @@ void readStudy(SQLite::Database& database, ResponseTable& table) {
         const auto analysis = nlohmann::json::parse(study.getColumn(4).getString());
         table.stations_together = analysis.at("stations").get<std::string>() == "together";
         table.equivalence = analysis.at("equivalence").get<std::map<std::string, double>>();
+        table.leave_out = leaveOutFrom(analysis.value("leave_out", nlohmann::json::object()));
     }
     table.systems =
         textColumn(database,
@@ -54,23 +63,20 @@ void readStudy(SQLite::Database& database, ResponseTable& table) {
                    "SELECT name FROM distances WHERE name IN (SELECT distance FROM trials WHERE NOT "
                    "practice AND check_kind IS NOT 'catch') ORDER BY position");
     table.planned_participants =
-        database
-            .execAndGet(
-                fmt::format("SELECT count(*) FROM {} WHERE status = 'active'", participantsStanding()))
-            .getInt();
+        database.execAndGet(fmt::format("SELECT count(*) FROM {} WHERE status = 'active'", people)).getInt();
     table.withdrawn = database.execAndGet("SELECT count(*) FROM withdrawals").getInt();
 }
 
 // How many values of the scored trials of a stage were planned, of participants who count.
-int planned(SQLite::Database& database, const std::string& stage, const std::string& measure,
-            ResponseTable& table) {
+int planned(SQLite::Database& database, const std::string& people, const std::string& stage,
+            const std::string& measure, ResponseTable& table) {
     Statement counts(
         database,
         fmt::format(
             "SELECT t.participant, count(*) FROM trial_stimuli AS s JOIN trials AS t USING (participant, "
             "trial_index) JOIN {} AS p ON p.id = t.participant WHERE s.scored AND p.status = 'active' AND "
             "t.stage = ? AND (t.kind <> 'pairwise' OR s.position = 0) GROUP BY t.participant",
-            participantsStanding()));
+            people));
     counts.bind(1, stage);
     int all = 0;
     while (counts.executeStep()) {
@@ -116,7 +122,7 @@ std::set<std::string> nameByScale(std::vector<StageScale>& scales) {
     return renamed;
 }
 
-MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
+MeasureOfStage readMeasures(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement games(
         database,
         "SELECT s.name, max(json_array_length(balls)), min(json_array_length(balls)) FROM stages AS s JOIN "
@@ -124,7 +130,7 @@ MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
         "t.check_kind IS NOT 'catch' GROUP BY s.name ORDER BY s.position");
     while (games.executeStep())
         addMeasure(table, {"accuracy", MeasureKind::accuracy, 0.0, 1.0, games.getColumn(1).getInt(),
-                           planned(database, games.getColumn(0).getString(), "accuracy", table),
+                           planned(database, people, games.getColumn(0).getString(), "accuracy", table),
                            games.getColumn(2).getInt()});
     Statement stages(
         database,
@@ -137,7 +143,7 @@ MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
         const std::string kind = stages.getColumn(1).getString();
         if (kind == "pairwise")
             addMeasure(table, {"preference", MeasureKind::preference, -2.0, 2.0, 0,
-                               planned(database, name, "preference", table)});
+                               planned(database, people, name, "preference", table)});
         else if (kind == "rating" || kind == "parallel-rating")
             scales.push_back({name, stages.getColumn(2).getString(), stages.getColumn(3).getDouble(),
                               stages.getColumn(4).getDouble()});
@@ -153,7 +159,7 @@ MeasureOfStage readMeasures(SQLite::Database& database, ResponseTable& table) {
             name));
     for (const StageScale& one : scales) {
         addMeasure(table, {one.measure, MeasureKind::rating, one.low, one.high, 0,
-                           planned(database, one.stage, one.measure, table)});
+                           planned(database, people, one.stage, one.measure, table)});
         measures[one.stage] = one.measure;
     }
     return measures;
@@ -172,10 +178,10 @@ void readSessions(SQLite::Database& database, ResponseTable& table) {
     table.avatar_hashes = textColumn(database, "SELECT DISTINCT avatar_hash FROM sessions ORDER BY 1");
 }
 
-void readLeftOut(SQLite::Database& database, ResponseTable& table) {
-    Statement left(database,
-                   fmt::format("SELECT id, status, reason FROM {} WHERE status <> 'active' ORDER BY id",
-                               participantsStanding()));
+void readLeftOut(SQLite::Database& database, const std::string& people, ResponseTable& table) {
+    Statement left(
+        database,
+        fmt::format("SELECT id, status, reason FROM {} WHERE status <> 'active' ORDER BY id", people));
     while (left.executeStep())
         table.left_out.push_back({left.getColumn(0).getString(), left.getColumn(1).getString() == "dropped",
                                   left.getColumn(2).getString()});
@@ -195,12 +201,12 @@ constexpr const char* row_columns =
     "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses, "
     "r.trial_index, p.status, p.reason, e.station";
 constexpr int next_column = 12;
-std::string rowTables() {
+std::string rowTables(const std::string& people) {
     return fmt::format(
         "FROM responses AS r JOIN {} AS p ON p.id = r.participant "
         "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
         "JOIN sessions AS e ON e.id = r.session ",
-        participantsStanding());
+        people);
 }
 constexpr const char* row_counts = "r.superseded IS NULL AND s.scored ";
 
@@ -230,7 +236,8 @@ void keepRow(ResponseTable& table, ResponseRow row) {
     rows.push_back(std::move(row));
 }
 
-void readRatings(SQLite::Database& database, const MeasureOfStage& measures, ResponseTable& table) {
+void readRatings(SQLite::Database& database, const std::string& people, const MeasureOfStage& measures,
+                 ResponseTable& table) {
     Statement rows(database,
                    fmt::format("SELECT {}, a.value, t.stage {}"
                                "JOIN answers AS a ON a.response = r.id "
@@ -238,7 +245,7 @@ void readRatings(SQLite::Database& database, const MeasureOfStage& measures, Res
                                "r.trial_index AND s.position = coalesce(a.stimulus, 0) "
                                "WHERE {} AND a.question IN ('rating', 'confidence') AND a.value IS NOT NULL "
                                "ORDER BY r.participant, r.trial_index, s.position, a.position",
-                               row_columns, rowTables(), row_counts));
+                               row_columns, rowTables(people), row_counts));
     while (rows.executeStep()) {
         const auto measure = measures.find(rows.getColumn(next_column + 1).getString());
         if (measure == measures.end()) continue;
@@ -248,14 +255,14 @@ void readRatings(SQLite::Database& database, const MeasureOfStage& measures, Res
     }
 }
 
-void readChoices(SQLite::Database& database, ResponseTable& table) {
+void readChoices(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement rows(
         database,
         fmt::format("SELECT {}, r.correct, json_array_length(t.balls), r.chosen_place IS NULL, r.status "
                     "{}JOIN trial_stimuli AS s ON s.participant = r.participant AND "
                     "s.trial_index = r.trial_index AND s.position = 0 WHERE {} AND t.kind = "
                     "'referential-game' ORDER BY r.participant, r.trial_index",
-                    row_columns, rowTables(), row_counts));
+                    row_columns, rowTables(people), row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "accuracy");
         row.value = rows.getColumn(next_column).getInt();
@@ -269,7 +276,7 @@ void readChoices(SQLite::Database& database, ResponseTable& table) {
     }
 }
 
-void readPreferences(SQLite::Database& database, ResponseTable& table) {
+void readPreferences(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement rows(
         database,
         fmt::format(
@@ -278,7 +285,7 @@ void readPreferences(SQLite::Database& database, ResponseTable& table) {
             "r.trial_index AND s.position = 0 JOIN trial_stimuli AS o ON o.participant = r.participant "
             "AND o.trial_index = r.trial_index AND o.position = 1 WHERE {} "
             "ORDER BY r.participant, r.trial_index",
-            row_columns, rowTables(), row_counts));
+            row_columns, rowTables(people), row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "preference");
         row.value = rows.getColumn(next_column).getDouble();
@@ -287,31 +294,41 @@ void readPreferences(SQLite::Database& database, ResponseTable& table) {
     }
 }
 
+/// `people`: SQL in place of the table `participants`.
+ResponseTable readTable(SQLite::Database& database, const fs::path& path, const std::string& people) {
+    ResponseTable table;
+    table.database = path.filename().string();
+    readStudy(database, people, table);
+    table.notes = changeNotes(database);
+    const MeasureOfStage measures = readMeasures(database, people, table);
+    readSessions(database, table);
+    readLeftOut(database, people, table);
+    readChoices(database, people, table);
+    readRatings(database, people, measures, table);
+    readPreferences(database, people, table);
+    readResponseDetails(database, people, table);
+    const auto active =
+        textColumn(database, fmt::format("SELECT id FROM {} WHERE status = 'active' ORDER BY id", people));
+    for (QuestionnaireScore& score : readQuestionnaireScores(database))
+        if (score.value && std::binary_search(active.begin(), active.end(), score.participant))
+            table.scores.push_back({score.participant, score.stage, score.score, *score.value});
+    return table;
+}
+
 }  // namespace
 
 Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& path) {
     if (database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
         return fail(path.string(), "the database holds no study yet", "Run a session with it first");
-    ResponseTable table;
-    table.database = path.filename().string();
-    readStudy(database, table);
-    table.notes = changeNotes(database);
-    const MeasureOfStage measures = readMeasures(database, table);
-    readSessions(database, table);
-    readLeftOut(database, table);
-    readChoices(database, table);
-    readRatings(database, measures, table);
-    readPreferences(database, table);
-    readResponseDetails(database, table);
-    const auto active = textColumn(
-        database,
-        fmt::format("SELECT id FROM {} WHERE status = 'active' ORDER BY id", participantsStanding()));
-    for (QuestionnaireScore& score : readQuestionnaireScores(database))
-        if (score.value && std::binary_search(active.begin(), active.end(), score.participant))
-            table.scores.push_back({score.participant, score.stage, score.score, *score.value});
+    ResponseTable table = readTable(database, path, participantsStanding());
+    const auto by_rule = leftOutByRule(table);
+    if (!by_rule.empty()) table = readTable(database, path, participantsStanding(by_rule));
     if (table.rows.empty() && table.scores.empty() && !table.left_out_rows.empty())
         return fail(path.string(), "everybody who answered is excluded or dropped out",
-                    "deixis participants include counts them again, without consent only once it is given");
+                    by_rule.empty() ? "deixis participants include counts them again, without consent only "
+                                      "once it is given"
+                                    : "The study's rule [analysis.leave_out] leaves out " +
+                                          std::to_string(by_rule.size()) + " of them");
     if (table.rows.empty() && table.scores.empty())
         return fail(path.string(),
                     fmt::format("the database holds no answers yet ({} participants planned)",

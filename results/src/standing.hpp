@@ -1,6 +1,7 @@
 // Who counts.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,8 @@ namespace deixis::results {
 /// SQL in place of the table `participants`, for whatever asks who counts: without consent nobody is active,
 /// whatever the table says.
 [[nodiscard]] std::string participantsStanding();
+
+/// Likewise, where of those who are active these, by id, are excluded for the reason given.
+[[nodiscard]] std::string participantsStanding(const std::map<std::string, std::string>& excluded);
 
 }  // namespace deixis::results

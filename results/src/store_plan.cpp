@@ -66,6 +66,17 @@ std::vector<studies::Question> questionsOf(const studies::Stage& stage, const st
     return out;
 }
 
+Json leaveOutJson(const studies::LeaveOutRule& rule) {
+    Json out = Json::object();
+    const auto add = [&out](const char* key, const std::optional<double>& value) {
+        if (value) out[key] = *value;
+    };
+    add("same_rating_share", rule.same_rating_share);
+    add("one_side_share", rule.one_side_share);
+    add("median_time_below_s", rule.median_time_below_s);
+    return out;
+}
+
 }  // namespace
 
 std::optional<studies::StudyPlan> Store::Impl::plan(const std::string& participant) {
@@ -169,7 +180,8 @@ void Store::Impl::insertStudy(const studies::Study& study, const std::string& lo
     row.textOrNull(study.source) << study.alpha << study.targets.ball_diameter_m;
     row.textOrNull(locked_hash);
     row << Json{{"stations", study.stations_together ? "together" : "apart"},
-                {"equivalence", Json(study.equivalence)}}
+                {"equivalence", Json(study.equivalence)},
+                {"leave_out", leaveOutJson(study.leave_out)}}
                .dump();
     row.run();
     int position = 0;

@@ -226,6 +226,17 @@ void readRanges(TomlTable& table, StudyReader& reader) {
                                   space.height_m.low, space.ball_diameter_m / 2));
 }
 
+void readLeaveOut(TomlTable& analysis, LeaveOutRule& rule) {
+    const toml::table* section = analysis.section("leave_out", false);
+    TomlTable table = analysis.below("leave_out", section, keys::leave_out);
+    const auto read = [&table](std::string_view key, double low, double high, std::optional<double>& value) {
+        if (table.has(key)) value = table.number(key, low, high);
+    };
+    read("same_rating_share", 0.5, 1.0, rule.same_rating_share);
+    read("one_side_share", 0.5, 1.0, rule.one_side_share);
+    read("median_time_below_s", 0.001, 60.0, rule.median_time_below_s);
+}
+
 }  // namespace
 
 void readTargets(StudyReader& reader) {
@@ -283,6 +294,7 @@ void readAnalysis(StudyReader& reader) {
         if (bounds.has(measure.name) && measure.kind != AskedKind::preference)
             reader.study.equivalence[measure.name] =
                 bounds.number(measure.name, 1e-6, static_cast<double>(measure.high - measure.low));
+    readLeaveOut(table, reader.study.leave_out);
 }
 
 }  // namespace deixis::studies

@@ -107,7 +107,8 @@ constexpr std::string_view questions_keys[] = {"id",  "kind", "text",  "scale", 
 constexpr std::string_view options_keys[] = {"id", "text"};
 constexpr std::string_view headset_keys[] = {"eye_level", "assumed_eye_height_m", "place_tolerance_m",
                                              "record_gaze", "record_hands"};
-constexpr std::string_view analysis_keys[] = {"alpha", "stations", "equivalence"};
+constexpr std::string_view analysis_keys[] = {"alpha", "stations", "equivalence", "leave_out"};
+constexpr std::string_view leave_out_keys[] = {"same_rating_share", "one_side_share", "median_time_below_s"};
 constexpr std::string_view questionnaire_keys[] = {"name",     "title", "text",      "reference", "languages",
                                                    "per_page", "scale", "questions", "scores",    "texts"};
 constexpr std::string_view scores_keys[] = {"name", "items", "reversed", "mean", "factor", "offset"};
@@ -131,6 +132,7 @@ constinit const Keys questions = questions_keys;
 constinit const Keys options = options_keys;
 constinit const Keys headset = headset_keys;
 constinit const Keys analysis = analysis_keys;
+constinit const Keys leave_out = leave_out_keys;
 constinit const Keys questionnaire = questionnaire_keys;
 constinit const Keys scores = scores_keys;
 }  // namespace keys

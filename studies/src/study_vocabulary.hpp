@@ -13,7 +13,7 @@ using Keys = std::span<const std::string_view>;
 
 namespace keys {
 extern const Keys root, study, targets, distances, layouts, systems, between, stages, checks, confidence,
-    reasons, scale, questions, options, headset, analysis;
+    reasons, scale, questions, options, headset, analysis, leave_out;
 extern const Keys questionnaire, scores;
 }  // namespace keys
 

@@ -49,7 +49,8 @@ TEST_SUITE("app/clips") {
         CHECK(info["humanoid"]["bones"]["leftHand"] == "leftHand");
         CHECK(info["humanoid"]["missing"].empty());
         CHECK(info["height_m"].get<double>() == doctest::Approx(0.0162).epsilon(0.05));
-        CHECK(program("clips info --unit parsec " + clip).status == 2);
+        for (const std::string wrong : {"parsec", "5e-324", "1e9", "0"})
+            CHECK(program("clips info --unit " + wrong + " " + clip).status == 2);
         CHECK(program("clips info --up w " + clip).status == 2);
     }
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "program.hpp"
+#include "text.hpp"
 
 using namespace deixis::tests;
 using nlohmann::json;
@@ -22,6 +23,56 @@ std::string answers(const std::string& database) {
 }  // namespace
 
 TEST_SUITE("app/simulate") {
+    TEST_CASE(
+        "whom a study's rule concerns is left out of the headline, named, and counted in the other table") {
+        const Scratch scratch{WithSharedStimuli{}};
+        const std::string folder = DEIXIS_SOURCE_DIR "/assets/data/studies/";
+        spill(scratch / "pairs.toml",
+              slurp(folder + "genea-pairwise.toml") + "\n[analysis.leave_out]\none_side_share = 0.56\n");
+        const std::string db = scratch / "study.sqlite";
+        const auto simulated =
+            program("simulate " + (scratch / "pairs.toml") + " --participants 12 --db " + db);
+        INFO(simulated.err);
+        REQUIRE(simulated.status == 0);
+        const auto report =
+            program("report " + db + " -o " + (scratch / "r.html") + " --json " + (scratch / "r.json"));
+        INFO(report.err);
+        REQUIRE(report.status == 0);
+        // Counted by SQLite.
+        const std::string who =
+            shell("sqlite3 -readonly " + db +
+                  " \"SELECT group_concat(p) FROM (SELECT r.participant AS p, sum(a.value < 0) AS l, "
+                  "sum(a.value > 0) "
+                  "AS g FROM responses r JOIN answers a ON a.response = r.id JOIN trial_stimuli s ON "
+                  "s.participant = "
+                  "r.participant AND s.trial_index = r.trial_index AND s.position = 0 WHERE s.scored AND "
+                  "a.question = "
+                  "'preference' GROUP BY 1 HAVING max(l, g) >= 0.56 * (l + g) ORDER BY 1)\"")
+                .out;
+        const nlohmann::json out = nlohmann::json::parse(slurp(scratch / "r.json"));
+        std::string left;
+        for (const auto& one : out["left_out"]) {
+            left += (left.empty() ? "" : ",") + one["participant"].get<std::string>();
+            CHECK(one["why"] == "excluded");
+            CHECK(contains(one["reason"].get<std::string>(), "by the study's rule: preferred the "));
+        }
+        CHECK(left + "\n" == who);
+        const int n = static_cast<int>(out["left_out"].size());
+        REQUIRE(n > 0);
+        REQUIRE(n < 12);
+        CHECK(out["participants"] == 12 - n);
+        CHECK(out["study"]["planned_participants"] == 12 - n);
+        CHECK(out["measures"][0]["planned"] == 30 * (12 - n));
+        CHECK(out["data"]["answers"] == 30 * (12 - n));
+        const nlohmann::json& sensitivity = out["sensitivity"];
+        CHECK(sensitivity["with_left_out"]["participants"] == 12);
+        CHECK(contains(slurp(scratch / "r.html"), "one side in at least 56&#160;% of the pairs"));
+        // Nothing of it is in the database: nobody is excluded there.
+        CHECK(shell("sqlite3 -readonly " + db +
+                    " \"SELECT count(*) FROM participants WHERE status <> 'active'\"")
+                  .out == "0\n");
+    }
+
     TEST_CASE(
         "39 simulated participants give 2,340 answers and a report that ranks the systems as they were "
         "made") {

@@ -278,7 +278,17 @@ TEST_SUITE("studies/study_combinations") {
               "equivalence = {accuracy = 2.0}",
               "equivalence",
               "analysis.equivalence.accuracy",
-              {"1"}}});
+              {"1"}},
+             {"leave_out = {same_rating_share = 0.95}",
+              "leave_out = {same_rating_share = 95}",
+              "leave_out",
+              "analysis.leave_out.same_rating_share",
+              {"1"}},
+             {"leave_out = {same_rating_share = 0.95}",
+              "leave_out = {median_time = 0.5}",
+              "leave_out",
+              "analysis.leave_out.median_time",
+              {"median_time_below_s"}}});
     }
 
     TEST_CASE(

@@ -218,6 +218,8 @@ TEST_SUITE("studies/study_file") {
         CHECK(study.alpha == 0.05);
         CHECK(study.stations_together);
         CHECK(study.equivalence == std::map<std::string, double>{{"accuracy", 0.1}});
+        CHECK(study.leave_out.same_rating_share == 0.95);
+        CHECK_FALSE(study.leave_out.one_side_share);
     }
 
     TEST_CASE("What a file says of pages and questionnaires is what the stages hold.") {

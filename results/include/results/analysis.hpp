@@ -11,6 +11,7 @@
 
 #include "results/bootstrap.hpp"
 #include "results/bradley_terry.hpp"
+#include "results/data_quality.hpp"
 #include "results/friedman.hpp"
 #include "results/rank_sum.hpp"
 #include "results/response_table.hpp"
@@ -335,6 +336,7 @@ struct AnalysisResult {
     std::vector<OrderResult> order;  ///< where the answers' order is known
     std::vector<ItemResult> items;   ///< by measure, lowest mean first
     std::vector<PresenceRow> presence;
+    DataQuality quality;
     std::vector<std::string>
         remarks;  ///< what a reader must know: missing answers, exclusions from a test, ...
 };

@@ -12,6 +12,7 @@
 #include "core/name.hpp"
 #include "core/pose.hpp"
 #include "results/observers.hpp"
+#include "studies/leave_out_rule.hpp"
 
 namespace deixis::results {
 
@@ -137,9 +138,10 @@ struct ResponseTable {
     std::set<std::string> failed_checks{};  ///< participants who count and failed an attention check
     std::string database{};                 ///< file names without their folders, joined by ", "
     std::vector<StationUse> stations{};
-    bool stations_together = false;                ///< the study says so
-    std::map<std::string, double> equivalence{};   ///< bounds by measure, which the study declares
-    std::vector<std::string> program_versions{};   ///< that recorded the sessions, in order of their text
+    bool stations_together = false;               ///< the study says so
+    std::map<std::string, double> equivalence{};  ///< bounds by measure, which the study declares
+    studies::LeaveOutRule leave_out{};            ///< which the study declares; left_out has whom it concerns
+    std::vector<std::string> program_versions{};  ///< that recorded the sessions, in order of their text
     std::vector<std::string> operating_systems{};  ///< on which they were recorded, likewise; none: not kept
     std::vector<std::string> avatar_hashes{};      ///< likewise
     std::vector<std::string> notes{};              ///< on how the file was read, for the reader of the report

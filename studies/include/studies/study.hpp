@@ -13,6 +13,7 @@
 #include "core/pose.hpp"
 #include "motion/retarget.hpp"
 #include "studies/language.hpp"
+#include "studies/leave_out_rule.hpp"
 #include "studies/questionnaire.hpp"
 #include "studies/scale.hpp"
 
@@ -244,6 +245,7 @@ struct Study {
     double alpha = 0.01;                         ///< for the report's tests
     /// Bounds within which the report calls systems, levels and groups equivalent, by measure.
     std::map<std::string, double> equivalence{};
+    LeaveOutRule leave_out{};        ///< whom the report's headline leaves out
     bool stations_together = false;  ///< the report pools what was answered at desktops and in headsets
     TargetSpace targets{};
     std::vector<DistanceBand> distances{};

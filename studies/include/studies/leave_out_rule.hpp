@@ -1,0 +1,21 @@
+// Whose answers a study leaves out of its headline, as declared before it is run.
+#pragma once
+
+#include <optional>
+
+namespace deixis::studies {
+
+/// Participants for whom any of these holds; none given: nobody is left out by a rule. Judged only where a
+/// participant has at least `least_answers` answers of the kind.
+struct LeaveOutRule {
+    static constexpr int least_answers = 10;
+
+    std::optional<double>
+        same_rating_share{};                 ///< one rating in at least this share of a measure's; (0.5, 1]
+    std::optional<double> one_side_share{};  ///< of a pair the same side in at least this share; (0.5, 1]
+    std::optional<double> median_time_below_s{};  ///< the median of the response times lies below; above 0
+
+    [[nodiscard]] bool declared() const { return same_rating_share || one_side_share || median_time_below_s; }
+};
+
+}  // namespace deixis::studies
