@@ -180,6 +180,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     testInteractions(result);
     compareOtherAnswers(result);
     summariseScores(result);
+    describePeople(result);
     describeChoices(result);
 
     remarkTests(result);

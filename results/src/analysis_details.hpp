@@ -36,6 +36,10 @@ void testInteractions(AnalysisResult& result);
 /// Questionnaires' scores.
 void summariseScores(AnalysisResult& result);
 
+/// What participants told, how long they took, scores before and after and by groups, response times by
+/// systems and groups.
+void describePeople(AnalysisResult& result);
+
 /// Chance, times, order, items, presence and pooled ratings.
 void describeAnswers(AnalysisResult& result);
 

@@ -324,6 +324,41 @@ void addDetails(Json& out, const AnalysisResult& result) {
     }
 }
 
+void addPeople(Json& out, const AnalysisResult& result) {
+    out["score_changes"] = Json::array();
+    for (const ScoreChange& one : result.score_changes) {
+        Json row{
+            {"score", one.score}, {"a", one.a}, {"b", one.b}, {"mean_a", one.mean_a}, {"mean_b", one.mean_b}};
+        addTest(row, one, result);
+        out["score_changes"].push_back(std::move(row));
+    }
+    out["score_groups"] = scoreGroupsJson(result);
+    out["response_time_tests"] = Json::array();
+    for (const Comparison& one : result.time_tests)
+        out["response_time_tests"].push_back(comparisonJson(one, result));
+    out["response_time_groups"] = timeGroupsJson(result);
+    out["participant_fields"] = Json::array();
+    for (const FieldResult& one : result.fields) {
+        const bool numbers = one.options.empty();
+        Json options = Json::object();
+        for (const auto& [option, n] : one.options) options[option] = n;
+        out["participant_fields"].push_back({{"field", one.field},
+                                             {"n", one.n},
+                                             {"median", numberOrNull(numbers, one.median)},
+                                             {"min", numberOrNull(numbers, one.least)},
+                                             {"max", numberOrNull(numbers, one.greatest)},
+                                             {"options", std::move(options)}});
+    }
+    out["session_times"] = Json::array();
+    for (const SessionTimeResult& one : result.session_times)
+        out["session_times"].push_back({{"factor", one.factor},
+                                        {"level", one.level},
+                                        {"n", one.n},
+                                        {"median_min", one.median_min},
+                                        {"min_min", one.least_min},
+                                        {"max_min", one.greatest_min}});
+}
+
 const char* kindName(MeasureKind kind) {
     switch (kind) {
         case MeasureKind::accuracy:
@@ -417,6 +452,7 @@ std::string analysisJson(const AnalysisResult& result) {
     out["scores"] = scoresJson(result, false);
     out["scores_by_group"] = scoresJson(result, true);
     out["quality"] = qualityJson(result);
+    addPeople(out, result);
     out["checks"] = Json::array();
     for (const auto& check : table.checks)
         out["checks"].push_back({{"stage", check.stage},

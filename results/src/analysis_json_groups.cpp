@@ -60,6 +60,27 @@ GroupJson groupInteractionsJson(const AnalysisResult& result) {
     return out;
 }
 
+GroupJson scoreGroupsJson(const AnalysisResult& result) {
+    GroupJson out = GroupJson::array();
+    for (const ScoreGroupResult& one : result.score_groups) {
+        GroupJson row{
+            {"stage", one.stage}, {"score", one.score}, {"factor", one.factor}, {"a", one.a}, {"b", one.b}};
+        addGroupTest(row, one, result.alpha);
+        out.push_back(std::move(row));
+    }
+    return out;
+}
+
+GroupJson timeGroupsJson(const AnalysisResult& result) {
+    GroupJson out = GroupJson::array();
+    for (const BetweenResult& one : result.time_groups) {
+        GroupJson row{{"measure", one.measure}, {"factor", one.factor}, {"a", one.a}, {"b", one.b}};
+        addGroupTest(row, one, result.alpha);
+        out.push_back(std::move(row));
+    }
+    return out;
+}
+
 GroupJson betweenJson(const AnalysisResult& result) {
     GroupJson out = GroupJson::array();
     for (const BetweenResult& one : result.between) {

@@ -12,4 +12,7 @@ namespace deixis::results {
 [[nodiscard]] nlohmann::ordered_json betweenJson(const AnalysisResult& result);
 [[nodiscard]] nlohmann::ordered_json preferencesBetweenJson(const AnalysisResult& result);
 
+[[nodiscard]] nlohmann::ordered_json scoreGroupsJson(const AnalysisResult& result);
+[[nodiscard]] nlohmann::ordered_json timeGroupsJson(const AnalysisResult& result);
+
 }  // namespace deixis::results

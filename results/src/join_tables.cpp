@@ -143,6 +143,8 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         joinChecks(out.checks, next.checks);
         append(out.left_out, next.left_out);
         append(out.scores, next.scores);
+        append(out.fields, next.fields);
+        out.session_minutes.insert(next.session_minutes.begin(), next.session_minutes.end());
         append(out.stations, next.stations);
         append(out.notes, next.notes);
         append(out.rows, next.rows);

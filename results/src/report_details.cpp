@@ -1,5 +1,6 @@
 #include "report_details.hpp"
 
+#include "report_people.hpp"
 #include "report_tables.hpp"
 
 #include <fmt/core.h>
@@ -131,6 +132,7 @@ std::string detailsHtml(const AnalysisResult& result, Numbering& numbering) {
     tables += unansweredTable(result, numbering);
     tables += orderTable(result, numbering);
     tables += timesTable(result, numbering);
+    tables += timeTestsHtml(result, numbering);
     tables += itemsTable(result, numbering);
     return tables.empty() ? "" : "<h2>Chance, order, time and items</h2>" + tables;
 }

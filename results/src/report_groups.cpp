@@ -4,6 +4,7 @@
 #include "analysis_details.hpp"
 #include "report_details.hpp"
 #include "report_paragraphs.hpp"
+#include "report_people.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -169,7 +170,8 @@ std::string scoresHtml(const AnalysisResult& result, Numbering& numbering) {
             score.mean, score.n > 1 ? fmt::format("{:.2f}", score.sd) : std::string(dash), score.q25,
             score.median, score.q75);
     }
-    return out + close_table;
+    out += close_table;
+    return out + scoreTestsHtml(result, numbering);
 }
 
 std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {

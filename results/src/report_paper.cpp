@@ -11,6 +11,7 @@
 #include "analysis_details.hpp"
 #include "report_computed.hpp"
 #include "report_paragraphs.hpp"
+#include "report_people.hpp"
 #include "report_text.hpp"
 
 namespace deixis::results {
@@ -119,6 +120,7 @@ std::string designHtml(const AnalysisResult& result) {
     if (const std::string left_out = leftOutText(result); !left_out.empty())
         people += "; left out: " + left_out;
     entry("Participants", people);
+    for (const auto& [name, text] : peopleEntries(result)) entry(name.c_str(), text);
     if (const auto [fewest, most] = answersPerParticipant(table); most > 0)
         entry("Answers",
               fmt::format("{} in all, {} of each participant", table.rows.size(),

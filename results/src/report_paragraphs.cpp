@@ -7,6 +7,7 @@
 #include <map>
 
 #include "report_computed.hpp"
+#include "report_people.hpp"
 #include "report_text.hpp"
 
 namespace deixis::results {
@@ -292,6 +293,8 @@ std::string methodsParagraph(const AnalysisResult& result) {
     std::vector<std::string> systems;
     for (const std::string& system : table.systems) systems.push_back(escapeHtml(system));
     std::string out = peopleSentence(result);
+    for (const FieldResult& field : result.fields)
+        out += fmt::format(" {}: {}.", escapeHtml(capitalised(field.field)), fieldText(field));
     if (!systems.empty())
         out += fmt::format(" Systems: {}{}.", inSentence(systems),
                            systems.size() < 2                 ? ""

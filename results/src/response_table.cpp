@@ -10,6 +10,7 @@
 
 #include "database_open.hpp"
 #include "locked_history.hpp"
+#include "people_reading.hpp"
 #include "questionnaire_scores.hpp"
 #include "response_details.hpp"
 #include "response_reading.hpp"
@@ -307,6 +308,7 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
     readRatings(database, people, measures, table);
     readPreferences(database, people, table);
     readResponseDetails(database, people, table);
+    readPeople(database, people, table);
     const auto active =
         textColumn(database, fmt::format("SELECT id FROM {} WHERE status = 'active' ORDER BY id", people));
     for (QuestionnaireScore& score : readQuestionnaireScores(database))

@@ -77,6 +77,8 @@ ResponseTable onlyAt(ResponseTable table, const std::optional<std::string>& kind
     std::erase_if(table.watched,
                   [&](const WatchedChoice& one) { return !takenParticipant(one.participant); });
     std::erase_if(table.scores, [&](const ScoreRow& row) { return !takenParticipant(row.participant); });
+    std::erase_if(table.fields, [&](const FieldRow& row) { return !takenParticipant(row.participant); });
+    std::erase_if(table.session_minutes, [&](const auto& one) { return !takenParticipant(one.first); });
     std::erase_if(table.left_out, [&](const LeftOut& one) { return !takenParticipant(one.participant); });
     std::erase_if(table.failed_checks, [&](const std::string& one) { return !takenParticipant(one); });
     std::erase_if(table.groups, [&](const auto& one) { return !takenParticipant(one.first); });

@@ -301,6 +301,35 @@ struct PresenceRow {
     std::vector<std::vector<int>> answers{};  ///< [measure][system]
 };
 
+/// What participants told of themselves.
+struct FieldResult {
+    std::string field;
+    int n = 0;
+    double median = 0.0, least = 0.0, greatest = 0.0;    ///< of numbers
+    std::vector<std::pair<std::string, int>> options{};  ///< how many chose each; empty: numbers
+};
+
+/// Of participants' sessions together, minutes.
+struct SessionTimeResult {
+    std::string factor{};  ///< between participants, of whom these have `level`; empty: all participants
+    std::string level{};
+    int n = 0;
+    double median_min = 0.0, least_min = 0.0, greatest_min = 0.0;
+};
+
+/// A questionnaire asked again: of the participants who have both scores, later - earlier.
+struct ScoreChange : AdjustedTest {
+    std::string score;
+    std::string a, b;  ///< stages: the later, the earlier
+    double mean_a = 0.0, mean_b = 0.0;
+};
+
+/// A questionnaire's score by groups. The family: all scores of a stage and pairs of levels of a factor.
+struct ScoreGroupResult : GroupTest {
+    std::string stage;
+    std::string score;
+};
+
 struct AnalysisResult {
     ResponseTable table;
     std::string answers_hash{};  ///< answersHash() of it
@@ -320,6 +349,13 @@ struct AnalysisResult {
     std::vector<PreferenceResult> preferences;
     BradleyTerry bradley_terry;
     std::vector<ScoreResult> scores;  ///< each over all participants, then by factors between them
+    std::vector<ScoreChange> score_changes;
+    std::vector<ScoreGroupResult> score_groups;
+    std::vector<Comparison>
+        time_tests;  ///< of participants' median response times, seconds, pairs of systems
+    std::vector<BetweenResult> time_groups;  ///< likewise, groups of participants
+    std::vector<FieldResult> fields;
+    std::vector<SessionTimeResult> session_times;  ///< all first; empty where they are not known
     std::vector<SensitivityResult> sensitivity;
     AnswerCounts headline_answers;
     std::array<AnswerCounts, all_choices.size()> other_answers{};  ///< of all_choices

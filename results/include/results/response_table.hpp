@@ -115,6 +115,14 @@ struct ScoreRow {
     double value = 0.0;
 };
 
+/// What a participant told of themselves: a number, or which option was chosen. Free text is not among them.
+struct FieldRow {
+    std::string participant;
+    std::string field;
+    std::optional<double> number{};
+    std::string option{};
+};
+
 struct ResponseTable {
     std::string study_name;
     std::string study_title;
@@ -133,7 +141,11 @@ struct ResponseTable {
     std::vector<LeftOut> left_out{};
     std::vector<CheckCount> checks{};
     std::vector<ScoreRow> scores{};
-    std::vector<Factor> between{};                                       ///< factors between participants
+    /// Stages with the same scores of the same questions, in their order: before and after.
+    std::vector<std::vector<std::string>> repeated_questionnaires{};
+    std::vector<FieldRow> fields{};                   ///< of participants who count
+    std::map<std::string, double> session_minutes{};  ///< likewise: all sessions of each together
+    std::vector<Factor> between{};                    ///< factors between participants
     std::map<std::string, std::map<std::string, std::string>> groups{};  ///< participant, factor: level
     std::set<std::string> failed_checks{};  ///< participants who count and failed an attention check
     std::string database{};                 ///< file names without their folders, joined by ", "

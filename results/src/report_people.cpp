@@ -1,0 +1,141 @@
+#include "report_people.hpp"
+
+#include <fmt/core.h>
+
+#include <functional>
+
+#include "report_tables.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+std::string twoDecimals(double value) {
+    return fixedText(value, 2);
+}
+
+std::string decided(bool significant, const std::optional<double>& p_holm) {
+    return fmt::format("<td class=\"{}\">{}</td>", significant ? "sig" : "not", pText(p_holm));
+}
+
+std::string signedRankCells(const AdjustedTest& one) {
+    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}", one.test.n_pairs,
+                       shiftText(one.test.hodges_lehmann, twoDecimals),
+                       one.test.rank_biserial ? fixedText(*one.test.rank_biserial, 2) : std::string(dash),
+                       pText(one.test.p_two_sided), decided(one.significant, one.p_holm));
+}
+
+std::string rankSumCells(const GroupTest& one) {
+    return fmt::format("<td>{}, {}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}",
+                       one.test.n_a, one.test.n_b, one.test.n_a > 0 ? twoDecimals(one.mean_a) : dash,
+                       one.test.n_b > 0 ? twoDecimals(one.mean_b) : dash,
+                       shiftText(one.test.hodges_lehmann, twoDecimals),
+                       one.test.cliffs_delta ? fixedText(*one.test.cliffs_delta, 2) : std::string(dash),
+                       pText(one.test.p_two_sided), decided(one.significant, one.p_holm));
+}
+
+constexpr const char* pair_columns = "<th>n</th><th>Shift</th><th>r</th><th>p</th><th>p (Holm)</th>";
+constexpr const char* group_columns =
+    "<th class=\"text\">A</th><th class=\"text\">B</th><th>n</th><th>Mean A</th><th>Mean B</th>"
+    "<th>Shift</th><th>&#948;</th><th>p</th><th>p (Holm)</th>";
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> peopleEntries(const AnalysisResult& result) {
+    std::vector<std::pair<std::string, std::string>> out;
+    for (const FieldResult& field : result.fields)
+        out.emplace_back(escapeHtml(capitalised(field.field)), fieldText(field));
+    std::string times;
+    for (const SessionTimeResult& one : result.session_times)
+        times += fmt::format(
+            "{}{}median {} ({} to {}) minutes, n = {}", times.empty() ? "" : "; ",
+            one.factor.empty() ? std::string()
+                               : fmt::format("{} {}: ", escapeHtml(one.factor), escapeHtml(one.level)),
+            fixedText(one.median_min, 1), fixedText(one.least_min, 1), fixedText(one.greatest_min, 1), one.n);
+    if (!times.empty()) out.emplace_back("Session time", times);
+    return out;
+}
+
+std::string fieldText(const FieldResult& field) {
+    if (field.options.empty())
+        return fmt::format("median {:g} ({:g} to {:g}), n = {}", field.median, field.least, field.greatest,
+                           field.n);
+    std::string out;
+    for (const auto& [option, n] : field.options)
+        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", escapeHtml(option), n);
+    return out;
+}
+
+std::string scoreTestsHtml(const AnalysisResult& result, Numbering& numbering) {
+    if (result.participants < 2) return "";
+    std::string out;
+    if (!result.score_changes.empty()) {
+        out += openTable(
+            "Scores asked again: the later (A) less the earlier (B) of the participants who have both, "
+            "signed-rank test, Holm's correction over the scores of the two stages. Bold: significant.",
+            std::string("<th>Score</th><th class=\"text\">A</th><th class=\"text\">B</th><th>Mean A</th>"
+                        "<th>Mean B</th>") +
+                pair_columns,
+            numbering, TableWidth::dense);
+        for (const ScoreChange& one : result.score_changes)
+            out += fmt::format(
+                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
+                "<td>{}</td>{}</tr>",
+                escapeHtml(one.score), escapeHtml(one.a), escapeHtml(one.b), twoDecimals(one.mean_a),
+                twoDecimals(one.mean_b), signedRankCells(one));
+        out += close_table;
+    }
+    if (!result.score_groups.empty()) {
+        out += openTable(
+            "Scores by groups of participants: rank-sum tests, Holm's correction over the scores "
+            "of a stage and all pairs of groups of one factor. Bold: significant.",
+            std::string("<th>Stage</th><th class=\"text\">Score</th>") + group_columns, numbering,
+            TableWidth::dense);
+        for (const ScoreGroupResult& one : result.score_groups)
+            out += fmt::format(
+                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>"
+                "<td class=\"text\">{}</td>{}</tr>",
+                escapeHtml(one.stage), escapeHtml(one.score), escapeHtml(one.a), escapeHtml(one.b),
+                rankSumCells(one));
+        out += close_table;
+    }
+    return out;
+}
+
+std::string timeTestsHtml(const AnalysisResult& result, Numbering& numbering) {
+    if (result.participants < 2) return "";
+    std::string rows;
+    for (const Comparison& one : result.time_tests)
+        if (one.test.n_pairs > 0)
+            rows += fmt::format(
+                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>{}</tr>",
+                escapeHtml(capitalised(one.measure)), escapeHtml(one.a), escapeHtml(one.b),
+                signedRankCells(one));
+    std::string out;
+    if (!rows.empty())
+        out += openTable(
+                   "Response times of each pair of systems: participants' median times in seconds, "
+                   "signed-rank tests, Holm's correction over the pairs of one measure. Bold: "
+                   "significant.",
+                   std::string("<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th>") +
+                       pair_columns,
+                   numbering, TableWidth::dense) +
+               rows + close_table;
+    rows.clear();
+    for (const BetweenResult& one : result.time_groups)
+        if (one.test.p_two_sided)
+            rows += fmt::format(
+                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>{}</tr>",
+                escapeHtml(capitalised(one.measure)), escapeHtml(one.a), escapeHtml(one.b),
+                rankSumCells(one));
+    if (!rows.empty())
+        out += openTable(
+                   "Response times of groups: participants' median times in seconds over all systems, "
+                   "rank-sum tests, Holm's correction over the pairs of groups of one factor in one "
+                   "measure. Bold: significant.",
+                   std::string("<th>Measure</th>") + group_columns, numbering, TableWidth::dense) +
+               rows + close_table;
+    return out;
+}
+
+}  // namespace deixis::results
