@@ -78,8 +78,9 @@ class HeadReader {
                 return fail(
                     "--column", fmt::format("found \"{}\", which is no column that is read", meaning),
                     fmt::format("One of: {}, {}", fmt::join(long_column_names, ", "), in_milliseconds));
+            const std::string wanted = lowered(column);
             const auto found = std::find_if(titles_.begin(), titles_.end(), [&](const std::string& title) {
-                return lowered(title) == lowered(column);
+                return lowered(title) == wanted;
             });
             if (found == titles_.end())
                 return fail(file_, fmt::format("--column {}={}: there is no such column", meaning, column),
