@@ -9,6 +9,7 @@
 #include "core/files.hpp"
 #include "core/foreign_csv.hpp"
 #include "core/parallel.hpp"
+#include "database_files.hpp"
 #include "long_table_doubts.hpp"
 #include "long_table_reader.hpp"
 
@@ -79,9 +80,12 @@ Result<ResponseTable> loadAnswers(const std::filesystem::path& file, const LongT
     // What a pipe gives is gone once it is looked at; and a database is no pipe.
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         return loadLongTable(file, options);
-    if (!std::filesystem::exists(status))
+    if (!std::filesystem::exists(status)) {
+        // A database that was moved from beside its log.
+        if (auto orphan = orphanBeside(file)) return tl::unexpected(std::move(*orphan));
         return fail(file.string(), "no such file, expected a database or a CSV file with answers",
                     "Check the path; a run prints the path of its database");
+    }
     std::ifstream in(file, std::ios::binary);
     std::string start(15, '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));
