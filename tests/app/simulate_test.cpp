@@ -128,8 +128,11 @@ TEST_SUITE("app/simulate") {
         // tests/browser.
         const std::string before_libraries = page.substr(0, page.find("<script>"));
         CHECK(before_libraries.size() < page.size());
-        for (const char* loading : {" src=", " href=", "url(", "@import", "<link"})
+        for (const char* loading : {" src=", "url(", "@import", "<link"})
             CHECK(before_libraries.find(loading) == std::string::npos);
+        for (auto link = before_libraries.find(" href="); link != std::string::npos;
+             link = before_libraries.find(" href=", link + 1))
+            CHECK(before_libraries.substr(link, 8) == " href=\"#");  // a place in the page itself
     }
 
     TEST_CASE("the same study gives the same answers, report and numbers again") {
