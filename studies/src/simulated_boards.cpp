@@ -68,6 +68,9 @@ void readButtons(const Panel& panel, BoardReading& read) {
         ask.enabled = ask.enabled || button.enabled;
         ask.buttons.push_back(&button);
     }
+    // As their ratings are numbered, in whatever order they were laid out.
+    std::sort(read.plays.begin(), read.plays.end(),
+              [](const PanelButton* a, const PanelButton* b) { return a->id < b->id; });
 }
 
 void readSliders(const Panel& panel, BoardReading& read) {

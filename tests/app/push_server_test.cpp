@@ -15,6 +15,8 @@ constexpr const char* back_to_4 =
     "ALTER TABLE plans DROP COLUMN locked_hash; DROP INDEX sessions_of_participant;"
     "DROP INDEX responses_of_participant;"
     "ALTER TABLE participants DROP COLUMN token; ALTER TABLE trials DROP COLUMN visibility;"
+    "ALTER TABLE trials DROP COLUMN angles; ALTER TABLE trial_stimuli DROP COLUMN clip;"
+    "ALTER TABLE response_stimuli DROP COLUMN author; ALTER TABLE response_stimuli DROP COLUMN author_trial;"
     "ALTER TABLE responses DROP COLUMN viewer_x_m; ALTER TABLE responses DROP COLUMN viewer_z_m;"
     "ALTER TABLE responses DROP COLUMN viewer_heading_deg; ALTER TABLE responses DROP COLUMN hash;"
     "DROP TABLE locked_changes; ALTER TABLE withdrawals DROP COLUMN token;"
