@@ -12,14 +12,16 @@ namespace deixis::app {
 
 namespace {
 
-constexpr double near_deg = 3.0;  // about what people's own pointing misses by
+constexpr double near_deg = 3.0;  // ours: the noise of the simulated participant's reading
 
 std::string line(const std::string& who, std::vector<double> least_deg) {
     std::sort(least_deg.begin(), least_deg.end());
+    const std::size_t n = least_deg.size();
+    const double median = (least_deg[(n - 1) / 2] + least_deg[n / 2]) / 2.0;
     const auto near = std::count_if(least_deg.begin(), least_deg.end(),
                                     [](double angle_deg) { return angle_deg < near_deg; });
     return fmt::format("  {}: {:.1f}, median {:.1f}; under {:g} in {} of {}\n", who, least_deg.front(),
-                       least_deg[least_deg.size() / 2], near_deg, near, least_deg.size());
+                       median, near_deg, near, n);
 }
 
 }  // namespace
@@ -38,8 +40,7 @@ std::string anglesText(const StudySetup& setup) {
             for (std::size_t i = 0; i < places.size(); ++i) {
                 const auto angles =
                     ballAngles(study, *study.findLayout(places[i].layout), item.target, distractors);
-                const bool headset = places[i].standing == studies::Standing::headset;
-                by_place[i].push_back(least(headset ? angles.headset_deg : angles.desktop_deg));
+                by_place[i].push_back(least(angles.of(places[i].standing)));
                 if (i == 0) by_avatar.push_back(least(angles.avatar_deg));
             }
     }

@@ -108,6 +108,7 @@ Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& o
     if (table->rounded > 0)
         addNote(fmt::format("decimals that are rounded fractions (7.333333333333333) were taken as these: {}",
                             table->rounded));
+    if (table->decimal_commas) addNote("commas in numbers were read as decimal points");
     if (options.json)
         fmt::print("{}\n", found->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     else

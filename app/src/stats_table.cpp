@@ -50,6 +50,8 @@ struct Source {
     std::vector<CsvRecord> rows;
     char separator = ',';
     mutable int rounded = 0;  ///< cells that number() took as fractions
+    /// The first that it read with a decimal comma, and with a decimal point: "FILE:LINE: column ...: 3,5".
+    mutable std::string with_comma{}, with_point{};
 
     [[nodiscard]] std::string place(const CsvRecord& row, std::size_t column) const {
         return fmt::format("{}:{}: column \"{}\"", name, row.line, header[column]);
@@ -67,8 +69,12 @@ struct Source {
     [[nodiscard]] Result<Cell> number(const CsvRecord& row, std::size_t column) const {
         std::string_view text = trimmed(row.fields[column]);
         if (isMissing(text)) return Cell();
-        const auto with_point = decimalCommaAsPoint(text);
-        if (with_point) text = *with_point;
+        // Between commas one within a number may part thousands.
+        const auto as_point = separator == ',' ? std::nullopt : decimalCommaAsPoint(text);
+        std::string& first = as_point ? with_comma : with_point;
+        if (first.empty() && (as_point || text.find('.') != std::string_view::npos))
+            first = fmt::format("{}: {}", place(row, column), text);
+        if (as_point) text = *as_point;
         auto value = Rational::parse(text);
         if (!value) return fail(place(row, column), value.error());
         if (auto fraction = results::roundedFraction(*value, decimalsOf(text))) {
@@ -301,7 +307,13 @@ Result<StatsTable> readStatsTable(const ColumnChoice& choice) {
     const auto read =
         choice.group.empty() ? readWide(*source, choice, table) : readLong(*source, choice, table);
     if (!read) return tl::unexpected(read.error());
+    if (!source->with_comma.empty() && !source->with_point.empty())
+        return fail(source->name,
+                    fmt::format("has numbers with a decimal comma ({}) and with a decimal point ({})",
+                                source->with_comma, source->with_point),
+                    "Write all of them in one way");
     table.rounded = source->rounded;
+    table.decimal_commas = !source->with_comma.empty();
     return table;
 }
 

@@ -36,7 +36,8 @@ struct StatsTable {
     bool paired = true;
     /// Line of each row; empty where rows were joined or shared out.
     std::vector<int> lines{};
-    int rounded = 0;  ///< decimals that were taken as the fractions they were rounded from
+    bool decimal_commas = false;  ///< they stand for decimal points
+    int rounded = 0;              ///< decimals that were taken as the fractions they were rounded from
 };
 
 /// The names in `--columns`: one line of CSV, so that a name with a comma can be quoted.

@@ -54,9 +54,7 @@ Result<void> printTargets(const TargetsArguments& options) {
         if (auto written = writeFile(picture, svg); !written) return written;
         fmt::print(stderr, "picture: {}\n", picture);
     }
-    const auto table = studies::targetsCsv(setup->study, setup->targets);
-    if (!table) return tl::unexpected(table.error());
-    fmt::print("{}", *table);
+    fmt::print("{}", studies::targetsCsv(setup->study, setup->targets));
     if (auto avatar = loadStudyAvatar(setup->study))
         fmt::print(stderr, "{}{}", visibilityText(*setup, *avatar), anglesText(*setup));
     else

@@ -13,25 +13,6 @@ namespace deixis {
 
 namespace {
 
-void appendUtf8(std::string& out, std::uint32_t character) {
-    const auto byte = [&](std::uint32_t value) { out += static_cast<char>(value); };
-    if (character < 0x80U) {
-        byte(character);
-        return;
-    }
-    if (character < 0x800U) {
-        byte(0xC0U | (character >> 6U));
-    } else if (character < 0x10000U) {
-        byte(0xE0U | (character >> 12U));
-        byte(0x80U | ((character >> 6U) & 0x3FU));
-    } else {
-        byte(0xF0U | (character >> 18U));
-        byte(0x80U | ((character >> 12U) & 0x3FU));
-        byte(0x80U | ((character >> 6U) & 0x3FU));
-    }
-    byte(0x80U | (character & 0x3FU));
-}
-
 /// Behind the mark. None where a character is cut off.
 std::optional<std::string> fromUtf16(std::string_view bytes, bool big_end_first) {
     if (bytes.size() % 2 != 0) return std::nullopt;

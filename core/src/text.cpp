@@ -60,4 +60,24 @@ std::string keepable(std::string_view text) {
     return out.append(text);
 }
 
+void appendUtf8(std::string& text, char32_t character) {
+    const auto c = static_cast<unsigned>(character);
+    const auto add = [&](unsigned byte) { text += static_cast<char>(byte); };
+    if (c < 0x80U) {
+        add(c);
+        return;
+    }
+    if (c < 0x800U) {
+        add(0xC0U | (c >> 6U));
+    } else if (c < 0x10000U) {
+        add(0xE0U | (c >> 12U));
+        add(0x80U | ((c >> 6U) & 0x3FU));
+    } else {
+        add(0xF0U | (c >> 18U));
+        add(0x80U | ((c >> 12U) & 0x3FU));
+        add(0x80U | ((c >> 6U) & 0x3FU));
+    }
+    add(0x80U | (c & 0x3FU));
+}
+
 }  // namespace deixis

@@ -5,6 +5,7 @@
 #include <cfloat>
 
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "renderer/fonts.hpp"
 
 namespace deixis::renderer {
@@ -39,17 +40,6 @@ ImVector<ImWchar> rangesOf(const std::set<ImWchar>& characters, ImWchar from) {
     ImVector<ImWchar> ranges;
     builder.BuildRanges(&ranges);
     return ranges;
-}
-
-void appendUtf8(std::string& text, unsigned code_point) {
-    const auto add = [&](unsigned byte) { text += static_cast<char>(byte); };
-    if (code_point >= 0x800) {
-        add(0xE0U | code_point >> 12U);
-        add(0x80U | (code_point >> 6U & 0x3FU));
-    } else {
-        add(0xC0U | code_point >> 6U);
-    }
-    add(0x80U | (code_point & 0x3FU));
 }
 
 // Whether a line that ends here parts what belongs together: neither spaces nor punctuation stand there.

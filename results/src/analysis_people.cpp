@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_map>
 
 #include "analysis_details.hpp"
 #include "results/descriptive.hpp"
@@ -123,53 +124,88 @@ void compareScoresOfGroups(AnalysisResult& result) {
 }
 
 /// In whole milliseconds, so that equal times are tied.
-Rational medianTime(std::vector<std::int64_t> milliseconds) {
-    std::sort(milliseconds.begin(), milliseconds.end());
-    const std::size_t n = milliseconds.size();
-    return Rational(milliseconds[(n - 1) / 2] + milliseconds[n / 2], 2000);
+using Milliseconds = std::vector<std::int64_t>;
+
+Rational medianTime(Milliseconds times) {
+    std::sort(times.begin(), times.end());
+    const std::size_t n = times.size();
+    return Rational(times[(n - 1) / 2] + times[n / 2], 2000);
+}
+
+/// One time for each trial: a page on which several systems are rated together has none that is one
+/// system's.
+struct TimesOfMeasure {
+    using ByParticipant = std::unordered_map<Name, Milliseconds>;
+    std::unordered_map<Name, ByParticipant> by_system{};
+    ByParticipant all{};
+    // The trial that is read: its rows follow each other.
+    Name participant{}, system{};
+    int trial = -1;
+
+    void take(const ResponseRow& row) {
+        const auto time = std::llround(1000.0 * row.response_time_s);
+        if (row.trial >= 0 && row.trial == trial && row.participant == participant) {
+            if (row.system == system || system.empty()) return;
+            by_system[system][participant].pop_back();
+            system = {};
+            return;
+        }
+        participant = row.participant;
+        system = row.system;
+        trial = row.trial;
+        all[participant].push_back(time);
+        by_system[system][participant].push_back(time);
+    }
+};
+
+std::map<std::string, Rational> mediansOf(const TimesOfMeasure::ByParticipant& times) {
+    std::map<std::string, Rational> out;
+    for (const auto& [participant, of] : times)
+        if (!of.empty()) out.emplace(participant.text(), medianTime(of));
+    return out;
+}
+
+/// Confidence is asked in the trial of the choice: its times are those of accuracy.
+bool hasOwnTimes(const Measure& measure) {
+    return measure.name != "confidence" && !measure.name.starts_with("confidence (");
+}
+
+void compareTimesOfGroups(const Measure& measure, const std::map<std::string, Rational>& medians,
+                          AnalysisResult& result) {
+    for (const Factor& factor : result.table.between) {
+        const std::size_t groups = result.time_groups.size();
+        std::map<std::string, std::vector<Rational>> by_level;
+        for (const auto& [participant, median] : medians)
+            by_level[levelOfParticipant(result.table, participant, factor.name)].push_back(median);
+        for (std::size_t i = 0; i < factor.levels.size(); ++i)
+            for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
+                BetweenResult& out = result.time_groups.emplace_back();
+                out.measure = measure.name;
+                out.system = "all";
+                compareLevelsOf(out, factor, i, j, by_level, result.level);
+            }
+        adjustGroups(result.time_groups, groups,
+                     fmt::format("response times, {}: {}", measure.name, factor.name), result.alpha);
+    }
 }
 
 void compareTimes(AnalysisResult& result) {
-    for (const Measure& measure : result.measures) {
-        std::map<std::string, std::map<std::string, std::vector<std::int64_t>>> times;  // system, participant
-        const Name name(measure.name);
-        for (const ResponseRow& row : result.table.rows)
-            if (row.measure == name && row.response_time_s > 0.0 && row.response_time_s < 1e9)
-                for (const std::string& system : {row.system.text(), std::string("all")})
-                    times[system][row.participant].push_back(std::llround(1000.0 * row.response_time_s));
-        Means medians;
-        for (const auto& [system, participants] : times)
-            for (const auto& [participant, of] : participants)
-                medians[system].emplace(participant, medianTime(of));
-        if (medians.empty()) continue;
-        const std::size_t pairs = result.time_tests.size();
-        const auto& systems = result.table.systems;
-        for (std::size_t i = 0; i < systems.size(); ++i)
-            for (std::size_t j = i + 1; j < systems.size(); ++j) {
-                Comparison& pair = result.time_tests.emplace_back();
-                pair.measure = measure.name;
-                pair.a = systems[i];
-                pair.b = systems[j];
-                testDifferences(pair, medians, result.level);
-            }
-        adjustFrom(result.time_tests, pairs,
-                   fmt::format("response times, {}: pairs of systems", measure.name), result.alpha);
-        for (const Factor& factor : result.table.between) {
-            const std::size_t groups = result.time_groups.size();
-            std::map<std::string, std::vector<Rational>> by_level;
-            for (const auto& [participant, median] : medians["all"])
-                by_level[levelOfParticipant(result.table, participant, factor.name)].push_back(median);
-            for (std::size_t i = 0; i < factor.levels.size(); ++i)
-                for (std::size_t j = i + 1; j < factor.levels.size(); ++j) {
-                    BetweenResult& out = result.time_groups.emplace_back();
-                    out.measure = measure.name;
-                    out.system = "all";
-                    compareLevelsOf(out, factor, i, j, by_level, result.level);
-                }
-            adjustGroups(result.time_groups, groups,
-                         fmt::format("response times, {}: {}", measure.name, factor.name), result.alpha);
-        }
+    std::unordered_map<Name, TimesOfMeasure> times;
+    for (const ResponseRow& row : result.table.rows)
+        if (row.response_time_s > 0.0 && row.response_time_s < 1e9) times[row.measure].take(row);
+    std::vector<Measure> measures;
+    MeansByMeasure medians;
+    for (Measure measure : result.measures) {
+        const auto found = times.find(measure.name);
+        if (found == times.end() || !hasOwnTimes(measure)) continue;
+        measure.equivalence_bound = 0.0;  // declared in its own unit
+        measures.push_back(measure);
+        for (const auto& [system, participants] : found->second.by_system)
+            medians[measure.name][system.text()] = mediansOf(participants);
+        compareTimesOfGroups(measure, mediansOf(found->second.all), result);
     }
+    result.time_tests = pairTests(medians, measures, result.table.systems, result.level, result.alpha);
+    for (Comparison& one : result.time_tests) one.family = "response times, " + one.family;
 }
 
 }  // namespace

@@ -21,12 +21,6 @@ namespace {
 /// A participant's, those of a measure in their order.
 using Rows = std::vector<const ResponseRow*>;
 
-bool isOf(MeasureKind kind, const ResponseRow& row, const ResponseTable& table) {
-    for (const Measure& measure : table.measures)
-        if (row.measure == measure.name) return measure.kind == kind;
-    return false;
-}
-
 double medianOf(std::span<double> x) {
     const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
     std::nth_element(x.begin(), middle, x.end());
@@ -34,13 +28,16 @@ double medianOf(std::span<double> x) {
     return (*std::max_element(x.begin(), middle) + *middle) / 2.0;
 }
 
-/// The rating given most often, the lowest of several such.
+/// The rating given most often, the lowest of several such. A measure with enough answers to be judged goes
+/// before one with fewer.
 void judgeSame(const Name& measure, std::vector<double> values, ParticipantQuality& out) {
     std::sort(values.begin(), values.end());
+    const auto enough = [](std::size_t n) { return n >= studies::LeaveOutRule::least_answers; };
     for (auto first = values.begin(); first != values.end();) {
         const auto last = std::upper_bound(first, values.end(), *first);
         const double share = static_cast<double>(last - first) / static_cast<double>(values.size());
-        if (share > out.same_share) {
+        if (std::pair(enough(values.size()), share) >
+            std::pair(enough(static_cast<std::size_t>(out.same_of)), out.same_share)) {
             out.same_measure = measure.text();
             out.same_rating = *first;
             out.same_share = share;
@@ -74,9 +71,9 @@ void judgeRatings(const ResponseTable& table, const Rows& rows, ParticipantQuali
     }
 }
 
-void judgeSides(const ResponseTable& table, const Rows& rows, ParticipantQuality& out) {
+void judgeSides(const Rows& rows, ParticipantQuality& out) {
     for (const ResponseRow* row : rows)
-        if (row->value != 0.0 && isOf(MeasureKind::preference, *row, table)) {
+        if (row->value != 0.0 && !row->other_system.empty()) {
             ++out.decided;
             out.left += row->value < 0.0;
         }
@@ -145,7 +142,7 @@ People peopleOf(const ResponseTable& table) {
         ParticipantQuality& one = out.judged.emplace_back();
         one.participant = name.text();
         one.left_out = !out.rows.back().front()->excluded.empty();
-        one.failed_check = table.failed_checks.contains(name.text());
+        if (!one.left_out) one.failed_check = table.failed_checks.contains(name.text());
     }
     return out;
 }
@@ -156,7 +153,7 @@ People judgedAlone(const ResponseTable& table) {
     judgeTimes(people.rows, people.judged);
     for (std::size_t i = 0; i < people.judged.size(); ++i) {
         judgeRatings(table, people.rows[i], people.judged[i]);
-        judgeSides(table, people.rows[i], people.judged[i]);
+        judgeSides(people.rows[i], people.judged[i]);
     }
     return people;
 }

@@ -11,6 +11,7 @@
 
 #include "evaluation_comparisons.hpp"
 #include "evaluation_observers.hpp"
+#include "figure.hpp"
 #include "results/descriptive.hpp"
 
 namespace deixis::results {
@@ -98,7 +99,7 @@ Result<void> findClusters(Evaluation& evaluation) {
 /// To nine significant digits, so that what is equal on paper is tied: targets that mirror each other have
 /// the same density but for the last bits, and their clips the same accuracy.
 std::vector<double> tied(std::vector<double> values) {
-    for (double& value : values) value = std::strtod(fmt::format("{:.8e}", value).c_str(), nullptr);
+    for (double& value : values) value = rounded(value, 9);
     return values;
 }
 

@@ -1,5 +1,7 @@
 #include "export_tables.hpp"
 
+#include "standing.hpp"
+
 namespace deixis::results {
 
 namespace {
@@ -235,13 +237,6 @@ ExportTable eventsTable() {
             }};
 }
 
-/// A text in SQL.
-std::string quoted(const std::string& value) {
-    std::string out = "'";
-    for (const char c : value) out += c == '\'' ? "''" : std::string(1, c);
-    return out + "'";
-}
-
 /// What is known of the participant, and the levels of the system, beside each answer.
 void joinColumns(SQLite::Database& database, std::vector<ExportColumn>& columns) {
     const auto add = [&](const char* names, const std::string& prefix, const char* description,
@@ -249,9 +244,9 @@ void joinColumns(SQLite::Database& database, std::vector<ExportColumn>& columns)
         SQLite::Statement name(database, names);
         while (name.executeStep()) {
             const std::string one = name.getColumn(0).getString();
-            columns.push_back({{prefix + one, text, description}, sql(quoted(one), "")});
+            columns.push_back({{prefix + one, text, description}, sql(quotedSql(one), "")});
             columns.back().anonymous_sql =
-                sql(quoted(one), " AND field NOT IN (SELECT question FROM questions WHERE kind = 'text')");
+                sql(quotedSql(one), " AND field NOT IN (SELECT question FROM questions WHERE kind = 'text')");
         }
     };
     add("SELECT DISTINCT factor FROM participant_groups ORDER BY 1", "group_",

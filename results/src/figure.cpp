@@ -121,8 +121,8 @@ FigureJson rowAxis(const std::vector<std::vector<std::string>>& names) {
     return axis;
 }
 
-double rounded(double value) {
-    return std::strtod(fmt::format("{:.4g}", value).c_str(), nullptr);
+double rounded(double value, int digits) {
+    return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 
 FigureJson heightByWidth(const std::string& expression) {

@@ -60,7 +60,7 @@ inline constexpr const char* even_colour = "#8a8a85";  ///< what is not signific
 [[nodiscard]] FigureJson rowAxis(const std::vector<std::vector<std::string>>& names);
 
 /// To four significant digits: finer than a figure can show, and shorter on the page.
-[[nodiscard]] double rounded(double value);
+[[nodiscard]] double rounded(double value, int digits = 4);
 
 /// What makes a figure's height follow its width: a Vega expression of `width`. For Figure::spec's
 /// "usermeta"; Vega-Lite alone cannot say it.

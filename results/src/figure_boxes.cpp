@@ -60,8 +60,7 @@ struct BoxParts {
 void addBox(BoxParts& parts, const BoxPlot& plot, const BoxSummary& box, std::size_t place, double half) {
     const auto x = static_cast<double>(place);
     const std::string colour = systemColour(place);
-    // Beyond its box a notch would fold back, and may pass the scale's end.
-    const bool notched = box.notch_low >= box.q25 && box.notch_high <= box.q75;
+    const bool notched = box.notched();
     const std::string notch =
         notched ? fmt::format(" (notch {} to {})", plot.text(box.notch_low), plot.text(box.notch_high))
                 : std::string();

@@ -121,8 +121,13 @@ std::string cellOf(const PlainTable& table, const std::vector<PlainCell>& row, s
         if (const auto* key = std::get_if<std::string>(&row[i])) return inWords(*key);
     if (print != Print::range) return std::visit(LatexCell{print}, row[i]);
     if (std::holds_alternative<std::monostate>(row[i])) return "--";
-    return "[" + std::visit(LatexCell{Print::plain}, row[i]) + ", " +
-           std::visit(LatexCell{Print::plain}, row[i + 1]) + "]";
+    // An interval that says so, in the two columns behind its ends, is open there.
+    const auto open = [&](std::size_t column) {
+        const bool* included = column < row.size() ? std::get_if<bool>(&row[column]) : nullptr;
+        return included != nullptr && !*included;
+    };
+    return (open(i + 2) ? "(" : "[") + std::visit(LatexCell{Print::plain}, row[i]) + ", " +
+           std::visit(LatexCell{Print::plain}, row[i + 1]) + (open(i + 3) ? ")" : "]");
 }
 
 Body bodyOf(const PlainTable& table) {

@@ -42,7 +42,8 @@ std::optional<ResponseTable> readInParts(const std::filesystem::path& file, std:
                                          CsvForm form, const LongTableOptions& options) {
     constexpr std::size_t bytes_worth_a_thread = std::size_t{4} << 20U;
     LongTableReader columns(file, text, form, options);
-    if (!columns.readHead()) return std::nullopt;
+    // An export has a trial in several lines, which a cut could part.
+    if (!columns.readHead() || columns.isExport()) return std::nullopt;
     auto parts = mapRanges(text.size(), bytes_worth_a_thread, [&](std::size_t from, std::size_t to) {
         const std::string_view lines = linesBetween(text, from, to);
         auto part = from == 0 ? std::make_unique<LongTableReader>(file, lines, form, options)

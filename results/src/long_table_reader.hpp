@@ -57,6 +57,8 @@ class LongTableReader {
     LongTableReader(const LongTableReader& first, std::string_view text);
 
     [[nodiscard]] Result<void> readHead();
+    /// Whether the head is that of responses.csv.
+    [[nodiscard]] bool isExport() const { return head_.exported.has_value(); }
     /// `lines`: how many are expected, for the memory.
     [[nodiscard]] Result<void> readRows(std::size_t lines);
     /// Takes what was read of the part that follows. Where they do not agree, an error without a line.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string_view>
+#include <utility>
 
 #include "figure.hpp"
 #include "report_text.hpp"
@@ -122,8 +123,13 @@ std::string pageEnd(const std::string& elsewhere) {
     return "\n</main>" + figuresEnd(elsewhere) + "\n</body>\n</html>\n";
 }
 
-std::string propertyLabel(std::string name) {
+std::string spaced(std::string name) {
     std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+}
+
+std::string propertyLabel(std::string name) {
+    name = spaced(std::move(name));
     if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     return name;
 }

@@ -27,12 +27,12 @@ bool oddTimes(const ParticipantQuality& one) {
 }
 
 bool standsOut(const ParticipantQuality& one) {
-    return one.failed_check || mostlyOneRating(one) || (one.p_side && *one.p_side <= side_p) ||
-           oddTimes(one) || (one.agreement && *one.agreement < 0.0);
+    return one.failed_check.value_or(false) || mostlyOneRating(one) ||
+           (one.p_side && *one.p_side <= side_p) || oddTimes(one) || (one.agreement && *one.agreement < 0.0);
 }
 
 std::string optionalText(const std::optional<double>& value, int decimals) {
-    return value ? signedText(fixedText(*value, decimals)) : std::string(dash);
+    return value ? fixedText(*value, decimals) : std::string(dash);
 }
 
 std::string reliabilityHtml(const std::vector<Reliability>& all, Numbering& numbering) {
@@ -58,10 +58,10 @@ std::string reliabilityHtml(const std::vector<Reliability>& all, Numbering& numb
     return out + close_table;
 }
 
-std::string ruleHtml(const LeaveOutRule& rule) {
-    if (!rule.declared())
-        return "<p>The study declares no rule by which answers are left out; nobody is left out for anything "
-               "in this section.</p>";
+std::string ruleHtml(const AnalysisResult& result) {
+    const LeaveOutRule& rule = result.table.leave_out;
+    if (result.table.study_hash.empty()) return "";  // a file of answers knows no rules
+    if (!rule.declared()) return "<p>The study declares no rule by which answers are left out.</p>";
     std::string out;
     const auto add = [&out](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
     if (rule.same_rating_share)
@@ -73,25 +73,45 @@ std::string ruleHtml(const LeaveOutRule& rule) {
         add(fmt::format("a median response time below {:g}&#160;s", *rule.median_time_below_s));
     return fmt::format(
         "<p>Declared before the study, of participants with at least {} such answers: {}. Whom that concerns "
-        "is left out, and named among the exclusions below; the section on other choices shows both "
-        "results.</p>",
-        LeaveOutRule::least_answers, out);
+        "is left out, and named among the exclusions below{}.</p>",
+        LeaveOutRule::least_answers, out,
+        result.table.left_out_rows.empty() ? "" : "; the section on other choices shows both results");
 }
 
 std::string sideText(const ParticipantQuality& one) {
     return one.decided == 0 ? dash : fmt::format("{} of {}", one.left, one.decided);
 }
 
-std::string participantsHtml(const std::vector<ParticipantQuality>& people, Numbering& numbering) {
+/// What nobody did, of what could be judged.
+std::string nobodyText(const AnalysisResult& result) {
+    const std::vector<ParticipantQuality>& people = result.quality.participants;
+    const auto any = [&](const auto& judged) { return std::any_of(people.begin(), people.end(), judged); };
+    constexpr int least = LeaveOutRule::least_answers;
+    std::vector<std::string> what;
+    if (!result.table.checks.empty()) what.emplace_back("failed a check");
+    if (any([](const ParticipantQuality& one) { return one.same_of >= least; }))
+        what.push_back(fmt::format("gave one rating in {:g}&#160;% of a measure&#8217;s ratings",
+                                   100.0 * mostly_one_rating));
+    if (any([](const ParticipantQuality& one) { return one.decided > 0; }))
+        what.push_back(
+            fmt::format("preferred one side more often than chance (p&#160;&#8804;&#160;{:g})", side_p));
+    if (any([](const ParticipantQuality& one) { return one.times >= least; }))
+        what.push_back(
+            fmt::format("took unusual times in more than {:g}&#160;% of the trials", 100.0 * many_odd_times));
+    if (any([](const ParticipantQuality& one) { return one.agreement.has_value(); }))
+        what.emplace_back("rated against the others");
+    std::string out;
+    for (std::size_t i = 0; i < what.size(); ++i)
+        out += (i == 0 ? "" : i + 1 == what.size() ? " or " : ", ") + what[i];
+    if (out.empty()) return "";
+    return people.size() == 1 ? fmt::format("<p>The participant has not {}.</p>", out)
+                              : fmt::format("<p>None of {} participants {}.</p>", people.size(), out);
+}
+
+std::string participantsHtml(const AnalysisResult& result, Numbering& numbering) {
+    const std::vector<ParticipantQuality>& people = result.quality.participants;
     const auto n = std::count_if(people.begin(), people.end(), standsOut);
-    if (n == 0)
-        return fmt::format(
-            "<p>None of {} participants failed a check, gave one rating in {:g}&#160;% of a measure&#8217;s "
-            "ratings, "
-            "preferred one side more often than chance (p&#160;&#8804;&#160;{:g}), took unusual times in "
-            "more "
-            "than {:g}&#160;% of the trials, or rated against the others.</p>",
-            people.size(), 100.0 * mostly_one_rating, side_p, 100.0 * many_odd_times);
+    if (n == 0) return nobodyText(result);
     std::string out = openTable(
         fmt::format(
             "Whose answers stand out, {} of {}: a failed check; one rating in {:g}&#160;% of a "
@@ -117,7 +137,7 @@ std::string participantsHtml(const std::vector<ParticipantQuality>& people, Numb
             "scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
             "<td>{}</td><td>{}</td><td>{}</td></tr>",
             escapeHtml(one.participant), one.left_out ? " (left out)" : "",
-            one.failed_check ? "failed" : dash, same,
+            one.failed_check.value_or(false) ? "failed" : dash, same,
             one.ratings > 0 ? fmt::format("{}", one.longest_run) : std::string(dash), sideText(one),
             pText(one.p_side), one.median_s ? fixedText(*one.median_s, 2) + "&#160;s" : dash, one.fast,
             one.slow, optionalText(one.agreement, 2));
@@ -130,9 +150,8 @@ std::string participantsHtml(const std::vector<ParticipantQuality>& people, Numb
 std::string qualityHtml(const AnalysisResult& result, Numbering& numbering) {
     const DataQuality& quality = result.quality;
     if (quality.participants.empty()) return "";
-    return "<h2>Quality of the data</h2>" + ruleHtml(result.table.leave_out) +
-           reliabilityHtml(quality.reliability, numbering) +
-           participantsHtml(quality.participants, numbering);
+    return "<h2>Quality of the data</h2>" + ruleHtml(result) +
+           reliabilityHtml(quality.reliability, numbering) + participantsHtml(result, numbering);
 }
 
 Json qualityJson(const AnalysisResult& result) {
@@ -157,7 +176,7 @@ Json qualityJson(const AnalysisResult& result) {
         out["participants"].push_back({{"participant", one.participant},
                                        {"left_out", one.left_out},
                                        {"stands_out", standsOut(one)},
-                                       {"failed_check", one.failed_check},
+                                       {"failed_check", one.failed_check ? Json(*one.failed_check) : Json()},
                                        {"ratings", one.ratings},
                                        {"same_rating", numberOrNull(one.ratings > 0, one.same_rating)},
                                        {"same_share", numberOrNull(one.ratings > 0, one.same_share)},
@@ -218,7 +237,8 @@ PlainTable qualityTable(const AnalysisResult& result) {
                     {"agreement", number}}};
     for (const ParticipantQuality& one : result.quality.participants)
         out.rows.push_back(
-            {one.participant, one.left_out, standsOut(one), one.failed_check, wholeCell(one.ratings),
+            {one.participant, one.left_out, standsOut(one),
+             one.failed_check ? PlainCell(*one.failed_check) : PlainCell(), wholeCell(one.ratings),
              knownCell(one.ratings > 0, one.same_rating), knownCell(one.ratings > 0, one.same_share),
              wholeCell(one.same_of), one.same_measure, wholeCell(one.longest_run), wholeCell(one.decided),
              wholeCell(one.left), plainCell(one.p_side), wholeCell(one.times), plainCell(one.median_s),

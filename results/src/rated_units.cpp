@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_set>
 #include <utility>
 
@@ -11,32 +12,44 @@ namespace deixis::results {
 
 namespace {
 
+/// Confidence may be asked on several scales, each then a measure of its own.
 bool isRated(const Measure& measure) {
-    return measure.kind == MeasureKind::rating && measure.name != "confidence";
+    return measure.kind == MeasureKind::rating && measure.name != "confidence" &&
+           !measure.name.starts_with("confidence (");
 }
 
-/// None of fewer than three pairs, and where one side does not vary.
-std::optional<double> correlation(const std::vector<double>& x, const std::vector<double>& y) {
-    if (x.size() < 3) return std::nullopt;
-    const double mean_x = mean(x), mean_y = mean(y);
-    double xx = 0.0, yy = 0.0, xy = 0.0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        xx += (x[i] - mean_x) * (x[i] - mean_x);
-        yy += (y[i] - mean_y) * (y[i] - mean_y);
-        xy += (x[i] - mean_x) * (y[i] - mean_y);
+/// Pearson's correlation, of one measure or several: each about its own means, in parts of its scale.
+class Correlation {
+  public:
+    void add(const std::vector<double>& x, const std::vector<double>& y, double range) {
+        if (range <= 0.0) return;
+        const double mean_x = mean(x), mean_y = mean(y);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const double off_x = (x[i] - mean_x) / range, off_y = (y[i] - mean_y) / range;
+            xx_ += off_x * off_x;
+            yy_ += off_y * off_y;
+            xy_ += off_x * off_y;
+        }
+        n_ += x.size();
     }
-    if (xx <= 0.0 || yy <= 0.0) return std::nullopt;
-    return xy / std::sqrt(xx * yy);
-}
+    /// None of fewer than three pairs, and where one side does not vary.
+    [[nodiscard]] std::optional<double> value() const {
+        if (n_ < 3 || xx_ <= 0.0 || yy_ <= 0.0) return std::nullopt;
+        return xy_ / std::sqrt(xx_ * yy_);
+    }
+
+  private:
+    std::size_t n_ = 0;
+    double xx_ = 0.0, yy_ = 0.0, xy_ = 0.0;
+};
 
 }  // namespace
 
 RatedUnits::RatedUnits(const ResponseTable& table) {
-    std::unordered_set<Name> rated;
     for (const Measure& measure : table.measures)
-        if (isRated(measure)) rated.insert(measure.name);
+        if (isRated(measure)) range_[measure.name] = measure.high - measure.low;
     for (const ResponseRow& row : table.rows) {
-        if (row.target_id.empty() || !rated.contains(row.measure)) continue;
+        if (row.target_id.empty() || !range_.contains(row.measure)) continue;
         const auto [found, added] = index_.try_emplace(keyOf(row), units_.size());
         if (added) units_.push_back({row.measure});
         Unit& unit = units_[found->second];
@@ -61,16 +74,23 @@ std::optional<double> RatedUnits::agreement(const std::vector<const ResponseRow*
         own[found->second].sum += row->value;
         own[found->second].n += 1.0;
     }
-    std::vector<double> ratings, means;
+    struct Pairs {
+        std::vector<double> ratings{}, means{};
+    };
+    std::map<Name, Pairs> by_measure;
     for (const auto& [index, rating] : given) {
         const Unit& unit = units_[index];
         const Own mine = own[index];
         const double others = static_cast<double>(unit.ratings.size()) - mine.n;
         if (others <= 0.0) continue;
-        ratings.push_back(rating);
-        means.push_back((unit.sum - mine.sum) / others);
+        Pairs& pairs = by_measure[unit.measure];
+        pairs.ratings.push_back(rating);
+        pairs.means.push_back((unit.sum - mine.sum) / others);
     }
-    return correlation(ratings, means);
+    Correlation correlation;
+    for (const auto& [measure, pairs] : by_measure)
+        correlation.add(pairs.ratings, pairs.means, range_.at(measure));
+    return correlation.value();
 }
 
 std::vector<Reliability> RatedUnits::reliability(const ResponseTable& table) const {

@@ -41,7 +41,8 @@ class RatedUnits {
 
     static Key keyOf(const ResponseRow& row) { return {row.measure, row.system, row.target_id}; }
 
-    std::vector<Unit> units_{};  ///< in the order in which they first occur
+    std::unordered_map<Name, double> range_{};  ///< of the scale, by measure
+    std::vector<Unit> units_{};                 ///< in the order in which they first occur
     std::unordered_map<Key, std::size_t, HashOfKey> index_{};
 };
 

@@ -25,6 +25,12 @@ Computed::Computed(const AnalysisResult& result) {
     for (const ChanceResult& one : result.chance) take(chance, one);
     for (const OrderResult& one : result.order) take(halves, one);
     for (const InteractionResult& one : result.interactions) take(interactions, one);
+    for (const ScoreChange& one : result.score_changes) take(scores, one);
+    for (const Comparison& one : result.time_tests) take(times, one);
+    for (const ScoreGroupResult& one : result.score_groups)
+        scores_of_groups = scores_of_groups || one.test.p_two_sided;
+    for (const BetweenResult& one : result.time_groups)
+        times_of_groups = times_of_groups || one.test.p_two_sided;
     for (const BetweenResult& one : result.between) {
         if (!one.test.p_two_sided) continue;
         (one.factor == systems_between ? systems_apart : groups) = true;

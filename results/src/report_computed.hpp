@@ -16,6 +16,10 @@ struct Computed {
     bool systems_apart = false;  ///< systems that no participant met both of
     bool groups = false;
     bool preferences_of_groups = false;
+    bool scores = false;  ///< of a questionnaire asked again
+    bool times = false;   ///< response times of pairs of systems
+    bool scores_of_groups = false;
+    bool times_of_groups = false;
     bool interactions = false;
     bool equivalence = false;
     bool intervals = false;    ///< of means, by bootstrap
@@ -25,8 +29,12 @@ struct Computed {
 
     explicit Computed(const AnalysisResult& result);
 
-    [[nodiscard]] bool signedRank() const { return pairs || levels || preferences || chance || halves; }
-    [[nodiscard]] bool rankSum() const { return systems_apart || groups || preferences_of_groups; }
+    [[nodiscard]] bool signedRank() const {
+        return pairs || levels || preferences || chance || halves || scores || times;
+    }
+    [[nodiscard]] bool rankSum() const {
+        return systems_apart || groups || preferences_of_groups || scores_of_groups || times_of_groups;
+    }
 };
 
 /// The study that Deichler et al. (2023) ran, as it ships or changed in what a study file may change.

@@ -3,34 +3,12 @@
 
 #include "analysis_details.hpp"
 #include "report_details.hpp"
-#include "report_paragraphs.hpp"
 #include "report_people.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
 
 namespace {
-
-/// A group's mean, or a dash.
-std::string groupMean(const Measure& measure, int n, double mean) {
-    return n > 0 ? scoreText(measure, mean) : dash;
-}
-
-/// Shift, effect sizes and p of a row.
-std::string groupTestCells(const GroupTest& one, const Measure& measure) {
-    const RankSumTest& test = one.test;
-    const auto effect = [](const std::optional<double>& value) {
-        return value ? signedText(fmt::format("{:.2f}", *value)) : std::string(dash);
-    };
-    return fmt::format(
-        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"{}\">{}</td>",
-        shiftText(test.hodges_lehmann, [&](double value) { return scoreText(measure, value); }),
-        effect(test.cliffs_delta), test.a12 ? fmt::format("{:.2f}", *test.a12) : std::string(dash),
-        pText(test.p_two_sided), one.significant ? "sig" : "not", pText(one.p_holm));
-}
-
-constexpr const char* group_test_columns =
-    "<th>Shift</th><th>&#948;</th><th>A<sub>12</sub></th><th>p</th><th>p (Holm)</th>";
 
 /// A table of the tests that `takes` accepts; empty where none of them has a p. `first_cells`: what
 /// stands before a row's test.
@@ -43,7 +21,7 @@ std::string groupTable(const std::vector<Test>& tests, const Takes& takes, const
     int family = 0;
     for (const Test& one : tests) {
         if (!takes(one)) continue;
-        rows += first_cells(one) + groupTestCells(one, measure) + "</tr>";
+        rows += first_cells(one) + groupTestCells(one, scoreTextOf(measure)) + "</tr>";
         tested = tested || one.test.p_two_sided;
         family = one.family_size;
     }
@@ -79,8 +57,9 @@ std::string meansOfGroups(const AnalysisResult& result, const Factor& factor, co
                 "<tr{}><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}, "
                 "{}</td><td>{}</td><td>{}</td>",
                 one.system == "all" ? " class=\"all\"" : "", escapeHtml(one.system), escapeHtml(one.a),
-                escapeHtml(one.b), one.test.n_a, one.test.n_b, groupMean(measure, one.test.n_a, one.mean_a),
-                groupMean(measure, one.test.n_b, one.mean_b));
+                escapeHtml(one.b), one.test.n_a, one.test.n_b,
+                groupMean(scoreTextOf(measure), one.test.n_a, one.mean_a),
+                groupMean(scoreTextOf(measure), one.test.n_b, one.mean_b));
         },
         measure, result, numbering);
 }
@@ -110,8 +89,8 @@ std::string preferencesOfGroups(const AnalysisResult& result, const Factor& fact
                 "<td>{}<br/>{}</td><td>{}<br/>{}</td>",
                 escapeHtml(one.system), escapeHtml(one.other_system), escapeHtml(one.a), escapeHtml(one.b),
                 one.test.n_a, one.test.n_b, sharesText(one.answers_a), sharesText(one.answers_b),
-                groupMean(preference, one.test.n_a, one.mean_a),
-                groupMean(preference, one.test.n_b, one.mean_b));
+                groupMean(scoreTextOf(preference), one.test.n_a, one.mean_a),
+                groupMean(scoreTextOf(preference), one.test.n_b, one.mean_b));
         },
         preference, result, numbering);
 }
@@ -137,8 +116,8 @@ std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
                     "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{}</td>"
                     "<td>{}</td>",
                     escapeHtml(one.a), escapeHtml(one.b), one.test.n_a, one.test.n_b,
-                    groupMean(measure, one.test.n_a, one.mean_a),
-                    groupMean(measure, one.test.n_b, one.mean_b));
+                    groupMean(scoreTextOf(measure), one.test.n_a, one.mean_a),
+                    groupMean(scoreTextOf(measure), one.test.n_b, one.mean_b));
             },
             measure, result, numbering);
     for (const Factor& factor : result.table.between) {

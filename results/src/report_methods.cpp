@@ -94,6 +94,8 @@ std::string testsParagraph(const AnalysisResult& result, const Computed& compute
     if (computed.preferences) what.emplace_back("participants' mean preferences against none");
     if (computed.chance) what.emplace_back("correct choices less chance against none");
     if (computed.halves) what.emplace_back("the second half of a participant's answers against the first");
+    if (computed.scores) what.emplace_back("a questionnaire's scores when it is asked again against before");
+    if (computed.times) what.emplace_back("participants' median response times under two systems");
     const std::size_t systems = result.table.systems.size();
     const std::size_t pairs = systems * (systems - 1) / 2;
     std::vector<std::string> families;
@@ -105,6 +107,8 @@ std::string testsParagraph(const AnalysisResult& result, const Computed& compute
     if (computed.preferences) families.emplace_back("all pairs in preference");
     if (computed.chance) families.emplace_back("all systems against chance");
     if (computed.halves) families.emplace_back("the halves of all measures");
+    if (computed.scores) families.emplace_back("the scores of two stages");
+    if (computed.times) families.emplace_back("the pairs of systems in the response times of one measure");
     std::string out = fmt::format(
         "<p><b>Tests.</b> Compared by the two-sided Wilcoxon signed-rank test, in exact fractions: {}. "
         "Differences of zero are dropped before ranking (Wilcoxon's rule), equal differences share their "
@@ -141,7 +145,8 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
             "groups of participants are, by the two-sided Wilcoxon rank-sum test of participants' means, "
             "exact with ties too for up to 400 participants; Holm's correction covers these pairs in one "
             "measure.</p>";
-    if (computed.groups || computed.preferences_of_groups) {
+    if (computed.groups || computed.preferences_of_groups || computed.scores_of_groups ||
+        computed.times_of_groups) {
         out += "<p><b>Groups.</b>";
         if (computed.groups)
             out +=
@@ -154,6 +159,12 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
                 " For each pair of systems, the net preferences of the participants of two groups, the means "
                 "of their answers, are compared by the two-sided Wilcoxon rank-sum test; Holm's correction "
                 "covers all pairs of systems and of groups of one factor.";
+        if (computed.scores_of_groups || computed.times_of_groups)
+            out += fmt::format(" So are {}{}{}; Holm's correction covers {}.",
+                               computed.scores_of_groups ? "the scores of questionnaires" : "",
+                               computed.scores_of_groups && computed.times_of_groups ? ", and " : "",
+                               computed.times_of_groups ? "participants' median response times" : "",
+                               "all of one factor in one stage or measure");
         out += "</p>";
     }
     if (computed.interactions)

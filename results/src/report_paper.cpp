@@ -56,14 +56,23 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
             "Means take a rating's steps as equally wide, and the shift of the signed-rank test "
             "supposes that differences lie evenly around it. Cumulative link models do not.");
     std::set<std::string> families;
-    for (const auto* tests : {&result.pairwise, &result.level_tests})
-        for (const Comparison& one : *tests)
+    const auto count = [&families](const auto& tests) {
+        for (const auto& one : tests)
             if (one.family_size > 0) families.insert(one.family);
-    for (const PreferenceResult& one : result.preferences) families.insert(one.family);
-    for (const BetweenResult& one : result.between) families.insert(one.family);
-    for (const OrderResult& one : result.order) families.insert(one.family);
-    for (const ChanceResult& one : result.chance)
-        if (one.family_size > 0) families.insert(one.family);
+    };
+    count(result.pairwise);
+    count(result.level_tests);
+    count(result.preferences);
+    count(result.chance);
+    count(result.order);
+    count(result.between);
+    count(result.preferences_between);
+    count(result.interactions);
+    count(result.group_interactions);
+    count(result.score_changes);
+    count(result.score_groups);
+    count(result.time_tests);
+    count(result.time_groups);
     if (families.size() > 1)
         out.push_back(
             fmt::format("Holm's correction holds within each of the {} families of tests of this page, "
@@ -132,8 +141,10 @@ std::string paperHtml(const AnalysisResult& result) {
     std::string out =
         "\n<h2>For the paper</h2><p><b>Methods, to be copied.</b> " + methodsParagraph(result) + "</p>";
     if (const std::string results = resultsParagraphs(result); !results.empty())
-        out += "<details><summary>Results, to be copied: means, and every comparison with its numbers" +
-               std::string("</summary>") + results + "</details>";
+        out +=
+            "<details><summary>Results, to be copied: means, and the comparisons of systems, levels, groups "
+            "and preferences" +
+            std::string("</summary>") + results + "</details>";
     if (const auto limits = limitations(result); !limits.empty())
         out += "<p><b>Limitations.</b></p>" + itemsOf(limits);
     if (const auto works = references(result); !works.empty())

@@ -6,22 +6,13 @@
 #include <limits>
 #include <map>
 
+#include "analysis_details.hpp"
+#include "page.hpp"
 #include "report_computed.hpp"
 #include "report_people.hpp"
 #include "report_text.hpp"
 
 namespace deixis::results {
-
-std::string inSentence(const std::vector<std::string>& items) {
-    std::string out;
-    for (std::size_t i = 0; i < items.size(); ++i)
-        out += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
-    return out;
-}
-
-std::string counted(int n, const char* one, const char* many) {
-    return fmt::format("{} {}", n, n == 1 ? one : many);
-}
 
 namespace {
 
@@ -245,7 +236,7 @@ std::string measureParagraphs(const AnalysisResult& result, const Computed& comp
             if (one.measure == measure.name && one.test.n_pairs > 0)
                 pairs.add(one.significant, against(one.a, one.b), signedRankText(one, measure));
     for (const BetweenResult& one : result.between)
-        if (one.measure == measure.name && one.factor == "system" && one.test.p_two_sided)
+        if (one.measure == measure.name && one.factor == systems_between && one.test.p_two_sided)
             pairs.add(one.significant, against(one.a, one.b), rankSumText(one, measure));
     out = paragraph(name, out + pairs.text());
     for (const Factor& factor : withinFactors(result.table)) {
@@ -294,7 +285,7 @@ std::string methodsParagraph(const AnalysisResult& result) {
     for (const std::string& system : table.systems) systems.push_back(escapeHtml(system));
     std::string out = peopleSentence(result);
     for (const FieldResult& field : result.fields)
-        out += fmt::format(" {}: {}.", escapeHtml(capitalised(field.field)), fieldText(field));
+        out += fmt::format(" {}: {}.", escapeHtml(propertyLabel(field.field)), fieldText(field));
     if (!systems.empty())
         out += fmt::format(" Systems: {}{}.", inSentence(systems),
                            systems.size() < 2                 ? ""

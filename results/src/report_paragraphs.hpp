@@ -8,10 +8,6 @@
 
 namespace deixis::results {
 
-/// "a, b and c"; items are HTML.
-[[nodiscard]] std::string inSentence(const std::vector<std::string>& items);
-/// "1 participant", "3 participants".
-[[nodiscard]] std::string counted(int n, const char* one, const char* many);
 /// "naturalness (rated from 1 to 5)" of each measure.
 [[nodiscard]] std::vector<std::string> measureTexts(const ResponseTable& table);
 /// The fewest and the most answers that a participant gave.

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "page.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -14,37 +15,34 @@ std::string twoDecimals(double value) {
     return fixedText(value, 2);
 }
 
-std::string decided(bool significant, const std::optional<double>& p_holm) {
-    return fmt::format("<td class=\"{}\">{}</td>", significant ? "sig" : "not", pText(p_holm));
-}
-
-std::string signedRankCells(const AdjustedTest& one) {
-    return fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}", one.test.n_pairs,
-                       shiftText(one.test.hodges_lehmann, twoDecimals),
-                       one.test.rank_biserial ? fixedText(*one.test.rank_biserial, 2) : std::string(dash),
-                       pText(one.test.p_two_sided), decided(one.significant, one.p_holm));
-}
-
+/// The groups, their numbers and means, and the test.
 std::string rankSumCells(const GroupTest& one) {
-    return fmt::format("<td>{}, {}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}",
-                       one.test.n_a, one.test.n_b, one.test.n_a > 0 ? twoDecimals(one.mean_a) : dash,
-                       one.test.n_b > 0 ? twoDecimals(one.mean_b) : dash,
-                       shiftText(one.test.hodges_lehmann, twoDecimals),
-                       one.test.cliffs_delta ? fixedText(*one.test.cliffs_delta, 2) : std::string(dash),
-                       pText(one.test.p_two_sided), decided(one.significant, one.p_holm));
+    return fmt::format(
+               "<td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}, {}</td><td>{}</td><td>{}</td>",
+               escapeHtml(one.a), escapeHtml(one.b), one.test.n_a, one.test.n_b,
+               groupMean(twoDecimals, one.test.n_a, one.mean_a),
+               groupMean(twoDecimals, one.test.n_b, one.mean_b)) +
+           groupTestCells(one, twoDecimals);
 }
 
-constexpr const char* pair_columns = "<th>n</th><th>Shift</th><th>r</th><th>p</th><th>p (Holm)</th>";
-constexpr const char* group_columns =
-    "<th class=\"text\">A</th><th class=\"text\">B</th><th>n</th><th>Mean A</th><th>Mean B</th>"
-    "<th>Shift</th><th>&#948;</th><th>p</th><th>p (Holm)</th>";
+std::string groupColumns() {
+    return std::string(
+               "<th class=\"text\">A</th><th class=\"text\">B</th><th>n</th><th>Mean A</th>"
+               "<th>Mean B</th>") +
+           group_test_columns;
+}
+
+std::string signedRankRest(const AdjustedTest& one) {
+    return fmt::format("{}<td class=\"{}\">{}</td>", signedRankCells(one, twoDecimals),
+                       one.significant ? "sig" : "not", pText(one.p_holm));
+}
 
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> peopleEntries(const AnalysisResult& result) {
     std::vector<std::pair<std::string, std::string>> out;
     for (const FieldResult& field : result.fields)
-        out.emplace_back(escapeHtml(capitalised(field.field)), fieldText(field));
+        out.emplace_back(escapeHtml(propertyLabel(field.field)), fieldText(field));
     std::string times;
     for (const SessionTimeResult& one : result.session_times)
         times += fmt::format(
@@ -62,7 +60,7 @@ std::string fieldText(const FieldResult& field) {
                            field.n);
     std::string out;
     for (const auto& [option, n] : field.options)
-        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", escapeHtml(option), n);
+        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", escapeHtml(spaced(option)), n);
     return out;
 }
 
@@ -75,28 +73,25 @@ std::string scoreTestsHtml(const AnalysisResult& result, Numbering& numbering) {
             "signed-rank test, Holm's correction over the scores of the two stages. Bold: significant.",
             std::string("<th>Score</th><th class=\"text\">A</th><th class=\"text\">B</th><th>Mean A</th>"
                         "<th>Mean B</th>") +
-                pair_columns,
+                signed_rank_columns,
             numbering, TableWidth::dense);
         for (const ScoreChange& one : result.score_changes)
             out += fmt::format(
                 "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
                 "<td>{}</td>{}</tr>",
                 escapeHtml(one.score), escapeHtml(one.a), escapeHtml(one.b), twoDecimals(one.mean_a),
-                twoDecimals(one.mean_b), signedRankCells(one));
+                twoDecimals(one.mean_b), signedRankRest(one));
         out += close_table;
     }
     if (!result.score_groups.empty()) {
         out += openTable(
             "Scores by groups of participants: rank-sum tests, Holm's correction over the scores "
             "of a stage and all pairs of groups of one factor. Bold: significant.",
-            std::string("<th>Stage</th><th class=\"text\">Score</th>") + group_columns, numbering,
+            std::string("<th>Stage</th><th class=\"text\">Score</th>") + groupColumns(), numbering,
             TableWidth::dense);
         for (const ScoreGroupResult& one : result.score_groups)
-            out += fmt::format(
-                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>"
-                "<td class=\"text\">{}</td>{}</tr>",
-                escapeHtml(one.stage), escapeHtml(one.score), escapeHtml(one.a), escapeHtml(one.b),
-                rankSumCells(one));
+            out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
+                               escapeHtml(one.stage), escapeHtml(one.score), rankSumCells(one));
         out += close_table;
     }
     return out;
@@ -110,7 +105,7 @@ std::string timeTestsHtml(const AnalysisResult& result, Numbering& numbering) {
             rows += fmt::format(
                 "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>{}</tr>",
                 escapeHtml(capitalised(one.measure)), escapeHtml(one.a), escapeHtml(one.b),
-                signedRankCells(one));
+                signedRankRest(one));
     std::string out;
     if (!rows.empty())
         out += openTable(
@@ -118,22 +113,20 @@ std::string timeTestsHtml(const AnalysisResult& result, Numbering& numbering) {
                    "signed-rank tests, Holm's correction over the pairs of one measure. Bold: "
                    "significant.",
                    std::string("<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th>") +
-                       pair_columns,
+                       signed_rank_columns,
                    numbering, TableWidth::dense) +
                rows + close_table;
     rows.clear();
     for (const BetweenResult& one : result.time_groups)
         if (one.test.p_two_sided)
-            rows += fmt::format(
-                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>{}</tr>",
-                escapeHtml(capitalised(one.measure)), escapeHtml(one.a), escapeHtml(one.b),
-                rankSumCells(one));
+            rows += fmt::format("<tr><th scope=\"row\">{}</th>{}</tr>", escapeHtml(capitalised(one.measure)),
+                                rankSumCells(one));
     if (!rows.empty())
         out += openTable(
                    "Response times of groups: participants' median times in seconds over all systems, "
                    "rank-sum tests, Holm's correction over the pairs of groups of one factor in one "
                    "measure. Bold: significant.",
-                   std::string("<th>Measure</th>") + group_columns, numbering, TableWidth::dense) +
+                   std::string("<th>Measure</th>") + groupColumns(), numbering, TableWidth::dense) +
                rows + close_table;
     return out;
 }

@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include "report_details.hpp"
-#include "report_paragraphs.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {

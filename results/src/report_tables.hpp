@@ -26,6 +26,19 @@ constexpr const char* close_table = "</tbody></table></div>";
 extern const char* const box_columns;
 [[nodiscard]] std::string boxCells(const BoxSummary& box, const std::function<std::string(double)>& text);
 
+using NumberText = std::function<std::string(double)>;
+/// scoreText() of a measure.
+[[nodiscard]] NumberText scoreTextOf(const Measure& measure);
+
+/// Of a table of signed-rank tests: the columns' heads, and the cells of a row but for the corrected p, HTML.
+extern const char* const signed_rank_columns;
+[[nodiscard]] std::string signedRankCells(const AdjustedTest& tested, const NumberText& text);
+
+/// Likewise of rank-sum tests of two groups, and a group's mean, or a dash.
+extern const char* const group_test_columns;
+[[nodiscard]] std::string groupTestCells(const GroupTest& one, const NumberText& text);
+[[nodiscard]] std::string groupMean(const NumberText& text, int n, double mean);
+
 /// One of AnalysisResult::measures, or that of preferences.
 [[nodiscard]] Measure measureOf(const AnalysisResult& result, const std::string& name);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "report_interactions.hpp"
-#include "report_paragraphs.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -20,18 +19,13 @@ std::string verdict(const AdjustedTest& tested) {
                        tested.test.w_plus > tested.test.w_minus ? "A" : "B", mark);
 }
 
-constexpr const char* effect_columns =
-    "<th>n</th><th>Shift</th><th>r</th><th>p</th><th>p (Holm)</th>"
-    "<th class=\"text\">Result</th>";
-
+/// The test, and who is higher.
 std::string effectCells(const AdjustedTest& tested, const Measure& measure) {
-    const SignedRankTest& test = tested.test;
-    return fmt::format(
-        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}", test.n_pairs,
-        shiftText(test.hodges_lehmann, [&](double value) { return scoreText(measure, value); }),
-        test.rank_biserial ? signedText(fmt::format("{:.2f}", *test.rank_biserial)) : std::string(dash),
-        test.n_pairs > 0 ? pText(test.p_two_sided) : std::string(dash), pText(tested.p_holm),
-        verdict(tested));
+    return fmt::format("{}<td>{}</td>{}", signedRankCells(tested, scoreTextOf(measure)), pText(tested.p_holm),
+                       verdict(tested));
+}
+std::string effectColumns() {
+    return std::string(signed_rank_columns) + "<th class=\"text\">Result</th>";
 }
 
 constexpr const char* rank_columns =
@@ -113,7 +107,7 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
     std::string out = openTable(
         fmt::format("{}{} n counts participants.", caption,
                     measure.kind == MeasureKind::accuracy ? " (A &#8722; B in percentage points)." : "."),
-        first + "<th>Mean A &#8722; B</th>" + effect_columns, numbering, TableWidth::dense);
+        first + "<th>Mean A &#8722; B</th>" + effectColumns(), numbering, TableWidth::dense);
     for (const Comparison* one : rows) {
         names.push_back(fmt::format(
             "{}<td class=\"text\">{}</td><td class=\"text\">{}</td>",
@@ -135,7 +129,7 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
     std::string out = openTable(
         "Preferences: answers for A, for neither and for B; mean of the participants' means (positive: A). n "
         "counts participants.",
-        first + "<th>for A</th><th>equal</th><th>for B</th><th>Mean</th>" + effect_columns, numbering,
+        first + "<th>for A</th><th>equal</th><th>for B</th><th>Mean</th>" + effectColumns(), numbering,
         TableWidth::dense);
     const Measure scale{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0};
     for (const PreferenceResult* pair : rows) {

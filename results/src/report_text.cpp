@@ -87,6 +87,17 @@ std::string capitalised(std::string_view text) {
     return out;
 }
 
+std::string inSentence(const std::vector<std::string>& items) {
+    std::string out;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        out += (i == 0 ? "" : i + 1 == items.size() ? " and " : ", ") + items[i];
+    return out;
+}
+
+std::string counted(int n, const char* one, const char* many) {
+    return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
 namespace {
 
 std::string extremes(const AnalysisResult& result, std::size_t measure) {
@@ -105,19 +116,19 @@ std::string extremes(const AnalysisResult& result, std::size_t measure) {
         return fmt::format("All systems had the same mean {} ({}).", escapeHtml(of.name),
                            scoreText(of, highest));
     // Several may have the same mean.
+    const bool medians = hasManySteps(of);
     const auto named = [&](double mean) {
         std::vector<std::string> names;
         for (const SystemResult* s : answered)
             if (equal(value(s), mean))
-                names.push_back(fmt::format("<b>{}</b>{}", escapeHtml(s->system),
-                                            hasManySteps(of)
-                                                ? fmt::format(" (median of participants {})",
-                                                              scoreText(of, s->measures[measure].median))
-                                                : ""));
-        std::string out;
-        for (std::size_t i = 0; i < names.size(); ++i)
-            out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-        return fmt::format("{} ({}{})", out, names.size() > 1 ? "each " : "", scoreText(of, mean));
+                names.push_back(fmt::format("<b>{}</b>", escapeHtml(s->system)) +
+                                (medians
+                                     ? fmt::format(" ({}; median of participants {})", scoreText(of, mean),
+                                                   scoreText(of, s->measures[measure].median))
+                                     : ""));
+        const std::string out = inSentence(names);
+        return medians ? out
+                       : fmt::format("{} ({}{})", out, names.size() > 1 ? "each " : "", scoreText(of, mean));
     };
     return fmt::format("{} had the highest mean {}, {} the lowest.", named(highest), escapeHtml(of.name),
                        named(lowest));

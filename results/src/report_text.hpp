@@ -60,6 +60,11 @@ class Numbering {
 /// Of the game: "1 of 3 balls" or "1 of 2 to 5 balls".
 [[nodiscard]] std::string ballsText(const Measure& measure);
 
+/// "a, b and c"; items are HTML.
+[[nodiscard]] std::string inSentence(const std::vector<std::string>& items);
+/// "1 participant", "3 participants".
+[[nodiscard]] std::string counted(int n, const char* one, const char* many);
+
 /// "Accuracy", "Human-likeness".
 [[nodiscard]] std::string capitalised(std::string_view text);
 

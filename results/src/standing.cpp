@@ -24,16 +24,21 @@ std::string participantsStanding() {
         refusedConsent("participants.id"), declined_reason);
 }
 
+std::string quotedSql(std::string_view text) {
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? "''" : std::string(1, c);
+    return out + "'";
+}
+
 std::string participantsStanding(const std::map<std::string, std::string>& excluded) {
     if (excluded.empty()) return participantsStanding();
-    std::string quoted;
-    for (const char c : nlohmann::json(excluded).dump()) quoted += c == '\'' ? "''" : std::string(1, c);
+    const std::string by_id = quotedSql(nlohmann::json(excluded).dump());
     return fmt::format(
-        "(SELECT p.id, p.number, p.language, p.registered_utc_s, "
-        "iif(p.status = 'active' AND x.key IS NOT NULL, 'excluded', p.status) AS status, "
-        "iif(p.status = 'active' AND x.key IS NOT NULL, x.value, p.reason) AS reason "
-        "FROM {} AS p LEFT JOIN json_each('{}') AS x ON x.key = p.id)",
-        participantsStanding(), quoted);
+        "(SELECT id, number, language, registered_utc_s, "
+        "iif(status = 'active' AND id IN (SELECT key FROM json_each({1})), 'excluded', status) AS status, "
+        "iif(status = 'active' AND id IN (SELECT key FROM json_each({1})), "
+        "(SELECT value FROM json_each({1}) WHERE key = p.id), reason) AS reason FROM {0} AS p)",
+        participantsStanding(), by_id);
 }
 
 }  // namespace deixis::results

@@ -15,6 +15,9 @@ namespace deixis::results {
 /// whatever the table says.
 [[nodiscard]] std::string participantsStanding();
 
+/// A text as SQL has it.
+[[nodiscard]] std::string quotedSql(std::string_view text);
+
 /// Likewise, where of those who are active these, by id, are excluded for the reason given.
 [[nodiscard]] std::string participantsStanding(const std::map<std::string, std::string>& excluded);
 

@@ -73,7 +73,10 @@ std::string trialText(const studies::Trial& trial) {
     std::string out = fmt::format("{} {}", trial.stage, studies::stageKindName(trial.kind));
     if (trial.practice) out += fmt::format(", attempt {}", trial.attempt + 1);
     if (trial.kind == studies::StageKind::questionnaire) out += fmt::format(", page {}", trial.page + 1);
-    for (const auto& stimulus : trial.stimuli) out += fmt::format(", {} {}", stimulus.system, stimulus.item);
+    for (const auto& stimulus : trial.stimuli) {
+        out += fmt::format(", {} {}", stimulus.system, stimulus.item);
+        if (stimulus.clip > 0) out += fmt::format(" (clip {})", stimulus.clip + 1);
+    }
     if (!trial.layout.empty()) out += ", " + trial.layout;
     if (!trial.distance.empty()) out += ", " + trial.distance;
     if (!trial.stimuli.empty()) out += ", target " + position(trial.target);

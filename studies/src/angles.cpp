@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <iterator>
 
-#include "studies/standing.hpp"
 #include "studies/visibility.hpp"
 
 namespace deixis::studies {
 
 double angleSeen_deg(const Vec3& eye, const Vec3& a, const Vec3& b) {
-    const Vec3 to_a = a - eye;
-    const Vec3 to_b = b - eye;
-    // Small angles lose digits by the arc cosine.
-    const double angle_rad = std::atan2(glm::length(glm::cross(to_a, to_b)), glm::dot(to_a, to_b));
-    return std::round(degreesFromRadians(angle_rad) * 100.0) / 100.0;
+    return std::round(degreesFromRadians(angleBetween(a - eye, b - eye)) * 100.0) / 100.0;
 }
 
 BallAngles ballAngles(const Study& study, const Layout& layout, const Vec3& target,
@@ -26,12 +20,9 @@ BallAngles ballAngles(const Study& study, const Layout& layout, const Vec3& targ
                        [&](const Vec3& one) { return angleSeen_deg(eyes, target, one); });
         return out;
     };
-    const auto fromPlace = [&](Standing standing) {
-        const ViewerPlace place = viewerPlace(layout, standing);
-        return seenFromEyes({place.x_m, study.eye_height_m, place.z_m});
-    };
-    return {seenFromEyes(StandingAvatar::reference().eyes()), fromPlace(Standing::headset),
-            fromPlace(Standing::desktop)};
+    return {seenFromEyes(StandingAvatar::reference().eyes()),
+            seenFromEyes(eyesAt(study, layout, Standing::headset)),
+            seenFromEyes(eyesAt(study, layout, Standing::desktop))};
 }
 
 }  // namespace deixis::studies

@@ -232,8 +232,8 @@ void readLeaveOut(TomlTable& analysis, LeaveOutRule& rule) {
     const auto read = [&table](std::string_view key, double low, double high, std::optional<double>& value) {
         if (table.has(key)) value = table.number(key, low, high);
     };
-    read("same_rating_share", 0.5, 1.0, rule.same_rating_share);
-    read("one_side_share", 0.5, 1.0, rule.one_side_share);
+    read("same_rating_share", 0.51, 1.0, rule.same_rating_share);
+    read("one_side_share", 0.51, 1.0, rule.one_side_share);
     read("median_time_below_s", 0.001, 60.0, rule.median_time_below_s);
 }
 

@@ -12,6 +12,7 @@
 
 #include "core/random.hpp"
 #include "studies/angles.hpp"
+#include "target_text.hpp"
 
 namespace deixis::studies {
 
@@ -139,10 +140,6 @@ std::optional<GridPoint> drawDistractor(const TargetSpace& space, const Distance
         ++hidden;
     }
     return std::nullopt;
-}
-
-std::string positionText(const Vec3& position) {
-    return fmt::format("{:.4f},{:.4f},{:.4f}", position.x, position.y, position.z);
 }
 
 /// All bands take from the same row of draws. Bands that share no distance thus get distractors that are

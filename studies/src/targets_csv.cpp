@@ -6,16 +6,13 @@
 
 #include "studies/angles.hpp"
 #include "studies/targets.hpp"
+#include "target_text.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
 using Column = std::pair<std::string, std::vector<std::string>>;  // name, a cell by target
-
-std::string csvPosition(const Vec3& position) {
-    return fmt::format("{:.4f},{:.4f},{:.4f}", position.x, position.y, position.z);
-}
 
 std::string csvOf(const std::vector<TargetItem>& targets, const std::vector<DistanceBand>& bands,
                   const std::vector<Column>& more) {
@@ -27,10 +24,10 @@ std::string csvOf(const std::vector<TargetItem>& targets, const std::vector<Dist
     out += '\n';
     for (std::size_t row = 0; row < targets.size(); ++row) {
         const TargetItem& item = targets[row];
-        out += item.id + "," + (item.placed ? csvPosition(item.target) : ",,");
+        out += item.id + "," + (item.placed ? positionText(item.target) : ",,");
         for (std::size_t b = 0; b < bands.size(); ++b)
             for (int i = 0; i < bands[b].distractors; ++i)
-                out += "," + (item.placed ? csvPosition(item.distractors.at(b).at(i)) : ",,");
+                out += "," + (item.placed ? positionText(item.distractors.at(b).at(i)) : ",,");
         for (const auto& column : more) out += "," + column.second[row];
         out += '\n';
     }
@@ -72,12 +69,10 @@ void addAngles(const Study& study, const std::vector<TargetItem>& targets, std::
             return least(angles(item, places.front().layout).avatar_deg);
         }));
     for (const Viewpoint& place : places)
-        out.push_back(
-            numbers(fmt::format("{}angle_{}_{}", prefix, place.layout, standingName(place.standing)), targets,
-                    "{:.2f}", [&](const TargetItem& item) {
-                        const BallAngles of = angles(item, place.layout);
-                        return least(place.standing == Standing::headset ? of.headset_deg : of.desktop_deg);
-                    }));
+        out.push_back(numbers(
+            fmt::format("{}angle_{}_{}", prefix, place.layout, standingName(place.standing)), targets,
+            "{:.2f}",
+            [&](const TargetItem& item) { return least(angles(item, place.layout).of(place.standing)); }));
 }
 
 }  // namespace
@@ -86,7 +81,7 @@ std::string targetsCsv(const std::vector<TargetItem>& targets, const std::vector
     return csvOf(targets, bands, {});
 }
 
-Result<std::string> targetsCsv(const Study& study, const std::vector<TargetItem>& targets) {
+std::string targetsCsv(const Study& study, const std::vector<TargetItem>& targets) {
     std::vector<Column> more;
     for (std::size_t band = 0; band < study.distances.size(); ++band) {
         const std::string prefix = study.distances.size() > 1 ? study.distances[band].name + "_" : "";
@@ -94,13 +89,12 @@ Result<std::string> targetsCsv(const Study& study, const std::vector<TargetItem>
         addAngles(study, targets, band, prefix, more);
     }
     if (!viewpoints(study).empty()) {
-        const auto drawn = drawnAnew(study, targets);
-        if (!drawn) return tl::unexpected(drawn.error());
-        Column& column = more.emplace_back("drawn_anew", std::vector<std::string>{});
-        for (const DrawnAnew what : *drawn)
-            column.second.emplace_back(what == DrawnAnew::target        ? "target"
-                                       : what == DrawnAnew::distractors ? "distractors"
-                                                                        : "");
+        Column& column = more.emplace_back("drawn_anew", std::vector<std::string>(targets.size()));
+        if (const auto drawn = drawnAnew(study, targets))  // the bare rule may find no place in narrow bands
+            for (std::size_t i = 0; i < drawn->size(); ++i)
+                column.second[i] = (*drawn)[i] == DrawnAnew::target        ? "target"
+                                   : (*drawn)[i] == DrawnAnew::distractors ? "distractors"
+                                                                           : "";
     }
     return csvOf(targets, study.distances, more);
 }

@@ -44,6 +44,11 @@ std::vector<Sphere> without(std::vector<Sphere> balls, std::size_t ball) {
 
 }  // namespace
 
+Vec3 eyesAt(const Study& study, const Layout& layout, Standing standing) {
+    const ViewerPlace place = viewerPlace(layout, standing);
+    return {onGrid(place.x_m), onGrid(study.eye_height_m), onGrid(place.z_m)};
+}
+
 std::vector<Viewpoint> viewpoints(const Study& study) {
     std::set<std::string> used;
     for (const Stage& stage : study.stages)
@@ -54,11 +59,9 @@ std::vector<Viewpoint> viewpoints(const Study& study) {
         if (used.count(layout.name) == 0) continue;
         for (const Standing standing : {Standing::headset, Standing::desktop}) {
             Viewpoint& viewpoint = out.emplace_back(Viewpoint{layout.name, standing, {}});
-            const ViewerPlace place = viewerPlace(layout, standing);
+            const Vec3 eyes = eyesAt(study, layout, standing);
             for (const double step : {-1.0, 0.0, 1.0})
-                viewpoint.eyes.push_back({onGrid(place.x_m),
-                                          onGrid(study.eye_height_m + step * height_step_m),
-                                          onGrid(place.z_m)});
+                viewpoint.eyes.push_back({eyes.x, onGrid(study.eye_height_m + step * height_step_m), eyes.z});
         }
     }
     return out;

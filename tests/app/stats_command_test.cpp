@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "program.hpp"
+#include "text.hpp"
 
 using namespace deixis::tests;
 using nlohmann::json;
@@ -107,6 +108,24 @@ TEST_SUITE("app/stats") {
     TEST_CASE("holm keeps the order, and a missing p stays missing also where it is an empty line") {
         const json out = numbers("holm", "p\n0.01\n\n3/100\nNA\n0.005\n", "--columns p");
         CHECK(out["adjusted"] == json::array({0.02, nullptr, 0.03, nullptr, 0.015}));
+    }
+
+    TEST_CASE("decimal commas stand for points between semicolons, are told, and are not mixed with points") {
+        const Scratch scratch;
+        const auto signed_rank = [&](const std::string& rows) {
+            spill(scratch / "d.csv", rows);
+            return program("stats signed-rank " + (scratch / "d.csv") + " --columns a,b --json");
+        };
+        const auto commas = signed_rank("a;b\n1,5;2,25\n3;1,5\n2,5;2\n");
+        const auto points = signed_rank("a,b\n1.5,2.25\n3,1.5\n2.5,2\n");
+        REQUIRE(commas.status == 0);
+        REQUIRE(points.status == 0);
+        auto told = json::parse(commas.out);
+        CHECK(contains(told["note"].get<std::string>(), "decimal points"));
+        CHECK(told["hodges_lehmann"] == json::parse(points.out)["hodges_lehmann"]);
+        CHECK_FAILS_SAYING(signed_rank("a;b\n1,5;2.25\n3;1,5\n"), "column \"b\": 2.25", "one way");
+        // A thousands separator is no decimal comma.
+        CHECK_FAILS_SAYING(signed_rank("a,b\n\"1,234\",2\n3,4\n"), "d.csv:2", "1,234");
     }
 
     TEST_CASE("bootstrap prints its seed, resamples participants and repeats itself") {

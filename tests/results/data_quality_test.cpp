@@ -22,6 +22,7 @@ void add(results::ResponseTable& table, const std::string& who, const std::strin
     row.target_id = item;
     row.trial = trial;
     row.value = value;
+    if (measure == "preference") row.other_system = "b";
     row.response_time_s = time_s;
     table.rows.push_back(row);
 }
@@ -108,6 +109,32 @@ TEST_SUITE("results/data_quality") {
         CHECK(quality.reliability[0].raters == 4);
         CHECK(quality.reliability[0].units == 10);
         CHECK(quality.reliability[0].ratings == 40);
+    }
+
+    TEST_CASE("Agreement over several measures is that within each, whatever their scales") {
+        auto table = empty();
+        table.measures.push_back({"human-likeness", results::MeasureKind::rating, 0.0, 100.0});
+        for (int i = 0; i < 5; ++i) {
+            const std::string item = fmt::format("T{}", i);
+            add(table, "anna", "naturalness", i, item, 1.0 + i);
+            add(table, "ben", "naturalness", i, item, 5.0 - i);
+            add(table, "anna", "human-likeness", 5 + i, item, 70.0 + i);
+            add(table, "ben", "human-likeness", 5 + i, item, 74.0 - i);
+        }
+        // Together the two scales would make them agree almost perfectly.
+        for (const auto& one : results::dataQuality(table).participants)
+            CHECK(*one.agreement == Approx(-1.0));
+    }
+
+    TEST_CASE("A measure of few answers does not hide one that the rule judges") {
+        auto table = empty();
+        table.measures.push_back({"confidence", results::MeasureKind::rating, 1.0, 5.0});
+        for (int i = 0; i < 20; ++i) add(table, "anna", "naturalness", i, "T", i == 0 ? 1.0 : 4.0);
+        for (int i = 0; i < 3; ++i) add(table, "anna", "confidence", 20 + i, "T", 2.0);
+        table.leave_out.same_rating_share = 0.9;
+        CHECK(results::leftOutByRule(table) ==
+              std::map<std::string, std::string>{
+                  {"anna", "by the study's rule: rated 4 in 19 of 20 (naturalness)"}});
     }
 
     TEST_CASE("A declared rule names whom it leaves out, and why; without one nobody is") {

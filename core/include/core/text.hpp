@@ -22,4 +22,7 @@ namespace deixis {
 /// The text with U+FFFD for each such byte: for what a device or driver says, which nobody can mend.
 [[nodiscard]] std::string keepable(std::string_view text);
 
+/// Adds a character (a scalar value of Unicode) in UTF-8.
+void appendUtf8(std::string& text, char32_t character);
+
 }  // namespace deixis

@@ -13,9 +13,10 @@ struct ResponseTable;
 /// Of one participant's answers; none of a kind: 0, or no value.
 struct ParticipantQuality {
     std::string participant;
-    bool left_out = false;           ///< excluded or dropped out; judged like the others
-    int ratings = 0;                 ///< on all measures
-    std::string same_measure{};      ///< in which the rating given most often has the greatest share,
+    bool left_out = false;  ///< excluded or dropped out; judged like the others
+    int ratings = 0;        ///< on all measures
+    /// In which the rating given most often has the greatest share, of those that the rule can judge if any,
+    std::string same_measure{};
     double same_rating = 0.0;        ///< that rating,
     double same_share = 0.0;         ///< its share,
     int same_of = 0;                 ///< and of how many
@@ -29,7 +30,7 @@ struct ParticipantQuality {
     int slow = 0;  ///< likewise above (Leys et al. 2013)
     /// Pearson's correlation of the ratings with the means of the others' ratings of the same clips.
     std::optional<double> agreement{};
-    bool failed_check = false;
+    std::optional<bool> failed_check{};  ///< none of whom is left out
 };
 
 /// How far those who count agree in rating the same clips (a system's for an item). Each clip's ratings are

@@ -41,6 +41,9 @@ struct BoxSummary {
     /// The median's notch, -+ 1.57 (q75 - q25) / sqrt(n): where those of two samples do not overlap, their
     /// medians differ at about 5 % (McGill, Tukey & Larsen 1978). May reach beyond the box.
     double notch_low = 0.0, notch_high = 0.0;
+
+    /// Whether the notch lies within the box; beyond it it would fold back, and is not drawn.
+    [[nodiscard]] bool notched() const { return notch_low >= q25 && notch_high <= q75; }
 };
 
 [[nodiscard]] std::optional<BoxSummary> boxSummary(const std::vector<double>& x);  ///< none of no values

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "studies/standing.hpp"
 #include "studies/study.hpp"
 
 namespace deixis::studies {
@@ -13,6 +14,10 @@ struct BallAngles {
     std::vector<double> avatar_deg;   ///< as the avatar's eyes see them: the reference humanoid's, at rest
     std::vector<double> headset_deg;  ///< from the layout's place in a headset, eyes at Study::eye_height_m
     std::vector<double> desktop_deg;  ///< from its place at a desktop
+
+    [[nodiscard]] const std::vector<double>& of(Standing standing) const {
+        return standing == Standing::headset ? headset_deg : desktop_deg;
+    }
     friend bool operator==(const BallAngles&, const BallAngles&) = default;
 };
 

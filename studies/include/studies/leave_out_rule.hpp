@@ -11,8 +11,8 @@ struct LeaveOutRule {
     static constexpr int least_answers = 10;
 
     std::optional<double>
-        same_rating_share{};                 ///< one rating in at least this share of a measure's; (0.5, 1]
-    std::optional<double> one_side_share{};  ///< of a pair the same side in at least this share; (0.5, 1]
+        same_rating_share{};                 ///< one rating in at least this share of a measure's; [0.51, 1]
+    std::optional<double> one_side_share{};  ///< of a pair the same side in at least this share; [0.51, 1]
     std::optional<double> median_time_below_s{};  ///< the median of the response times lies below; above 0
 
     [[nodiscard]] bool declared() const { return same_rating_share || one_side_share || median_time_below_s; }

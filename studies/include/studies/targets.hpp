@@ -81,8 +81,9 @@ enum class DrawnAnew : unsigned char { nothing, distractors, target };
 /// The same for a study with a game, with, for each band and viewpoint, the least share of a ball's disc that
 /// is seen from there, "seen_LAYOUT_headset" and "seen_LAYOUT_desktop", and the least angle from the target
 /// to a distractor in degrees, "angle_avatar", "angle_LAYOUT_headset" and "angle_LAYOUT_desktop" (of several
-/// bands with the band before); last "drawn_anew": "target", "distractors" or empty, see drawnAnew().
-[[nodiscard]] Result<std::string> targetsCsv(const Study& study, const std::vector<TargetItem>& targets);
+/// bands with the band before); last "drawn_anew": "target", "distractors" or empty, see drawnAnew(); all
+/// empty where that fails.
+[[nodiscard]] std::string targetsCsv(const Study& study, const std::vector<TargetItem>& targets);
 
 /// What is seen of an item's balls in one band, past an avatar: by viewpoint; of each the target first.
 [[nodiscard]] std::vector<SeenBalls> seenOf(const Study& study, const TargetItem& item, std::size_t band,

@@ -24,6 +24,9 @@ struct Viewpoint {
     std::vector<Vec3> eyes;  ///< metres, rounded to 0.1 mm
 };
 
+/// The eyes of a participant of Study::eye_height_m there; metres, rounded to 0.1 mm.
+[[nodiscard]] Vec3 eyesAt(const Study& study, const Layout& layout, Standing standing);
+
 /// Of all layouts in which the study plays its game; none where it plays none.
 [[nodiscard]] std::vector<Viewpoint> viewpoints(const Study& study);
 
