@@ -38,7 +38,7 @@ std::string csvOf(const std::vector<TargetItem>& targets, const std::vector<Dist
 template <typename Value>
 Column numbers(std::string name, const std::vector<TargetItem>& targets, const char* format,
                const Value& value) {
-    Column out{std::move(name), {}};
+    Column out{std::move(name), std::vector<std::string>{}};
     for (const TargetItem& item : targets)
         out.second.push_back(item.placed ? fmt::format(fmt::runtime(format), value(item)) : "");
     return out;

@@ -45,7 +45,8 @@ def killed(settings):
         person.sits_down_again(trace, rig.mouse)
         person.take_part(stop=at_page("human-likeness"))
         pages = [state for state in trace.states if state != "paused"]  # a new window may lose the focus for once
-        require(pages == ["welcome-back", "listening"], f"after the kill came {pages}")
+        # Nothing of the stage is answered, so its instructions come once more.
+        require(pages == ["welcome-back", "instructions", "listening"], f"after the kill came {pages}")
         line = person.hands.look()
         require(line["trial"] == page, f"it goes on at trial {line['trial']}, not at {page}")
         require(
