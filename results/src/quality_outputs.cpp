@@ -150,8 +150,9 @@ std::string participantsHtml(const AnalysisResult& result, Numbering& numbering)
 std::string qualityHtml(const AnalysisResult& result, Numbering& numbering) {
     const DataQuality& quality = result.quality;
     if (quality.participants.empty()) return "";
-    return "<h2>Quality of the data</h2>" + ruleHtml(result) +
-           reliabilityHtml(quality.reliability, numbering) + participantsHtml(result, numbering);
+    std::string out = "<h2>Quality of the data</h2>" + ruleHtml(result);
+    out += reliabilityHtml(quality.reliability, numbering);  // tables number themselves in this order
+    return out + participantsHtml(result, numbering);
 }
 
 Json qualityJson(const AnalysisResult& result) {
