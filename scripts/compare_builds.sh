@@ -14,7 +14,7 @@ for which in 1 2; do
     for study in $studies; do
         "$program" plan "$study" --participant P07 --json >"$study-plan.json"
         "$program" simulate "$study" --participants 3 --db study.sqlite --stimuli stimuli >/dev/null
-        "$program" report study.sqlite -o "$study.html" --json "$study.json" >/dev/null
+        "$program" report study.sqlite -o "$study.html" --json "$study.json" --csv "$study-csv" --latex "$study-latex" >/dev/null
         sqlite3 -readonly study.sqlite \
             "select participant, trial_index, status, chosen_place, response_time_s, question, stimulus, value, text
              from responses left join answers on response = id order by 1, 2, position" >"$study-answers.txt"
