@@ -20,6 +20,7 @@ using enum ColumnType;
 PlainTable meansTable(const AnalysisResult& result) {
     PlainTable out{
         "means",
+        units::means,
         fmt::format("Means of participants' means, {:g} % bootstrap intervals over participants, and "
                     "standard deviations",
                     100.0 * result.level),
@@ -49,6 +50,7 @@ PlainTable meansTable(const AnalysisResult& result) {
 
 PlainTable levelsTable(const AnalysisResult& result) {
     PlainTable out{"levels",
+                   units::answers,
                    "Means and standard deviations over trials, by the levels of within factors",
                    {{"measure", text, Print::heading},
                     {"factor", text, Print::heading},
@@ -74,6 +76,7 @@ PlainTable levelsTable(const AnalysisResult& result) {
 
 PlainTable omnibusTable(const AnalysisResult& result) {
     PlainTable out{"omnibus",
+                   units::means,
                    "Friedman's test over all systems",
                    {{"measure", text, Print::plain},
                     {"n", whole, Print::plain, "$n$"},
@@ -105,7 +108,7 @@ PlainTable comparisonsTable(const std::string& name, const std::string& caption,
     columns.push_back({"a", text, Print::plain});
     columns.push_back({"b", text, Print::plain});
     columns.push_back({"mean_difference", number});
-    PlainTable out{name, caption, withMore(std::move(columns), testColumns())};
+    PlainTable out{name, units::means, caption, withMore(std::move(columns), testColumns())};
     for (const Comparison& one : comparisons) {
         std::vector<PlainCell> row{one.measure};
         if (with_factor) {
@@ -121,7 +124,7 @@ PlainTable comparisonsTable(const std::string& name, const std::string& caption,
 }
 
 PlainTable interactionsTable(const AnalysisResult& result) {
-    PlainTable out{"interactions",
+    PlainTable out{"interactions", units::differences,
                    "Differences a - b under c less those under d: signed-rank tests of participants' means",
                    withMore(withMore(contrastColumns(), {{"mean_difference", number}}), testColumns())};
     for (const InteractionResult& one : result.interactions)
@@ -131,7 +134,7 @@ PlainTable interactionsTable(const AnalysisResult& result) {
 }
 
 PlainTable preferencesTable(const AnalysisResult& result) {
-    PlainTable out{"preferences", "Preferences between systems",
+    PlainTable out{"preferences", units::preferences, "Preferences between systems",
                    withMore<PlainColumn>({{"a", text, Print::plain},
                                           {"b", text, Print::plain},
                                           {"prefers_a", whole, Print::plain, "for A"},
@@ -153,7 +156,7 @@ PlainTable preferencesTable(const AnalysisResult& result) {
 
 PlainTable chanceTable(const AnalysisResult& result) {
     PlainTable out{
-        "chance",
+        "chance", units::means_and_choices,
         "Correct choices and chance: signed-rank tests of participants' means of correct - 1 / balls",
         withMore<PlainColumn>({{"system", text, Print::plain},
                                {"successes", whole, Print::plain, "correct"},
@@ -178,7 +181,7 @@ PlainTable chanceTable(const AnalysisResult& result) {
 }
 
 PlainTable orderTable(const AnalysisResult& result) {
-    PlainTable out{"order", "First and second half of each participant's answers",
+    PlainTable out{"order", units::means, "First and second half of each participant's answers",
                    withMore<PlainColumn>({{"measure", text, Print::plain},
                                           {"first_half", number, Print::plain, "first half"},
                                           {"second_half", number, Print::plain, "second half"}},
@@ -192,6 +195,7 @@ PlainTable orderTable(const AnalysisResult& result) {
 
 PlainTable timesTable(const AnalysisResult& result) {
     PlainTable out{"response_times",
+                   units::answers,
                    "Response times over answers, seconds",
                    {{"measure", text, Print::heading},
                     {"system", text, Print::plain},
@@ -207,6 +211,7 @@ PlainTable timesTable(const AnalysisResult& result) {
 
 PlainTable itemsTable(const AnalysisResult& result) {
     PlainTable out{"items",
+                   units::answers,
                    "Items over systems and participants",
                    {{"measure", text}, {"item", text}, {"mean", number}, {"answers", whole}}};
     for (const ItemResult& one : result.items)
@@ -216,6 +221,7 @@ PlainTable itemsTable(const AnalysisResult& result) {
 
 PlainTable checksTable(const AnalysisResult& result) {
     PlainTable out{"checks",
+                   units::checks,
                    "Attention checks",
                    {{"stage", text, Print::heading},
                     {"kind", text, Print::plain},
@@ -227,8 +233,10 @@ PlainTable checksTable(const AnalysisResult& result) {
 }
 
 PlainTable leftOutTable(const AnalysisResult& result) {
-    PlainTable out{
-        "left_out", "Participants left out", {{"participant", text}, {"why", text}, {"reason", text}}};
+    PlainTable out{"left_out",
+                   units::participants,
+                   "Participants left out",
+                   {{"participant", text}, {"why", text}, {"reason", text}}};
     for (const LeftOut& one : result.table.left_out)
         out.rows.push_back({one.participant, std::string(one.dropped ? "dropped" : "excluded"), one.reason});
     return out;
@@ -238,6 +246,7 @@ PlainTable leftOutTable(const AnalysisResult& result) {
 PlainTable participantsTable(const AnalysisResult& result) {
     PlainTable out{
         "participant_means",
+        units::means,
         "Participants' means",
         {{"participant", text}, {"measure", text}, {"system", text}, {"mean", number}, {"answers", whole}}};
     for (std::size_t m = 0; m < result.measures.size(); ++m) {
@@ -255,7 +264,7 @@ PlainTable participantsTable(const AnalysisResult& result) {
 
 /// What the tables hang on and do not tell.
 PlainTable settingsTable(const AnalysisResult& result) {
-    PlainTable out{"settings", "Settings", {{"name", text}, {"value", number}}};
+    PlainTable out{"settings", units::none, "Settings", {{"name", text}, {"value", number}}};
     const AnalysisOptions& options = result.options;
     out.rows.push_back({"alpha", PlainCell(result.alpha)});
     out.rows.push_back({"level", PlainCell(result.level)});

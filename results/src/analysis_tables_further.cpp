@@ -13,6 +13,7 @@ using enum ColumnType;
 /// One row for each pair and choice.
 PlainTable sensitivityTable(const AnalysisResult& result) {
     PlainTable out{"sensitivity",
+                   units::means,
                    "The pairs of systems under other choices",
                    {{"measure", text, Print::heading},
                     {"a", text, Print::plain},
@@ -44,6 +45,7 @@ PlainTable sensitivityTable(const AnalysisResult& result) {
 /// Choices that were not made.
 PlainTable unansweredTable(const AnalysisResult& result) {
     PlainTable out{"unanswered",
+                   units::means_and_choices,
                    "Choices that were not made",
                    {{"system", text, Print::plain},
                     {"answered", whole, Print::plain},
@@ -60,7 +62,7 @@ PlainTable unansweredTable(const AnalysisResult& result) {
 }
 
 PlainTable betweenTable(const AnalysisResult& result) {
-    PlainTable out{"between", "Groups of participants: rank-sum tests of participants' means",
+    PlainTable out{"between", units::means, "Groups of participants: rank-sum tests of participants' means",
                    withMore<PlainColumn>({{"measure", text, Print::heading},
                                           {"factor", text, Print::heading},
                                           {"system", text, Print::plain},
@@ -73,7 +75,7 @@ PlainTable betweenTable(const AnalysisResult& result) {
 }
 
 PlainTable preferencesBetweenTable(const AnalysisResult& result) {
-    PlainTable out{"preferences_between",
+    PlainTable out{"preferences_between", units::preferences,
                    "Groups of participants: preferences for system over other system (shares of answers), "
                    "rank-sum tests of participants' net preferences",
                    withMore<PlainColumn>({{"factor", text, Print::heading},
@@ -104,7 +106,7 @@ PlainTable preferencesBetweenTable(const AnalysisResult& result) {
 
 PlainTable groupInteractionsTable(const AnalysisResult& result) {
     PlainTable out{
-        "group_interactions",
+        "group_interactions", units::differences,
         "Differences c - d between the groups a and b: rank-sum tests of participants' differences",
         withMore(contrastColumns(), groupColumns())};
     for (const GroupInteractionResult& one : result.group_interactions)
@@ -114,6 +116,7 @@ PlainTable groupInteractionsTable(const AnalysisResult& result) {
 
 PlainTable equivalenceTable(const AnalysisResult& result) {
     PlainTable out{"equivalence",
+                   units::means,
                    "Equivalence within bounds that were declared before: two one-sided tests",
                    {{"measure", text, Print::heading},
                     {"factor", text, Print::heading},
@@ -139,6 +142,7 @@ PlainTable equivalenceTable(const AnalysisResult& result) {
 
 PlainTable confusionTable(const AnalysisResult& result) {
     PlainTable out{"confusion",
+                   units::choices,
                    "Which balls were chosen",
                    {{"system", text, Print::plain},
                     {"role", text, Print::plain, "ball"},
@@ -153,6 +157,7 @@ PlainTable confusionTable(const AnalysisResult& result) {
 
 PlainTable anglesTable(const AnalysisResult& result) {
     PlainTable out{"angles",
+                   units::choices,
                    "Correct choices by the angle from the target to the distractor that looks nearest",
                    {{"eyes", text, Print::plain},
                     {"system", text, Print::plain},
@@ -168,6 +173,7 @@ PlainTable anglesTable(const AnalysisResult& result) {
 
 PlainTable observersTable(const AnalysisResult& result) {
     PlainTable out{"observers",
+                   units::trials,
                    "Correct choices that simulated observers are expected to make; no evidence about people",
                    {{"system", text, Print::plain},
                     {"layout", text, Print::plain},
@@ -184,6 +190,7 @@ PlainTable observersTable(const AnalysisResult& result) {
 
 PlainTable driftTable(const AnalysisResult& result) {
     PlainTable out{"drift",
+                   units::choices,
                    "Choices of the ball nearest to the arm when the hold began and when it ended",
                    {{"system", text, Print::plain},
                     {"line", text, Print::plain},
@@ -202,6 +209,7 @@ PlainTable driftTable(const AnalysisResult& result) {
 
 PlainTable targetSpaceTable(const AnalysisResult& result) {
     PlainTable out{"target_space",
+                   units::choices,
                    "Correct choices by the target's place",
                    {{"system", text, Print::heading},
                     {"item", text, Print::plain},
@@ -219,6 +227,7 @@ PlainTable targetSpaceTable(const AnalysisResult& result) {
 
 PlainTable pooledTable(const AnalysisResult& result) {
     PlainTable out{"pooled_ratings",
+                   units::ratings,
                    "Ratings taken one by one (pseudo-replicated)",
                    {{"measure", text, Print::heading},
                     {"system", text, Print::plain},
@@ -239,6 +248,7 @@ PlainTable pooledTable(const AnalysisResult& result) {
 
 PlainTable scoresTable(const AnalysisResult& result) {
     PlainTable out{"scores",
+                   units::scores,
                    "Scores of questionnaires over participants",
                    {{"stage", text, Print::heading},
                     {"score", text, Print::plain},

@@ -54,6 +54,7 @@ AbilityJson bradleyTerryJson(const AnalysisResult& result) {
 
 PlainTable bradleyTerryTable(const AnalysisResult& result) {
     PlainTable out{"bradley_terry",
+                   units::single_preferences,
                    "Abilities from preferences (Bradley and Terry); log odds, mean 0",
                    {{"system", ColumnType::text, Print::plain},
                     {"ability", ColumnType::number, Print::plain},
@@ -80,7 +81,8 @@ std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering)
     for (const Ability& one : fit.abilities) against += fmt::format("<th>to {}</th>", escapeHtml(one.system));
     std::string out =
         "<h2>Abilities from preferences</h2>" +
-        openTable(fmt::format(
+        openTable(units::single_preferences,
+                  fmt::format(
                       "Bradley and Terry's model: the log odds with which one system is preferred to another "
                       "are the difference of their abilities, whose mean is 0; ties are half a win each. "
                       "{:.4g}&#160;% intervals from resampled participants: bias-corrected and accelerated "

@@ -33,7 +33,8 @@ std::string profileTable(const Evaluation& evaluation, bool reward, Numbering& t
     std::string columns = "<th>System</th><th class=\"text\">hand</th><th>clips</th>";
     for (const double time : profile_times_s) columns += "<th>" + fixedText(time, 1) + " s</th>";
     std::string out =
-        openTable(reward ? "Reward around the time of pointing, mean &#177; standard deviation over clips."
+        openTable(units::clips,
+                  reward ? "Reward around the time of pointing, mean &#177; standard deviation over clips."
                          : "Speed of the pointing hand (m/s) around the time of pointing, mean &#177; "
                            "standard deviation over clips.",
                   columns, tables);
@@ -67,6 +68,7 @@ std::string profileTable(const Evaluation& evaluation, bool reward, Numbering& t
 
 std::string systemsHtml(const Evaluation& evaluation, Numbering& tables) {
     std::string out = openTable(
+        units::clips,
         "Accuracy (Equation 2, dimensionless) and the same as angle between forearm and target (degrees), "
         "over clips; SD with n &#8722; 1.",
         "<th>System</th><th>n</th><th>Mean</th><th>SD</th><th>Median</th><th>Mean (&#176;)</th><th>SD "
@@ -87,6 +89,7 @@ std::string systemsHtml(const Evaluation& evaluation, Numbering& tables) {
 
 std::string accuracyBoxesHtml(const Evaluation& evaluation, Numbering& tables) {
     std::string out = openTable(
+        units::clips,
         "What the box plots draw: quantiles of the accuracy of a system&#8217;s clips; no notch where "
         "it would reach beyond its box.",
         std::string("<th>System</th>") + box_columns, tables);
@@ -117,6 +120,7 @@ std::vector<double> holmOfCorrelations(const Evaluation& evaluation) {
 
 std::string correlationTable(const Evaluation& evaluation, Numbering& tables) {
     std::string out = openTable(
+        units::clips,
         "Spearman's correlation of accuracy with the density of the training targets at the clip's target, "
         "two-sided (the paper's Table&#160;2).",
         "<th>System</th><th>n</th><th>&#961;</th><th>p</th><th>p (Holm)</th><th class=\"text\">p by</th>",
@@ -143,6 +147,7 @@ std::string clustersHtml(const Evaluation& evaluation, Numbering& tables) {
         "points</th>";
     for (const auto& system : evaluation.systems) head += "<th>" + escapeHtml(system.system) + "</th>";
     std::string out = openTable(
+        units::clips,
         fmt::format("Clusters of the training targets (MeanShift, bandwidth {:.3g} m{}): centre, sizes, and "
                     "the mean accuracy of each system at the test points whose nearest training target "
                     "belongs to the cluster.",
@@ -165,6 +170,7 @@ std::string comparisonsHtml(const Evaluation& evaluation, Numbering& tables) {
     std::string out =
         "\n<h2>Systems compared</h2>" +
         openTable(
+            units::targets,
             "Differences of accuracy, the first system&#8217;s minus the second&#8217;s, over the targets at "
             "which both have one. Typical: Hodges and Lehmann&#8217;s estimate with its interval of "
             "95&#160;%. r: rank-biserial correlation, 1 where the first is better at every target. p: "

@@ -81,6 +81,7 @@ std::string raysHtml(const Evaluation& evaluation, Numbering& tables) {
         rows += "</tr>";
     }
     return openTable(
+               units::clips,
                "Every ray side by side: angle between it and the target, degrees, in the frame of the "
                "accuracy; "
                "mean and quartiles over clips. Equation&#160;2 takes the forearm. Which of them people read "

@@ -177,6 +177,11 @@ std::string rowsOf(const Body& body, std::size_t from, std::size_t to) {
     return out;
 }
 
+std::string captionOf(const PlainTable& table) {
+    const std::string unit = table.unit.words;
+    return escapeLatex(table.caption + (unit.empty() ? "" : ". Unit: " + unit));
+}
+
 std::string scaledTable(const PlainTable& table, const Body& body, const std::string& size) {
     std::string out;
     const std::size_t parts = (body.rows.size() + most_rows - 1) / most_rows;
@@ -187,8 +192,8 @@ std::string scaledTable(const PlainTable& table, const Body& body, const std::st
             "\\begin{{table}}\n\\centering\n\\caption{{{}{}}}\n\\label{{tab:{}{}}}\n{}"
             "\\resizebox{{\\textwidth}}{{!}}{{%\n\\begin{{tabular}}{{{}}}\n\\toprule\n{} \\\\\n\\midrule\n{}"
             "\\bottomrule\n\\end{{tabular}}}}\n\\end{{table}}\n",
-            escapeLatex(table.caption), parts > 1 ? fmt::format(" ({} of {})", part + 1, parts) : "",
-            table.name, part > 0 ? fmt::format("_{}", part + 1) : "", size, body.format, body.head,
+            captionOf(table), parts > 1 ? fmt::format(" ({} of {})", part + 1, parts) : "", table.name,
+            part > 0 ? fmt::format("_{}", part + 1) : "", size, body.format, body.head,
             rowsOf(body, from, to));
     }
     return out;
@@ -208,7 +213,7 @@ std::string latexText(const PlainTable& table) {
     const std::string packages = "% \\usepackage{booktabs,longtable,graphicx}\n";
     if (small && width(0.82, 3.0) > text_width_pt) return packages + scaledTable(table, body, size);
     const std::string caption =
-        fmt::format("\\caption{{{}}}\n\\label{{tab:{}}}", escapeLatex(table.caption), table.name);
+        fmt::format("\\caption{{{}}}\n\\label{{tab:{}}}", captionOf(table), table.name);
     const std::string rows = rowsOf(body, 0, body.rows.size());
     if (body.rows.size() > most_rows)
         return fmt::format(

@@ -68,6 +68,7 @@ std::string observersTable(const std::vector<ObserverReading>& readings, const c
     for (const char* const observer : observer_names)
         columns += fmt::format("<th>{}</th><th>without error</th>", observer);
     std::string out = openTable(
+        units::trials,
         "Correct choices that simulated observers are expected to make of the same arms and balls, with the "
         "noise and lapses of the parameters that ship; &#8220;without error&#8221;: with neither, the share "
         "in which the target is "

@@ -13,6 +13,8 @@ PlainCell plainCell(const std::optional<double>& value) {
 std::string csvText(const PlainTable& table) {
     std::vector<ColumnSpec> columns;
     for (const PlainColumn& column : table.columns) columns.push_back({column.name, column.type, ""});
+    const std::string unit = table.unit.words;
+    if (!unit.empty()) columns.push_back({"unit", ColumnType::text, ""});
     CsvTable csv(std::move(columns));
     for (const auto& row : table.rows) {
         for (const PlainCell& cell : row) {
@@ -27,6 +29,7 @@ std::string csvText(const PlainTable& table) {
             else
                 csv.empty();
         }
+        if (!unit.empty()) csv.text(unit);
         csv.endRow();
     }
     return csv.take();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "csv_table.hpp"
+#include "table_unit.hpp"
 
 namespace deixis::results {
 
@@ -34,6 +35,7 @@ struct PlainColumn {
 
 struct PlainTable {
     std::string name;  ///< of the file, without its ending
+    TableUnit unit;    ///< in CSV a column behind the others, in LaTeX the caption's end
     std::string caption;
     std::vector<PlainColumn> columns;
     std::vector<std::vector<PlainCell>> rows{};

@@ -123,6 +123,7 @@ std::string powerJson(const PowerResult& result, std::optional<double> goal) {
 
 std::string powerCsv(const PowerResult& result) {
     PlainTable table{"power",
+                     units::none,
                      "",
                      {{"family", ColumnType::text},
                       {"measure", ColumnType::text},

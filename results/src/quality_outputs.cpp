@@ -39,6 +39,7 @@ std::string reliabilityHtml(const std::vector<Reliability>& all, Numbering& numb
     if (std::none_of(all.begin(), all.end(), [](const Reliability& one) { return one.alpha.has_value(); }))
         return "";
     std::string out = openTable(
+        units::ratings,
         "How far participants agree in rating the same clips. Krippendorff&#8217;s &#945; (2011) for "
         "interval "
         "scales: 1 where all agree, 0 as by chance. ICC of one-way analysis of variance (Shrout &amp; Fleiss "
@@ -113,6 +114,7 @@ std::string participantsHtml(const AnalysisResult& result, Numbering& numbering)
     const auto n = std::count_if(people.begin(), people.end(), standsOut);
     if (n == 0) return nobodyText(result);
     std::string out = openTable(
+        units::participants,
         fmt::format(
             "Whose answers stand out, {} of {}: a failed check; one rating in {:g}&#160;% of a "
             "measure&#8217;s; one side of pairs more often than chance (exact binomial test, "
@@ -198,6 +200,7 @@ Json qualityJson(const AnalysisResult& result) {
 PlainTable reliabilityTable(const AnalysisResult& result) {
     using enum ColumnType;
     PlainTable out{"reliability",
+                   units::ratings,
                    "Agreement of participants in rating the same clips",
                    {{"measure", text, Print::plain},
                     {"participants", whole, Print::plain},
@@ -217,6 +220,7 @@ PlainTable reliabilityTable(const AnalysisResult& result) {
 PlainTable qualityTable(const AnalysisResult& result) {
     using enum ColumnType;
     PlainTable out{"quality",
+                   units::participants,
                    "How participants answered",
                    {{"participant", text},
                     {"left_out", truth},

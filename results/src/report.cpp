@@ -40,8 +40,9 @@ std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.measures.empty()) return "";
     const bool with_median = std::any_of(result.measures.begin(), result.measures.end(), hasManySteps);
     std::string out = openTable(
+        units::means,
         fmt::format("Means of each system, over participants{}. Interval: {:g}&#160;%, bootstrap over "
-                    "participants. n counts answers.",
+                    "participants. SD trials and n are of single answers.",
                     with_median ? ", and medians" : "", 100.0 * result.level),
         fmt::format("<th>Measure</th><th class=\"text\">System</th><th>Mean</th>{}<th>Interval</th>"
                     "<th>SD participants</th><th>SD trials</th><th>n</th>",
@@ -89,6 +90,7 @@ std::string levelTable(const AnalysisResult& result, const Measure& measure, con
     std::string columns = "<th>System</th>";
     for (const auto& level : levels) columns += fmt::format("<th>{}</th><th>n</th>", escapeHtml(level));
     std::string out = openTable(
+        accuracy ? units::choices : units::ratings,
         fmt::format(
             "{} by {}: {}mean &#177; standard deviation over trials{}.",
             escapeHtml(capitalised(measure.name)), escapeHtml(factor), accuracy ? "proportion correct, " : "",
@@ -139,7 +141,7 @@ std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering)
     std::string out = "<h2>Attention checks and exclusions</h2>";
     if (!table.checks.empty()) {
         out +=
-            openTable("Attention checks of all participants, the excluded ones too.",
+            openTable(units::checks, "Attention checks of all participants, the excluded ones too.",
                       "<th>Stage</th><th class=\"text\">Kind</th><th>passed</th><th>failed</th>", numbering);
         for (const auto& check : table.checks)
             out += fmt::format(

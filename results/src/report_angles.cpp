@@ -75,6 +75,7 @@ std::string tableOf(const AnalysisResult& result, const Rows& rows, Numbering& t
     std::string columns = "<th>Angle</th><th class=\"text\">degrees</th>";
     for (const std::string& system : systems) columns += fmt::format("<th>{}</th>", escapeHtml(system));
     std::string out = openTable(
+        units::choices,
         "Correct choices by the angle from the target to the distractor that looks nearest to it: how many, "
         "of "
         "how "

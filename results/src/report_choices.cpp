@@ -30,6 +30,7 @@ std::string confusionTable(const AnalysisResult& result, Numbering& numbering) {
     std::string columns = "<th>System</th>";
     for (const std::string& role : roles) columns += "<th>" + roleHeading(role) + "</th>";
     std::string out = openTable(
+        units::choices,
         "Which balls were chosen: how often, of how many such balls that were shown. \"nearest 1\" is the "
         "distractor nearest to the target; left and right are a distractor's side of the target, as seen "
         "from where the participant's head was.",
@@ -64,6 +65,7 @@ std::string targetTable(const AnalysisResult& result, Numbering& numbering) {
     std::string out =
         "<details><summary>Correct choices by the target's place</summary>" +
         openTable(
+            units::choices,
             "Correct choices of all for each target; centres in metres in the avatar's frame, x to its left, "
             "y up, z ahead.",
             columns, numbering);
@@ -87,6 +89,7 @@ std::string targetTable(const AnalysisResult& result, Numbering& numbering) {
 std::string driftTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.drift.empty()) return "";
     std::string out = openTable(
+        units::choices,
         "Choices and arms that go on moving while they are held: how often the ball was chosen that is "
         "nearest to a line of the arm when the hold begins, and when it ends; then the same of the choices "
         "in which these are two balls. arm-finger: from the elbow through the fingertip; eye-fingertip: from "

@@ -17,6 +17,7 @@ std::string chanceTable(const AnalysisResult& result, Numbering& numbering) {
     const Measure accuracy = measureOf(result, "accuracy");
     const bool known = accuracy.balls > 1;
     std::string out = openTable(
+        units::means_and_choices,
         fmt::format(
             "Correct choices of each system, over all participants{}.",
             known ? fmt::format(", and against chance ({}): signed-rank tests of participants' means of "
@@ -44,6 +45,7 @@ std::string unansweredTable(const AnalysisResult& result, Numbering& numbering) 
     if (result.unanswered.empty()) return "";
     const Measure accuracy = measureOf(result, "accuracy");
     std::string out = openTable(
+        units::means_and_choices,
         "Choices that were not made. A choice that timed out counts as wrong; one that the experimenter "
         "skipped is left out. Accuracy (means of participants' means) in this way, of the choices that were "
         "made alone, and with all others as wrong.",
@@ -65,6 +67,7 @@ std::string unansweredTable(const AnalysisResult& result, Numbering& numbering) 
 std::string orderTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.order.empty() || result.participants < 2) return "";
     std::string out = openTable(
+        units::means,
         "Answers while a participant goes on: first and second half of each participant's answers, "
         "signed-rank test over participants, Holm over the measures.",
         "<th>Measure</th><th>First half</th><th>Second half</th><th>n</th><th>p</th><th>p (Holm)</th>",
@@ -82,7 +85,7 @@ std::string orderTable(const AnalysisResult& result, Numbering& numbering) {
 std::string timesTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.times.empty()) return "";
     std::string out =
-        openTable("Response times over answers, seconds.",
+        openTable(units::answers, "Response times over answers, seconds.",
                   "<th>Measure</th><th class=\"text\">System</th><th>25&#160;%</th><th>Median</th>"
                   "<th>75&#160;%</th><th>n</th>",
                   numbering);
@@ -117,6 +120,7 @@ std::string itemsTable(const AnalysisResult& result, Numbering& numbering) {
     }
     if (rows.empty()) return "";
     return openTable(
+               units::answers,
                "Items with the lowest and the highest means, over systems and participants. All of them: "
                "<code>--csv</code>.",
                "<th>Measure</th><th class=\"text\"></th><th class=\"text\">Item</th><th>Mean</th><th>n</th>",
@@ -154,9 +158,10 @@ std::string presenceHtml(const AnalysisResult& result, Numbering& numbering) {
     }
     const std::string number = numbering.next();
     std::string out = fmt::format(
-        "<h2>Who answered what</h2>{}<table><caption>{} Answers of each participant on each system.</caption>"
+        "<h2>Who answered what</h2>{}<table><caption>{} Answers of each participant on each system. "
+        "{}</caption>"
         "<thead><tr class=\"over\"><th></th>{}</tr><tr><th>Participant</th>{}</tr></thead><tbody>",
-        openScroll(numbering.name()), number, over, names);
+        openScroll(numbering.name()), number, unitText(units::answers), over, names);
     for (const PresenceRow& row : result.presence) {
         out += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(row.participant));
         for (const auto& of_measure : row.answers)

@@ -38,6 +38,7 @@ std::string boxesTable(const AnalysisResult& result, Numbering& tables) {
         }
     if (rows.empty()) return "";
     return openTable(
+               units::means,
                "What the box plots draw: quantiles of the participants' means; no notch where it would reach "
                "beyond its "
                "box. n counts participants.",
@@ -59,7 +60,8 @@ std::string stepsTable(const AnalysisResult& result, std::size_t measure, const 
                             : fmt::format("<td>{}</td>", dash);
         rows += fmt::format("<td>{}</td></tr>", all);
     }
-    return openTable(escapeHtml(capitalised(result.measures[measure].name)) +
+    return openTable(units::ratings,
+                     escapeHtml(capitalised(result.measures[measure].name)) +
                          ": how often each step of the scale was chosen.",
                      "<th>System</th>" + head + "<th>n</th>", tables) +
            rows + close_table;

@@ -13,9 +13,10 @@ namespace {
 /// A table of the tests that `takes` accepts; empty where none of them has a p. `first_cells`: what
 /// stands before a row's test.
 template <typename Test, typename Takes, typename FirstCells>
-std::string groupTable(const std::vector<Test>& tests, const Takes& takes, const std::string& caption,
-                       const std::string& first_columns, const FirstCells& first_cells,
-                       const Measure& measure, const AnalysisResult& result, Numbering& numbering) {
+std::string groupTable(TableUnit unit, const std::vector<Test>& tests, const Takes& takes,
+                       const std::string& caption, const std::string& first_columns,
+                       const FirstCells& first_cells, const Measure& measure, const AnalysisResult& result,
+                       Numbering& numbering) {
     std::string rows;
     bool tested = false;
     int family = 0;
@@ -27,6 +28,7 @@ std::string groupTable(const std::vector<Test>& tests, const Takes& takes, const
     }
     if (!tested) return "";
     return openTable(
+               unit,
                fmt::format("{} &#948;: Cliff's delta; A<sub>12</sub>: the probability that A is above B, "
                            "ties counting half.",
                            caption),
@@ -44,7 +46,7 @@ std::string groupTable(const std::vector<Test>& tests, const Takes& takes, const
 std::string meansOfGroups(const AnalysisResult& result, const Factor& factor, const Measure& measure,
                           Numbering& numbering) {
     return groupTable(
-        result.between,
+        units::means, result.between,
         [&](const BetweenResult& one) { return one.factor == factor.name && one.measure == measure.name; },
         fmt::format(
             "{} by {}: participants' means, rank-sum test (exact up to 400 participants). \"all\": the "
@@ -75,7 +77,7 @@ std::string sharesText(const PreferenceCounts& counts) {
 std::string preferencesOfGroups(const AnalysisResult& result, const Factor& factor, Numbering& numbering) {
     const Measure preference = measureOf(result, "preference");
     return groupTable(
-        result.preferences_between,
+        units::preferences, result.preferences_between,
         [&](const PreferenceBetweenResult& one) { return one.factor == factor.name; },
         fmt::format("Preferences by {}; first line: group A, second: B. Answers for the first system / for "
                     "neither / for the other; mean of the participants' net preferences (from 2, clearly the "
@@ -101,7 +103,7 @@ std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
     std::string out;
     for (const Measure& measure : result.measures)
         out += groupTable(
-            result.between,
+            units::means, result.between,
             [&](const BetweenResult& one) {
                 return one.factor == systems_between && one.measure == measure.name;
             },
@@ -133,7 +135,7 @@ std::string scoresHtml(const AnalysisResult& result, Numbering& numbering) {
     const bool grouped = !result.table.between.empty();
     std::string out =
         "<h2>Questionnaires</h2>" +
-        openTable("Scores over participants.",
+        openTable(units::scores, "Scores over participants.",
                   fmt::format("<th>Stage</th><th class=\"text\">Score</th>{}<th>n</th><th>Mean</th>"
                               "<th>SD</th><th>25&#160;%</th><th>Median</th><th>75&#160;%</th>",
                               grouped ? "<th class=\"text\">Group</th>" : ""),
@@ -168,6 +170,7 @@ std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {
     }
     if (rows.empty()) return "";
     return openTable(
+               units::ratings,
                "Ratings taken one by one, <b>pseudo-replicated</b>: a participant's ratings hang together, "
                "so "
                "this describes and supports no test.",

@@ -46,6 +46,7 @@ std::string interactionsHtml(const AnalysisResult& result, Numbering& numbering)
     }
     if (rows.empty()) return "";
     return openTable(
+               units::differences,
                "Interactions: is a difference another one under another level? Each row tests a difference "
                "of "
                "differences over participants, within participants by the signed-rank test, between groups "
@@ -84,6 +85,7 @@ std::string equivalenceHtml(const AnalysisResult& result, Numbering& numbering) 
         add(one.measure, place(one.factor, one.system), one.a, one.b, one.equivalence);
     if (rows.empty()) return "";
     return openTable(
+               units::means,
                "Equivalence within the bound that was declared before: two one-sided tests, p of the larger "
                "one, Holm's correction within the families of the tests of difference.",
                "<th>Measure</th><th class=\"text\">Of</th><th class=\"text\">A</th><th class=\"text\">B</th>"

@@ -69,6 +69,7 @@ std::string scoreTestsHtml(const AnalysisResult& result, Numbering& numbering) {
     std::string out;
     if (!result.score_changes.empty()) {
         out += openTable(
+            units::scores,
             "Scores asked again: the later (A) less the earlier (B) of the participants who have both, "
             "signed-rank test, Holm's correction over the scores of the two stages. Bold: significant.",
             std::string("<th>Score</th><th class=\"text\">A</th><th class=\"text\">B</th><th>Mean A</th>"
@@ -84,11 +85,12 @@ std::string scoreTestsHtml(const AnalysisResult& result, Numbering& numbering) {
         out += close_table;
     }
     if (!result.score_groups.empty()) {
-        out += openTable(
-            "Scores by groups of participants: rank-sum tests, Holm's correction over the scores "
-            "of a stage and all pairs of groups of one factor. Bold: significant.",
-            std::string("<th>Stage</th><th class=\"text\">Score</th>") + groupColumns(), numbering,
-            TableWidth::dense);
+        out +=
+            openTable(units::scores,
+                      "Scores by groups of participants: rank-sum tests, Holm's correction over the scores "
+                      "of a stage and all pairs of groups of one factor. Bold: significant.",
+                      std::string("<th>Stage</th><th class=\"text\">Score</th>") + groupColumns(), numbering,
+                      TableWidth::dense);
         for (const ScoreGroupResult& one : result.score_groups)
             out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
                                escapeHtml(one.stage), escapeHtml(one.score), rankSumCells(one));
@@ -108,13 +110,13 @@ std::string timeTestsHtml(const AnalysisResult& result, Numbering& numbering) {
                 signedRankRest(one));
     std::string out;
     if (!rows.empty())
-        out += openTable(
-                   "Response times of each pair of systems: participants' median times in seconds, "
-                   "signed-rank tests, Holm's correction over the pairs of one measure. Bold: "
-                   "significant.",
-                   std::string("<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th>") +
-                       signed_rank_columns,
-                   numbering, TableWidth::dense) +
+        out += openTable(units::median_times,
+                         "Response times of each pair of systems: participants' median times in seconds, "
+                         "signed-rank tests, Holm's correction over the pairs of one measure. Bold: "
+                         "significant.",
+                         std::string("<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th>") +
+                             signed_rank_columns,
+                         numbering, TableWidth::dense) +
                rows + close_table;
     rows.clear();
     for (const BetweenResult& one : result.time_groups)
@@ -122,11 +124,11 @@ std::string timeTestsHtml(const AnalysisResult& result, Numbering& numbering) {
             rows += fmt::format("<tr><th scope=\"row\">{}</th>{}</tr>", escapeHtml(capitalised(one.measure)),
                                 rankSumCells(one));
     if (!rows.empty())
-        out += openTable(
-                   "Response times of groups: participants' median times in seconds over all systems, "
-                   "rank-sum tests, Holm's correction over the pairs of groups of one factor in one "
-                   "measure. Bold: significant.",
-                   std::string("<th>Measure</th>") + groupColumns(), numbering, TableWidth::dense) +
+        out += openTable(units::median_times,
+                         "Response times of groups: participants' median times in seconds over all systems, "
+                         "rank-sum tests, Holm's correction over the pairs of groups of one factor in one "
+                         "measure. Bold: significant.",
+                         std::string("<th>Measure</th>") + groupColumns(), numbering, TableWidth::dense) +
                rows + close_table;
     return out;
 }

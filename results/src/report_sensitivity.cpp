@@ -81,7 +81,7 @@ std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) 
     }
     std::string out =
         "<h2>Decisions under other choices</h2>" +
-        openTable(caption + ".",
+        openTable(units::means, caption + ".",
                   fmt::format("<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th>"
                               "<th>headline</th><th>Pratt</th><th>normal</th>{}<th class=\"text\">Depends "
                               "on it</th>",

@@ -6,16 +6,20 @@
 
 namespace deixis::results {
 
+std::string unitText(TableUnit unit) {
+    return fmt::format("Unit:&#160;{}.", escapeHtml(unit.words));
+}
+
 std::string openScroll(const std::string& label) {
     return fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">", label);
 }
 
-std::string openTable(const std::string& caption, const std::string& columns, Numbering& numbering,
-                      TableWidth width) {
+std::string openTable(TableUnit unit, const std::string& caption, const std::string& columns,
+                      Numbering& numbering, TableWidth width) {
     const std::string number = numbering.next();
-    return fmt::format("{}<table{}><caption><span>{} {}</span></caption><thead><tr>{}</tr></thead><tbody>",
+    return fmt::format("{}<table{}><caption><span>{} {} {}</span></caption><thead><tr>{}</tr></thead><tbody>",
                        openScroll(numbering.name()), width == TableWidth::dense ? " class=\"dense\"" : "",
-                       number, caption, columns);
+                       number, caption, unitText(unit), columns);
 }
 
 const char* const box_columns =

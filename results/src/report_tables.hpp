@@ -6,6 +6,7 @@
 
 #include "report_text.hpp"
 #include "results/descriptive.hpp"
+#include "table_unit.hpp"
 
 namespace deixis::results {
 
@@ -17,7 +18,11 @@ enum class TableWidth : unsigned char {
 /// What a wide table is scrolled in, by keyboard too; `label` names it to who does not see it.
 [[nodiscard]] std::string openScroll(const std::string& label);
 
-[[nodiscard]] std::string openTable(const std::string& caption, const std::string& columns,
+/// The sentence at a caption's end, HTML.
+[[nodiscard]] std::string unitText(TableUnit unit);
+
+/// `caption` ends with its full stop; the unit stands behind it.
+[[nodiscard]] std::string openTable(TableUnit unit, const std::string& caption, const std::string& columns,
                                     Numbering& numbering, TableWidth width = TableWidth::normal);
 
 constexpr const char* close_table = "</tbody></table></div>";

@@ -45,12 +45,12 @@ std::string rankCells(const AdjustedTest& tested) {
 
 /// The ranks behind the table called `name`, folded away. `first_cells`: what names each row.
 template <typename Tests>
-std::string rankDetails(const Tests& tests, const std::string& name, const std::string& first_columns,
-                        const std::vector<std::string>& first_cells) {
+std::string rankDetails(TableUnit unit, const Tests& tests, const std::string& name,
+                        const std::string& first_columns, const std::vector<std::string>& first_cells) {
     std::string out = fmt::format(
         "<details><summary>Ranks, zeros and normality</summary>{}<table "
-        "class=\"dense\"><thead><tr>{}{}</tr></thead><tbody>",
-        openScroll(name + ": ranks, zeros and normality"), first_columns, rank_columns);
+        "class=\"dense\"><caption><span>{}</span></caption><thead><tr>{}{}</tr></thead><tbody>",
+        openScroll(name + ": ranks, zeros and normality"), unitText(unit), first_columns, rank_columns);
     for (std::size_t i = 0; i < tests.size(); ++i)
         out += fmt::format("<tr>{}{}</tr>", first_cells[i], rankCells(*tests[i]));
     return out + close_table + "</details>";
@@ -105,6 +105,7 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
                                           factor.empty() ? "" : "<th>System</th>");
     std::vector<std::string> names;
     std::string out = openTable(
+        units::means,
         fmt::format("{}{} n counts participants.", caption,
                     measure.kind == MeasureKind::accuracy ? " (A &#8722; B in percentage points)." : "."),
         first + "<th>Mean A &#8722; B</th>" + effectColumns(), numbering, TableWidth::dense);
@@ -117,7 +118,8 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
                            one->test.n_pairs > 0 ? scoreText(measure, one->mean_difference) : dash,
                            effectCells(*one, measure));
     }
-    return out + close_table + tableFoot(rows, result) + rankDetails(rows, numbering.name(), first, names);
+    return out + close_table + tableFoot(rows, result) +
+           rankDetails(units::means, rows, numbering.name(), first, names);
 }
 
 std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) {
@@ -127,6 +129,7 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
     const std::string first = "<th class=\"text\">A</th><th class=\"text\">B</th>";
     std::vector<std::string> names;
     std::string out = openTable(
+        units::preferences,
         "Preferences: answers for A, for neither and for B; mean of the participants' means (positive: A). n "
         "counts participants.",
         first + "<th>for A</th><th>equal</th><th>for B</th><th>Mean</th>" + effectColumns(), numbering,
@@ -139,7 +142,8 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
                            pair->prefers_a, pair->ties, pair->prefers_b, scoreText(scale, pair->mean),
                            effectCells(*pair, scale));
     }
-    return out + close_table + tableFoot(rows, result) + rankDetails(rows, numbering.name(), first, names);
+    return out + close_table + tableFoot(rows, result) +
+           rankDetails(units::preferences, rows, numbering.name(), first, names);
 }
 
 std::string omnibusTable(const AnalysisResult& result, Numbering& numbering) {
@@ -158,6 +162,7 @@ std::string omnibusTable(const AnalysisResult& result, Numbering& numbering) {
     }
     if (rows.empty()) return "";
     return openTable(
+               units::means,
                "All systems at once, by Friedman's test of the participants' means. n counts participants "
                "with answers under every system.",
                "<th>Measure</th><th>n</th><th>&#967;&#178;</th><th>df</th><th>p</th><th>Kendall's W</th>"

@@ -32,10 +32,11 @@ std::string renderStations(const AnalysisResult& between, const std::vector<Stat
                       fmt::format("<p class=\"lead\">Answers from {} kinds of station, analysed apart</p>\n",
                                   reports.size());
     Numbering numbering;
-    out += openTable(
-        "A report for each kind of station. Their answers are nowhere one mean; a study may say "
-        "<code>stations = \"together\"</code> in <code>[analysis]</code>.",
-        "<th>Station</th><th>participants</th><th>answers</th><th class=\"text\">Report</th>", numbering);
+    out += openTable(units::stations,
+                     "A report for each kind of station. Their answers are nowhere one mean; a study may say "
+                     "<code>stations = \"together\"</code> in <code>[analysis]</code>.",
+                     "<th>Station</th><th>participants</th><th>answers</th><th class=\"text\">Report</th>",
+                     numbering);
     for (const StationReport& one : reports)
         out += fmt::format(
             "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>",
