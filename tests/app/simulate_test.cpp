@@ -1,6 +1,8 @@
 // A whole simulated study, its report, and what must be the same twice.
 #include <SQLiteCpp/SQLiteCpp.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <map>
 
 #include "program.hpp"
@@ -18,6 +20,13 @@ std::string answers(const std::string& database) {
                "from "
                "responses_flat where not practice and system is not null order by participant, trial_index'")
         .out;
+}
+
+/// As in the paper's text, without the zero: ".94".
+std::string share(double value) {
+    char text[8];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    return text + 1;
 }
 
 }  // namespace
@@ -121,6 +130,21 @@ TEST_SUITE("app/simulate") {
         // Layouts are balanced: 5 and 5 of each participant's 10 choices for each system.
         for (const auto& layout : analysis["layouts"])
             CHECK(layout["n"] == (layout["system"] == "all" ? 780 : 195));
+        // The page that sets them beside the paper's Table 1.
+        const std::string documented = slurp(DEIXIS_SOURCE_DIR "/docs/simulated-participant.md");
+        for (const auto& layout : analysis["layouts"]) {
+            if (layout["system"] == "all") continue;
+            const auto read = std::find_if(
+                analysis["observers"].begin(), analysis["observers"].end(), [&](const json& one) {
+                    return one["system"] == layout["system"] && one["layout"] == layout["layout"];
+                });
+            REQUIRE(read != analysis["observers"].end());
+            std::string row = "| " + layout["system"].get<std::string>() + " | " +
+                              layout["layout"].get<std::string>() + " | " + share(layout["mean"]) + " |";
+            for (const char* observer : {"two-cue", "arm-finger", "eye-fingertip"})
+                row += " " + share((*read)["observers"][observer]["accuracy"]) + " |";
+            CHECK_MESSAGE(contains(documented, row), row);
+        }
 
         const std::string page = slurp(scratch / "report.html");
         CHECK(page.find("imulated") != std::string::npos);
