@@ -14,7 +14,7 @@ packages=(
     libopenxr-dev fonts-open-sans fonts-nanum doctest-dev
 )
 if [ "${1:-}" = tests ]; then
-    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 sqlite3 libxml2-utils libbenchmark-dev debootstrap
+    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 python3-jsonschema sqlite3 libxml2-utils libbenchmark-dev debootstrap
         r-base-core r-cran-lme4 r-cran-ordinal postgresql chromium poppler-utils)
 fi
 if [ "${1:-}" = list ]; then

@@ -73,6 +73,7 @@ void addCommands(CLI::App& cli, Command& chosen) {
     addReportCommand(cli, chosen);
     addEvaluateCommand(cli, chosen);
     addStatsCommand(cli, chosen);
+    addSchemaCommand(cli, chosen);
     addReplayCommand(cli, chosen);
     addCheckCommand(cli, chosen);
     addPlanCommand(cli, chosen);

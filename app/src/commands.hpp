@@ -28,6 +28,7 @@ void addTargetsCommand(CLI::App& cli, Command& chosen);
 void addGenerateCommand(CLI::App& cli, Command& chosen);
 void addClipsCommand(CLI::App& cli, Command& chosen);
 void addStatsCommand(CLI::App& cli, Command& chosen);
+void addSchemaCommand(CLI::App& cli, Command& chosen);
 void addViewCommand(CLI::App& cli, Command& chosen);
 
 }  // namespace deixis::app

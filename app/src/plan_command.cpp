@@ -40,9 +40,11 @@ Result<studies::Groups> parseGroups(const std::vector<std::string>& options) {
     return groups;
 }
 
-// The stored plan's JSON; trials of one stimulus tell its system and item under names of their own, too.
+// The stored plan's JSON, with what it is; trials of one stimulus tell its system and item under names of
+// their own, too. assets/data/schemas/plan.schema.json describes it.
 std::string jsonForScripts(const studies::StudyPlan& plan) {
-    auto json = nlohmann::ordered_json::parse(studies::planJson(plan));
+    nlohmann::ordered_json json{{"schema", {{"name", "deixis-plan"}, {"version", 1}}}};
+    json.update(nlohmann::ordered_json::parse(studies::planJson(plan)));
     for (auto& trial : json["trials"]) {
         if (trial["stimuli"].size() != 1) continue;
         trial["system"] = trial["stimuli"][0]["system"];

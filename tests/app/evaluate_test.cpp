@@ -7,6 +7,7 @@
 
 #include "program.hpp"
 #include "progress_line.hpp"
+#include "schema_check.hpp"
 #include "text.hpp"
 
 using namespace deixis::tests;
@@ -67,6 +68,7 @@ TEST_SUITE("app/evaluate") {
             CHECK(slurp(scratch / ("one" + ending)) == slurp(scratch / ("five" + ending)));
             CHECK(slurp(scratch / ("one" + ending)).size() > 100);
         }
+        CHECK(schemaProblems("evaluation", scratch / "one.json") == "");
         const auto json = nlohmann::json::parse(slurp(scratch / "one.json"));
         REQUIRE(json["systems"].size() == 2);
         for (const auto& system : json["systems"]) {
@@ -152,6 +154,7 @@ TEST_SUITE("app/evaluate") {
                                   " --study pointing2023 -o " + (scratch / "e.html") + " --json " +
                                   (scratch / "e.json") + " --csv " + (scratch / "tables"));
         REQUIRE_MESSAGE(done.status == 0, done.err);
+        CHECK(schemaProblems("evaluation", scratch / "e.json") == "");
         const auto observers = nlohmann::json::parse(slurp(scratch / "e.json"))["observers"];
         CHECK(observers["study"] == "pointing2023");
         REQUIRE(observers["readings"].size() == 6);  // two systems, all layouts and each of two

@@ -14,11 +14,13 @@ Finished planIn(const LabFolder& lab, const std::string& more) {
     return program("plan --db " + lab.path("study.sqlite") + " " + more);
 }
 
-/// As the database keeps it: without what is told twice for scripts.
+/// As the database keeps it: without what is added for scripts.
 nlohmann::ordered_json plan(const LabFolder& lab, const std::string& participant) {
     const auto printed = planIn(lab, "--json --participant " + participant);
     REQUIRE_MESSAGE(printed.status == 0, printed.err);
     auto out = nlohmann::ordered_json::parse(printed.out);
+    CHECK(out["schema"]["name"] == "deixis-plan");
+    out.erase("schema");
     for (auto& trial : out["trials"])
         for (const char* twice : {"system", "target_id"}) trial.erase(twice);
     return out;

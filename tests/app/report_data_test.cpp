@@ -3,6 +3,7 @@
 #include <map>
 
 #include "program.hpp"
+#include "schema_check.hpp"
 #include "text.hpp"
 
 using namespace deixis::tests;
@@ -67,6 +68,7 @@ TEST_SUITE("app/report_data") {
             CHECK(slurp(scratch / ("first" + std::string(file))) ==
                   slurp(scratch / ("second" + std::string(file))));
 
+        CHECK(schemaProblems("analysis", scratch / "first.json") == "");
         const json out = json::parse(slurp(scratch / "first.json"));
         CHECK(out["schema"]["version"] == 4);
         CHECK(out["participants"] == 12);

@@ -5,6 +5,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include "program.hpp"
+#include "schema_check.hpp"
 #include "text.hpp"
 
 using namespace deixis::tests;
@@ -92,6 +93,7 @@ TEST_SUITE("app/study_commands") {
             const auto report = program("report " + database + " -o " + (scratch / "report.html") +
                                         " --json " + (scratch / "analysis.json"));
             CHECK_MESSAGE(report.status == 0, report.err);
+            CHECK(schemaProblems("analysis", scratch / "analysis.json") == "");
             const auto analysis = nlohmann::json::parse(slurp(scratch / "analysis.json"));
             CHECK(analysis["synthetic"] == true);
             CHECK(analysis["participants"] == 2);

@@ -8,6 +8,7 @@
 
 #include "core/pose.hpp"
 #include "program.hpp"
+#include "schema_check.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;
@@ -60,6 +61,9 @@ TEST_SUITE("app/trace") {
         REQUIRE(told.size() > 100);
         CHECK(told.front().contains("earlier"));  // lines are added
         told.erase(told.begin());
+        const std::string whole = slurp(trace);
+        spill(scratch / "lines.jsonl", whole.substr(whole.find('\n') + 1));
+        CHECK(schemaProblems("trace", scratch / "lines.jsonl") == "");
         CHECK(told.front()["state"] == "instructions");
         CHECK(told.back()["state"] == "over");
 
