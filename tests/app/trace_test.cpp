@@ -53,10 +53,17 @@ TEST_SUITE("app/trace") {
         const std::string trace = scratch / "trace.jsonl";
         const std::string database = scratch / "s.sqlite";
         spill(trace, "{\"earlier\": true}\n");
-        const auto run = program("run pointing2023 --station simulated --participant P01 --db " + database +
-                                 " --trace " + trace);
+        const auto run =
+            program("run pointing2023 --station simulated --participant P01 --db " + database + " --trace " +
+                    trace + " --size 320x180 --screenshot break=" + (scratch / "break.png") +
+                    " over=" + (scratch / "over.png"));
         INFO(run.err);
         REQUIRE(run.status == 0);
+        for (const char* picture : {"break.png", "over.png"}) {
+            const std::string png = slurp(scratch / picture);
+            REQUIRE(png.size() > 1000);
+            CHECK(png.substr(12, 12) == std::string("IHDR\0\0\x01\x40\0\0\0\xb4", 12));  // 320 by 180
+        }
         auto told = lines(trace);
         REQUIRE(told.size() > 100);
         CHECK(told.front().contains("earlier"));  // lines are added

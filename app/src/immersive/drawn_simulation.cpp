@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "frame_scene.hpp"
 #include "gl_window.hpp"
@@ -23,11 +25,50 @@ struct OffscreenView {
     renderer::Renderer renderer;
 };
 
-void takePicture(renderer::Renderer& renderer, const renderer::Scene& scene, WindowSize size,
-                 const std::string& file) {
-    const auto written = renderer::writePng(file, renderer.capture(scene, size.width, size.height));
-    if (!written) throw std::runtime_error(written.error().text());
-}
+/// The pictures of states that are wanted. Each is taken when the participant has turned to what is new: some
+/// time after the state began, or of its last frame where it is over before.
+class StatePictures {
+  public:
+    StatePictures(renderer::Renderer& renderer, WindowSize size, std::shared_ptr<Screenshots> screenshots)
+        : renderer_(renderer), size_(size), screenshots_(std::move(screenshots)) {}
+
+    /// Whether see() shall be told of this frame. Takes the picture of a state that was over too soon.
+    [[nodiscard]] bool wants(const studies::PresentedFrame& frame, double time_s) {
+        const std::string state = presentedStateName(frame);
+        screenshots_->met.insert(state);
+        if (state != state_) {
+            if (latest_) take(*latest_);
+            state_ = state;
+            since_s_ = time_s;
+        }
+        return screenshots_->wanted.count(state) > 0;
+    }
+
+    void see(renderer::Scene scene, const studies::PresentedFrame& frame, double time_s) {
+        if (time_s - since_s_ >= settle_s || frame.state == studies::PresentedState::over)
+            take(scene);
+        else
+            latest_ = std::move(scene);
+    }
+
+  private:
+    static constexpr double settle_s = 0.4;  // of virtual time
+
+    void take(const renderer::Scene& scene) {
+        const auto written = renderer::writePng(screenshots_->wanted[state_],
+                                                renderer_.capture(scene, size_.width, size_.height));
+        if (!written) throw std::runtime_error(written.error().text());
+        screenshots_->wanted.erase(state_);
+        latest_.reset();
+    }
+
+    renderer::Renderer& renderer_;
+    WindowSize size_;
+    std::shared_ptr<Screenshots> screenshots_;
+    std::string state_{};
+    double since_s_ = 0.0;
+    std::optional<renderer::Scene> latest_{};  ///< of state_, which is wanted
+};
 
 }  // namespace
 
@@ -52,27 +93,22 @@ Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Av
     std::string details =
         fmt::format("off screen, {}x{} pixels, drawn at key moments and every {:g} s of virtual time, {}",
                     view_size.width, view_size.height, draw_period_s, view->renderer.driver());
-    station.attachViewer(std::move(details),
-                         [view, view_size, pictured_size, screenshots, next_s = 0.0](
-                             const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
-                             if (frame.number <= 1) return;  // the participant has not been placed yet
-                             const std::string state = presentedStateName(frame);
-                             screenshots->met.insert(state);
-                             auto& wanted = screenshots->wanted;
-                             const auto picture = wanted.find(state);
-                             const bool due = frame.key_moment || input.time_s >= next_s;
-                             if (!due && picture == wanted.end()) return;
-                             renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
-                             addNotice(scene, frame.notice);
-                             if (due) {
-                                 (void)view->renderer.capture(scene, view_size.width, view_size.height);
-                                 next_s = input.time_s + draw_period_s;
-                             }
-                             if (picture != wanted.end()) {
-                                 takePicture(view->renderer, scene, pictured_size, picture->second);
-                                 wanted.erase(picture);
-                             }
-                         });
+    station.attachViewer(
+        std::move(details),
+        [view, view_size, next_s = 0.0, pictures = StatePictures(view->renderer, pictured_size, screenshots)](
+            const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
+            if (frame.number <= 1) return;  // the participant has not been placed yet
+            const bool due = frame.key_moment || input.time_s >= next_s;
+            const bool pictured = pictures.wants(frame, input.time_s);
+            if (!due && !pictured) return;
+            renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
+            addNotice(scene, frame.notice);
+            if (due) {
+                (void)view->renderer.capture(scene, view_size.width, view_size.height);
+                next_s = input.time_s + draw_period_s;
+            }
+            if (pictured) pictures.see(std::move(scene), frame, input.time_s);
+        });
     return {};
 }
 

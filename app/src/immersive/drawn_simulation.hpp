@@ -12,7 +12,7 @@
 namespace deixis::app {
 
 /// Attaches a renderer without a window to the station. `size` is "WIDTHxHEIGHT" or empty. A picture is taken
-/// of the first frame in each state that `screenshots` wants.
+/// of each state that `screenshots` wants, when it first comes and the participant has turned to it.
 [[nodiscard]] Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar,
                                           const std::string& size,
                                           const std::shared_ptr<Screenshots>& screenshots);
