@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "results/analysis.hpp"
 #include "results/long_table.hpp"
+#include "results/several_studies.hpp"
 
 namespace deixis::app {
 
@@ -26,14 +27,16 @@ struct DataChoice {
     bool without_clips = false;  ///< they are not looked at
     /// "apart", "together" or one kind of station; empty: as the study says, apart where it does not.
     std::string stations{};
+    results::JoinChoice join{};  ///< of several data
 };
 
-/// Analyses databases of one study, long tables (CSV), or a study on a server, and writes the files.
+/// Analyses databases of one or several studies, long tables (CSV), or a study on a server, and writes the
+/// files.
 [[nodiscard]] Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
                                        const results::AnalysisOptions& options = {},
                                        const DataChoice& choice = {});
 
-/// The answers of all of them as one table.
+/// The answers of all of them as one table; of one study.
 [[nodiscard]] Result<results::ResponseTable> loadAll(const std::vector<std::string>& data,
                                                      const DataChoice& choice = {});
 

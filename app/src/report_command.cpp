@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "assets/data_paths.hpp"
@@ -39,6 +40,7 @@ struct ReportArguments {
     std::vector<std::string> equivalence;
     std::vector<std::string> columns;
     std::vector<std::string> scales;
+    std::string by;
 };
 
 /// "MEASURE=BOUND", each.
@@ -110,40 +112,42 @@ bool isDatabase(const std::string& file) {
     return start == "SQLite format 3";
 }
 
-/// Adds what observers would read where the clips that were shown are at hand; else a note.
-void watchAgain(const std::vector<std::string>& data, const std::string& stimuli,
-                results::ResponseTable& table) {
-    std::string missing;
-    for (const std::string& file : data) {
-        if (!isDatabase(file)) continue;
-        auto choices = watchedChoices(file, stimuli);
-        if (choices)
-            table.watched.insert(table.watched.end(), std::make_move_iterator(choices->begin()),
-                                 std::make_move_iterator(choices->end()));
+/// Adds what observers would read where the clips that were shown are at hand. Returns a note where they are
+/// not; empty where nothing is missing.
+std::string watchAgain(const std::vector<std::string>& data, const std::string& stimuli,
+                       std::vector<results::ResponseTable>& tables) {
+    std::set<std::string> missing;
+    for (std::size_t i = 0; i < data.size(); ++i) {
+        if (!isDatabase(data[i])) continue;
+        if (auto choices = watchedChoices(data[i], stimuli))
+            tables[i].watched = std::move(*choices);
         else
-            missing += (missing.empty() ? "" : "; ") + choices.error().text();
+            missing.insert(choices.error().text());
     }
-    std::erase_if(table.watched, [&](const results::WatchedChoice& one) {
-        return std::any_of(table.left_out.begin(), table.left_out.end(),
-                           [&](const results::LeftOut& left) { return left.participant == one.participant; });
-    });
-    if (missing.empty()) return;
+    for (results::ResponseTable& table : tables)
+        std::erase_if(table.watched, [&](const results::WatchedChoice& one) {
+            return std::any_of(
+                table.left_out.begin(), table.left_out.end(),
+                [&](const results::LeftOut& left) { return left.participant == one.participant; });
+        });
+    if (missing.empty()) return "";
     // Of some databases alone they would not be the choices that the other tables count.
-    table.watched.clear();
-    table.notes.push_back(
+    for (results::ResponseTable& table : tables) table.watched.clear();
+    return fmt::format(
         "What simulated observers would read in the same arms, and choices by where an arm was at the "
-        "beginning and the end of its hold, are left out: " +
-        missing);
+        "beginning and the end of its hold, are left out: {}",
+        fmt::join(missing, "; "));
 }
 
 /// One of the data: a database, a long table, or a study on a server.
-Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice& choice) {
+Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice& choice,
+                                       const results::LongTableOptions& csv) {
     if (isServerAddress(data)) return results::loadServerResponses(data, choice.study);
     std::error_code code;
     if (looksLikeServerAddress(data) && !std::filesystem::exists(data, code))
         return fail(data, "is neither a file nor the address of a PostgreSQL server",
                     "Such an address begins postgresql://, in small letters");
-    auto table = results::loadAnswers(data, choice.csv);
+    auto table = results::loadAnswers(data, csv);
     if (table && !isDatabase(data))
         for (const std::string& note : table->notes) fmt::print(stderr, "note: {}: {}\n", data, note);
     return table;
@@ -157,16 +161,35 @@ Result<void> checkOutput(const std::string& file) {
     return {};
 }
 
-Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, const DataChoice& choice) {
+namespace {
+
+/// Each by itself, in their order.
+Result<std::vector<results::ResponseTable>> loadEach(const std::vector<std::string>& data,
+                                                     const DataChoice& choice) {
     if (!choice.study.empty() && std::none_of(data.begin(), data.end(), isServerAddress))
         return fail("--study", "names a study on a server, but none of the data is a server's address");
+    for (auto one = data.begin(); one != data.end(); ++one)
+        for (auto other = data.begin(); other != one; ++other)
+            if (std::error_code code; *one == *other || std::filesystem::equivalent(*one, *other, code))
+                return fail(*one, "is named twice", "Name each of the data once");
+    // What is said of columns and scales is meant for the CSV files among them.
+    const bool all_databases = std::all_of(data.begin(), data.end(), isDatabase);
     std::vector<results::ResponseTable> tables;
     for (const std::string& file : data) {
-        auto table = loadOne(file, choice);
+        auto table = loadOne(file, choice,
+                             isDatabase(file) && !all_databases ? results::LongTableOptions{} : choice.csv);
         if (!table) return tl::unexpected(table.error());
         tables.push_back(std::move(*table));
     }
-    return results::joinTables(std::move(tables));
+    return tables;
+}
+
+}  // namespace
+
+Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, const DataChoice& choice) {
+    auto tables = loadEach(data, choice);
+    if (!tables) return tl::unexpected(tables.error());
+    return results::joinTables(std::move(*tables));
 }
 
 namespace {
@@ -216,6 +239,7 @@ Result<void> writeByStation(results::ResponseTable table, const ReportFiles& fil
                             const results::AnalysisOptions& options, const std::string& stations) {
     const std::vector<std::string> kinds = results::stationKinds(table);
     const bool together = stations == "together" || (stations.empty() && table.stations_together);
+    if (auto meet = results::checkStudiesMeet(table, together); !meet) return meet;
     if (!stations.empty() && stations != "apart" && !together) {
         if (std::find(kinds.begin(), kinds.end(), stations) == kinds.end())
             return fail("--stations", fmt::format("found \"{}\", and no answer was given there", stations),
@@ -259,9 +283,14 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
         if (auto checked = checkOutput(file); !checked) return checked;
     if (!files.page.empty() && files.page == files.json)
         return fail(files.page, "was named for both the page and the JSON");
-    auto table = loadAll(data, choice);
+    auto tables = loadEach(data, choice);
+    if (!tables) return tl::unexpected(tables.error());
+    const std::string note = choice.without_clips ? "" : watchAgain(data, choice.stimuli, *tables);
+    results::JoinChoice join = choice.join;
+    join.alpha = options.alpha;
+    auto table = results::joinData(std::move(*tables), join);
     if (!table) return tl::unexpected(table.error());
-    if (!choice.without_clips) watchAgain(data, choice.stimuli, *table);
+    if (!note.empty()) table->notes.push_back(note);
     results::AnalysisOptions named = options;
     named.program = programVersion();
     named.build = buildProperties();
@@ -274,9 +303,20 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
         "report", "Analyse databases or long tables: an HTML page, and the numbers as JSON, CSV and LaTeX");
     command
         ->add_option("DATA", options->data,
-                     "Databases of one study, CSV files with one line an answer, or a server's address "
-                     "(postgresql://USER@HOST:PORT/DATABASE)")
+                     "Databases of one study or of several, CSV files with one line an answer, or a server's "
+                     "address (postgresql://USER@HOST:PORT/DATABASE)")
         ->required();
+    command
+        ->add_option("--by", options->by,
+                     "study: compares studies, each a group of participants: the systems within each and "
+                     "pooled. So are databases of studies of different names without it; each CSV file is "
+                     "then one study")
+        ->check(CLI::IsMember({"study"}));
+    command
+        ->add_option("--measure", options->choice.join.measures,
+                     "Analyse this measure alone, such as what all of several studies measured; may be "
+                     "repeated")
+        ->allow_extra_args(false);
     command->add_option("--study", options->choice.study,
                         "Which study of a server that holds several: its name, or the beginning of its hash");
     command->add_option("-o,--output", options->files.page, "HTML page to write")->default_val("report.html");
@@ -333,6 +373,7 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
             const ReportFiles& files = options->files;
+            options->choice.join.by_study = !options->by.empty();
             auto bounds = boundsFrom(options->equivalence);
             if (!bounds) return tl::unexpected(bounds.error());
             options->analysis.equivalence = std::move(*bounds);

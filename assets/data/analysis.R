@@ -18,7 +18,7 @@ table_of <- function(name) {
     file <- paste0(name, ".csv")
     if (!file.exists(file)) return(NULL)
     columns <- names(read.csv(file, nrows = 1, check.names = FALSE))
-    classes <- ifelse(columns %in% labels, "character", NA)
+    classes <- ifelse(columns %in% c(labels, "study"), "character", NA)
     names(classes) <- columns
     found <- read.csv(file, check.names = FALSE, colClasses = classes, na.strings = "", encoding = "UTF-8")
     attr(found, "table") <- name
@@ -253,15 +253,36 @@ rank_sum <- function(exactly_a, exactly_b) {
 
 # ---- tables ----------------------------------------------------------------------------------------------
 
+# Of several studies the tables study_... hold each by itself: the answers of a row's study.
+in_study <- function(table, i) {
+    if (is.null(table$study) || table$study[i] == "pooled") rep(TRUE, nrow(answers)) else is("study", table$study[i])
+}
+
 means <- table_of("means")
-for (i in seq_len(NROW(means))) {
-    here <- single & is("measure", means$measure[i]) & is("system", means$system[i])
+compare_means <- function(means) for (i in seq_len(NROW(means))) {
+    here <- single & in_study(means, i) & is("measure", means$measure[i]) & is("system", means$system[i])
     by_participant <- means_of(here)
     same(means, i, "mean", mean(by_participant))
+    same(means, i, "median", if (length(by_participant) > 0) median(by_participant) else NA)
     same(means, i, "sd_participants", if (length(by_participant) > 1) sd(by_participant) else NA)
     same(means, i, "sd_trials", if (sum(here) > 1) sd(answers$value[here]) else NA)
     same(means, i, "participants", length(by_participant))
     same(means, i, "answers", sum(here))
+}
+compare_means(means)
+compare_means(table_of("study_means"))
+
+medians <- table_of("study_medians")
+for (i in seq_len(NROW(medians))) {
+    here <- single & in_study(medians, i) & is("measure", medians$measure[i])
+    of_system <- here & is("system", medians$system[i])
+    by_participant <- means_of(of_system)
+    same(medians, i, "median", median(by_participant))
+    if (all(is.na(answers$correct[of_system]))) same(medians, i, "median_of_ratings", median(answers$value[of_system]))
+    same(medians, i, "participants", length(by_participant))
+    same(medians, i, "answers", sum(of_system))
+    all_medians <- vapply(unique(answers$system[here]), function(s) median(means_of(here & is("system", s))), numeric(1))
+    same(medians, i, "place", 1 + sum(tidy(all_medians) > tidy(median(by_participant))))
 }
 
 levels_table <- table_of("levels")
@@ -274,10 +295,10 @@ for (i in seq_len(NROW(levels_table))) {
     same(levels_table, i, "answers", sum(here))
 }
 
-omnibus <- table_of("omnibus")
-for (i in seq_len(NROW(omnibus))) {
+compare_omnibus <- function(omnibus) for (i in seq_len(NROW(omnibus))) {
     systems <- unique(means$system[means$measure == omnibus$measure[i]])
-    columns <- lapply(systems, function(s) means_of(single & is("measure", omnibus$measure[i]) & is("system", s)))
+    columns <- lapply(systems, function(s)
+        means_of(single & in_study(omnibus, i) & is("measure", omnibus$measure[i]) & is("system", s)))
     people <- Reduce(intersect, lapply(columns, names))
     n <- length(people)
     scores <- tidy(vapply(columns, function(column) column[people], numeric(n)))
@@ -297,12 +318,13 @@ for (i in seq_len(NROW(omnibus))) {
         same(omnibus, i, "p_f", pf(f, k - 1, (k - 1) * (n - 1), lower.tail = FALSE))
     }
 }
+compare_omnibus(table_of("omnibus"))
+compare_omnibus(table_of("study_omnibus"))
 
-pairwise <- table_of("pairwise")
-if (!is.null(pairwise)) {
-    of_system <- function(measure, system) means_of(single & is("measure", measure) & is("system", system))
-    differences <- function(i)
-        paired(of_system(pairwise$measure[i], pairwise$a[i]), of_system(pairwise$measure[i], pairwise$b[i]))
+for (pairwise in Filter(Negate(is.null), list(table_of("pairwise"), table_of("study_pairwise")))) {
+    of_system <- function(i, system)
+        means_of(single & in_study(pairwise, i) & is("measure", pairwise$measure[i]) & is("system", system))
+    differences <- function(i) paired(of_system(i, pairwise$a[i]), of_system(i, pairwise$b[i]))
     compare_tests(pairwise, differences)
     for (i in seq_len(nrow(pairwise))) same(pairwise, i, "mean_difference", mean(differences(i)))
 }
@@ -332,11 +354,10 @@ compare_groups <- function(tests, group) {
     }
 }
 
-between <- table_of("between")
-if (!is.null(between)) {
+for (between in Filter(Negate(is.null), list(table_of("between"), table_of("study_between")))) {
     # Of each participant the mean, or the mean of the means under each system.
     compare_groups(between, function(row, level) {
-        here <- single & is("measure", row$measure) & is(row$factor, level)
+        here <- single & in_study(row, 1) & is("measure", row$measure) & is(row$factor, level)
         if (row$system != "all") return(means_of(here & is("system", row$system)))
         by_system <- lapply(unique(answers$system[here]), function(s) means_of(here & is("system", s)))
         people <- unique(answers$participant[here])
@@ -420,10 +441,10 @@ for (i in seq_len(NROW(pooled_ratings))) {
     same(pooled_ratings, i, "median", median(values))
 }
 
-# Answers to a pair of systems, positive for a.
-towards <- function(a, b) {
-    forth <- is("system", a) & is("other_system", b)
-    back <- is("system", b) & is("other_system", a)
+# Answers to a pair of systems, positive for a; of those that `which` picks.
+towards <- function(a, b, which = TRUE) {
+    forth <- which & is("system", a) & is("other_system", b)
+    back <- which & is("system", b) & is("other_system", a)
     # A preference below 0 is for the first of the two.
     chosen <- answers[forth | back, ]
     chosen$value <- ifelse(back, answers$value, -answers$value)[forth | back]
@@ -431,11 +452,11 @@ towards <- function(a, b) {
 }
 net_preferences <- function(chosen) vapply(split(chosen$value, chosen$participant), mean, numeric(1))
 
-preferences <- table_of("preferences")
-if (!is.null(preferences)) {
-    compare_tests(preferences, function(i) net_preferences(towards(preferences$a[i], preferences$b[i])))
+for (preferences in Filter(Negate(is.null), list(table_of("preferences"), table_of("study_preferences")))) {
+    of_pair <- function(i) towards(preferences$a[i], preferences$b[i], in_study(preferences, i))
+    compare_tests(preferences, function(i) net_preferences(of_pair(i)))
     for (i in seq_len(nrow(preferences))) {
-        chosen <- towards(preferences$a[i], preferences$b[i])
+        chosen <- of_pair(i)
         same(preferences, i, "mean", mean(net_preferences(chosen)))
         same(preferences, i, "prefers_a", sum(chosen$value > 0))
         same(preferences, i, "equal", sum(chosen$value == 0))

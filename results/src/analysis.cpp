@@ -14,6 +14,7 @@
 #include "analysis_remarks.hpp"
 #include "analysis_tests.hpp"
 #include "results/descriptive.hpp"
+#include "results/several_studies.hpp"
 #include "results/stations.hpp"
 
 namespace deixis::results {
@@ -144,6 +145,32 @@ void countParticipants(AnalysisResult& result) {
     result.participants = static_cast<int>(participants.size());
 }
 
+/// Families that other studies, or all of them, have too.
+void nameFamilies(AnalysisResult& result, const std::string& where) {
+    const auto name = [&](auto& tests) {
+        for (auto& test : tests) test.family += ", " + where;
+    };
+    name(result.pairwise);
+    name(result.preferences);
+    for (BetweenResult& one : result.between)
+        if (one.factor == systems_between) one.family += ", " + where;
+}
+
+/// The tests of one study's systems, in families of their own.
+AnalysisResult analyseStudy(const AnalysisResult& all, const std::string& study) {
+    AnalysisResult one;
+    one.table = onlyStudy(all.table, study);
+    one.options = all.options;
+    setUp(one);
+    const RowPointers rows = pointersTo(one.table.rows);
+    const CellsByMeasure cells = cellsOf(rows);
+    testAnswers(rows, cells, one);
+    one.systems = summariseSystems(cells, one);
+    countParticipants(one);
+    nameFamilies(one, "in " + study);
+    return one;
+}
+
 }  // namespace
 
 void runTests(AnalysisResult& result) {
@@ -158,6 +185,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     result.table = std::move(table);
     result.options = options;
     takePeopleOnly(result);
+    dropEmptyStudies(result.table);
     setUp(result);
     const RowPointers rows = pointersTo(result.table.rows);
     const CellsByMeasure cells = cellsOf(rows);
@@ -182,6 +210,12 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     summariseScores(result);
     describePeople(result);
     describeChoices(result);
+    for (const std::string& study : studiesIn(result.table))
+        result.by_study.push_back(analyseStudy(result, study));
+    if (!result.by_study.empty()) {
+        nameFamilies(result, "all studies pooled");
+        orderMedians(result);
+    }
 
     remarkTests(result);
     return result;

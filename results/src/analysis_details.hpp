@@ -46,4 +46,7 @@ void describeAnswers(AnalysisResult& result);
 /// Confusion and target space.
 void describeChoices(AnalysisResult& result);
 
+/// The systems by their medians, in each of several studies and pooled. Needs systems and by_study.
+void orderMedians(AnalysisResult& result);
+
 }  // namespace deixis::results

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis_json_groups.hpp"
+#include "analysis_json_studies.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "json_values.hpp"
 #include "observers_tables.hpp"
@@ -122,6 +123,25 @@ Json levelTestsJson(const AnalysisResult& result, const std::string& factor) {
     return out;
 }
 
+}  // namespace
+
+Json pairwiseJson(const AnalysisResult& result) {
+    Json out = Json::array();
+    for (const auto& comparison : result.pairwise) out.push_back(comparisonJson(comparison, result));
+    return out;
+}
+
+Json systemsJson(const AnalysisResult& result) {
+    Json out = Json::array();
+    for (const auto& system : result.systems) {
+        Json row{{"system", system.system}};
+        for (std::size_t i = 0; i < result.measures.size(); ++i)
+            row[result.measures[i].name] = summaryJson(system.measures[i]);
+        out.push_back(std::move(row));
+    }
+    return out;
+}
+
 Json preferencesJson(const AnalysisResult& result) {
     Json out = Json::array();
     for (const auto& pair : result.preferences) {
@@ -160,6 +180,8 @@ Json omnibusJson(const AnalysisResult& result) {
     }
     return out;
 }
+
+namespace {
 
 Json decisionJson(const AdjustedTest& one, double p, const std::optional<double>& p_holm, double alpha) {
     return {{"n", one.test.n_pairs},
@@ -405,13 +427,7 @@ std::string analysisJson(const AnalysisResult& result) {
     out["alpha"] = result.alpha;
     out["settings"] = {
         {"level", result.level}, {"resamples", result.options.resamples}, {"seed", result.options.seed}};
-    out["systems"] = Json::array();
-    for (const auto& system : result.systems) {
-        Json row{{"system", system.system}};
-        for (std::size_t i = 0; i < result.measures.size(); ++i)
-            row[result.measures[i].name] = summaryJson(system.measures[i]);
-        out["systems"].push_back(std::move(row));
-    }
+    out["systems"] = systemsJson(result);
     out["layouts"] = levelsJson(result, "layout", "layout", false);
     out["distances"] = levelsJson(result, "distance", "distance", false);
     out["factor_levels"] = Json::array();
@@ -419,9 +435,7 @@ std::string analysisJson(const AnalysisResult& result) {
         for (Json& row : levelsJson(result, factor.name, "level", true))
             out["factor_levels"].push_back(std::move(row));
     out["omnibus"] = omnibusJson(result);
-    out["pairwise"] = Json::array();
-    for (const auto& comparison : result.pairwise)
-        out["pairwise"].push_back(comparisonJson(comparison, result));
+    out["pairwise"] = pairwiseJson(result);
     out["layout_tests"] = levelTestsJson(result, "layout");
     out["distance_tests"] = levelTestsJson(result, "distance");
     out["factor_tests"] = Json::array();
@@ -446,6 +460,8 @@ std::string analysisJson(const AnalysisResult& result) {
     out["sensitivity"] = sensitivityJson(result);
     out["between"] = betweenJson(result);
     out["preferences_between"] = preferencesBetweenJson(result);
+    out["by_study"] = byStudyJson(result);
+    out["study_medians"] = mediansJson(result);
     addDetails(out, result);
     addChoices(out, result);
     addPooled(out, result);

@@ -8,6 +8,7 @@
 
 #include "by_name.hpp"
 #include "results/rounded_fraction.hpp"
+#include "results/several_studies.hpp"
 
 namespace deixis::results {
 
@@ -190,10 +191,12 @@ void remarkAnswers(AnalysisResult& result) {
         remarks.push_back(fmt::format("{} {} withdrew; nothing of theirs is kept.", table.withdrawn,
                                       table.withdrawn == 1 ? "participant" : "participants"));
     for (const Factor& factor : table.between)
-        remarks.push_back(fmt::format(
-            "Participants differ in {}: systems are compared over all of them, whatever their {}; the groups "
-            "are compared apart.",
-            factor.name, factor.name));
+        if (table.origins.empty() || factor.name != study_factor)
+            remarks.push_back(
+                fmt::format("Participants differ in {}: systems are compared over all of them, whatever "
+                            "their {}; the groups "
+                            "are compared apart.",
+                            factor.name, factor.name));
 }
 
 void remarkTests(AnalysisResult& result) {

@@ -6,6 +6,7 @@
 
 #include "analysis_table_parts.hpp"
 #include "analysis_tables_further.hpp"
+#include "analysis_tables_studies.hpp"
 #include "answers_csv.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "plain_table.hpp"
@@ -16,6 +17,8 @@ namespace deixis::results {
 namespace {
 
 using enum ColumnType;
+
+}  // namespace
 
 PlainTable meansTable(const AnalysisResult& result) {
     PlainTable out{
@@ -48,6 +51,8 @@ PlainTable meansTable(const AnalysisResult& result) {
     return out;
 }
 
+namespace {
+
 PlainTable levelsTable(const AnalysisResult& result) {
     PlainTable out{"levels",
                    units::answers,
@@ -74,6 +79,8 @@ PlainTable levelsTable(const AnalysisResult& result) {
     return out;
 }
 
+}  // namespace
+
 PlainTable omnibusTable(const AnalysisResult& result) {
     PlainTable out{"omnibus",
                    units::means,
@@ -97,6 +104,8 @@ PlainTable omnibusTable(const AnalysisResult& result) {
     }
     return out;
 }
+
+namespace {
 
 PlainTable comparisonsTable(const std::string& name, const std::string& caption,
                             const std::vector<Comparison>& comparisons, bool with_factor) {
@@ -123,6 +132,15 @@ PlainTable comparisonsTable(const std::string& name, const std::string& caption,
     return out;
 }
 
+}  // namespace
+
+PlainTable pairwiseTable(const AnalysisResult& result) {
+    return comparisonsTable("pairwise", "Pairs of systems: signed-rank tests of participants' means",
+                            result.pairwise, false);
+}
+
+namespace {
+
 PlainTable interactionsTable(const AnalysisResult& result) {
     PlainTable out{"interactions", units::differences,
                    "Differences a - b under c less those under d: signed-rank tests of participants' means",
@@ -132,6 +150,8 @@ PlainTable interactionsTable(const AnalysisResult& result) {
             withMore(withMore(contrastCells(one), {PlainCell(one.mean_difference)}), testCells(one)));
     return out;
 }
+
+}  // namespace
 
 PlainTable preferencesTable(const AnalysisResult& result) {
     PlainTable out{"preferences", units::preferences, "Preferences between systems",
@@ -153,6 +173,8 @@ PlainTable preferencesTable(const AnalysisResult& result) {
     }
     return out;
 }
+
+namespace {
 
 PlainTable chanceTable(const AnalysisResult& result) {
     PlainTable out{
@@ -281,8 +303,7 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
         meansTable(result),
         levelsTable(result),
         omnibusTable(result),
-        comparisonsTable("pairwise", "Pairs of systems: signed-rank tests of participants' means",
-                         result.pairwise, false),
+        pairwiseTable(result),
         comparisonsTable("level_tests", "Levels within systems: signed-rank tests of participants' means",
                          result.level_tests, true),
         interactionsTable(result),
@@ -293,6 +314,12 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
         timesTable(result),
         checksTable(result)};
     for (PlainTable table : furtherTables(result)) tables.push_back(std::move(table));
+    if (!result.by_study.empty())
+        for (PlainTable& table : tables)
+            if (table.name == "means" || table.name == "omnibus" || table.name == "pairwise" ||
+                table.name == "preferences")
+                table.caption += ", all studies pooled";
+    for (PlainTable table : studyTables(result)) tables.push_back(std::move(table));
     const bool csv = format == TableFormat::csv;
     if (csv)
         for (PlainTable table : {itemsTable(result), leftOutTable(result), participantsTable(result),

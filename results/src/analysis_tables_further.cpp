@@ -1,6 +1,7 @@
 #include "analysis_tables_further.hpp"
 
 #include "analysis_table_parts.hpp"
+#include "analysis_tables_studies.hpp"
 #include "quality_outputs.hpp"
 #include "results/accuracy_by_angle.hpp"
 
@@ -61,6 +62,8 @@ PlainTable unansweredTable(const AnalysisResult& result) {
     return out;
 }
 
+}  // namespace
+
 PlainTable betweenTable(const AnalysisResult& result) {
     PlainTable out{"between", units::means, "Groups of participants: rank-sum tests of participants' means",
                    withMore<PlainColumn>({{"measure", text, Print::heading},
@@ -73,6 +76,8 @@ PlainTable betweenTable(const AnalysisResult& result) {
         out.rows.push_back(withMore({one.measure, one.factor, one.system, one.a, one.b}, groupCells(one)));
     return out;
 }
+
+namespace {
 
 PlainTable preferencesBetweenTable(const AnalysisResult& result) {
     PlainTable out{"preferences_between", units::preferences,

@@ -144,7 +144,7 @@ Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
             if (auto ready = migrateWhole(database, path); !ready) return tl::unexpected(ready.error());
         }
         database.exec("PRAGMA query_only = ON");
-        return ReadOnlyDatabase(std::move(database), path, without_log, written);
+        return ReadOnlyDatabase(std::move(database), path, without_log, written, whose->version);
     } catch (const SQLite::Exception& caught) {
         return tl::unexpected(describe(path, caught));
     }

@@ -50,20 +50,24 @@ class ReadOnlyDatabase {
     /// Whether what was read can be relied on: false where a writer has begun since and the file was read
     /// without its log. Then read again with openReadOnly(path, WithLog::yes).
     [[nodiscard]] bool undisturbed() const;
+    /// The schema's version in the file itself.
+    [[nodiscard]] int fileVersion() const { return file_version_; }
 
   private:
     friend Result<ReadOnlyDatabase> openReadOnly(const std::filesystem::path& path, WithLog log);
     ReadOnlyDatabase(SQLite::Database database, std::filesystem::path path, bool without_log,
-                     std::filesystem::file_time_type written)
+                     std::filesystem::file_time_type written, int file_version)
         : database_(std::move(database)),
           path_(std::move(path)),
           without_log_(without_log),
-          written_(written) {}
+          written_(written),
+          file_version_(file_version) {}
 
     SQLite::Database database_;
     std::filesystem::path path_;
     bool without_log_ = false;
     std::filesystem::file_time_type written_{};
+    int file_version_ = 0;
 };
 
 /// Errors: no such file, not one of ours, a newer version, no tables in it yet, damaged (checkWhole()),
@@ -73,12 +77,15 @@ class ReadOnlyDatabase {
 
 /// Opens and gives to `read` (SQLite::Database& -> Result<...>), within one read transaction: one moment of
 /// the database. Reads again where a writer came in between. Failing SQLite calls become errors.
+/// `file_version`: gets the version of the schema in the file.
 template <typename Read>
-[[nodiscard]] auto readDatabase(const std::filesystem::path& path, const Read& read)
+[[nodiscard]] auto readDatabase(const std::filesystem::path& path, const Read& read,
+                                int* file_version = nullptr)
     -> std::invoke_result_t<Read, SQLite::Database&> {
     try {
         auto opened = openReadOnly(path);
         if (!opened) return tl::unexpected(opened.error());
+        if (file_version != nullptr) *file_version = opened->fileVersion();
         (*opened)->exec("BEGIN");
         auto out = read(**opened);
         if (opened->undisturbed()) return out;

@@ -47,6 +47,31 @@ std::vector<Bracket> bracketsOf(const BoxPlot& plot) {
     return brackets;
 }
 
+/// Where the boxes stand: at 0, 1, ..., with room between groups.
+struct BoxPlaces {
+    std::vector<double> x{};            ///< of each box
+    std::vector<std::size_t> colour{};  ///< likewise; the same for the same place in each group
+    std::vector<double> groups{};       ///< the middles of the groups
+    double right = 0.5;                 ///< where the last one's room ends
+
+    explicit BoxPlaces(const BoxPlot& plot) {
+        constexpr double between_groups = 0.8;
+        std::vector<std::size_t> sizes;
+        for (const BoxPlot::Group& group : plot.groups) sizes.push_back(group.boxes);
+        if (sizes.empty()) sizes.push_back(plot.boxes.size());
+        double at = 0.0;
+        for (const std::size_t size : sizes) {
+            groups.push_back(at + 0.5 * (static_cast<double>(size) - 1.0));
+            for (std::size_t i = 0; i < size; ++i) {
+                x.push_back(at + static_cast<double>(i));
+                colour.push_back(i);
+            }
+            at += static_cast<double>(size) + between_groups;
+        }
+        if (!x.empty()) right = x.back() + 0.5;
+    }
+};
+
 /// What is drawn of all systems.
 struct BoxParts {
     FigureJson outlines = FigureJson::array();
@@ -57,9 +82,10 @@ struct BoxParts {
     FigureJson nothing = FigureJson::array();  ///< names of systems without answers
 };
 
-void addBox(BoxParts& parts, const BoxPlot& plot, const BoxSummary& box, std::size_t place, double half) {
-    const auto x = static_cast<double>(place);
-    const std::string colour = systemColour(place);
+void addBox(BoxParts& parts, const BoxPlot& plot, const BoxPlaces& places, const BoxSummary& box,
+            std::size_t place, double half) {
+    const double x = places.x[place];
+    const std::string colour = systemColour(places.colour[place]);
     const bool notched = box.notched();
     const std::string notch =
         notched ? fmt::format(" (notch {} to {})", plot.text(box.notch_low), plot.text(box.notch_high))
@@ -91,28 +117,31 @@ void addBox(BoxParts& parts, const BoxPlot& plot, const BoxSummary& box, std::si
     parts.means.push_back({{"x", x}, {"y", box.mean}, {"tip", tip}});
 }
 
-void addPoints(BoxParts& parts, const BoxPlot& plot, const BoxAxis& axis, std::size_t place, double half) {
+void addPoints(BoxParts& parts, const BoxPlot& plot, const BoxPlaces& at, const BoxAxis& axis,
+               std::size_t place, double half) {
     const auto& [name, all] = plot.boxes[place];
     const std::vector<double> values = thinnedValues(all, plot.most_points);
     const auto places = sidewaysPlaces(values, 5.0 * axis.perPixel(), 0.85 * half);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        parts.points.push_back({{"x", static_cast<double>(place) + places[i]},
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        parts.points.push_back({{"x", at.x[place] + places[i]},
                                 {"y", values[i]},
-                                {"colour", systemColour(place)},
+                                {"colour", systemColour(at.colour[place])},
                                 {"tip", fmt::format("{}: {}", name, plot.text(values[i]))}});
+        if (!plot.groups.empty()) parts.points.back()["box"] = name;
+    }
 }
 
 FigureJson xy() {
     return {{"x", quantity("x")}, {"y", quantity("y")}, {"tooltip", {{"field", "tip"}}}};
 }
 
-FigureJson bracketLayers(const std::vector<Bracket>& brackets, const BoxAxis& axis) {
+FigureJson bracketLayers(const std::vector<Bracket>& brackets, const BoxPlaces& places, const BoxAxis& axis) {
     FigureJson lines = FigureJson::array();
     FigureJson stars = FigureJson::array();
     for (std::size_t i = 0; i < brackets.size(); ++i) {
         const Bracket& one = brackets[i];
-        const double left = static_cast<double>(one.left) + 0.06;
-        const double right = static_cast<double>(one.right) - 0.06;
+        const double left = places.x[one.left] + 0.06;
+        const double right = places.x[one.right] - 0.06;
         const double y = axis.high + axis.room +
                          (static_cast<double>(one.level) + 0.55) * bracket_height_px * axis.perPixel();
         const double foot = y - 5.0 * axis.perPixel();
@@ -137,7 +166,27 @@ FigureJson bracketLayers(const std::vector<Bracket>& brackets, const BoxAxis& ax
         layerOf(std::move(stars), {{"type", "text"}, {"baseline", "middle"}, {"dy", -4}}, std::move(text))};
 }
 
-FigureJson boxLayers(BoxParts parts) {
+/// The colours of the boxes of a group, with a legend.
+FigureJson groupedColour(const BoxPlot& plot) {
+    std::vector<std::string> names;
+    std::vector<std::string> colours;
+    std::size_t longest = 1;
+    for (std::size_t i = 0; i < plot.groups.front().boxes; ++i) {
+        names.push_back(plot.boxes[i].name);
+        colours.push_back(systemColour(i));
+        longest = std::max(longest, names.back().size());
+    }
+    // As many beside each other as have room.
+    const std::string columns = fmt::format(
+        "(width > 0 && containerSize()[0] > 0 ? max(1, floor((containerSize()[0] - 80) / {})) : {})",
+        44 + 8 * longest, names.size());
+    return {{"field", "box"},
+            {"type", "nominal"},
+            {"scale", {{"domain", names}, {"range", colours}}},
+            {"legend", {{"columns", {{"expr", columns}}}}}};
+}
+
+FigureJson boxLayers(const BoxPlot& plot, BoxParts parts) {
     FigureJson layers = FigureJson::array();
     FigureJson outline = xy();
     outline["order"] = quantity("corner");
@@ -149,7 +198,7 @@ FigureJson boxLayers(BoxParts parts) {
     FigureJson coloured_line = line;
     coloured_line["color"] = ownColour();
     FigureJson point = xy();
-    point["color"] = ownColour();
+    point["color"] = plot.groups.empty() ? ownColour() : groupedColour(plot);
     FigureJson words = xy();
     words["text"] = {{"field", "tip"}};
     layers.push_back(
@@ -226,18 +275,21 @@ FigureJson boxPlotSpec(const BoxPlot& plot) {
     BoxAxis axis{plot.low, plot.high, 0.0, plot.height_px};
     if (!(axis.high > axis.low)) axis.high = axis.low + 1.0;
     axis.room = 0.03 * (axis.high - axis.low);
+    const BoxPlaces places(plot);
     const std::size_t count = std::max<std::size_t>(1, plot.boxes.size());
     const double half = std::min(0.3, 0.1 * static_cast<double>(count));
 
     BoxParts parts;
     std::vector<std::vector<std::string>> names;
+    for (const BoxPlot::Group& group : plot.groups) names.push_back(brokenName(group.name));
     for (std::size_t i = 0; i < plot.boxes.size(); ++i) {
-        names.push_back(brokenName(plot.boxes[i].name));
+        if (plot.groups.empty()) names.push_back(brokenName(plot.boxes[i].name));
         if (const auto box = boxSummary(plot.boxes[i].values)) {
-            addBox(parts, plot, *box, i, half);
-            addPoints(parts, plot, axis, i, half);
+            addBox(parts, plot, places, *box, i, half);
+            addPoints(parts, plot, places, axis, i, half);
         } else {
-            parts.nothing.push_back({{"x", i}, {"y", 0.5 * (axis.low + axis.high)}, {"tip", plot.nothing}});
+            parts.nothing.push_back(
+                {{"x", places.x[i]}, {"y", 0.5 * (axis.low + axis.high)}, {"tip", plot.nothing}});
         }
     }
     const std::vector<Bracket> brackets = bracketsOf(plot);
@@ -245,20 +297,25 @@ FigureJson boxPlotSpec(const BoxPlot& plot) {
     for (const Bracket& one : brackets) levels = std::max(levels, one.level + 1);
 
     FigureJson x_axis = nameAxis(names);
+    if (!plot.groups.empty()) {
+        x_axis["values"] = places.groups;
+        x_axis["labelExpr"] = FigureJson(names).dump(-1, ' ', true, FigureJson::error_handler_t::replace) +
+                              "[indexof(" + FigureJson(places.groups).dump() + ", datum.value)]";
+    }
     slantWhereNarrow(x_axis, names);
     const double bracket_room = static_cast<double>(levels) * bracket_height_px;
-    FigureJson boxes = boxLayers(std::move(parts));
+    FigureJson boxes = boxLayers(plot, std::move(parts));
     FigureJson& x = boxes.front()["encoding"]["x"];
-    x["scale"] = {{"domain", {-0.5, static_cast<double>(count) - 0.5}}, {"nice", false}, {"zero", false}};
+    x["scale"] = {{"domain", {-0.5, places.right}}, {"nice", false}, {"zero", false}};
     x["axis"] = std::move(x_axis);
     FigureJson& y = boxes.front()["encoding"]["y"];
     y["scale"] = {{"domain", {axis.low - axis.room, axis.high + axis.room + bracket_room * axis.perPixel()}},
                   {"nice", false},
                   {"zero", false}};
     y["axis"] = plot.axis;
-    FigureJson layers = levelLayers(plot.levels, static_cast<double>(count) - 0.5);
+    FigureJson layers = levelLayers(plot.levels, places.right);
     for (auto& layer : boxes) layers.push_back(std::move(layer));
-    for (auto& layer : bracketLayers(brackets, axis)) layers.push_back(std::move(layer));
+    for (auto& layer : bracketLayers(brackets, places, axis)) layers.push_back(std::move(layer));
     return {{"height", plot.height_px + bracket_room}, {"layer", std::move(layers)}};
 }
 

@@ -24,6 +24,11 @@ struct BoxPlot {
         std::string words;   ///< right of the plot
         bool across = true;  ///< a dashed line through the plot
     };
+    /// Boxes that stand together under one name, in the order of `boxes`: the same ones in each group.
+    struct Group {
+        std::string name;
+        std::size_t boxes = 0;
+    };
     std::vector<Box> boxes;
     double low = 0.0, high = 1.0;             ///< of the scale
     FigureJson axis;                          ///< of the values: title, ticks, their labels
@@ -32,6 +37,8 @@ struct BoxPlot {
     std::string nothing;                      ///< stands in the place of a box without values
     std::vector<Level> levels{};
     std::vector<Pair> brackets{};
+    /// Where there are any the axis names them, and a legend the boxes; brackets join boxes of one group.
+    std::vector<Group> groups{};
     /// Points of each box; of more values, points at as many of their quantiles.
     std::size_t most_points = std::numeric_limits<std::size_t>::max();
 };

@@ -151,6 +151,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         append(out.left_out_rows, next.left_out_rows);
         append(out.skipped_rows, next.skipped_rows);
         append(out.choices, next.choices);
+        append(out.watched, next.watched);
         out.planned_answers.insert(next.planned_answers.begin(), next.planned_answers.end());
         out.planned_participants += next.planned_participants;
         out.withdrawn += next.withdrawn;

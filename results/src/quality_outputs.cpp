@@ -62,7 +62,11 @@ std::string reliabilityHtml(const std::vector<Reliability>& all, Numbering& numb
 std::string ruleHtml(const AnalysisResult& result) {
     const LeaveOutRule& rule = result.table.leave_out;
     if (result.table.study_hash.empty()) return "";  // a file of answers knows no rules
-    if (!rule.declared()) return "<p>The study declares no rule by which answers are left out.</p>";
+    if (!rule.declared())
+        return result.table.origins.empty()
+                   ? "<p>The study declares no rule by which answers are left out.</p>"
+                   : "<p>The studies declare no rule in common by which answers are left out; whom a rule of "
+                     "one of them concerns is left out and named below.</p>";
     std::string out;
     const auto add = [&out](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
     if (rule.same_rating_share)

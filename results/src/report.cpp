@@ -11,6 +11,7 @@
 #include "report_details.hpp"
 #include "report_figures.hpp"
 #include "report_paper.hpp"
+#include "report_studies.hpp"
 #include "report_tables.hpp"
 #include "report_tests.hpp"
 #include "report_text.hpp"
@@ -172,9 +173,12 @@ std::string provenance(const AnalysisResult& result) {
     };
     entry("Data", escapeHtml(table.database));
     entry("Answers (SHA-256)", result.answers_hash);
+    out += studyOrigins(table);
     if (!table.study_hash.empty()) {
-        entry("Study", escapeHtml(table.study_name));
-        entry("Study file (SHA-256)", escapeHtml(table.study_hash));
+        if (table.origins.empty()) {
+            entry("Study", escapeHtml(table.study_name));
+            entry("Study file (SHA-256)", escapeHtml(table.study_hash));
+        }
         entry("Recorded by", joined(table.program_versions));
         if (!table.operating_systems.empty()) entry("Recorded on", joined(table.operating_systems));
         entry("Avatar (SHA-256)", joined(table.avatar_hashes));
@@ -223,7 +227,8 @@ std::string renderReport(const AnalysisResult& result) {
     std::string out =
         pageStart(table.study_title + " \u2013 report", table.study_title) +
         fmt::format(
-            "<p class=\"lead\">{} participant{} &#183; {} answer{} analysed{} &#183; {} system{}{}</p>\n",
+            "<p class=\"lead\">{}{} participant{} &#183; {} answer{} analysed{} &#183; {} system{}{}</p>\n",
+            result.by_study.empty() ? "" : fmt::format("{} studies &#183; ", result.by_study.size()),
             result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
             table.rows.size() == 1 ? "" : "s", answersByMeasure(table), table.systems.size(),
             table.systems.size() == 1 ? "" : "s",
@@ -240,13 +245,15 @@ std::string renderReport(const AnalysisResult& result) {
     Numbering numbering;
     // One after another: the tables count.
     if (!result.measures.empty()) {
-        out += "\n<h2>Means</h2>\n" + meansTable(result, numbering);
+        out += fmt::format("\n<h2>Means{}</h2>\n", result.by_study.empty() ? "" : ", all studies pooled") +
+               meansTable(result, numbering);
         out += "\n" + distributionsHtml(result, numbering);
         out += "\n" + pooledHtml(result, numbering);
         for (const Factor& factor : withinFactors(table))
             for (const Measure& measure : result.measures)
                 out += "\n" + levelTable(result, measure, factor.name, numbering);
     }
+    out += "\n" + studiesHtml(result, numbering);
     out += "\n" + testsHtml(result, numbering);
     out += "\n" + differencesHtml(result, figures);
     out += "\n" + bradleyTerryHtml(result, numbering);

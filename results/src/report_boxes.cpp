@@ -6,6 +6,8 @@
 
 #include "figure_boxes.hpp"
 #include "report_figures.hpp"
+#include "report_studies.hpp"
+#include "results/several_studies.hpp"
 
 namespace deixis::results {
 
@@ -71,37 +73,84 @@ std::string boxLabel(const AnalysisResult& result, const BoxPlot& plot, const Me
 
 }  // namespace
 
-Figure boxPlot(const AnalysisResult& result, std::size_t index, Numbering& figures) {
-    const Measure& measure = result.measures[index];
-    const bool accuracy = measure.kind == MeasureKind::accuracy;
+namespace {
+
+/// Without boxes. `measure` is used as long as the plot is.
+BoxPlot emptyPlot(const Measure& measure) {
     BoxPlot plot;
-    for (const SystemResult& system : result.systems)
-        plot.boxes.push_back({system.system, system.measures[index].by_participant});
     plot.low = measure.low;
     plot.high = measure.high;
     plot.axis = scaleAxis(measure);
     plot.text = [&](double value) { return scoreText(measure, value); };
     plot.nothing = "no answers";
-    if (accuracy && measure.balls > 1 && measure.fewest_balls == measure.balls)
+    if (measure.kind == MeasureKind::accuracy && measure.balls > 1 && measure.fewest_balls == measure.balls)
         plot.levels = {{1.0 / measure.balls, "chance"}};
+    return plot;
+}
+
+std::string shownName(const Measure& measure) {
+    return measure.kind == MeasureKind::accuracy ? std::string("Referential accuracy")
+                                                 : escapeHtml(capitalised(measure.name));
+}
+
+std::string bracketsText(const AnalysisResult& result) {
+    return fmt::format(
+        " Brackets: pairs that differ at &#945;&#160;=&#160;{} after Holm's correction (*&#160;p&#160;&#8804;"
+        "&#160;0.05, **&#160;&#8804;&#160;0.01, ***&#160;&#8804;&#160;0.001).",
+        result.alpha);
+}
+
+}  // namespace
+
+Figure boxPlot(const AnalysisResult& result, std::size_t index, Numbering& figures) {
+    const Measure& measure = result.measures[index];
+    BoxPlot plot = emptyPlot(measure);
+    for (const SystemResult& system : result.systems)
+        plot.boxes.push_back({system.system, system.measures[index].by_participant});
     plot.brackets = differingPairs(result, measure.name);
     const std::size_t differing = plot.brackets.size();
     if (differing > most_brackets) plot.brackets.clear();
 
-    std::string caption =
-        fmt::format("{} {}: participants' means.", figures.next(),
-                    accuracy ? "Referential accuracy" : escapeHtml(capitalised(measure.name)));
+    std::string caption = fmt::format("{} {}: participants' means.", figures.next(), shownName(measure));
     if (!plot.brackets.empty())
-        caption += fmt::format(
-            " Brackets: pairs that differ at &#945;&#160;=&#160;{} after Holm's correction "
-            "(*&#160;p&#160;&#8804;"
-            "&#160;0.05, **&#160;&#8804;&#160;0.01, ***&#160;&#8804;&#160;0.001).",
-            result.alpha);
+        caption += bracketsText(result);
     else if (differing > 0)
         caption +=
             fmt::format(" {} pairs of systems differ, too many for brackets: see the tests.", differing);
     return {fmt::format("means-{}", index + 1), std::move(caption),
             boxLabel(result, plot, measure, differing), boxPlotSpec(plot), result.systems.size() > 6};
+}
+
+Figure studyBoxPlot(const AnalysisResult& result, std::size_t index, Numbering& figures) {
+    const Measure& measure = result.measures[index];
+    BoxPlot plot = emptyPlot(measure);
+    std::string label = fmt::format(
+        "Box plots of the participants' means of {} by system, in each study and pooled; medians:",
+        measure.name);
+    bool too_many = false;
+    const auto add = [&](const AnalysisResult& one, const std::string& name) {
+        BoxPlot group = emptyPlot(measure);
+        for (const SystemResult& system : one.systems)
+            group.boxes.push_back({system.system, system.measures[index].by_participant});
+        label += fmt::format(" {}: {}.", name, mediansText(group));
+        const auto pairs = differingPairs(one, measure.name);
+        too_many = too_many || pairs.size() > most_brackets;
+        if (pairs.size() <= most_brackets)
+            for (const BoxPlot::Pair& pair : pairs)
+                plot.brackets.push_back({plot.boxes.size() + pair.a, plot.boxes.size() + pair.b, pair.p});
+        plot.groups.push_back({name, group.boxes.size()});
+        for (BoxPlot::Box& box : group.boxes) plot.boxes.push_back(std::move(box));
+    };
+    for (const AnalysisResult& study : result.by_study) add(study, study.table.study_name);
+    add(result, pooled_studies);
+    std::string caption = fmt::format(
+        "{} {}: participants' means in each study and over all of them (pooled), in the manner of "
+        "Yoon et al. (2021), Figure 7.",
+        figures.next(), shownName(measure));
+    if (!plot.brackets.empty()) caption += bracketsText(result);
+    if (too_many) caption += " Where more pairs differ than there is room for brackets: see the tests.";
+    return {fmt::format("means-{}", index + 1), std::move(caption), std::move(label), boxPlotSpec(plot),
+            true};
 }
 
 }  // namespace deixis::results

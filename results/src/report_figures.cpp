@@ -1,18 +1,20 @@
 // Which figures stand at the report's head, and the tables of what only they draw.
 #include "report_figures.hpp"
 
-#include "report_tables.hpp"
-
 #include <fmt/core.h>
 
+#include "report_studies.hpp"
 #include "report_tables.hpp"
 #include "results/descriptive.hpp"
+#include "results/several_studies.hpp"
 
 namespace deixis::results {
 
 std::string figuresHtml(const AnalysisResult& result, Numbering& figures) {
     std::string out;
-    for (std::size_t i = 0; i < result.measures.size(); ++i) out += figureHtml(boxPlot(result, i, figures));
+    for (std::size_t i = 0; i < result.measures.size(); ++i)
+        out += figureHtml(result.by_study.empty() ? boxPlot(result, i, figures)
+                                                  : studyBoxPlot(result, i, figures));
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         if (const auto counts = stepCounts(result, i))
             out += figureHtml(answersFigure(result, i, *counts, figures));
@@ -27,22 +29,28 @@ namespace {
 
 std::string boxesTable(const AnalysisResult& result, Numbering& tables) {
     std::string rows;
-    for (std::size_t i = 0; i < result.measures.size(); ++i)
-        for (const SystemResult& system : result.systems) {
+    const auto add = [&](const AnalysisResult& of, std::size_t i, const std::string& study) {
+        for (const SystemResult& system : of.systems) {
             const auto box = boxSummary(system.measures[i].by_participant);
             if (!box) continue;
-            const auto score = [&](double value) { return scoreText(result.measures[i], value); };
-            rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
-                                escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
-                                boxCells(*box, score));
+            const auto score = [&](double value) { return scoreText(of.measures[i], value); };
+            rows += fmt::format("<tr><th scope=\"row\">{}</th>{}<td class=\"text\">{}</td>{}</tr>",
+                                escapeHtml(capitalised(of.measures[i].name)),
+                                study.empty() ? "" : "<td class=\"text\">" + escapeHtml(study) + "</td>",
+                                escapeHtml(system.system), boxCells(*box, score));
         }
+    };
+    for (std::size_t i = 0; i < result.measures.size(); ++i) {
+        for (const AnalysisResult& one : result.by_study) add(one, i, one.table.study_name);
+        add(result, i, result.by_study.empty() ? "" : pooled_studies);
+    }
     if (rows.empty()) return "";
-    return openTable(
-               units::means,
-               "What the box plots draw: quantiles of the participants' means; no notch where it would reach "
-               "beyond its "
-               "box. n counts participants.",
-               std::string("<th>Measure</th><th class=\"text\">System</th>") + box_columns, tables) +
+    return openTable(units::means,
+                     "What the box plots draw: quantiles of the participants' means; no notch where it would "
+                     "reach beyond its box. n counts participants.",
+                     fmt::format("<th>Measure</th>{}<th class=\"text\">System</th>{}",
+                                 result.by_study.empty() ? "" : "<th class=\"text\">Study</th>", box_columns),
+                     tables) +
            rows + close_table;
 }
 

@@ -99,7 +99,7 @@ std::string preferencesOfGroups(const AnalysisResult& result, const Factor& fact
 
 }  // namespace
 
-std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
+std::string systemsApartHtml(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
     std::string out;
     for (const Measure& measure : result.measures)
         out += groupTable(
@@ -108,9 +108,9 @@ std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
                 return one.factor == systems_between && one.measure == measure.name;
             },
             fmt::format(
-                "{}: systems that no participant met both of, as groups of participants: rank-sum test "
+                "{}{}: systems that no participant met both of, as groups of participants: rank-sum test "
                 "of participants' means (exact up to 400 participants).",
-                escapeHtml(capitalised(measure.name))),
+                escapeHtml(capitalised(measure.name)), where),
             "<th class=\"text\">A</th><th class=\"text\">B</th><th>n A</th><th>n B</th><th>Mean A</th>"
             "<th>Mean B</th>",
             [&](const BetweenResult& one) {
@@ -122,6 +122,12 @@ std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
                     groupMean(scoreTextOf(measure), one.test.n_b, one.mean_b));
             },
             measure, result, numbering);
+    return out;
+}
+
+std::string betweenHtml(const AnalysisResult& result, Numbering& numbering) {
+    std::string out =
+        systemsApartHtml(result, result.by_study.empty() ? "" : ", all studies pooled", numbering);
     for (const Factor& factor : result.table.between) {
         for (const Measure& measure : result.measures)
             out += meansOfGroups(result, factor, measure, numbering);

@@ -55,6 +55,19 @@ std::string answersParagraph(const AnalysisResult& result) {
     return out + "</p>";
 }
 
+std::string studiesParagraph(const AnalysisResult& result) {
+    if (result.by_study.empty()) return "";
+    return "<p><b>Several studies.</b> They share measures, scales and systems, and are groups of "
+           "participants "
+           "(the factor study): participants and items of different studies are different ones, also where "
+           "they are called alike. Systems are compared within each study, by the participants of that study "
+           "alone, and pooled, by all participants, each of whom counts once; whether a difference between "
+           "systems is another one in another study is tested as an interaction of system and study. Medians "
+           "are of participants' means; those of single ratings, as Yoon et al. (2021) give them, describe. "
+           "Holm's families of pairs are those of one measure in one study, and those of one measure "
+           "pooled.</p>";
+}
+
 std::string meansParagraph(const AnalysisResult& result, const Computed& computed) {
     if (result.measures.empty()) return "";
     const bool accuracy = std::any_of(result.measures.begin(), result.measures.end(),
@@ -190,7 +203,7 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
 
 std::string methodsHtml(const AnalysisResult& result) {
     const Computed computed(result);
-    std::string out = answersParagraph(result) + meansParagraph(result, computed) +
+    std::string out = answersParagraph(result) + studiesParagraph(result) + meansParagraph(result, computed) +
                       testsParagraph(result, computed) + groupsParagraphs(result, computed);
     if (computed.pairs || computed.preferences)
         out +=

@@ -41,6 +41,11 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
         out.emplace_back(
             "Answers come from simulated participants: they show that the pipeline works and what a "
             "study of this size could find, and nothing about people.");
+    if (!result.by_study.empty())
+        out.emplace_back(
+            "Participants were not assigned to the studies by this program: a difference between studies may "
+            "come from anything in which they differ, their people, clips and time among it. Pooled tests "
+            "take all participants as one sample, in which a study with more of them weighs more.");
     const bool rated = std::any_of(table.measures.begin(), table.measures.end(),
                                    [](const Measure& one) { return one.kind == MeasureKind::rating; });
     if (result.participants > 1 && table.systems.size() > 1)
@@ -73,6 +78,11 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
     count(result.score_groups);
     count(result.time_tests);
     count(result.time_groups);
+    for (const AnalysisResult& study : result.by_study) {
+        count(study.pairwise);
+        count(study.preferences);
+        count(study.between);
+    }
     if (families.size() > 1)
         out.push_back(
             fmt::format("Holm's correction holds within each of the {} families of tests of this page, "

@@ -67,6 +67,14 @@ std::string leftOutText(const AnalysisResult& result) {
 
 namespace {
 
+/// " of the studies relaxed (12) and rushed (12)"; empty of one study.
+std::string ofStudies(const AnalysisResult& result) {
+    std::vector<std::string> studies;
+    for (const AnalysisResult& one : result.by_study)
+        studies.push_back(fmt::format("{} ({})", escapeHtml(one.table.study_name), one.participants));
+    return studies.empty() ? "" : fmt::format(" of the studies {}", inSentence(studies));
+}
+
 std::string peopleSentence(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
     const auto [fewest, most] = answersPerParticipant(table);
@@ -74,10 +82,10 @@ std::string peopleSentence(const AnalysisResult& result) {
     answers += most == 1 ? " answer" : " answers";
     if (result.participants > 1) answers += " each";
     const std::string left_out = leftOutText(result);
-    return fmt::format("{} {}{}{}.",
+    return fmt::format("{} {}{}{}{}.",
                        result.synthetic ? "Simulated participants, no people, stand here for a sample of"
                                         : "The answers come from",
-                       counted(result.participants, "participant", "participants"),
+                       counted(result.participants, "participant", "participants"), ofStudies(result),
                        most > 0 ? ", who gave " + answers : "",
                        left_out.empty() ? "" : " (left out: " + left_out + ")");
 }
@@ -110,9 +118,15 @@ std::string testsSentences(const AnalysisResult& result, const Computed& compute
                 : "exact, also with ties",
             computed.friedman ? ", after Friedman's test of all systems" : "", result.alpha,
             100.0 * result.level);
+    if (!result.by_study.empty() && computed.signedRank())
+        out +=
+            " Systems were compared within each study and over all participants pooled, each with a family "
+            "of its own.";
     std::vector<std::string> groups;
     if (computed.systems_apart) groups.emplace_back("systems that no participant met both of");
-    if (computed.groups) groups.emplace_back("groups of participants");
+    if (computed.groups)
+        groups.emplace_back(result.by_study.empty() ? "groups of participants"
+                                                    : "groups of participants (the studies among them)");
     if (computed.preferences_of_groups) groups.emplace_back("the preferences of groups");
     if (!groups.empty())
         out += fmt::format(
@@ -225,9 +239,11 @@ std::string friedmanSentence(const AnalysisResult& result, const std::string& me
     return "";
 }
 
-std::string measureParagraphs(const AnalysisResult& result, const Computed& computed, std::size_t index) {
+/// `where`: of several studies, " in STUDY".
+std::string measureParagraphs(const AnalysisResult& result, const std::string& where, std::size_t index) {
+    const Computed computed(result);
     const Measure& measure = result.measures[index];
-    const std::string name = escapeHtml(capitalised(measure.name));
+    const std::string name = escapeHtml(capitalised(measure.name)) + where;
     std::string out = meansSentence(result, index);
     if (computed.friedman) out += friedmanSentence(result, measure.name);
     Sentence pairs;
@@ -263,7 +279,7 @@ std::string measureParagraphs(const AnalysisResult& result, const Computed& comp
     return out;
 }
 
-std::string preferenceParagraph(const AnalysisResult& result) {
+std::string preferenceParagraph(const AnalysisResult& result, const std::string& where) {
     const Measure scale{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0};
     std::string counts;
     Sentence tests;
@@ -273,7 +289,7 @@ std::string preferenceParagraph(const AnalysisResult& result) {
         if (result.participants > 1 && one.test.n_pairs > 0)
             tests.add(one.significant, against(one.a, one.b), signedRankText(one, scale));
     }
-    return counts.empty() ? "" : paragraph("Preference", " Answers: " + counts + "." + tests.text());
+    return counts.empty() ? "" : paragraph("Preference" + where, " Answers: " + counts + "." + tests.text());
 }
 
 }  // namespace
@@ -299,10 +315,16 @@ std::string methodsParagraph(const AnalysisResult& result) {
 }
 
 std::string resultsParagraphs(const AnalysisResult& result) {
-    const Computed computed(result);
+    const std::string pooled = result.by_study.empty() ? "" : ", all studies pooled";
     std::string out;
-    for (std::size_t i = 0; i < result.measures.size(); ++i) out += measureParagraphs(result, computed, i);
-    return out + preferenceParagraph(result);
+    for (std::size_t i = 0; i < result.measures.size(); ++i) {
+        for (const AnalysisResult& study : result.by_study)
+            out += measureParagraphs(study, " in " + escapeHtml(study.table.study_name), i);
+        out += measureParagraphs(result, pooled, i);
+    }
+    for (const AnalysisResult& study : result.by_study)
+        out += preferenceParagraph(study, " in " + escapeHtml(study.table.study_name));
+    return out + preferenceParagraph(result, pooled);
 }
 
 std::vector<std::string> references(const AnalysisResult& result) {
@@ -316,6 +338,10 @@ std::vector<std::string> references(const AnalysisResult& result) {
             "Deichler, A., Wang, S., Alexanderson, S., &amp; Beskow, J. (2023). Learning to generate "
             "pointing gestures in situated embodied conversational agents. Frontiers in Robotics and AI, 10, "
             "1110534.");
+    if (!result.by_study.empty())
+        out.emplace_back(
+            "Yoon, Y., Park, K., Jang, M., Kim, J., &amp; Lee, G. (2021). SGToolkit: An interactive gesture "
+            "authoring toolkit for embodied conversational agents. Proceedings of UIST '21.");
     if (computed.signedRank() || computed.rankSum())
         out.emplace_back(
             "Wilcoxon, F. (1945). Individual comparisons by ranking methods. Biometrics "

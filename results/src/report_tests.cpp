@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "report_details.hpp"
 #include "report_interactions.hpp"
 #include "report_tables.hpp"
 
@@ -122,7 +123,8 @@ std::string testTable(const std::vector<Comparison>& comparisons, const Measure&
            rankDetails(units::means, rows, numbering.name(), first, names);
 }
 
-std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) {
+/// `where`: of several studies, " in STUDY".
+std::string preferenceTable(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
     if (result.preferences.empty()) return "";
     std::vector<const PreferenceResult*> rows;
     for (const PreferenceResult& pair : result.preferences) rows.push_back(&pair);
@@ -130,8 +132,9 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
     std::vector<std::string> names;
     std::string out = openTable(
         units::preferences,
-        "Preferences: answers for A, for neither and for B; mean of the participants' means (positive: A). n "
-        "counts participants.",
+        fmt::format("Preferences{}: answers for A, for neither and for B; mean of the participants' means "
+                    "(positive: A). n counts participants.",
+                    where),
         first + "<th>for A</th><th>equal</th><th>for B</th><th>Mean</th>" + effectColumns(), numbering,
         TableWidth::dense);
     const Measure scale{"preference", MeasureKind::preference, -2.0, 2.0, 0, 0};
@@ -146,7 +149,7 @@ std::string preferenceTable(const AnalysisResult& result, Numbering& numbering) 
            rankDetails(units::preferences, rows, numbering.name(), first, names);
 }
 
-std::string omnibusTable(const AnalysisResult& result, Numbering& numbering) {
+std::string omnibusTable(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
     if (result.table.systems.size() < 3) return "";  // with two systems the pair says as much
     std::string rows;
     for (const OmnibusResult& one : result.omnibus) {
@@ -163,28 +166,48 @@ std::string omnibusTable(const AnalysisResult& result, Numbering& numbering) {
     if (rows.empty()) return "";
     return openTable(
                units::means,
-               "All systems at once, by Friedman's test of the participants' means. n counts participants "
-               "with answers under every system.",
+               fmt::format("All systems at once{}, by Friedman's test of the participants' means. n counts "
+                           "participants with answers under every system.",
+                           where),
                "<th>Measure</th><th>n</th><th>&#967;&#178;</th><th>df</th><th>p</th><th>Kendall's W</th>"
                "<th>F (Iman&#8211;Davenport)</th><th>df</th><th>p</th>",
                numbering) +
            rows + close_table;
 }
 
+std::string pairTables(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
+    std::string out;
+    if (result.systems.size() > 1)
+        for (const Measure& measure : result.measures)
+            out += testTable(result.pairwise, measure, "",
+                             escapeHtml(capitalised(measure.name)) + ", all pairs of systems" + where, result,
+                             numbering);
+    return out;
+}
+
 }  // namespace
 
+std::string studyTestsHtml(const AnalysisResult& study, Numbering& numbering) {
+    if (study.participants < 2)
+        return fmt::format("<p>In {} one participant answered: there is nothing to test.</p>",
+                           escapeHtml(study.table.study_name));
+    const std::string where = " in " + escapeHtml(study.table.study_name);
+    // One after another: the tables count.
+    std::string out = omnibusTable(study, where, numbering);
+    out += pairTables(study, where, numbering);
+    out += systemsApartHtml(study, where, numbering);
+    return out + preferenceTable(study, where, numbering);
+}
+
 std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
-    std::string out = "<h2>Tests</h2>";
+    const std::string where = result.by_study.empty() ? "" : ", all studies pooled";
+    std::string out = fmt::format("<h2>Tests{}</h2>", where);
     if (result.participants < 2)
         return out +
                "<p>The tests compare participants' means over participants. With one participant there is "
                "nothing to test yet; the tests appear here from the second participant on.</p>";
-    std::string tables = omnibusTable(result, numbering);
-    if (result.systems.size() > 1)
-        for (const Measure& measure : result.measures)
-            tables += testTable(result.pairwise, measure, "",
-                                escapeHtml(capitalised(measure.name)) + ", all pairs of systems", result,
-                                numbering);
+    std::string tables = omnibusTable(result, where, numbering);
+    tables += pairTables(result, where, numbering);
     for (const Measure& measure : result.measures)
         for (const Factor& factor : withinFactors(result.table))
             tables += testTable(result.level_tests, measure, factor.name,
@@ -193,7 +216,7 @@ std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
                                 result, numbering);
     tables += interactionsHtml(result, numbering);
     tables += equivalenceHtml(result, numbering);
-    tables += preferenceTable(result, numbering);
+    tables += preferenceTable(result, where, numbering);
     return tables.empty() ? "" : out + tables;
 }
 

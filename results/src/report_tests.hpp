@@ -11,4 +11,8 @@ namespace deixis::results {
 /// systems, preferences. Empty where nothing can be compared.
 [[nodiscard]] std::string testsHtml(const AnalysisResult& result, Numbering& numbering);
 
+/// The tests of one of several studies: all systems, their pairs, preferences. Empty where nothing can be
+/// compared.
+[[nodiscard]] std::string studyTestsHtml(const AnalysisResult& study, Numbering& numbering);
+
 }  // namespace deixis::results

@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "observers_html.hpp"
+#include "report_studies.hpp"
+#include "results/several_studies.hpp"
 
 namespace deixis::results {
 
@@ -164,6 +166,15 @@ std::string significance(const AnalysisResult& result, const std::string& measur
     return out + ".";
 }
 
+/// `where` stands before, `medians` behind the means; empty where nothing is known.
+std::string systemsItem(const AnalysisResult& result, std::size_t measure, const std::string& where,
+                        const std::string& medians) {
+    std::string item = extremes(result, measure);
+    if (!medians.empty()) item += " " + medians;
+    if (result.participants > 1) item += " " + significance(result, result.measures[measure].name);
+    return item.size() > 1 ? "<li>" + where + item + "</li>" : "";
+}
+
 std::string levelSentence(const AnalysisResult& result, const std::string& measure,
                           const std::string& factor) {
     std::vector<std::string> systems;
@@ -201,13 +212,15 @@ std::string groupSentence(const AnalysisResult& result, const std::string& measu
                                  one.system == "all" ? "over all systems" : escapeHtml(one.system));
     }
     if (!tested) return "";
-    return names.empty()
-               ? fmt::format(
-                     "No test of the groups by {} is significant in {}; that does not show that they "
-                     "are alike.",
-                     escapeHtml(factor), escapeHtml(measure))
-               : fmt::format("Groups by {} that differ significantly in {}: {}.", escapeHtml(factor),
-                             escapeHtml(measure), names);
+    const bool of_studies = factor == study_factor && !result.by_study.empty();
+    return names.empty() ? fmt::format(
+                               "No test of the {} is significant in {}; that does not show that they "
+                               "are alike.",
+                               of_studies ? "studies against each other" : "groups by " + escapeHtml(factor),
+                               escapeHtml(measure))
+                         : fmt::format("{} that differ significantly in {}: {}.",
+                                       of_studies ? "Studies" : "Groups by " + escapeHtml(factor),
+                                       escapeHtml(measure), names);
 }
 
 std::string groupPreferenceSentence(const AnalysisResult& result, const std::string& factor) {
@@ -249,9 +262,18 @@ std::string findingsHtml(const AnalysisResult& result) {
     // What simulated participants chose is one observer's reading.
     std::string out = result.synthetic ? observersFinding(result.observers) : std::string();
     for (std::size_t measure = 0; measure < result.measures.size(); ++measure) {
-        std::string item = extremes(result, measure);
-        if (result.participants > 1) item += " " + significance(result, result.measures[measure].name);
-        if (item.size() > 1) out += "<li>" + item + "</li>";
+        for (const AnalysisResult& study : result.by_study)
+            out += systemsItem(study, measure,
+                               fmt::format("<b>In {}</b> ({}): ", escapeHtml(study.table.study_name),
+                                           counted(study.participants, "participant", "participants")),
+                               mediansSentence(result, study.table.study_name, result.measures[measure]));
+        out +=
+            systemsItem(result, measure,
+                        result.by_study.empty()
+                            ? std::string()
+                            : fmt::format("<b>Pooled</b> over the {} studies ({}): ", result.by_study.size(),
+                                          counted(result.participants, "participant", "participants")),
+                        mediansSentence(result, pooled_studies, result.measures[measure]));
     }
     if (result.participants > 1) {
         std::vector<std::string> items;
@@ -261,7 +283,11 @@ std::string findingsHtml(const AnalysisResult& result) {
             for (const Factor& factor : result.table.between)
                 items.push_back(groupSentence(result, measure.name, factor.name));
         }
-        items.push_back(preferenceSentence(result));
+        for (const AnalysisResult& study : result.by_study)
+            if (const std::string item = preferenceSentence(study); !item.empty())
+                items.push_back(fmt::format("<b>In {}</b>: {}", escapeHtml(study.table.study_name), item));
+        if (const std::string item = preferenceSentence(result); !item.empty())
+            items.push_back((result.by_study.empty() ? "" : "<b>Pooled</b>: ") + item);
         for (const Factor& factor : result.table.between)
             items.push_back(groupPreferenceSentence(result, factor.name));
         for (const auto& item : items)
@@ -273,9 +299,10 @@ std::string findingsHtml(const AnalysisResult& result) {
     if (result.participants > 1)
         out += fmt::format(
             "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "
-            "tests over participants{}, after Holm's correction.</p>",
+            "tests over participants{}, after Holm's correction{}.</p>",
             result.alpha,
-            result.between.empty() && result.preferences_between.empty() ? "" : " (groups: rank-sum tests)");
+            result.between.empty() && result.preferences_between.empty() ? "" : " (groups: rank-sum tests)",
+            result.by_study.empty() ? "" : " in families of each study and of all pooled");
     return out;
 }
 

@@ -356,7 +356,11 @@ Name levelOf(const ResponseTable& table, const ResponseRow& row, const std::stri
 }
 
 Result<ResponseTable> loadResponses(const fs::path& database) {
-    return readDatabase(database, [&](SQLite::Database& opened) { return readResponses(opened, database); });
+    int version = 0;
+    auto table = readDatabase(
+        database, [&](SQLite::Database& opened) { return readResponses(opened, database); }, &version);
+    if (table) table->schema_version = version;
+    return table;
 }
 
 }  // namespace deixis::results

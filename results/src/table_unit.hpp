@@ -13,6 +13,7 @@ inline constexpr TableUnit none{""};
 inline constexpr TableUnit participants{"participants"};
 inline constexpr TableUnit means{"participants' means"};
 inline constexpr TableUnit means_and_choices{"participants' means; counts: choices"};
+inline constexpr TableUnit means_beside_ratings{"participants' means; medians of ratings: ratings"};
 inline constexpr TableUnit differences{"participants' differences of means"};
 inline constexpr TableUnit preferences{"participants' mean preferences; counts: single preferences"};
 inline constexpr TableUnit median_times{"participants' median times"};

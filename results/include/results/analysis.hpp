@@ -330,6 +330,18 @@ struct ScoreGroupResult : GroupTest {
     std::string score;
 };
 
+/// A system's place in a study, or in all studies together (pooled_studies), by the median.
+struct MedianResult {
+    std::string measure;
+    std::string study;
+    int place = 0;  ///< from 1, the highest first; equal medians share their place
+    std::string system;
+    double median = 0.0;                     ///< of participants' means
+    std::optional<double> answers_median{};  ///< of single ratings, as Yoon et al. 2021 give it
+    int participants = 0;
+    int answers = 0;
+};
+
 struct AnalysisResult {
     ResponseTable table;
     std::string answers_hash{};  ///< answersHash() of it
@@ -372,6 +384,10 @@ struct AnalysisResult {
     std::vector<OrderResult> order;  ///< where the answers' order is known
     std::vector<ItemResult> items;   ///< by measure, lowest mean first
     std::vector<PresenceRow> presence;
+    /// Of several studies (ResponseTable::origins) each by itself, in order: its systems, omnibus, pairwise,
+    /// preferences and systems between participants, in families of their own; study_name is the study.
+    std::vector<AnalysisResult> by_study;
+    std::vector<MedianResult> medians;  ///< likewise: by measure and study, pooled last; highest first
     DataQuality quality;
     std::vector<std::string>
         remarks;  ///< what a reader must know: missing answers, exclusions from a test, ...

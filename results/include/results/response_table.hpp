@@ -123,6 +123,24 @@ struct FieldRow {
     std::string option{};
 };
 
+/// One of the data of several studies that are analysed together.
+struct DataOrigin {
+    std::string study;  ///< the group that its participants are
+    std::string data;   ///< as ResponseTable::database
+    std::string title;
+    std::string study_hash;    ///< empty where the answers come without a study file
+    std::string answers_hash;  ///< answersHash() of these data alone
+    int schema_version = 0;    ///< as ResponseTable::schema_version
+    std::vector<std::string> program_versions{};
+    std::vector<std::string> operating_systems{};
+    std::vector<std::string> avatar_hashes{};
+    int people = 0;     ///< participants who count and answered
+    int simulated = 0;  ///< likewise, simulated ones
+    int answers = 0;
+    int left_out = 0;
+    int withdrawn = 0;
+};
+
 struct ResponseTable {
     std::string study_name;
     std::string study_title;
@@ -149,6 +167,8 @@ struct ResponseTable {
     std::map<std::string, std::map<std::string, std::string>> groups{};  ///< participant, factor: level
     std::set<std::string> failed_checks{};  ///< participants who count and failed an attention check
     std::string database{};                 ///< file names without their folders, joined by ", "
+    int schema_version = 0;                 ///< of the database as it lies there; 0: not a database file
+    std::vector<DataOrigin> origins{};      ///< of several studies (joinData()); empty of one
     std::vector<StationUse> stations{};
     bool stations_together = false;               ///< the study says so
     std::map<std::string, double> equivalence{};  ///< bounds by measure, which the study declares
@@ -177,8 +197,8 @@ void addLevel(std::vector<Factor>& factors, const std::string& name, const std::
 /// A row's level of one of them; empty where it has none.
 [[nodiscard]] Name levelOf(const ResponseTable& table, const ResponseRow& row, const std::string& factor);
 
-/// One table of several of the same study, in their order. Fails, naming the files, where the studies differ
-/// or a participant stands in two of them.
+/// One table of several of the same study, in their order; what a study declares is the first one's. Fails,
+/// naming the files, where the studies differ or a participant stands in two of them.
 [[nodiscard]] Result<ResponseTable> joinTables(std::vector<ResponseTable> tables);
 
 /// SHA-256 of the answers that are analysed, whatever files they stand in.
