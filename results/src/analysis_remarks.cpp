@@ -199,6 +199,29 @@ void remarkAnswers(AnalysisResult& result) {
                             factor.name, factor.name));
 }
 
+namespace {
+
+void remarkFamilies(const std::vector<Comparison>& tests, AnalysisResult& result) {
+    std::map<std::string, std::vector<Comparison>> families;
+    for (const Comparison& one : tests) families[one.family].push_back(one);
+    for (const auto& [name, family] : families) remarkDecisions(family, result);
+}
+
+/// Of one of several studies.
+void remarkMissing(const AnalysisResult& study, AnalysisResult& result) {
+    for (const Measure& measure : study.table.measures) {
+        const auto answered =
+            std::count_if(study.table.rows.begin(), study.table.rows.end(),
+                          [&](const ResponseRow& row) { return row.measure == measure.name; });
+        if (answered != measure.planned)
+            result.remarks.push_back(fmt::format("{}: {} of {} planned on {} are answered.",
+                                                 study.table.study_name, answered, measure.planned,
+                                                 measure.name));
+    }
+}
+
+}  // namespace
+
 void remarkTests(AnalysisResult& result) {
     remarkUnanswered(result);
     remarkRounded(result);
@@ -208,12 +231,15 @@ void remarkTests(AnalysisResult& result) {
     for (const Factor& factor : withinFactors(result.table))
         for (const Measure& measure : result.measures)
             remarkLeftOut(result.level_tests, measure.name, factor.name, result);
-    for (const auto* tests : {&result.pairwise, &result.level_tests}) {
-        std::map<std::string, std::vector<Comparison>> families;
-        for (const Comparison& one : *tests) families[one.family].push_back(one);
-        for (const auto& [name, family] : families) remarkDecisions(family, result);
-    }
+    remarkFamilies(result.pairwise, result);
+    remarkFamilies(result.level_tests, result);
     remarkDecisions(result.preferences, result);
+    for (const AnalysisResult& study : result.by_study) {
+        remarkMissing(study, result);
+        if (study.participants < 2) continue;
+        remarkFamilies(study.pairwise, result);
+        remarkDecisions(study.preferences, result);
+    }
 }
 
 }  // namespace deixis::results

@@ -119,6 +119,7 @@ NameSet participantsOf(const ResponseTable& table) {
     for (const auto& row : table.scores) out.insert(row.participant);
     for (const auto& row : table.fields) out.insert(row.participant);
     for (const auto& [participant, minutes] : table.session_minutes) out.insert(participant);
+    for (const auto& [participant, planned] : table.planned_answers) out.insert(participant);
     return out;
 }
 

@@ -13,6 +13,7 @@
 #include "report_paragraphs.hpp"
 #include "report_people.hpp"
 #include "report_text.hpp"
+#include "results/several_studies.hpp"
 
 namespace deixis::results {
 
@@ -24,10 +25,13 @@ std::vector<std::string> escaped(const std::vector<std::string>& texts) {
     return out;
 }
 
-std::string groupsText(const ResponseTable& table, const Factor& factor) {
+std::string groupsText(const AnalysisResult& result, const Factor& factor) {
     std::map<std::string, int> sizes;
-    for (const auto& [participant, levels] : table.groups)
-        if (const auto level = levels.find(factor.name); level != levels.end()) ++sizes[level->second];
+    if (factor.name == study_factor && !result.by_study.empty())
+        for (const AnalysisResult& one : result.by_study) sizes[one.table.study_name] = one.participants;
+    else
+        for (const auto& [participant, levels] : result.table.groups)
+            if (const auto level = levels.find(factor.name); level != levels.end()) ++sizes[level->second];
     std::vector<std::string> out;
     for (const std::string& level : factor.levels)
         out.push_back(fmt::format("{}: {}", escapeHtml(level), sizes[level]));
@@ -130,7 +134,7 @@ std::string designHtml(const AnalysisResult& result) {
     for (const Factor& factor : withinFactors(table))
         entry("Within participants",
               fmt::format("{} ({})", escapeHtml(factor.name), inSentence(escaped(factor.levels))));
-    for (const Factor& factor : table.between) entry("Between participants", groupsText(table, factor));
+    for (const Factor& factor : table.between) entry("Between participants", groupsText(result, factor));
     // It is not known how many were planned of other data than a study's, and for one kind of station.
     std::string people = !table.study_hash.empty() && table.planned_participants > 0
                              ? fmt::format("{} of {} planned have answered", result.participants,

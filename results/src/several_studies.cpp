@@ -38,6 +38,23 @@ void forStudies(const ResponseTable& table, const Visit& visit) {
     }
 }
 
+/// What was planned of one study's participants; where no plan is known, what was answered.
+void planStudy(const ResponseTable& all, const std::string& study, ResponseTable& out) {
+    for (Measure& measure : out.measures) {
+        bool known = false;
+        int planned = 0;
+        for (const auto& [participant, measures] : all.planned_answers)
+            if (levelOfParticipant(all, participant, study_factor) == study) {
+                known = true;
+                if (const auto of = measures.find(measure.name); of != measures.end()) planned += of->second;
+            }
+        measure.planned = known ? planned
+                                : static_cast<int>(std::count_if(
+                                      out.rows.begin(), out.rows.end(),
+                                      [&](const ResponseRow& row) { return row.measure == measure.name; }));
+    }
+}
+
 /// The systems of one study, or of all together, highest first; those without answers are not among them.
 void addMedians(const AnalysisResult& of, const std::string& study, std::size_t measure,
                 std::vector<MedianResult>& out) {
@@ -89,6 +106,7 @@ ResponseTable onlyStudy(const ResponseTable& table, const std::string& study) {
         if (of == study) out.rows.push_back(row);
     });
     for (ResponseRow& row : out.rows) row.within.clear();
+    planStudy(table, study, out);
     return out;
 }
 

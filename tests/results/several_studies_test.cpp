@@ -216,6 +216,28 @@ TEST_SUITE("results/several_studies") {
         CHECK(readFile(folder / "old.sqlite").value() == before);
     }
 
+    TEST_CASE(
+        "An unfinished study is told with what it lacks, and too few people with what they cannot show") {
+        auto short_of = studyOf("short", ratingsOf(3));
+        short_of.planned_answers = {{"P01", {{"naturalness", 4}}},
+                                    {"P02", {{"naturalness", 4}}},
+                                    {"P03", {{"naturalness", 4}}},
+                                    {"P04", {{"naturalness", 4}}}};
+        short_of.measures[0].planned = 16;
+        const AnalysisResult result = analyse(joinData({studyOf("whole", ratingsOf(9)), short_of}).value());
+        const auto told = [&](const std::string& text) {
+            return std::count(result.remarks.begin(), result.remarks.end(), text);
+        };
+        CHECK(told("short: 12 of 16 planned on naturalness are answered.") == 1);
+        CHECK(told("The data are incomplete: 48 of 52 planned on naturalness are answered.") == 1);
+        CHECK(told("whole: 36 of 36 planned on naturalness are answered.") == 0);
+        CHECK(
+            told("1 of 1 tests (naturalness: pairs of systems, in short) cannot be significant at 0.01 after "
+                 "Holm's correction, whatever was answered: they have too few differences other than "
+                 "zero.") == 1);
+        CHECK(contains(renderReport(result), "study (short: 3 and whole: 9)"));
+    }
+
     TEST_CASE("Three studies, one of two files: pairs of studies, and the files of each") {
         ResponseTable more = studyOf("two", ratingsOf(4));
         more.database = "two-more.sqlite";
