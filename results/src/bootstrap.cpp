@@ -12,7 +12,8 @@ namespace deixis::results {
 
 namespace {
 
-/// Values by participant, missing ones as 0, with what counts beside them.
+/// Values by participant, missing ones as 0, with what counts beside them. Each column stands in the order of
+/// its values, the missing ones last: what is drawn does not hang on how participants are called.
 struct Table {
     std::size_t participants = 0;
     std::size_t columns = 0;
@@ -25,12 +26,18 @@ Table flatten(std::span<const std::vector<double>> rows) {
     Table table;
     table.participants = rows.size();
     table.columns = rows.front().size();
-    for (const std::vector<double>& row : rows) {
-        for (const double value : row) {
-            const bool missing = std::isnan(value);
-            table.complete = table.complete && !missing;
-            table.values.push_back(missing ? 0.0 : value);
-            table.counts.push_back(missing ? 0.0 : 1.0);
+    table.values.assign(table.participants * table.columns, 0.0);
+    table.counts.assign(table.participants * table.columns, 0.0);
+    std::vector<double> values;
+    for (std::size_t c = 0; c < table.columns; ++c) {
+        values.clear();
+        for (const std::vector<double>& row : rows)
+            if (!std::isnan(row[c])) values.push_back(row[c]);
+        table.complete = table.complete && values.size() == rows.size();
+        std::sort(values.begin(), values.end());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            table.values[i * table.columns + c] = values[i];
+            table.counts[i * table.columns + c] = 1.0;
         }
     }
     return table;
@@ -112,7 +119,8 @@ std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> r
     for (std::size_t c = 0; c < table.columns; ++c) {
         std::vector<double> values;
         for (std::size_t i = 0; i < table.participants; ++i)
-            if (table.counts[i * table.columns + c] > 0.0) values.push_back(rows[i][c]);
+            if (table.counts[i * table.columns + c] > 0.0)
+                values.push_back(table.values[i * table.columns + c]);
         out[c].n = static_cast<int>(values.size());
         std::vector<double>& sorted = means[c];
         const auto fits = [](double value) { return std::isfinite(value); };

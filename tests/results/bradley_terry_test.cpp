@@ -96,6 +96,27 @@ TEST_SUITE("results/bradley_terry") {
         }
     }
 
+    TEST_CASE("Intervals do not hang on how participants are called") {
+        const auto named = [](const std::vector<const char*>& ids) {
+            Preferences answers({"x", "y", "z"});
+            for (std::size_t i = 0; i < ids.size(); ++i) {
+                answers.add(ids[i], "x", "y", i % 3 == 0 ? -1.0 : 2.0, 1 + static_cast<int>(i));
+                answers.add(ids[i], "y", "z", i % 2 == 0 ? -1.0 : 1.0, 3);
+                answers.add(ids[i], "x", "z", i == 4 ? 0.0 : 1.0, 2);
+                answers.add(ids[i], "z", "x", 1.0);
+            }
+            return bradleyTerry(answers.table, few);
+        };
+        const BradleyTerry one = named({"P1", "P2", "P3", "P4", "P5", "P6"});
+        const BradleyTerry other = named({"Q3", "B1", "Z9", "A7", "M4", "C2"});
+        for (std::size_t i = 0; i < 3; ++i) {
+            REQUIRE(one.abilities[i].percentile);
+            CHECK(one.abilities[i].percentile->lower == other.abilities[i].percentile->lower);
+            CHECK(one.abilities[i].percentile->upper == other.abilities[i].percentile->upper);
+            CHECK(one.abilities[i].estimate == other.abilities[i].estimate);
+        }
+    }
+
     TEST_CASE("Intervals are those of every way to draw the participants, which R has gone through") {
         const auto right = tests::oracles("bradley_terry_bootstrap")[0];
         const std::vector<std::string> names{"x", "y", "z"};
