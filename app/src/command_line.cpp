@@ -80,6 +80,7 @@ void addCommands(CLI::App& cli, Command& chosen) {
     addParticipantsCommand(cli, chosen);
     addExportCommand(cli, chosen);
     addMergeCommand(cli, chosen);
+    addPackageCommand(cli, chosen);
     addPushCommand(cli, chosen);
     addTargetsCommand(cli, chosen);
     addGenerateCommand(cli, chosen);

@@ -23,6 +23,7 @@ void addPlanCommand(CLI::App& cli, Command& chosen);
 void addParticipantsCommand(CLI::App& cli, Command& chosen);
 void addExportCommand(CLI::App& cli, Command& chosen);
 void addMergeCommand(CLI::App& cli, Command& chosen);
+void addPackageCommand(CLI::App& cli, Command& chosen);
 void addPushCommand(CLI::App& cli, Command& chosen);
 void addTargetsCommand(CLI::App& cli, Command& chosen);
 void addGenerateCommand(CLI::App& cli, Command& chosen);

@@ -8,23 +8,52 @@
 
 namespace deixis::results {
 
-Naming::Naming(SQLite::Database& database, bool anonymise) {
-    std::string secret;
+namespace {
+
+/// A letter with which no id begins, before a digit: nobody gets another one's id.
+char freeLetter(const std::vector<std::string>& ids) {
+    const auto taken = [&](char letter) {
+        return std::any_of(ids.begin(), ids.end(), [&](const std::string& id) {
+            return id.size() > 1 && (id[0] == letter || id[0] == letter - 'A' + 'a') && id[1] >= '0' &&
+                   id[1] <= '9';
+        });
+    };
+    for (char letter = 'A'; letter <= 'Z'; ++letter)
+        if (!taken(letter)) return letter;
+    return 'A';
+}
+
+}  // namespace
+
+std::vector<std::string> Naming::shuffled(std::vector<std::string> names) const {
     std::map<std::string, std::string> keys;
-    SQLite::Statement everybody(database, "SELECT id, registered_utc_s FROM participants ORDER BY id");
+    for (const std::string& name : names) keys[name] = sha256Hex(secret_ + name);
+    std::sort(names.begin(), names.end(),
+              [&](const std::string& a, const std::string& b) { return keys[a] < keys[b]; });
+    return names;
+}
+
+std::map<std::string, std::string> Naming::namesFor(const std::vector<std::string>& all,
+                                                    const std::string& word) const {
+    std::map<std::string, std::string> out;
+    for (const std::string& name : shuffled(all))
+        out.emplace(name, fmt::format("{} {}", word, out.size() + 1));
+    return out;
+}
+
+Naming::Naming(SQLite::Database& database, bool anonymise) {
+    SQLite::Statement everybody(
+        database, "SELECT id, registered_utc_s, coalesce(token, '') FROM participants ORDER BY id");
     while (everybody.executeStep()) {
         participants_.push_back(everybody.getColumn(0).getString());
-        secret += fmt::format("{} ", everybody.getColumn(1).getDouble());
+        secret_ +=
+            fmt::format("{} {} ", everybody.getColumn(1).getDouble(), everybody.getColumn(2).getString());
     }
-    if (anonymise) {
-        for (const std::string& participant : participants_)
-            keys[participant] = sha256Hex(secret + participant);
-        std::sort(participants_.begin(), participants_.end(),
-                  [&](const std::string& a, const std::string& b) { return keys[a] < keys[b]; });
-    }
+    const char letter = freeLetter(participants_);
+    if (anonymise) participants_ = shuffled(std::move(participants_));
     long long next_session = 1;
     for (std::size_t i = 0; i < participants_.size(); ++i) {
-        names_[participants_[i]] = anonymise ? fmt::format("A{:03}", i + 1) : participants_[i];
+        names_[participants_[i]] = anonymise ? fmt::format("{}{:03}", letter, i + 1) : participants_[i];
         SQLite::Statement sessions(
             database,
             "SELECT id, coalesce((SELECT min(time_s) FROM events WHERE session = e.id), 0) "

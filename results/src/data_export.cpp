@@ -182,7 +182,7 @@ constexpr const char* tracking_name = "tracking.csv";
 /// Tracked frames, too many to be held, go into the folder at once.
 Result<std::vector<ExportedFile>> readAll(SQLite::Database& database, const ExportOptions& options,
                                           const fs::path& folder, std::string& description) {
-    const Naming naming(database, options.anonymise);
+    const Naming naming(database, options.anonymise && !options.ids_stand);
     std::vector<ExportedFile> files;
     for (const ExportTable& table : exportTables(database))
         files.push_back(fillTable(database, table, naming, options.anonymise));

@@ -159,7 +159,7 @@ void Store::Impl::exclude(const std::string& reason, const studies::Moment& at) 
 }
 
 void Store::Impl::abort(const std::string& reason) {
-    leaveOut("dropped", reason.empty() ? "the operator ended the session" : reason);
+    leaveOut("dropped", reason.empty() ? operator_ended_reason : reason);
 }
 
 void Store::Impl::insertNote(const studies::Note& note) {

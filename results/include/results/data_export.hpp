@@ -14,6 +14,7 @@ struct ExportOptions {
     /// operator's notes, no dates: times count from the session's start.
     bool anonymise = false;
     bool tracking = true;
+    bool ids_stand = false;  ///< anonymise: of a copy that is anonymous already, whose ids stay
 };
 
 /// Writes responses.csv, trials.csv, participants.csv, sessions.csv, events.csv, scores.csv, questions.csv,
