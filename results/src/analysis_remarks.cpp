@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "by_name.hpp"
 #include "results/rounded_fraction.hpp"
@@ -220,6 +221,31 @@ void remarkMissing(const AnalysisResult& study, AnalysisResult& result) {
     }
 }
 
+/// What every study has one level of, and not all studies the same, cannot be told from the study.
+void remarkConfounded(AnalysisResult& result) {
+    if (result.by_study.empty()) return;
+    for (const Factor& factor : result.table.between) {
+        if (factor.name == study_factor) continue;
+        std::map<std::string, std::set<std::string>> levels;  // by study
+        for (const auto& [participant, of] : result.table.groups) {
+            const auto study = of.find(study_factor);
+            const auto level = of.find(factor.name);
+            if (study != of.end() && level != of.end()) levels[study->second].insert(level->second);
+        }
+        std::set<std::string> all;
+        bool one_each = true;
+        for (const auto& [study, found] : levels) {
+            one_each = one_each && found.size() == 1;
+            all.insert(found.begin(), found.end());
+        }
+        if (one_each && all.size() > 1)
+            result.remarks.push_back(
+                fmt::format("All participants of a study have the same {0}, and not all studies do: no test "
+                            "can tell a difference between studies from one of {0}.",
+                            factor.name));
+    }
+}
+
 }  // namespace
 
 void remarkTests(AnalysisResult& result) {
@@ -234,6 +260,7 @@ void remarkTests(AnalysisResult& result) {
     remarkFamilies(result.pairwise, result);
     remarkFamilies(result.level_tests, result);
     remarkDecisions(result.preferences, result);
+    remarkConfounded(result);
     for (const AnalysisResult& study : result.by_study) {
         remarkMissing(study, result);
         if (study.participants < 2) continue;

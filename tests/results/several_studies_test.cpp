@@ -14,6 +14,7 @@
 #include "oracles.hpp"
 #include "results/analysis_tables.hpp"
 #include "results/long_table.hpp"
+#include "results/stations.hpp"
 #include "text.hpp"
 
 using namespace deixis;
@@ -333,5 +334,14 @@ TEST_SUITE("results/several_studies") {
         both = joinData({one, two}).value();
         CHECK(contains(checkStudiesMeet(both, false).error().text(), "--stations together compares"));
         CHECK(checkStudiesMeet(both, true).has_value());
+        const std::string remark =
+            "All participants of a study have the same station, and not all studies do: no test can tell a "
+            "difference between studies from one of station.";
+        const auto confounded = analyse(withStations(both)).remarks;
+        CHECK(std::count(confounded.begin(), confounded.end(), remark) == 1);
+        for (ResponseRow& row : two.rows)
+            if (row.participant == "P01") row.station = "desktop";
+        const auto mixed = analyse(withStations(joinData({one, two}).value())).remarks;
+        CHECK(std::count(mixed.begin(), mixed.end(), remark) == 0);
     }
 }
