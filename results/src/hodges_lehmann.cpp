@@ -1,11 +1,12 @@
 #include "results/hodges_lehmann.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-#include "rank_distributions.hpp"
 #include "rank_sums.hpp"
 #include "scaled_integers.hpp"
 #include "shift_interval.hpp"
@@ -115,6 +116,18 @@ std::vector<std::int64_t> doubledMidranks(const std::vector<std::pair<Int, int>>
     return ranks;
 }
 
+/// Of larger samples an exact p takes tens of milliseconds, and the ends of an interval ask for several: they
+/// are sought with the expansion, which is as good as exact there. Whether 0 is inside is always told by the
+/// test's own p.
+constexpr std::size_t few_differences = 200;
+constexpr std::size_t few_in_both = 60;
+constexpr std::size_t enough_in_each = 20;
+
+template <typename Int>
+bool isTheTest(const Int& shift, Near near) {
+    return shift == 0 && near == Near::at;
+}
+
 /// p of the signed-rank test of the values less half the sum `shift`; a hair's breadth beside it, values that
 /// lie on it have a sign, and of equal magnitudes those on the side of the shift are the smaller ones.
 template <typename Int>
@@ -129,7 +142,9 @@ double signedRankP(const std::vector<Int>& values, const Int& shift, Near near) 
         keys.emplace_back(twice < 0 ? Int(-twice) : twice, near == Near::at || shrinks ? 0 : 1);
         positive.push_back(above);
     }
-    return SignedRankSums(doubledMidranks(keys), positive).tails().twoSided();
+    const SignedRankSums sums(doubledMidranks(keys), positive);
+    const bool expands = keys.size() > few_differences;
+    return (expands ? sums.expanded() : sums.tails()).twoSided();
 }
 
 /// p of the rank-sum test of the values of a less `shift` and those of b; a hair's breadth beside it none of
@@ -140,18 +155,27 @@ double rankSumP(const std::vector<Int>& a, const std::vector<Int>& b, const Int&
     const int place_of_a = near == Near::above ? -1 : near == Near::below ? 1 : 0;
     for (const Int& value : a) keys.emplace_back(Int(value - shift), place_of_a);
     for (const Int& value : b) keys.emplace_back(value, 0);
-    return rankSumTails(doubledMidranks(keys), a.size()).twoSided();
+    const bool expands = keys.size() > few_in_both && std::min(a.size(), b.size()) >= enough_in_each;
+    const auto ranks = doubledMidranks(keys);
+    return (expands ? expandedRankSumTails(ranks, a.size()) : rankSumTails(ranks, a.size())).twoSided();
 }
 
 /// So many places further out are looked at for shifts that are not rejected; of larger samples none, since
 /// p then falls evenly.
-constexpr std::size_t few_values = 200;
 constexpr int most_looks_of_few = 64;
 
-/// `unit` is what a sum of one stands for; `start`: near the interval's ends. level 0: no interval.
+/// About how many places lie below the interval: by the normal approximation of a rank sum without ties.
+std::uint64_t startFrom(double centre, double sd, double level) {
+    const boost::math::normal normal;
+    const double z = boost::math::quantile(boost::math::complement(normal, 0.5 * (1.0 - level)));
+    return static_cast<std::uint64_t>(std::max(1.0, std::floor(centre - z * sd + 0.5)));
+}
+
+/// `unit` is what a sum of one stands for; `start`: of the places, counted from both sides, near the
+/// interval's ends. level 0: no interval.
 template <typename Int, typename Sums, typename P>
 HodgesLehmann fromSums(const Sums& sums, const Rational& unit, const P& p, std::size_t n, double level,
-                       const IntervalRank& start) {
+                       std::uint64_t start) {
     const std::uint64_t all = sums.size();
     const auto value = [&](const Int& sum) { return ratioOf(widened(sum), 1) * unit; };
     HodgesLehmann out;
@@ -161,9 +185,9 @@ HodgesLehmann fromSums(const Sums& sums, const Rational& unit, const P& p, std::
     if (level <= 0.0) return out;
     // 1 - level is seldom a double: a p that equals it on paper is rejected.
     const double alpha = (1.0 - level) * (1.0 + 1e-12);
-    const auto interval = invertTest<Int>(DifferentSums<Int, Sums>(sums), p, alpha,
-                                          select<Int>(sums, start.k), select<Int>(sums, all + 1 - start.k),
-                                          middle, n <= few_values ? most_looks_of_few : 0);
+    const auto interval = invertTest<Int>(DifferentSums<Int, Sums>(sums), p, alpha, select<Int>(sums, start),
+                                          select<Int>(sums, all + 1 - start), middle,
+                                          n <= few_differences ? most_looks_of_few : 0);
     if (!interval) return out;
     out.lower = value(interval->lower).toDouble();
     out.upper = value(interval->upper).toDouble();
@@ -175,37 +199,43 @@ HodgesLehmann fromSums(const Sums& sums, const Rational& unit, const P& p, std::
 
 }  // namespace
 
-HodgesLehmann hodgesLehmann(std::span<const Rational> differences, double level) {
+HodgesLehmann hodgesLehmann(std::span<const Rational> differences, double level, double p) {
     if (differences.empty()) return {};
     const ScaledIntegers scaled = overCommonDenominator(differences);
     const Rational unit = ratioOf(1, scaled.denominator * 2);
-    const IntervalRank start = level > 0.0 ? signedRankInterval(differences.size(), level) : IntervalRank{};
+    const auto n = static_cast<double>(differences.size());
+    const std::uint64_t start =
+        startFrom(n * (n + 1.0) / 4.0, std::sqrt(n * (n + 1.0) * (2.0 * n + 1.0) / 24.0), level);
     return std::visit(
         [&]<typename Int>(const std::vector<Int>& values) {
             const WalshSums<Int> sums(values);
-            const auto p = [&](const Int& shift, Near near) {
-                return signedRankP<Int>(sums.values(), shift, near);
+            const auto p_of = [&](const Int& shift, Near near) {
+                return isTheTest(shift, near) ? p : signedRankP<Int>(sums.values(), shift, near);
             };
-            return fromSums<Int>(sums, unit, p, values.size(), level, start);
+            return fromSums<Int>(sums, unit, p_of, values.size(), level, start);
         },
         scaled.numerators);
 }
 
-HodgesLehmann hodgesLehmannShift(std::span<const Rational> a, std::span<const Rational> b, double level) {
+HodgesLehmann hodgesLehmannShift(std::span<const Rational> a, std::span<const Rational> b, double level,
+                                 double p) {
     if (a.empty() || b.empty()) return {};
     std::vector<Rational> all(a.begin(), a.end());
     all.insert(all.end(), b.begin(), b.end());
     const ScaledIntegers scaled = overCommonDenominator(all);
     const Rational unit = ratioOf(1, scaled.denominator);
-    const IntervalRank start = level > 0.0 ? rankSumInterval(a.size(), b.size(), level) : IntervalRank{};
+    const auto n_a = static_cast<double>(a.size());
+    const auto n_b = static_cast<double>(b.size());
+    const std::uint64_t start =
+        startFrom(n_a * n_b / 2.0, std::sqrt(n_a * n_b * (n_a + n_b + 1.0) / 12.0), level);
     return std::visit(
         [&]<typename Int>(const std::vector<Int>& values) {
             const auto split = values.begin() + static_cast<std::ptrdiff_t>(a.size());
             const Differences<Int> sums({values.begin(), split}, {split, values.end()});
-            const auto p = [&](const Int& shift, Near near) {
-                return rankSumP<Int>(sums.a(), sums.b(), shift, near);
+            const auto p_of = [&](const Int& shift, Near near) {
+                return isTheTest(shift, near) ? p : rankSumP<Int>(sums.a(), sums.b(), shift, near);
             };
-            return fromSums<Int>(sums, unit, p, values.size(), level, start);
+            return fromSums<Int>(sums, unit, p_of, values.size(), level, start);
         },
         scaled.numerators);
 }

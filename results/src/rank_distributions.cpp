@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -135,32 +133,6 @@ double subsets(std::size_t n, std::size_t k) {
     return out;
 }
 
-/// The largest k with P(W <= k - 1) <= (1 - level) / 2 in `probabilities` of 0, 1, ...
-IntervalRank intervalRank(const std::vector<double>& probabilities, double level) {
-    // 1 - level is seldom a double: a tail that equals it on paper counts as within.
-    const double tail = 0.5 * (1.0 - level) * (1.0 + 1e-12);
-    IntervalRank out;
-    double below = probabilities[0];
-    out.level = 1.0 - 2.0 * below;
-    for (std::size_t k = 1; k < probabilities.size(); ++k) {
-        below += probabilities[k];
-        if (below > tail) break;
-        out.k = k + 1;
-        out.level = 1.0 - 2.0 * below;
-    }
-    return out;
-}
-
-IntervalRank normalInterval(double centre, double sd, double level) {
-    const double z =
-        boost::math::quantile(boost::math::complement(boost::math::normal(), 0.5 * (1.0 - level)));
-    IntervalRank out;
-    const double k = std::floor(centre - z * sd + 0.5);
-    out.k = static_cast<std::uint64_t>(std::max(1.0, k));
-    out.level = 1.0 - 2.0 * normalTail((static_cast<double>(out.k) - 0.5 - centre) / sd);
-    return out;
-}
-
 }  // namespace
 
 TailProbability signedRankTail(std::vector<std::int64_t> ranks, std::int64_t w) {
@@ -201,51 +173,6 @@ TailProbability rankSumTail(std::vector<std::int64_t> ranks, std::size_t chosen,
     tail.at_most = std::min(1.0, std::accumulate(counts.begin(), counts.end(), 0.0) / all);
     tail.at = counts.back() / all;
     return tail;
-}
-
-namespace {
-
-IntervalRank findSignedRankInterval(std::size_t n, double level) {
-    const auto size = static_cast<double>(n);
-    if (n > signed_rank_exact_limit)
-        return normalInterval(size * (size + 1.0) / 4.0,
-                              std::sqrt(size * (size + 1.0) * (2.0 * size + 1.0) / 24.0), level);
-    std::vector<std::int64_t> ranks(n);
-    std::iota(ranks.begin(), ranks.end(), std::int64_t{1});
-    const auto half = static_cast<std::int64_t>(n * (n + 1) / 4);
-    SignCounts counted = countSigns(ranks, half, 1e-16 * (1.0 - level));
-    for (double& count : counted.counts) count = std::ldexp(count, counted.exponent);
-    return intervalRank(counted.counts, level);
-}
-
-}  // namespace
-
-IntervalRank signedRankInterval(std::size_t n, double level) {
-    // The tests of a study mostly have as many pairs, and for many pairs this takes as long as a test.
-    static std::mutex mutex;
-    static std::map<std::pair<std::size_t, double>, IntervalRank> known;
-    {
-        const std::lock_guard lock(mutex);
-        if (const auto found = known.find({n, level}); found != known.end()) return found->second;
-    }
-    const IntervalRank rank = findSignedRankInterval(n, level);
-    const std::lock_guard lock(mutex);
-    known.try_emplace({n, level}, rank);
-    return rank;
-}
-
-IntervalRank rankSumInterval(std::size_t n_a, std::size_t n_b, double level) {
-    const auto a = static_cast<double>(n_a);
-    const auto b = static_cast<double>(n_b);
-    if (n_a + n_b > rank_sum_exact_limit)
-        return normalInterval(a * b / 2.0, std::sqrt(a * b * (a + b + 1.0) / 12.0), level);
-    std::vector<std::int64_t> ranks(n_a + n_b);
-    std::iota(ranks.begin(), ranks.end(), std::int64_t{1});
-    const std::size_t chosen = std::min(n_a, n_b);
-    auto counts = countSubsets(ranks, chosen, static_cast<std::int64_t>(n_a * n_b / 2));
-    const double all = subsets(n_a + n_b, chosen);
-    for (double& count : counts) count /= all;
-    return intervalRank(counts, level);
 }
 
 }  // namespace deixis::results

@@ -15,13 +15,6 @@ struct TailProbability {
     [[nodiscard]] double atLeast() const { return 1.0 - at_most + at; }  ///< P(W >= w)
 };
 
-/// An order statistic k, counted from both ends of all pairwise means or differences, that bounds an
-/// interval.
-struct IntervalRank {
-    std::uint64_t k = 1;  ///< at least 1
-    double level = 0.0;   ///< 1 - 2 P(W <= k - 1)
-};
-
 inline constexpr std::size_t signed_rank_exact_limit = 2000;
 inline constexpr std::size_t rank_sum_exact_limit = 400;
 
@@ -33,11 +26,5 @@ inline constexpr std::size_t rank_sum_exact_limit = 400;
 /// 1 <= chosen <= half of them.
 [[nodiscard]] TailProbability rankSumTail(std::vector<std::int64_t> ranks, std::size_t chosen,
                                           std::int64_t w);
-
-/// The largest k with P(W <= k - 1) <= (1 - level) / 2, at least 1, for n untied ranks; from the normal
-/// approximation beyond the limit.
-[[nodiscard]] IntervalRank signedRankInterval(std::size_t n, double level);
-/// Likewise for U, the number of pairs of two samples in which the first is larger.
-[[nodiscard]] IntervalRank rankSumInterval(std::size_t n_a, std::size_t n_b, double level);
 
 }  // namespace deixis::results

@@ -16,7 +16,6 @@ RankSumTest rankSumTest(std::span<const Rational> a, std::span<const Rational> b
     RankSumTest test;
     test.n_a = static_cast<int>(a.size());
     test.n_b = static_cast<int>(b.size());
-    test.hodges_lehmann = hodgesLehmannShift(a, b, level);
     test.method = "undefined";
     if (a.empty() || b.empty()) return test;
 
@@ -50,6 +49,7 @@ RankSumTest rankSumTest(std::span<const Rational> a, std::span<const Rational> b
     test.p_less = tails.at_most;
     test.p_greater = tails.at_least;
     test.p_two_sided = tails.twoSided();
+    test.hodges_lehmann = hodgesLehmannShift(a, b, level, *test.p_two_sided);
     return test;
 }
 

@@ -25,6 +25,9 @@ class SignedRankSums {
     [[nodiscard]] double minus() const { return static_cast<double>(doubled_minus_) / 2.0; }
     /// Exact up to 2,000 ranks, then the normal approximation. Of no ranks 1.
     [[nodiscard]] RankTails tails() const;
+    /// Fast: Edgeworth's expansion to the fourth cumulant, with continuity correction. From 200 ranks on a
+    /// tail of 0.001 to 0.05 is within 0.2 % of the exact one.
+    [[nodiscard]] RankTails expanded() const;
     /// Tie-corrected, and by 1/2 towards 0.
     [[nodiscard]] double z() const;
 
@@ -42,5 +45,8 @@ class SignedRankSums {
 /// Of two samples: the doubled ranks of both together, those of the first one first. Exact up to 400 ranks,
 /// then the normal approximation. `n_a` is neither 0 nor all.
 [[nodiscard]] RankTails rankSumTails(const std::vector<std::int64_t>& doubled, std::size_t n_a);
+/// Fast: Edgeworth's expansion as above, with the skewness that ties may bring. From 60 ranks on, of which
+/// neither sample has fewer than 20, a tail of 0.001 to 0.05 is within 2 % of the exact one.
+[[nodiscard]] RankTails expandedRankSumTails(const std::vector<std::int64_t>& doubled, std::size_t n_a);
 
 }  // namespace deixis::results

@@ -45,7 +45,7 @@ class IntervalEnd {
             bool found = false;
             for (int looks = 0; looks < most_looks && beyond != outermost() && !found; ++looks) {
                 beyond = outwards(beyond);
-                const double p = p_(beyond, outer());
+                const double p = pOf(beyond, outer());
                 found = p > alpha_;
                 if (p < 0.5 * alpha_) break;
             }
@@ -53,9 +53,9 @@ class IntervalEnd {
             place_ = beyond;
         }
         // Where not even the widest interval reaches the level, it is given with its own.
-        outside_p_ = p_(place_, outer());
+        outside_p_ = pOf(place_, outer());
         included_ = outside_p_ > alpha_ || accepts(place_, Near::at);
-        if (!included_) outside_p_ = std::max(outside_p_, p_(place_, Near::at));
+        if (!included_) outside_p_ = std::max(outside_p_, pOf(place_, Near::at));
         return true;
     }
     [[nodiscard]] const Int& place() const { return place_; }
@@ -63,7 +63,12 @@ class IntervalEnd {
     [[nodiscard]] double outsideP() const { return outside_p_; }
 
   private:
-    [[nodiscard]] bool accepts(const Int& place, Near near) const { return p_(place, near) > alpha_; }
+    [[nodiscard]] bool accepts(const Int& place, Near near) { return pOf(place, near) > alpha_; }
+    /// The last one is kept: of large samples an exact p takes long, and most are asked for twice.
+    [[nodiscard]] double pOf(const Int& place, Near near) {
+        if (!last_ || last_->near != near || last_->place != place) last_ = {place, near, p_(place, near)};
+        return last_->p;
+    }
     [[nodiscard]] Near outer() const { return is_lower_ ? Near::below : Near::above; }
     [[nodiscard]] Near inner() const { return is_lower_ ? Near::above : Near::below; }
     [[nodiscard]] Int outermost() const { return is_lower_ ? places_.least() : places_.greatest(); }
@@ -79,6 +84,12 @@ class IntervalEnd {
     Int place_{};
     bool included_ = true;
     double outside_p_ = 0.0;
+    struct Known {
+        Int place;
+        Near near;
+        double p;
+    };
+    std::optional<Known> last_{};
 };
 
 /// From the least to the greatest shift with p > alpha; `low` and `high` are places near the

@@ -25,7 +25,6 @@ std::vector<std::int64_t> prattRanks(const std::vector<std::int64_t>& without_ze
 SignedRankTest signedRankTest(std::span<const Rational> differences, double level) {
     SignedRankTest test;
     test.n_pairs = static_cast<int>(differences.size());
-    test.hodges_lehmann = hodgesLehmann(differences, level);
     std::vector<Rational> magnitudes;
     std::vector<bool> positive;
     for (const Rational& difference : differences) {
@@ -37,6 +36,7 @@ SignedRankTest signedRankTest(std::span<const Rational> differences, double leve
     }
     if (test.n_pairs > 0) test.paired_superiority = (test.n_positive + 0.5 * test.n_zero) / test.n_pairs;
     if (magnitudes.empty()) {
+        test.hodges_lehmann = hodgesLehmann(differences, level, 1.0);
         test.method = "no differences";
         return test;
     }
@@ -49,6 +49,7 @@ SignedRankTest signedRankTest(std::span<const Rational> differences, double leve
     test.method = !exact ? "normal approximation" : test.ties > 0 ? "exact with ties" : "exact";
     const RankTails tails = sums.tails();
     test.p_two_sided = tails.twoSided();
+    test.hodges_lehmann = hodgesLehmann(differences, level, test.p_two_sided);
     test.p_greater = tails.at_least;
     test.p_less = tails.at_most;
     test.smallest_p = std::ldexp(1.0, 1 - static_cast<int>(magnitudes.size()));

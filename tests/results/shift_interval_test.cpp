@@ -1,6 +1,8 @@
 // Intervals that invert the tests, and decimals that are rounded fractions.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "core/random.hpp"
 #include "oracles.hpp"
 #include "results/rank_sum.hpp"
@@ -62,6 +64,53 @@ TEST_SUITE("results/shift_interval") {
         }
         CHECK(rejected > 50);
         CHECK(with_zeros > 300);
+    }
+
+    TEST_CASE("The ends of larger samples' intervals are where the exact p passes 1 - level") {
+        for (std::uint64_t seed = 0; seed < 16; ++seed) {
+            CAPTURE(seed);
+            deixis::Random random(seed, "larger samples");
+            const double level = seed % 2 == 0 ? 0.95 : 0.99;
+            const std::uint64_t steps = seed % 3 == 0 ? 40 : 4000;  // many ties, few ties
+            const auto sample = [&](std::size_t n, int least) {
+                std::vector<Rational> out;
+                for (std::size_t i = 0; i < n; ++i) {
+                    const auto value = static_cast<std::int64_t>(random.below(steps) * random.below(3));
+                    out.emplace_back(least + value, 20);
+                }
+                return out;
+            };
+            const Rational hair(1, 1000);
+            const auto less = [](std::vector<Rational> values, const Rational& shift) {
+                for (Rational& value : values) value = value - shift;
+                return values;
+            };
+            const auto crosses = [&](double inside, double outside, double share) {
+                CHECK(inside > (1.0 - level) * (1.0 - share));
+                CHECK(outside <= (1.0 - level) * (1.0 + share));
+            };
+
+            const auto d = sample(201 + 3 * seed, -30);
+            const auto paired = signedRankTest(d, level).hodges_lehmann;
+            for (const double sign : {1.0, -1.0}) {
+                const double end = sign > 0 ? *paired.lower : *paired.upper;
+                const Rational place(static_cast<std::int64_t>(std::llround(end * 40.0)), 40);
+                const Rational away = sign > 0 ? hair : Rational() - hair;
+                crosses(signedRankTest(less(d, place + away), 0.0).p_two_sided,
+                        signedRankTest(less(d, place - away), 0.0).p_two_sided, 0.002);
+            }
+
+            const auto a = sample(20 + seed, 0);
+            const auto b = sample(60 - seed, -20);
+            const auto groups = rankSumTest(a, b, level).hodges_lehmann;
+            for (const double sign : {1.0, -1.0}) {
+                const double end = sign > 0 ? *groups.lower : *groups.upper;
+                const Rational place(static_cast<std::int64_t>(std::llround(end * 20.0)), 20);
+                const Rational away = sign > 0 ? hair : Rational() - hair;
+                crosses(*rankSumTest(less(a, place + away), b, 0.0).p_two_sided,
+                        *rankSumTest(less(a, place - away), b, 0.0).p_two_sided, 0.02);
+            }
+        }
     }
 
     TEST_CASE("Where the test rejects every shift there is an estimate and no interval") {

@@ -23,11 +23,12 @@ struct HodgesLehmann {
 /// inverts signedRankTest(): it holds the shifts whose p, of the differences less that shift, exceeds 1 -
 /// level, from the least to the greatest; it holds 0 exactly where the test's own p exceeds 1 - level. Where
 /// n is too small for that level it is the widest there is, with its own. `level`: below 1; 0: no interval.
-[[nodiscard]] HodgesLehmann hodgesLehmann(std::span<const Rational> differences, double level);
+/// `p`: of the test itself. Of many values the ends are sought with an expansion of p (docs/statistics.md).
+[[nodiscard]] HodgesLehmann hodgesLehmann(std::span<const Rational> differences, double level, double p);
 
 /// Of two independent samples: the median of all differences a_i - b_j; the interval likewise inverts
 /// rankSumTest().
 [[nodiscard]] HodgesLehmann hodgesLehmannShift(std::span<const Rational> a, std::span<const Rational> b,
-                                               double level);
+                                               double level, double p);
 
 }  // namespace deixis::results
