@@ -70,7 +70,8 @@ TEST_SUITE("results/table_units") {
         std::map<std::string, std::string> units;
         for (const auto& [name, bytes] : analysisTables(result, TableFormat::csv)) {
             if (name == "answers.csv" || name == "settings.csv") continue;
-            CAPTURE(name);
+            const std::string file = name;  // Clang 14 captures no structured binding
+            CAPTURE(file);
             const std::vector<std::string> lines = linesOf(bytes);
             REQUIRE(lines.size() > 1);
             CHECK(lines[0].ends_with(",unit"));
@@ -88,7 +89,8 @@ TEST_SUITE("results/table_units") {
         CHECK(units["interactions.csv"] == "participants' differences of means");
         CHECK(units["checks.csv"] == "attention checks");
         for (const auto& [name, text] : analysisTables(result, TableFormat::latex)) {
-            CAPTURE(name);
+            const std::string file = name;  // Clang 14 captures no structured binding
+            CAPTURE(file);
             const std::string csv = name.substr(0, name.size() - 4) + ".csv";
             for (const std::string& caption : between(text, "\\caption{", "\n"))
                 CHECK(contains(caption, ". Unit: " + units[csv]));
