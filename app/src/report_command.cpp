@@ -38,6 +38,7 @@ struct ReportArguments {
     results::AnalysisOptions analysis;
     DataChoice choice;
     std::vector<std::string> equivalence;
+    std::string unit;
     std::vector<std::string> columns;
     std::vector<std::string> scales;
     std::string by;
@@ -291,6 +292,11 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
     auto table = results::joinData(std::move(*tables), join);
     if (!table) return tl::unexpected(table.error());
     if (!note.empty()) table->notes.push_back(note);
+    if (options.by_ratings.value_or(false) &&
+        std::none_of(table->measures.begin(), table->measures.end(),
+                     [](const results::Measure& one) { return one.kind == results::MeasureKind::rating; }))
+        return fail("--unit", "found \"ratings\", and the data hold none",
+                    "Leave it out: choices and preferences are tested by participants");
     results::AnalysisOptions named = options;
     named.program = programVersion();
     named.build = buildProperties();
@@ -369,6 +375,11 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
             "--equivalence", options->equivalence,
             "MEASURE=BOUND within which two systems, levels or groups count as equivalent; may be repeated")
         ->allow_extra_args(false);
+    command
+        ->add_option("--unit", options->unit,
+                     "ratings: single ratings are tested, too, in tables marked as pseudo-replicated, beside "
+                     "participants' means; participants: these alone. The study's, else participants")
+        ->check(CLI::IsMember({"participants", "ratings"}));
     command->add_option("--seed", options->analysis.seed, "Seed of the bootstrap")->capture_default_str();
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
@@ -377,6 +388,7 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
             auto bounds = boundsFrom(options->equivalence);
             if (!bounds) return tl::unexpected(bounds.error());
             options->analysis.equivalence = std::move(*bounds);
+            if (!options->unit.empty()) options->analysis.by_ratings = options->unit == "ratings";
             auto columns = columnsFrom(options->columns);
             if (!columns) return tl::unexpected(columns.error());
             options->choice.csv.columns = std::move(*columns);

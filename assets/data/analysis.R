@@ -13,7 +13,7 @@ script <- sub("^--file=", "", grep("^--file=", arguments, value = TRUE))
 if (length(script) == 1) setwd(dirname(normalizePath(script)))
 
 labels <- c("participant", "measure", "system", "other_system", "layout", "distance", "item", "factor", "level",
-            "a", "b", "c", "d", "other_factor", "status", "station", "family", "method", "stage", "score", "name", "excluded")
+            "a", "b", "c", "d", "other_factor", "status", "station", "family", "method", "stage", "score", "name", "excluded", "unit")
 table_of <- function(name) {
     file <- paste0(name, ".csv")
     if (!file.exists(file)) return(NULL)
@@ -133,7 +133,8 @@ signed_rank_p <- function(exactly, shift) {
     two_sided(rank(abs(d)), d > 0)
 }
 
-signed_rank <- function(exactly) {
+# `interval`: the program gives one, too.
+signed_rank <- function(exactly, interval = TRUE) {
     d <- tidy(exactly)
     n <- length(d)
     nonzero <- d[d != 0]
@@ -158,8 +159,8 @@ signed_rank <- function(exactly) {
     walsh <- outer(exactly, exactly, "+")[lower.tri(diag(n), diag = TRUE)] / 2
     out$hodges_lehmann <- median(walsh)
     attr(walsh, "variance") <- n * (n + 1) * (2 * n + 1) / 24
-    out[interval_columns] <- inverted(walsh, function(shift) signed_rank_p(exactly, shift))
-    spread <- n >= 3 && length(unique(d)) > 1
+    if (interval) out[interval_columns] <- inverted(walsh, function(shift) signed_rank_p(exactly, shift))
+    spread <- n >= 3 && n <= 5000 && length(unique(d)) > 1
     normality <- if (spread) shapiro.test(exactly) else NULL
     out$shapiro_w <- if (spread) normality$statistic else NA
     out$shapiro_p <- if (spread) normality$p.value else NA
@@ -167,8 +168,8 @@ signed_rank <- function(exactly) {
 }
 
 # Compares a table of signed-rank tests; differences(i): those of its row i.
-compare_tests <- function(tests, differences) {
-    found <- lapply(seq_len(nrow(tests)), function(i) signed_rank(differences(i)))
+compare_tests <- function(tests, differences, interval = TRUE) {
+    found <- lapply(seq_len(nrow(tests)), function(i) signed_rank(differences(i), interval))
     for (i in seq_along(found))
         for (column in names(found[[i]])) {
             if (column %in% c("smallest_p") && is.na(found[[i]][[column]])) next
@@ -203,9 +204,10 @@ rank_sum_tails <- function(ranks, n_a, w) {
     doubled <- round(2 * ranks)
     ways <- matrix(0, n_a + 1, sum(doubled) + 1)  # by how many are taken, and their sum
     ways[1, 1] <- 1
-    for (r in doubled)
-        for (k in seq(min(n_a, length(doubled)), 1))
-            ways[k + 1, ] <- ways[k + 1, ] + c(numeric(r), head(ways[k, ], -r))
+    for (r in doubled) {  # each rank is taken or not
+        at <- seq_len(ncol(ways) - r)
+        ways[-1, r + at] <- ways[-1, r + at] + ways[-(n_a + 1), at]
+    }
     share <- ways[n_a + 1, ] / sum(ways[n_a + 1, ])
     sums <- seq_along(share) - 1
     c(sum(share[sums <= 2 * w]), sum(share[sums >= 2 * w]))
@@ -222,7 +224,7 @@ rank_sum_p <- function(a, b) {
     if (spread == 0) 1 else min(1, 2 * pnorm(-max(0, abs(from_mean) - 0.5) / spread))
 }
 
-rank_sum <- function(exactly_a, exactly_b) {
+rank_sum <- function(exactly_a, exactly_b, interval = TRUE) {
     a <- tidy(exactly_a)
     b <- tidy(exactly_b)
     n_a <- length(a)
@@ -247,7 +249,7 @@ rank_sum <- function(exactly_a, exactly_b) {
     shifts <- as.vector(outer(exactly_a, exactly_b, "-"))
     out$hodges_lehmann <- median(shifts)
     attr(shifts, "variance") <- n_a * n_b * (n + 1) / 12
-    out[interval_columns] <- inverted(shifts, function(shift) rank_sum_p(exactly_a - shift, exactly_b))
+    if (interval) out[interval_columns] <- inverted(shifts, function(shift) rank_sum_p(exactly_a - shift, exactly_b))
     out
 }
 
@@ -339,11 +341,45 @@ if (!is.null(level_tests)) {
     })
 }
 
+# Single ratings by what makes two of them a pair: the page (a trial in which one participant rated several systems for
+# one item), else participant, item, layout and distance. Several of one system in a pair are averaged.
+ratings_by_pair <- function(here) {
+    own <- answers[here, ]
+    trial <- paste(own$participant, own$order, own$item, sep = "\r")
+    systems <- tapply(own$system, trial, function(s) length(unique(s)))[trial]
+    pair <- ifelse(!is.na(own$order) & systems > 1, trial,
+                   ifelse(is.na(own$item), NA, paste(own$participant, own$item, own$layout, own$distance, "", sep = "\r")))
+    lapply(split(seq_len(nrow(own)), own$system), function(of) {
+        of <- of[!is.na(pair[of])]
+        vapply(split(own$value[of], pair[of]), mean, numeric(1))
+    })
+}
+
+for (ratings in Filter(Negate(is.null), list(table_of("pairwise_ratings"), table_of("study_pairwise_ratings")))) {
+    of_row <- function(i) single & in_study(ratings, i) & is("measure", ratings$measure[i])
+    by_pair <- lapply(seq_len(nrow(ratings)), function(i) ratings_by_pair(of_row(i)))
+    side <- function(i, column) {
+        found <- by_pair[[i]][[ratings[[column]][i]]]
+        if (is.null(found)) setNames(numeric(), character()) else found
+    }
+    compare_tests(ratings, function(i) paired(side(i, "a"), side(i, "b")), FALSE)
+    for (i in seq_len(nrow(ratings))) {
+        both <- intersect(names(side(i, "a")), names(side(i, "b")))
+        same(ratings, i, "participants", length(unique(sub("\r.*", "", both))))
+        same(ratings, i, "n_missing", length(side(i, "a")) + length(side(i, "b")) - 2 * length(both))
+        for (column in c("a", "b")) {
+            here <- of_row(i) & is("system", ratings[[column]][i])
+            same(ratings, i, paste0("median_", column), if (any(here)) median(answers$value[here]) else NA)
+        }
+        if (length(both) > 0) same(ratings, i, "mean_difference", mean(paired(side(i, "a"), side(i, "b"))))
+    }
+}
+
 # Compares a table of rank-sum tests; group(row, level): the scores of that level's participants.
-compare_groups <- function(tests, group) {
+compare_groups <- function(tests, group, interval = TRUE) {
     found <- lapply(seq_len(nrow(tests)), function(i) {
         row <- tests[i, ]
-        rank_sum(group(row, row$a), group(row, row$b))
+        rank_sum(group(row, row$a), group(row, row$b), interval)
     })
     for (i in seq_along(found))
         for (column in names(found[[i]])) same(tests, i, column, found[[i]][[column]])
@@ -363,6 +399,26 @@ for (between in Filter(Negate(is.null), list(table_of("between"), table_of("stud
         people <- unique(answers$participant[here])
         sapply(people, function(one) mean(unlist(lapply(by_system, function(column) column[one])), na.rm = TRUE))
     })
+}
+
+of_author_trial <- function(row, trial)
+    single & in_study(row, 1) & is("measure", row$measure) & is("system", row$system) & is("author_trial", as.numeric(trial))
+for (trials in Filter(Negate(is.null), list(table_of("author_trials"), table_of("study_author_trials")))) {
+    compare_groups(trials, function(row, trial) answers$value[of_author_trial(row, trial)], FALSE)
+    for (i in seq_len(nrow(trials)))
+        for (column in c("a", "b"))
+            same(trials, i, paste0("median_", column),
+                 median(answers$value[of_author_trial(trials[i, ], trials[[column]][i])]))
+}
+for (trials in Filter(Negate(is.null), list(table_of("author_trials_by_participants"),
+                                            table_of("study_author_trials_by_participants")))) {
+    of_trial <- function(i, column) means_of(of_author_trial(trials[i, ], trials[[column]][i]))
+    compare_tests(trials, function(i) paired(of_trial(i, "a"), of_trial(i, "b")))
+    for (i in seq_len(nrow(trials))) {
+        both <- intersect(names(of_trial(i, "a")), names(of_trial(i, "b")))
+        for (column in c("a", "b"))
+            same(trials, i, paste0("median_", column), if (length(both) > 0) median(of_trial(i, column)[both]) else NA)
+    }
 }
 
 # Of each participant and cell the mean of the means under each system.
@@ -698,7 +754,7 @@ fullest_fit <- function(kind, fixed, data, parts) {
 # Factors that cross with the systems: every system has answers under two levels and more.
 crossing <- function(data) {
     known <- c("layout", "distance", setdiff(names(answers), c(labels, "order", "balls", "correct", "rating", "rt",
-                                                                "synthetic", "marked", "value")))
+                                                                "synthetic", "marked", "value", "author_trial")))
     Filter(function(factor) {
         values <- data[[factor]]
         !is.null(values) && all(!is.na(values)) && length(unique(values)) > 1 && min(table(data$system, values)) >= 2

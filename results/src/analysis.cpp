@@ -112,6 +112,7 @@ double equivalenceBound(const std::string& measure, const AnalysisResult& result
 void setUp(AnalysisResult& result) {
     result.alpha = result.options.alpha.value_or(result.table.alpha);
     result.level = result.options.level.value_or(1.0 - result.alpha);
+    result.by_ratings = result.options.by_ratings.value_or(result.table.by_ratings);
     result.measures.clear();
     for (const Measure& measure : result.table.measures)
         if (measure.kind != MeasureKind::preference) {
@@ -152,6 +153,9 @@ void nameFamilies(AnalysisResult& result, const std::string& where) {
     };
     name(result.pairwise);
     name(result.preferences);
+    name(result.rating_pairs);
+    name(result.author_trials);
+    name(result.author_trials_paired);
     for (BetweenResult& one : result.between)
         if (one.factor == systems_between) one.family += ", " + where;
 }
@@ -167,6 +171,8 @@ AnalysisResult analyseStudy(const AnalysisResult& all, const std::string& study)
     testAnswers(rows, cells, one);
     one.systems = summariseSystems(cells, one);
     countParticipants(one);
+    compareRatings(one);
+    compareAuthorTrials(one);
     nameFamilies(one, "in " + study);
     return one;
 }
@@ -206,6 +212,8 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
         result.bradley_terry = bradleyTerry(result.table, {options.resamples, options.seed, result.level});
     describeLevels(result);
     testInteractions(result);
+    compareRatings(result);
+    compareAuthorTrials(result);
     compareOtherAnswers(result);
     summariseScores(result);
     describePeople(result);

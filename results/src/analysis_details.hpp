@@ -30,6 +30,12 @@ inline constexpr const char* systems_between = "system";
 /// Pairs of systems that no participant met both of, as groups of participants. Needs pairwise.
 void compareSystemsBetween(const MeansByMeasure& means, AnalysisResult& result);
 
+/// Pairs of systems by single ratings, where they are asked for.
+void compareRatings(AnalysisResult& result);
+
+/// Ratings by the trials in which the clips' authors made them.
+void compareAuthorTrials(AnalysisResult& result);
+
 /// Systems and factors that cross. Not in runTests().
 void testInteractions(AnalysisResult& result);
 

@@ -1,7 +1,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis_json_groups.hpp"
+#include "analysis_json_ratings.hpp"
 #include "analysis_json_studies.hpp"
+#include "analysis_json_tests.hpp"
 #include "bradley_terry_outputs.hpp"
 #include "json_values.hpp"
 #include "observers_tables.hpp"
@@ -42,45 +44,6 @@ Json summaryJson(const Summary& summary) {
             {"sd_participants", numberOrNull(participants > 1, summary.sd_participants)},
             {"sd_trials", numberOrNull(summary.n > 1, summary.sd_trials)},
             {"n", summary.n}};
-}
-
-void addTest(Json& out, const AdjustedTest& adjusted, const AnalysisResult& result) {
-    const SignedRankTest& test = adjusted.test;
-    const bool tested = test.n_pairs > 0;
-    out["n"] = test.n_pairs;
-    out["n_missing"] = result.participants - test.n_pairs;
-    out["n_zero"] = test.n_zero;
-    out["n_positive"] = test.n_positive;
-    out["n_negative"] = test.n_negative;
-    out["ties"] = test.ties;
-    out["w_plus"] = test.w_plus;
-    out["w_minus"] = test.w_minus;
-    out["z"] = numberOrNull(test.z);
-    out["p"] = numberOrNull(tested, test.p_two_sided);
-    out["p_holm"] = numberOrNull(adjusted.p_holm);
-    out["significant"] = adjusted.significant;
-    out["method"] = test.method;
-    out["family"] = adjusted.family;
-    out["family_size"] = adjusted.family_size;
-    out["alpha"] = result.alpha;
-    out["p_normal"] = numberOrNull(tested, test.normal_p_two_sided);
-    out["p_pratt"] = numberOrNull(tested, test.pratt_p_two_sided);
-    out["p_holm_pratt"] = numberOrNull(adjusted.p_holm_pratt);
-    out["depends_on_zeros"] = adjusted.depends_on_zeros;
-    out["p_holm_normal"] = numberOrNull(adjusted.p_holm_normal);
-    out["depends_on_approximation"] = adjusted.depends_on_approximation;
-    out["smallest_p"] = numberOrNull(tested, test.smallest_p);
-    out["out_of_reach"] = adjusted.out_of_reach;
-    out["rank_biserial"] = numberOrNull(test.rank_biserial);
-    out["paired_superiority"] = numberOrNull(test.paired_superiority);
-    const HodgesLehmann& shift = test.hodges_lehmann;
-    out["hodges_lehmann"] = {
-        {"estimate", numberOrNull(shift.estimate)}, {"lower", numberOrNull(shift.lower)},
-        {"upper", numberOrNull(shift.upper)},       {"lower_included", shift.lower_included},
-        {"upper_included", shift.upper_included},   {"level", numberOrNull(shift.level)}};
-    out["shapiro_wilk"] = {{"w", numberOrNull(adjusted.normality.w)},
-                           {"p", numberOrNull(adjusted.normality.p)}};
-    if (adjusted.equivalence) out["equivalence"] = equivalenceJson(*adjusted.equivalence);
 }
 
 Json comparisonJson(const Comparison& comparison, const AnalysisResult& result) {
@@ -425,8 +388,10 @@ std::string analysisJson(const AnalysisResult& result) {
     out["participants"] = result.participants;
     out["synthetic"] = result.synthetic;
     out["alpha"] = result.alpha;
-    out["settings"] = {
-        {"level", result.level}, {"resamples", result.options.resamples}, {"seed", result.options.seed}};
+    out["settings"] = {{"level", result.level},
+                       {"resamples", result.options.resamples},
+                       {"seed", result.options.seed},
+                       {"unit", result.by_ratings ? "ratings" : "participants"}};
     out["systems"] = systemsJson(result);
     out["layouts"] = levelsJson(result, "layout", "layout", false);
     out["distances"] = levelsJson(result, "distance", "distance", false);
@@ -436,6 +401,7 @@ std::string analysisJson(const AnalysisResult& result) {
             out["factor_levels"].push_back(std::move(row));
     out["omnibus"] = omnibusJson(result);
     out["pairwise"] = pairwiseJson(result);
+    addRatings(out, result);
     out["layout_tests"] = levelTestsJson(result, "layout");
     out["distance_tests"] = levelTestsJson(result, "distance");
     out["factor_tests"] = Json::array();

@@ -1,5 +1,6 @@
 #include "analysis_json_groups.hpp"
 
+#include "analysis_json_tests.hpp"
 #include "json_values.hpp"
 
 namespace deixis::results {
@@ -7,33 +8,6 @@ namespace deixis::results {
 namespace {
 
 using GroupJson = nlohmann::ordered_json;
-
-void addGroupTest(GroupJson& out, const GroupTest& one, double alpha) {
-    const RankSumTest& test = one.test;
-    const HodgesLehmann& shift = test.hodges_lehmann;
-    out["n_a"] = test.n_a;
-    out["n_b"] = test.n_b;
-    out["mean_a"] = numberOrNull(test.n_a > 0, one.mean_a);
-    out["mean_b"] = numberOrNull(test.n_b > 0, one.mean_b);
-    out["u"] = numberOrNull(test.p_two_sided.has_value(), test.u);
-    out["ties"] = test.ties;
-    out["z"] = numberOrNull(test.z);
-    out["p"] = numberOrNull(test.p_two_sided);
-    out["p_holm"] = numberOrNull(one.p_holm);
-    out["significant"] = one.significant;
-    out["method"] = test.method;
-    out["family"] = one.family;
-    out["family_size"] = one.family_size;
-    out["alpha"] = alpha;
-    out["p_normal"] = numberOrNull(test.normal_p_two_sided);
-    out["a12"] = numberOrNull(test.a12);
-    out["cliffs_delta"] = numberOrNull(test.cliffs_delta);
-    out["hodges_lehmann"] = {
-        {"estimate", numberOrNull(shift.estimate)}, {"lower", numberOrNull(shift.lower)},
-        {"upper", numberOrNull(shift.upper)},       {"lower_included", shift.lower_included},
-        {"upper_included", shift.upper_included},   {"level", numberOrNull(shift.level)}};
-    if (one.equivalence) out["equivalence"] = equivalenceJson(*one.equivalence);
-}
 
 GroupJson answersJson(const PreferenceCounts& counts) {
     const auto share = [&](int of) { return numberOrNull(counts.share(of)); };
@@ -44,10 +18,6 @@ GroupJson answersJson(const PreferenceCounts& counts) {
 }
 
 }  // namespace
-
-GroupJson equivalenceJson(const Equivalence& one) {
-    return {{"bound", one.bound}, {"p", one.p}, {"p_holm", one.p_holm}, {"equivalent", one.equivalent}};
-}
 
 GroupJson groupInteractionsJson(const AnalysisResult& result) {
     GroupJson out = GroupJson::array();

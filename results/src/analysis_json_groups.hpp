@@ -7,7 +7,6 @@
 
 namespace deixis::results {
 
-[[nodiscard]] nlohmann::ordered_json equivalenceJson(const Equivalence& one);
 [[nodiscard]] nlohmann::ordered_json groupInteractionsJson(const AnalysisResult& result);
 [[nodiscard]] nlohmann::ordered_json betweenJson(const AnalysisResult& result);
 [[nodiscard]] nlohmann::ordered_json preferencesBetweenJson(const AnalysisResult& result);

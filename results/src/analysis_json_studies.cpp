@@ -1,6 +1,7 @@
 #include "analysis_json_studies.hpp"
 
 #include "analysis_json_groups.hpp"
+#include "analysis_json_ratings.hpp"
 #include "json_values.hpp"
 
 namespace deixis::results {
@@ -34,17 +35,15 @@ StudyJson dataJson(const AnalysisResult& result, const std::string& study) {
 
 StudyJson byStudyJson(const AnalysisResult& result) {
     StudyJson out = StudyJson::array();
-    for (const AnalysisResult& one : result.by_study)
-        out.push_back({{"study", one.table.study_name},
-                       {"data", dataJson(result, one.table.study_name)},
-                       {"participants", one.participants},
-                       {"synthetic", one.synthetic},
-                       {"answers", one.table.rows.size()},
-                       {"systems", systemsJson(one)},
-                       {"omnibus", omnibusJson(one)},
-                       {"pairwise", pairwiseJson(one)},
-                       {"preferences", preferencesJson(one)},
-                       {"between", betweenJson(one)}});
+    for (const AnalysisResult& one : result.by_study) {
+        StudyJson row{{"study", one.table.study_name},       {"data", dataJson(result, one.table.study_name)},
+                      {"participants", one.participants},    {"synthetic", one.synthetic},
+                      {"answers", one.table.rows.size()},    {"systems", systemsJson(one)},
+                      {"omnibus", omnibusJson(one)},         {"pairwise", pairwiseJson(one)},
+                      {"preferences", preferencesJson(one)}, {"between", betweenJson(one)}};
+        addRatings(row, one);
+        out.push_back(std::move(row));
+    }
     return out;
 }
 

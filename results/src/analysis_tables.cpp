@@ -6,6 +6,7 @@
 
 #include "analysis_table_parts.hpp"
 #include "analysis_tables_further.hpp"
+#include "analysis_tables_ratings.hpp"
 #include "analysis_tables_studies.hpp"
 #include "answers_csv.hpp"
 #include "bradley_terry_outputs.hpp"
@@ -313,6 +314,7 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
         orderTable(result),
         timesTable(result),
         checksTable(result)};
+    for (PlainTable table : ratingTables(result)) tables.push_back(std::move(table));
     for (PlainTable table : furtherTables(result)) tables.push_back(std::move(table));
     if (!result.by_study.empty())
         for (PlainTable& table : tables)

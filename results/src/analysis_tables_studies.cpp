@@ -1,5 +1,7 @@
 #include "analysis_tables_studies.hpp"
 
+#include "analysis_tables_ratings.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -87,6 +89,18 @@ std::vector<PlainTable> studyTables(const AnalysisResult& result) {
         eachStudy(result, "study_omnibus", "Friedman's test over all systems in each study", omnibusTable),
         eachStudy(result, "study_pairwise",
                   "Pairs of systems in each study: signed-rank tests of participants' means", pairwiseTable),
+        eachStudy(result, "study_pairwise_ratings",
+                  "Pairs of systems in each study by single ratings (pseudo-replicated: p is too small): "
+                  "signed-rank tests",
+                  ratingPairsTable),
+        eachStudy(result, "study_author_trials",
+                  "Ratings in each study by the author's trial in which the clips were made "
+                  "(pseudo-replicated: p is too small): rank-sum tests",
+                  authorTrialsTable),
+        eachStudy(result, "study_author_trials_by_participants",
+                  "Participants' mean ratings in each study by the author's trial in which the clips were "
+                  "made: signed-rank tests",
+                  authorTrialsPairedTable),
         eachStudy(result, "study_preferences", "Preferences between systems in each study",
                   preferencesTable)};
 }

@@ -21,7 +21,7 @@ std::vector<ColumnSpec> answerColumns(const ResponseTable& table) {
         {"status", text, ""},       {"correct", whole, ""},     {"rating", number, ""},
         {"scale_low", number, ""},  {"scale_high", number, ""}, {"rt", number, "", "s"},
         {"synthetic", truth, ""},   {"station", text, ""},      {"marked", text, ""},
-        {"excluded", text, ""}};
+        {"excluded", text, ""},     {"author_trial", whole, ""}};
     for (const auto* factors : {&table.within, &table.between})
         for (const Factor& factor : *factors) columns.push_back({factor.name, text, ""});
     return columns;
@@ -44,6 +44,7 @@ void addAnswer(const ResponseTable& table, const ResponseRow& row, const Measure
     csv.text(row.station.text());
     csv.text(row.marked.text());
     csv.text(row.excluded.text());
+    row.author_trial > 0 ? csv.whole(row.author_trial) : csv.empty();
     for (const Factor& factor : table.within) csv.text(levelOf(table, row, factor.name).text());
     for (const Factor& factor : table.between)
         csv.text(levelOfParticipant(table, row.participant, factor.name));

@@ -176,6 +176,7 @@ void declareTogether(std::vector<ResponseTable>& tables) {
     NameSet dropped;
     for (const ResponseTable& table : tables) {
         first.stations_together = first.stations_together && table.stations_together;
+        first.by_ratings = first.by_ratings && table.by_ratings;
         if (!sameRule(first.leave_out, table.leave_out)) first.leave_out = {};
         for (const auto& [measure, bound] : table.equivalence)
             if (const auto known = first.equivalence.find(measure);

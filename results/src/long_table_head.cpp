@@ -12,9 +12,10 @@ namespace deixis::results {
 namespace {
 
 constexpr std::array<std::string_view, long_column_count> long_column_names{
-    "participant", "system",   "correct", "rating", "response", "stage",        "measure",   "layout",
-    "distance",    "trial",    "order",   "item",   "rt",       "attention",    "practice",  "synthetic",
-    "balls",       "excluded", "marked",  "status", "station",  "other_system", "scale_low", "scale_high"};
+    "participant",  "system",    "correct",    "rating",      "response", "stage",  "measure",
+    "layout",       "distance",  "trial",      "order",       "item",     "rt",     "attention",
+    "practice",     "synthetic", "balls",      "excluded",    "marked",   "status", "station",
+    "other_system", "scale_low", "scale_high", "author_trial"};
 
 constexpr std::array<std::string_view, export_column_count> export_column_names{
     "participant_status", "kind",         "question", "scored",  "value", "chosen_place",

@@ -37,9 +37,10 @@ enum class LongColumn : std::size_t {
     station,
     other_system,
     scale_low,
-    scale_high
+    scale_high,
+    author_trial
 };
-constexpr std::size_t long_column_count = static_cast<std::size_t>(LongColumn::scale_high) + 1;
+constexpr std::size_t long_column_count = static_cast<std::size_t>(LongColumn::author_trial) + 1;
 
 [[nodiscard]] std::string_view nameOf(LongColumn column);
 

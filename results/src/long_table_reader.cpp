@@ -203,6 +203,12 @@ Result<void> LongTableReader::readDetails(ResponseRow& row) {
         balls_ = std::max(balls_, row.balls);
         fewest_balls_ = std::min(fewest_balls_, row.balls);
     }
+    if (const NumberCell found = number(author_trial); !found.missing) {
+        const auto value = found.value;
+        if (!value || *value != std::floor(*value) || *value < 1.0 || *value > 1e6)
+            return bad(author_trial, "in which of its author's trials the clip was made, from 1 up");
+        row.author_trial = static_cast<int>(*value);
+    }
     if (const std::string said = lowered(cell(status)); !isMissing(said) && said != "answered") {
         if (said != "timed_out" && said != "skipped") return bad(status, "answered, timed_out or skipped");
         row.unanswered = said;

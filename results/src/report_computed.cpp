@@ -20,6 +20,8 @@ Computed::Computed(const AnalysisResult& result) {
         equivalence = equivalence || one.equivalence;
     };
     for (const Comparison& one : result.pairwise) take(pairs, one);
+    for (const RatingComparison& one : result.rating_pairs) ratings = ratings || one.test.n_pairs > 0;
+    author_trials = !result.author_trials.empty();
     for (const Comparison& one : result.level_tests) take(levels, one);
     for (const PreferenceResult& one : result.preferences) take(preferences, one);
     for (const ChanceResult& one : result.chance) take(chance, one);

@@ -7,7 +7,9 @@
 namespace deixis::results {
 
 struct Computed {
-    bool pairs = false;  ///< signed-rank tests of pairs of systems; like all tests from two participants on
+    bool pairs = false;    ///< signed-rank tests of pairs of systems; like all tests from two participants on
+    bool ratings = false;  ///< single ones, of pairs of systems
+    bool author_trials = false;
     bool friedman = false;  ///< of three systems and more
     bool levels = false;    ///< of factors within participants
     bool preferences = false;

@@ -199,12 +199,37 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
     return out;
 }
 
+std::string ratingsParagraphs(const Computed& computed) {
+    std::string out;
+    if (computed.ratings)
+        out +=
+            "<p><b>Single ratings.</b> The unit of Yoon et al. (2021, 7.2.3), asked for beside participants' "
+            "means: signed-rank tests of pairs of single ratings, each pair one participant's of one page, "
+            "or "
+            "of one item, layout and distance (several of one system are averaged first); Holm's correction "
+            "over the pairs of systems in one measure. Z is the normal approximation with tie and continuity "
+            "corrections. A participant's ratings are not independent, so these p are too small "
+            "(pseudo-replication): the decisions are those of participants' means. Intervals are not "
+            "given.</p>";
+    if (computed.author_trials)
+        out +=
+            "<p><b>Authors' trials.</b> Of the clips' authors, who may learn from one trial to the next: "
+            "single ratings of clips made in an earlier trial against those of a later one, by the rank-sum "
+            "test, as Yoon et al. (2021, 7.2.3), which is pseudo-replicated in the same way; and beside it "
+            "each participant's mean rating of the one and of the other, by the signed-rank test over "
+            "participants who rated both. The latter speaks about other participants with these same clips; "
+            "neither speaks about other authors. Holm's correction covers the systems and pairs of trials in "
+            "one measure.</p>";
+    return out;
+}
+
 }  // namespace
 
 std::string methodsHtml(const AnalysisResult& result) {
     const Computed computed(result);
     std::string out = answersParagraph(result) + studiesParagraph(result) + meansParagraph(result, computed) +
                       testsParagraph(result, computed) + groupsParagraphs(result, computed);
+    out += ratingsParagraphs(computed);
     if (computed.pairs || computed.preferences)
         out +=
             "<p><b>Other choices.</b> The pairs of systems are tested again with the participants who are "

@@ -70,6 +70,9 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
             if (one.family_size > 0) families.insert(one.family);
     };
     count(result.pairwise);
+    count(result.rating_pairs);
+    count(result.author_trials);
+    count(result.author_trials_paired);
     count(result.level_tests);
     count(result.preferences);
     count(result.chance);
@@ -84,6 +87,9 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
     count(result.time_groups);
     for (const AnalysisResult& study : result.by_study) {
         count(study.pairwise);
+        count(study.rating_pairs);
+        count(study.author_trials);
+        count(study.author_trials_paired);
         count(study.preferences);
         count(study.between);
     }

@@ -10,6 +10,7 @@
 #include "page.hpp"
 #include "report_computed.hpp"
 #include "report_people.hpp"
+#include "report_ratings.hpp"
 #include "report_text.hpp"
 
 namespace deixis::results {
@@ -133,6 +134,15 @@ std::string testsSentences(const AnalysisResult& result, const Computed& compute
             " We compared {} by two-sided Wilcoxon rank-sum tests of participants' means, Holm-corrected "
             "(&#945; = {}); &#948; is Cliff's delta.",
             inSentence(groups), result.alpha);
+    if (computed.ratings)
+        out +=
+            " Single ratings, paired by participant and page or item, were tested in the same way (Yoon et "
+            "al. "
+            "2021), which takes a participant's ratings as independent: these p are too small.";
+    if (computed.author_trials)
+        out +=
+            " Clips from their authors' earlier and later trials were compared by rank-sum tests of single "
+            "ratings, as Yoon et al. (2021) did, and by signed-rank tests of participants' means.";
     if (computed.interactions)
         out += " Interactions were tested as differences of participants' differences, Holm-corrected.";
     if (computed.equivalence) out += " Equivalence was tested by two one-sided tests within declared bounds.";
@@ -318,9 +328,13 @@ std::string resultsParagraphs(const AnalysisResult& result) {
     const std::string pooled = result.by_study.empty() ? "" : ", all studies pooled";
     std::string out;
     for (std::size_t i = 0; i < result.measures.size(); ++i) {
-        for (const AnalysisResult& study : result.by_study)
-            out += measureParagraphs(study, " in " + escapeHtml(study.table.study_name), i);
+        for (const AnalysisResult& study : result.by_study) {
+            const std::string in_study = " in " + escapeHtml(study.table.study_name);
+            out += measureParagraphs(study, in_study, i);
+            out += ratingResults(study, in_study, result.measures[i]);
+        }
         out += measureParagraphs(result, pooled, i);
+        out += ratingResults(result, pooled, result.measures[i]);
     }
     for (const AnalysisResult& study : result.by_study)
         out += preferenceParagraph(study, " in " + escapeHtml(study.table.study_name));
@@ -367,6 +381,11 @@ std::vector<std::string> references(const AnalysisResult& result) {
         out.emplace_back(
             "Efron, B. (1987). Better bootstrap confidence intervals. Journal of the American "
             "Statistical Association, 82, 171&#8211;185.");
+    if (computed.ratings || computed.author_trials)
+        out.emplace_back(
+            "Yoon, Y., Park, K., Jang, M., Kim, J., &amp; Lee, G. (2021). SGToolkit: An interactive gesture "
+            "authoring toolkit for embodied conversational agents. Proceedings of UIST '21. "
+            "https://doi.org/10.1145/3472749.3474789");
     if (!result.bradley_terry.abilities.empty())
         out.emplace_back(
             "Bradley, R. A., &amp; Terry, M. E. (1952). Rank analysis of incomplete block "

@@ -6,6 +6,7 @@
 
 #include "report_details.hpp"
 #include "report_interactions.hpp"
+#include "report_ratings.hpp"
 #include "report_tables.hpp"
 
 namespace deixis::results {
@@ -178,10 +179,12 @@ std::string omnibusTable(const AnalysisResult& result, const std::string& where,
 std::string pairTables(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
     std::string out;
     if (result.systems.size() > 1)
-        for (const Measure& measure : result.measures)
+        for (const Measure& measure : result.measures) {
             out += testTable(result.pairwise, measure, "",
                              escapeHtml(capitalised(measure.name)) + ", all pairs of systems" + where, result,
                              numbering);
+            out += ratingPairsHtml(result, measure, where, numbering);
+        }
     return out;
 }
 
@@ -196,7 +199,8 @@ std::string studyTestsHtml(const AnalysisResult& study, Numbering& numbering) {
     std::string out = omnibusTable(study, where, numbering);
     out += pairTables(study, where, numbering);
     out += systemsApartHtml(study, where, numbering);
-    return out + preferenceTable(study, where, numbering);
+    out += preferenceTable(study, where, numbering);
+    return out + authorTrialsHtml(study, where, numbering);
 }
 
 std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
@@ -217,6 +221,7 @@ std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
     tables += interactionsHtml(result, numbering);
     tables += equivalenceHtml(result, numbering);
     tables += preferenceTable(result, where, numbering);
+    tables += authorTrialsHtml(result, where, numbering);
     return tables.empty() ? "" : out + tables;
 }
 

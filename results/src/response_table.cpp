@@ -48,6 +48,7 @@ void readStudy(SQLite::Database& database, const std::string& people, ResponseTa
     if (!study.getColumn(4).isNull()) {
         const auto analysis = nlohmann::json::parse(study.getColumn(4).getString());
         table.stations_together = analysis.at("stations").get<std::string>() == "together";
+        table.by_ratings = analysis.value("unit", "participants") == "ratings";
         table.equivalence = analysis.at("equivalence").get<std::map<std::string, double>>();
         table.leave_out = leaveOutFrom(analysis.value("leave_out", nlohmann::json::object()));
     }
@@ -197,6 +198,10 @@ void readLeftOut(SQLite::Database& database, const std::string& people, Response
                                 checks.getColumn(2).getInt(), checks.getColumn(3).getInt()});
 }
 
+// The clip that was shown, and in which of its author's trials it was made.
+constexpr const char* clip_shown =
+    "LEFT JOIN response_stimuli AS x ON x.response = r.id AND x.position = s.position ";
+
 // What all rows of a measure have in common.
 constexpr const char* row_columns =
     "r.participant, s.system, t.layout, t.distance, t.target_id, r.response_time_s, e.synthetic, r.pauses, "
@@ -240,18 +245,19 @@ void keepRow(ResponseTable& table, ResponseRow row) {
 void readRatings(SQLite::Database& database, const std::string& people, const MeasureOfStage& measures,
                  ResponseTable& table) {
     Statement rows(database,
-                   fmt::format("SELECT {}, a.value, t.stage {}"
+                   fmt::format("SELECT {}, a.value, t.stage, x.author_trial {}"
                                "JOIN answers AS a ON a.response = r.id "
                                "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
-                               "r.trial_index AND s.position = coalesce(a.stimulus, 0) "
+                               "r.trial_index AND s.position = coalesce(a.stimulus, 0) {}"
                                "WHERE {} AND a.question IN ('rating', 'confidence') AND a.value IS NOT NULL "
                                "ORDER BY r.participant, r.trial_index, s.position, a.position",
-                               row_columns, rowTables(people), row_counts));
+                               row_columns, rowTables(people), clip_shown, row_counts));
     while (rows.executeStep()) {
         const auto measure = measures.find(rows.getColumn(next_column + 1).getString());
         if (measure == measures.end()) continue;
         ResponseRow row = baseRow(rows, measure->second);
         row.value = rows.getColumn(next_column).getDouble();
+        row.author_trial = rows.getColumn(next_column + 2).getInt();
         keepRow(table, std::move(row));
     }
 }

@@ -102,6 +102,7 @@ ResponseTable onlyStudy(const ResponseTable& table, const std::string& study) {
     out.systems = table.systems;
     out.measures = table.measures;
     out.equivalence = table.equivalence;
+    out.by_ratings = table.by_ratings;
     forStudies(table, [&](const ResponseRow& row, const std::string& of) {
         if (of == study) out.rows.push_back(row);
     });

@@ -180,6 +180,7 @@ void Store::Impl::insertStudy(const studies::Study& study, const std::string& lo
     row.textOrNull(study.source) << study.alpha << study.targets.ball_diameter_m;
     row.textOrNull(locked_hash);
     row << Json{{"stations", study.stations_together ? "together" : "apart"},
+                {"unit", study.by_ratings ? "ratings" : "participants"},
                 {"equivalence", Json(study.equivalence)},
                 {"leave_out", leaveOutJson(study.leave_out)}}
                .dump();

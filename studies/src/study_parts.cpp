@@ -288,6 +288,11 @@ void readAnalysis(StudyReader& reader) {
     std::vector<std::string_view> names;
     for (const AskedMeasure& measure : measures)
         if (measure.kind != AskedKind::preference) names.push_back(measure.name);
+    constexpr std::string_view units[] = {"participants", "ratings"};
+    reader.study.by_ratings = table.choice("unit", units, false).value_or(0) == 1;
+    const auto isRating = [](const AskedMeasure& measure) { return measure.kind == AskedKind::rating; };
+    if (reader.study.by_ratings && std::none_of(measures.begin(), measures.end(), isRating))
+        table.problem("unit", "found \"ratings\", but no stage asks for ratings", "Remove it");
     const toml::table* section = table.section("equivalence", false);
     TomlTable bounds = table.below("equivalence", section, names);
     for (const AskedMeasure& measure : measures)

@@ -107,7 +107,7 @@ constexpr std::string_view questions_keys[] = {"id",  "kind", "text",  "scale", 
 constexpr std::string_view options_keys[] = {"id", "text"};
 constexpr std::string_view headset_keys[] = {"eye_level", "assumed_eye_height_m", "place_tolerance_m",
                                              "record_gaze", "record_hands"};
-constexpr std::string_view analysis_keys[] = {"alpha", "stations", "equivalence", "leave_out"};
+constexpr std::string_view analysis_keys[] = {"alpha", "unit", "stations", "equivalence", "leave_out"};
 constexpr std::string_view leave_out_keys[] = {"same_rating_share", "one_side_share", "median_time_below_s"};
 constexpr std::string_view questionnaire_keys[] = {"name",     "title", "text",      "reference", "languages",
                                                    "per_page", "scale", "questions", "scores",    "texts"};

@@ -72,10 +72,10 @@ int compared(const std::string& said) {
 }
 
 /// The answers' report with its analysis.R, as that ends.
-Finished analysedByR(const Scratch& scratch, const std::string& answers) {
+Finished analysedByR(const Scratch& scratch, const std::string& answers, const std::string& options = "") {
     spill(scratch / "lab.csv", answers);
     const auto made = program("report " + (scratch / "lab.csv") + " -o " + (scratch / "page.html") + " --r " +
-                              (scratch / "r"));
+                              (scratch / "r") + " " + options);
     REQUIRE_MESSAGE(made.status == 0, made.err);
     CHECK(contains(made.out, "analysis.R"));
     Finished done = shell("Rscript " + (scratch / "r/analysis.R"));
@@ -111,6 +111,18 @@ TEST_SUITE("app/report_r") {
         INFO(wrong.out, wrong.err);
         CHECK(wrong.status == 1);
         CHECK(contains(wrong.out, "mean_difference"));
+    }
+
+    TEST_CASE("R finds the same numbers in single ratings and in authors' trials") {
+        if (!hasR()) return;
+        const Scratch scratch;
+        const auto oracle =
+            nlohmann::json::parse(slurp(fs::path(DEIXIS_SOURCE_DIR) / "tests/results/oracles/ratings.json"));
+        const auto done = analysedByR(scratch, oracle["cases"][0]["csv"], "--unit ratings");
+        INFO(done.out, done.err);
+        const std::string numbers = slurp(scratch / "r/comparison.csv");
+        for (const char* table : {"pairwise_ratings", "author_trials", "author_trials_by_participants"})
+            CHECK(contains(numbers, std::string("\"") + table + "\",2,\"p_holm\""));
     }
 
     TEST_CASE("R takes two systems, a measure that nobody gave both, and models that cannot be fitted") {

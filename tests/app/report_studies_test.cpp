@@ -9,11 +9,12 @@ namespace {
 
 /// A study's answers: each of the participants rates two systems twice, b by `more` above a.
 std::string answersOf(int participants, double more, const std::string& measure = "naturalness") {
-    std::string out = "participant,system,item,measure,rating\n";
+    std::string out = "participant,system,item,author_trial,measure,rating\n";
     for (int p = 1; p <= participants; ++p)
         for (int item = 1; item <= 2; ++item) {
             const std::string start = "P" + std::to_string(p) + ",";
-            const std::string end = ",T" + std::to_string(item) + "," + measure + ",";
+            const std::string end =
+                ",T" + std::to_string(item) + "," + std::to_string(item) + "," + measure + ",";
             out += start + "a" + end + std::to_string(30 + 3 * p + item) + "\n";
             out += start + "b" + end + std::to_string(30 + 3 * p + item + more + p % 3) + "\n";
         }
@@ -64,6 +65,13 @@ TEST_SUITE("app/report_studies") {
         for (std::size_t i = 0; i < 6; ++i) {
             CHECK(second["pairwise"][i]["p_holm"] == alone["pairwise"][i]["p_holm"]);
             CHECK(out["pairwise"][i]["n"] == 7);
+            // The unit that both studies ask for: pairs of ratings, of each study and of both.
+            const json& ratings = second["pairwise_ratings"][i];
+            CHECK(ratings["n"] == alone["pairwise_ratings"][i]["n"]);
+            CHECK(ratings["p_holm"] == alone["pairwise_ratings"][i]["p_holm"]);
+            CHECK(ratings["family"] != out["pairwise_ratings"][i]["family"]);
+            CHECK(out["pairwise_ratings"][i]["n"].get<int>() ==
+                  ratings["n"].get<int>() + out["by_study"][0]["pairwise_ratings"][i]["n"].get<int>());
         }
         CHECK(contains(slurp(scratch / "one.html"), "Simulated participants:"));
 
@@ -93,14 +101,19 @@ TEST_SUITE("app/report_studies") {
         const auto unsaid = program("report " + both + " --by study" + files);
         CHECK(unsaid.status == 1);
         CHECK(contains(unsaid.err, "--scale naturalness=34..54"));
-        const auto done = program("report " + both + " --by study --scale naturalness=0..100 --r " +
-                                  (scratch / "r") + files);
+        const auto done =
+            program("report " + both + " --by study --unit ratings --scale naturalness=0..100 --r " +
+                    (scratch / "r") + files);
         INFO(done.err);
         REQUIRE(done.status == 0);
         const json out = json::parse(slurp(scratch / "r.json"));
         CHECK(out["by_study"][0]["study"] == "calm");
         CHECK(out["by_study"][0]["pairwise"][0]["p"] == 2.0 / 64.0);  // all six alike
         CHECK(out["by_study"][0]["pairwise"][0]["mean_difference"] == -5.0);
+        CHECK(out["by_study"][0]["pairwise_ratings"][0]["n"] == 12);
+        CHECK(out["pairwise_ratings"][0]["n"] == 26);
+        CHECK(out["by_study"][1]["author_trials"][0]["n_a"] == 7);
+        CHECK(out["author_trials"][0]["n_a"] == 13);
         CHECK(out["study_medians"][0]["system"] == "b");
         CHECK(out["study"]["hash"] == "");
         // As one study, as ever, the two are the same people twice.
@@ -117,6 +130,10 @@ TEST_SUITE("app/report_studies") {
         const auto computed = shell("Rscript " + (scratch / "r/analysis.R"));
         CHECK_MESSAGE(computed.status == 0, computed.out, computed.err);
         CHECK(contains(slurp(scratch / "r/comparison.csv"), "\"study_pairwise\",2,\"p_holm\""));
+        CHECK(contains(slurp(scratch / "r/comparison.csv"), "\"study_pairwise_ratings\",2,\"p_holm\""));
+        CHECK(contains(slurp(scratch / "r/comparison.csv"), "\"study_author_trials\",4,\"p_holm\""));
+        CHECK(contains(slurp(scratch / "r/comparison.csv"),
+                       "\"study_author_trials_by_participants\",4,\"p_holm\""));
         CHECK(contains(slurp(scratch / "r/comparison.csv"), "\"study_medians\",6,\"median_of_ratings\""));
     }
 }

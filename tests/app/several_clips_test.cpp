@@ -98,6 +98,25 @@ TEST_SUITE("app/several_clips") {
             if (band["eyes"] == "avatar" && band["system"] == "all") choices += band["choices"].get<int>();
         CHECK(choices == 9 * 6);
         CHECK(contains(lab.read("r.html"), "Correct choices by how near the nearest distractor looks"));
+        // Ratings of clips of the authors' first trial against those of the second, of the one system that
+        // has them.
+        REQUIRE(analysis["author_trials"].size() == 1);
+        const auto& learned = analysis["author_trials"][0];
+        CHECK(learned["system"] == "ours");
+        const std::string rated = of_ours +
+                                  "JOIN answers AS a ON a.response = r.id WHERE a.question = 'rating' AND "
+                                  "s.system = 'ours' AND x.author_trial = ";
+        CHECK(learned["n_a"] == number(lab, "SELECT count(*) " + rated + "1"));
+        CHECK(learned["n_b"] == number(lab, "SELECT count(*) " + rated + "2"));
+        CHECK(learned["n_a"].get<int>() + learned["n_b"].get<int>() == 9 * 2);
+        const auto& paired = analysis["author_trials_by_participants"][0];
+        CHECK(paired["n"] ==
+              number(lab, "SELECT count(*) FROM (SELECT r.participant " + of_ours +
+                              "JOIN answers AS a ON a.response = r.id WHERE a.question = 'rating' "
+                              "AND s.system = 'ours' GROUP BY r.participant HAVING count(DISTINCT "
+                              "x.author_trial) = 2)"));
+        CHECK(paired["n"].get<int>() > 0);
+        CHECK(contains(lab.read("r.html"), "to see whether authors learn"));
         CHECK(program("replay " + lab.path("study.sqlite") + " --participant S003 --choices").status == 0);
     }
 }

@@ -136,6 +136,30 @@ TEST_SUITE("app/study_commands") {
         const int left_out = static_cast<int>(analysis["left_out"].size());
         CHECK(ratings == (30 - left_out) * 46);
         CHECK(analysis["checks"][0]["passed"].get<int>() + analysis["checks"][0]["failed"].get<int>() == 60);
+
+        // The paper's unit, which the study asks for: pages on which both movements were rated, no check in
+        // the place of either. It passes what means of 30 people can reach.
+        const std::string both =
+            "FROM trial_stimuli AS a JOIN trial_stimuli AS b USING (participant, trial_index) JOIN responses "
+            "AS r USING (participant, trial_index) JOIN participants AS p ON p.id = r.participant WHERE "
+            "r.superseded IS NULL AND p.status = 'active' AND a.scored AND b.scored AND a.system = '{}' AND "
+            "b.system = '{}'";
+        double greatest = 0.0;
+        REQUIRE(analysis["pairwise_ratings"].size() == 6);
+        for (const auto& pair : analysis["pairwise_ratings"]) {
+            const std::string a = pair["a"], b = pair["b"];
+            CHECK(count(database, "SELECT count(*) " + replaced(replaced(both, "{}", a), "{}", b)) ==
+                  pair["n"].get<int>());
+            CHECK(pair["n"].get<int>() + pair["n_missing"].get<int>() == (30 - left_out) * 12);
+            CHECK(pair["participants"] == 30 - left_out);
+            greatest = std::max(greatest, std::abs(pair["z"].get<double>()));
+        }
+        CHECK(greatest > 6.83);
+        for (const auto& pair : analysis["pairwise"]) CHECK(std::abs(pair["z"].get<double>()) < 4.79);
+        CHECK(contains(slurp(scratch / "r.html"), "once more by single ratings"));
+        REQUIRE(program("report " + database + " --unit participants -o " + (scratch / "r.html")).status ==
+                0);
+        CHECK_FALSE(contains(slurp(scratch / "r.html"), "once more by single ratings"));
     }
 
     TEST_CASE("Participants are listed, excluded, taken back and withdrawn") {

@@ -1,6 +1,7 @@
 // The tables for LaTeX: balanced, of even rows, without raw keys; compiled where there is a LaTeX.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 
@@ -23,9 +24,13 @@ Files tablesOfOddStudy() {
     const fixtures::Folder folder;
     const std::string odd = "[x] 50% & a_b #1 {y} $z$ ~^\\<|>";
     auto study = fixtures::study({odd, "*star", "a-system-with-a-very-long-name", "plain"});
+    study.by_ratings = true;
     fixtures::fill(folder / "a.sqlite", study, 12, 6, true, {0.86, 0.95, 0.83, 0.46}, {4.0, 3.6, 2.6, 2.9},
                    fixtures::everything);
-    return analysisTables(analyse(loadResponses(folder / "a.sqlite").value()), TableFormat::latex);
+    ResponseTable table = loadResponses(folder / "a.sqlite").value();
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+        table.rows[i].author_trial = 1 + static_cast<int>(i / 4 % 2);
+    return analysisTables(analyse(table), TableFormat::latex);
 }
 
 int count(const std::string& text, const std::string& part) {
@@ -99,6 +104,11 @@ TEST_SUITE("results/latex_tables") {
         }
         CHECK(places);
         CHECK(tables.size() > 10);
+        for (const std::string wanted :
+             {"pairwise_ratings.tex", "author_trials.tex", "author_trials_by_participants.tex"})
+            CHECK_MESSAGE(std::any_of(tables.begin(), tables.end(),
+                                      [&](const auto& one) { return one.first == wanted; }),
+                          wanted);
     }
 
     TEST_CASE("Sums of ranks are whole or halves, a range is one cell, a measure a line above its rows") {

@@ -269,6 +269,7 @@ TEST_SUITE("studies/study_combinations") {
               {"\"questionnaire\" only"}},
              {"eye_level = \"scale\"", "eye_level = \"lift\"", "lift", "headset.eye_level", {"\"raise\""}},
              {"alpha = 0.05", "alpha = 1.0", "alpha", "analysis.alpha", {"0.5"}},
+             {"unit = \"ratings\"", "unit = \"means\"", "unit", "analysis.unit", {"\"participants\""}},
              {"stations = \"together\"",
               "stations = \"mixed\"",
               "stations",

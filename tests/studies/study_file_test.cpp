@@ -216,6 +216,7 @@ TEST_SUITE("studies/study_file") {
         CHECK(study.headset.record_gaze);
         CHECK(study.headset.record_hands);
         CHECK(study.alpha == 0.05);
+        CHECK(study.by_ratings);
         CHECK(study.stations_together);
         CHECK(study.equivalence == std::map<std::string, double>{{"accuracy", 0.1}});
         CHECK(study.leave_out.same_rating_share == 0.95);

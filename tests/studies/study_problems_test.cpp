@@ -279,6 +279,15 @@ TEST_SUITE("studies/study_problems") {
         CHECK(std::is_sorted(lines.begin(), lines.end()));
     }
 
+    TEST_CASE("Ratings are tested only where a stage asks for them.") {
+        const Folder folder;
+        const std::string pairs = readText(shipped_studies / "genea-pairwise.toml");
+        const auto file = folder.write(replaced(pairs, "[analysis]\n", "[analysis]\nunit = \"ratings\"\n"));
+        CHECK(allText(problemsOf(file))
+                  .find("analysis.unit: found \"ratings\", but no stage asks for ratings") !=
+              std::string::npos);
+    }
+
     TEST_CASE("A section that is missing altogether is named, for want of a line.") {
         const Folder folder;
         const std::string text = readText(fixtures / "small.toml");

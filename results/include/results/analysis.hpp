@@ -24,6 +24,7 @@ struct AnalysisOptions {
     std::optional<double> alpha{};                ///< in (0, 1); none: the study's
     std::optional<double> level{};                ///< of intervals, in (0, 1); none: 1 - alpha
     std::map<std::string, double> equivalence{};  ///< bounds by measure, before those of the study
+    std::optional<bool> by_ratings{};             ///< single ratings are tested, too; none: the study's
     int resamples = 10000;                        ///< of bootstraps, at least 1
     std::uint64_t seed = 1;                       ///< of bootstraps
     std::string program{};                        ///< that analyses, and its version; for provenance
@@ -94,6 +95,20 @@ struct Comparison : AdjustedTest {
     std::string a, b;
     double mean_difference = 0.0;       ///< a - b, mean over the participants paired
     std::vector<double> differences{};  ///< a - b of each of them, participants in order
+};
+
+/// With the medians of what is compared.
+struct MedianComparison : Comparison {
+    std::optional<double> median_a{};
+    std::optional<double> median_b{};
+};
+
+/// A pair of systems in single ratings (the unit of Yoon et al. 2021, 7.2.3). A pair of them is a
+/// participant's two ratings on one page, or of one item. Ratings of a participant are not independent, so p
+/// is too small: pseudo-replicated. No interval is given.
+struct RatingComparison : MedianComparison {  ///< medians: of all ratings of the system
+    int participants = 0;                     ///< whose ratings are paired
+    int n_missing = 0;                        ///< pages and items with a rating of one of the two only
 };
 
 /// Friedman's test over all systems, of the participants who have answers under each of them.
@@ -230,6 +245,15 @@ struct PreferenceBetweenResult : GroupTest {
     PreferenceCounts answers_a, answers_b;
 };
 
+/// A system's ratings by the author's trial in which the clips were made: the earlier one (a) against the
+/// later (b), by the rank-sum test of single ratings, which is pseudo-replicated, too. No interval is given.
+struct AuthorTrialResult : GroupTest {
+    std::string measure;
+    std::string system;
+    double median_a = 0.0;
+    double median_b = 0.0;
+};
+
 /// How often balls of one role were chosen in a system's trials of the game.
 struct ConfusionResult {
     std::string system;
@@ -355,6 +379,12 @@ struct AnalysisResult {
     std::vector<LevelResult> levels;
     std::vector<OmnibusResult> omnibus;
     std::vector<Comparison> pairwise;
+    bool by_ratings = false;                     ///< asked for: the next is filled in
+    std::vector<RatingComparison> rating_pairs;  ///< of ratings
+    std::vector<AuthorTrialResult>
+        author_trials;  ///< of ratings, where the answers carry two trials and more
+    /// Likewise: of each participant the mean rating of clips of the one trial less that of the other.
+    std::vector<MedianComparison> author_trials_paired;
     std::vector<Comparison> level_tests;
     std::vector<InteractionResult> interactions;
     std::vector<GroupInteractionResult> group_interactions;
@@ -397,7 +427,8 @@ struct AnalysisResult {
 /// conditions is left out of that comparison. Holm's families: all pairs of systems in one measure, all pairs
 /// of levels of one factor over the systems in one measure, all pairs in preference, all pairs of groups of
 /// one factor, over all and within each system, in one measure, and all pairs of groups of one factor in each
-/// pair of systems in preference.
+/// pair of systems in preference; of single ratings, all pairs of systems in one measure, and all systems and
+/// pairs of authors' trials in one measure.
 [[nodiscard]] AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options = {});
 /// The tests of analyse() alone, without intervals, bootstraps and descriptions, for who asks very often:
 /// fills in alpha, measures, omnibus, pairwise, levels, level_tests, preferences, between and

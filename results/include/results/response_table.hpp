@@ -62,8 +62,9 @@ struct ResponseRow {
     /// Why there is no choice: "timed_out" (it counts as wrong) or "skipped" (of
     /// ResponseTable::skipped_rows only); empty where there is one.
     Name unanswered{};
-    Name marked{};    ///< why the trial is in doubt; empty: it is not
-    Name excluded{};  ///< why the participant is left out; of ResponseTable::left_out_rows only
+    int author_trial = 0;  ///< in which of its author's trials the clip was made, from 1; 0: not known
+    Name marked{};         ///< why the trial is in doubt; empty: it is not
+    Name excluded{};       ///< why the participant is left out; of ResponseTable::left_out_rows only
 };
 
 /// A choice in the game with the balls it was made among, positions in the avatar's frame.
@@ -171,6 +172,7 @@ struct ResponseTable {
     std::vector<DataOrigin> origins{};      ///< of several studies (joinData()); empty of one
     std::vector<StationUse> stations{};
     bool stations_together = false;               ///< the study says so
+    bool by_ratings = false;                      ///< likewise: single ratings are tested, too
     std::map<std::string, double> equivalence{};  ///< bounds by measure, which the study declares
     studies::LeaveOutRule leave_out{};            ///< which the study declares; left_out has whom it concerns
     std::vector<std::string> program_versions{};  ///< that recorded the sessions, in order of their text

@@ -246,6 +246,7 @@ struct Study {
     /// Bounds within which the report calls systems, levels and groups equivalent, by measure.
     std::map<std::string, double> equivalence{};
     LeaveOutRule leave_out{};        ///< whom the report's headline leaves out
+    bool by_ratings = false;         ///< the report tests single ratings, too, beside participants' means
     bool stations_together = false;  ///< the report pools what was answered at desktops and in headsets
     TargetSpace targets{};
     std::vector<DistanceBand> distances{};
