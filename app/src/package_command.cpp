@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -54,6 +55,9 @@ class PackageInMaking {
 
     Result<void> enter() {
         std::error_code code;
+        // Shipped files stay where they are looked for.
+        if (const char* data = std::getenv("DEIXIS_DATA"))
+            setenv("DEIXIS_DATA", fs::absolute(data).c_str(), 1);
         fs::create_directories(folder_, code);
         if (!code) fs::current_path(folder_, code);
         if (code) return fail(folder_.string(), "cannot be made: " + code.message());
