@@ -33,7 +33,9 @@ int check(const json& schema, const std::string& path, bool part = false) {
         CHECK_MESSAGE(closed, path);
     }
     if (schema.contains("properties"))
-        for (const auto& [name, one] : schema["properties"].items()) {
+        for (const auto& property : schema["properties"].items()) {
+            const std::string& name = property.key();
+            const auto& one = property.value();
             CHECK_MESSAGE(one.value("description", "").size() > 2, path << "/" << name);
             CHECK_MESSAGE(contains(one.value("description", "") + one.value("items", json()).dump() +
                                        one.value("additionalProperties", json()).dump(),
