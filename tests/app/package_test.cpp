@@ -116,9 +116,10 @@ TEST_SUITE("app/package") {
         for (const char* secret : {"Karin", "Lindqvist", "a cold", "slept"}) secrets.emplace_back(secret);
         REQUIRE(secrets.size() == 6 + 6 + 2 + 4);
         const auto files = filesIn(moved);
-        for (const auto& [name, bytes] : files)
+        for (const auto& file : files)
             for (const std::string& secret : secrets)
-                CHECK_MESSAGE(!holdsWord(name + "\n" + bytes, secret), name << ": " << secret);
+                CHECK_MESSAGE(!holdsWord(file.first + "\n" + file.second, secret),
+                              file.first << ": " << secret);
         for (const char* name : {"README.md", "report.html", "analysis.json", "tables/pairwise.csv",
                                  "tables/analysis.R", "latex/pairwise.tex", "data/codebook.json"})
             CHECK_MESSAGE(files.contains(name), name);
@@ -193,6 +194,6 @@ TEST_SUITE("app/package") {
         std::set<std::string> names;
         for (const auto& [name, content] : before) names.insert(name);
         names.insert("study.locked/seen");
-        for (const auto& [name, content] : filesIn(lab.path(""))) CHECK_MESSAGE(names.contains(name), name);
+        for (const auto& file : filesIn(lab.path(""))) CHECK_MESSAGE(names.contains(file.first), file.first);
     }
 }
