@@ -10,6 +10,8 @@
 #include "commands.hpp"
 #include "locked_set.hpp"
 #include "results/data_export.hpp"
+#include "results/locked_sets.hpp"
+#include "results/merge.hpp"
 
 namespace deixis::app {
 

@@ -10,6 +10,7 @@
 #include "locked_set.hpp"
 #include "results/anonymous_copy.hpp"
 #include "results/data_export.hpp"
+#include "results/locked_sets.hpp"
 
 namespace deixis::app {
 

@@ -17,6 +17,7 @@
 #include "operator_feed.hpp"
 #include "recorders.hpp"
 #include "report.hpp"
+#include "results/participant_lock.hpp"
 #include "results/participants.hpp"
 #include "results/store.hpp"
 #include "session_loop.hpp"

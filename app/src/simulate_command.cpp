@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "core/durable.hpp"
 #include "enrolment.hpp"
+#include "results/database_files.hpp"
 #include "simulated_sessions.hpp"
 #include "simulated_setup.hpp"
 #include "stimuli.hpp"

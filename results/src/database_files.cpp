@@ -1,4 +1,4 @@
-#include "database_files.hpp"
+#include "results/database_files.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -9,8 +9,6 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-
-#include "results/store.hpp"
 
 namespace deixis::results {
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "database_check.hpp"
-#include "database_files.hpp"
 #include "migration.hpp"
+#include "results/database_files.hpp"
 #include "schema.hpp"
 
 namespace deixis::results {

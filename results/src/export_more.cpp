@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "questionnaire_scores.hpp"
+#include "results/standing.hpp"
 #include "results/tracking_blocks.hpp"
-#include "standing.hpp"
 
 namespace deixis::results {
 

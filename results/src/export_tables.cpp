@@ -1,6 +1,6 @@
 #include "export_tables.hpp"
 
-#include "standing.hpp"
+#include "results/standing.hpp"
 
 namespace deixis::results {
 

@@ -9,9 +9,9 @@
 #include "core/files.hpp"
 #include "core/foreign_csv.hpp"
 #include "core/parallel.hpp"
-#include "database_files.hpp"
 #include "long_table_doubts.hpp"
 #include "long_table_reader.hpp"
+#include "results/database_files.hpp"
 
 namespace deixis::results {
 

@@ -12,10 +12,10 @@
 
 #include "core/durable.hpp"
 #include "core/hash.hpp"
-#include "database_files.hpp"
 #include "database_open.hpp"
 #include "locked_history.hpp"
-#include "results/data_export.hpp"
+#include "results/database_files.hpp"
+#include "results/merge.hpp"
 #include "tables.hpp"
 #include "withdrawals.hpp"
 

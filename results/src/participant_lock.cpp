@@ -1,4 +1,4 @@
-#include "participant_lock.hpp"
+#include "results/participant_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -10,8 +10,6 @@
 #include <cerrno>
 #include <system_error>
 #include <utility>
-
-#include "results/store.hpp"
 
 namespace deixis::results {
 

@@ -7,7 +7,7 @@
 #include "core/text.hpp"
 #include "database_open.hpp"
 #include "participants_change.hpp"
-#include "standing.hpp"
+#include "results/standing.hpp"
 
 namespace deixis::results {
 

@@ -4,9 +4,9 @@
 #include "answer_hash.hpp"
 #include "database_open.hpp"
 #include "participants_change.hpp"
+#include "results/participant_lock.hpp"
 #include "results/participants.hpp"
-#include "results/store.hpp"
-#include "standing.hpp"
+#include "results/standing.hpp"
 #include "studies/events.hpp"
 
 namespace deixis::results {

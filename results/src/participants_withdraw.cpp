@@ -6,9 +6,8 @@
 
 #include "core/durable.hpp"
 #include "database_open.hpp"
-#include "participant_lock.hpp"
+#include "results/participant_lock.hpp"
 #include "results/participants.hpp"
-#include "results/store.hpp"
 #include "tables.hpp"
 
 namespace deixis::results {

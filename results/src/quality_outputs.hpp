@@ -6,6 +6,7 @@
 
 #include "plain_table.hpp"
 #include "report_text.hpp"
+#include "results/analysis.hpp"
 
 namespace deixis::results {
 

@@ -10,6 +10,7 @@
 #include "report_computed.hpp"
 #include "report_details.hpp"
 #include "report_figures.hpp"
+#include "report_findings.hpp"
 #include "report_paper.hpp"
 #include "report_studies.hpp"
 #include "report_tables.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "report_computed.hpp"
+#include "report_findings.hpp"
 #include "report_text.hpp"
 
 namespace deixis::results {

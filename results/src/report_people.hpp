@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report_text.hpp"
+#include "results/analysis.hpp"
 
 namespace deixis::results {
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "report_text.hpp"
+#include "results/analysis.hpp"
 #include "results/descriptive.hpp"
 #include "table_unit.hpp"
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "report_text.hpp"
+#include "results/analysis.hpp"
 
 namespace deixis::results {
 

@@ -9,7 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "results/analysis.hpp"
+#include "results/hodges_lehmann.hpp"
+#include "results/response_table.hpp"
 
 namespace deixis::results {
 
@@ -67,11 +68,5 @@ class Numbering {
 
 /// "Accuracy", "Human-likeness".
 [[nodiscard]] std::string capitalised(std::string_view text);
-
-/// What stands at the head of the page: the main findings in a few sentences, HTML.
-[[nodiscard]] std::string findingsHtml(const AnalysisResult& result);
-
-/// How it was done, in plain language, HTML paragraphs.
-[[nodiscard]] std::string methodsHtml(const AnalysisResult& result);
 
 }  // namespace deixis::results

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "standing.hpp"
+#include "results/standing.hpp"
 
 namespace deixis::results {
 

@@ -15,7 +15,7 @@
 #include "response_details.hpp"
 #include "response_reading.hpp"
 #include "results/data_quality.hpp"
-#include "standing.hpp"
+#include "results/standing.hpp"
 
 namespace deixis::results {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "database_open.hpp"
-#include "standing.hpp"
+#include "results/standing.hpp"
 
 namespace deixis::results {
 

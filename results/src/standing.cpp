@@ -1,10 +1,8 @@
-#include "standing.hpp"
+#include "results/standing.hpp"
 
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
-
-#include "results/participants.hpp"
 
 namespace deixis::results {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "database_open.hpp"
-#include "results/data_export.hpp"
+#include "results/locked_sets.hpp"
 #include "store_differences.hpp"
 #include "store_impl.hpp"
 

@@ -5,8 +5,8 @@
 #include <system_error>
 
 #include "core/durable.hpp"
-#include "database_files.hpp"
 #include "database_open.hpp"
+#include "results/database_files.hpp"
 #include "store_impl.hpp"
 
 namespace deixis::results {

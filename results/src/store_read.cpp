@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "standing.hpp"
+#include "results/standing.hpp"
 #include "store_impl.hpp"
 
 namespace deixis::results {

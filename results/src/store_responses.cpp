@@ -3,8 +3,7 @@
 
 #include <stdexcept>
 
-#include "results/participants.hpp"
-#include "standing.hpp"
+#include "results/standing.hpp"
 #include "store_impl.hpp"
 
 namespace deixis::results {

@@ -3,7 +3,7 @@
 
 #include "panel_build.hpp"
 #include "panel_layout.hpp"
-#include "studies/session.hpp"
+#include "studies/button_ids.hpp"
 
 namespace deixis::studies {
 

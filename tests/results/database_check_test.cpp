@@ -9,6 +9,7 @@
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
 #include "results/data_export.hpp"
+#include "results/merge.hpp"
 #include "results/participants.hpp"
 #include "results/response_table.hpp"
 #include "text.hpp"

@@ -4,6 +4,7 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "results/data_export.hpp"
+#include "results/merge.hpp"
 #include "results/participants.hpp"
 #include "results/recording.hpp"
 #include "results/response_table.hpp"

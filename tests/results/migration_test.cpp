@@ -11,6 +11,7 @@
 #include "fixtures.hpp"
 #include "old_databases.hpp"
 #include "results/data_export.hpp"
+#include "results/merge.hpp"
 #include "results/participants.hpp"
 #include "results/tracking_blocks.hpp"
 

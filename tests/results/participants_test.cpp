@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "fixtures.hpp"
+#include "results/participant_lock.hpp"
 #include "text.hpp"
 
 using namespace deixis;

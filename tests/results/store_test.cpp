@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "fixtures.hpp"
+#include "results/participant_lock.hpp"
 #include "text.hpp"
 
 using namespace deixis;

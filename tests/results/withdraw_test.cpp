@@ -10,6 +10,7 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "old_databases.hpp"
+#include "results/participant_lock.hpp"
 #include "results/participants.hpp"
 #include "withdrawal_fixture.hpp"
 

@@ -1,4 +1,4 @@
-// Data out: tidy CSV tables with a codebook, and joining the databases of several stations.
+// Data out: tidy CSV tables with a codebook.
 #pragma once
 
 #include <filesystem>
@@ -26,22 +26,5 @@ struct ExportOptions {
 [[nodiscard]] Result<std::vector<std::string>> exportCsv(const std::filesystem::path& database,
                                                          const std::filesystem::path& folder,
                                                          const ExportOptions& options);
-
-struct MergeOutcome {
-    /// Stood in a database, and are left out: another one says that they withdrew.
-    std::vector<std::string> withdrawn{};
-    /// Of whom copies differ only in whether and why they are excluded or dropped out: they are.
-    std::vector<std::string> excluded_in_one{};
-};
-
-/// Joins databases of one study into a new file, without whoever withdrew according to one of them. Refuses,
-/// with every reason in the list: different studies (hash) or program schema, a participant or number in more
-/// than one (unless all that is kept of them but their standing is equal), an existing output, or one beside
-/// which another database's log lies.
-[[nodiscard]] tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(
-    const std::vector<std::filesystem::path>& databases, const std::filesystem::path& output);
-
-/// Hashes of the locked sets that a database speaks of: that in force, and those of the plans.
-[[nodiscard]] Result<std::vector<std::string>> lockedSets(const std::filesystem::path& database);
 
 }  // namespace deixis::results

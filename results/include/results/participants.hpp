@@ -10,14 +10,6 @@
 
 namespace deixis::results {
 
-/// Why somebody is a drop-out who has not agreed, and stops being one by agreeing.
-inline constexpr const char* declined_reason = "consent was declined";
-/// The same, of somebody who was let in again: the next session asks for consent before anything else.
-inline constexpr const char* asked_anew_reason = "consent was declined; it is asked anew";
-
-/// Why somebody is a drop-out whose session the operator ended without saying why.
-inline constexpr const char* operator_ended_reason = "the operator ended the session";
-
 struct ParticipantRow {
     std::string id;
     int number = 0;

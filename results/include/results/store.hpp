@@ -31,10 +31,6 @@ struct ClipRecord {
     std::optional<int> trial{};  ///< which of the author's trials it came from
 };
 
-/// Error: no database may be made under this name, since what is left of another one with it lies there,
-/// which has answers that are nowhere else. That it is there itself is no error.
-[[nodiscard]] Result<void> checkPlaceForDatabase(const std::filesystem::path& database);
-
 /// By stimulus, for all that a plan shows.
 using ClipRecords = std::map<studies::Stimulus, ClipRecord>;
 
@@ -174,27 +170,6 @@ class Store {
     struct Impl;
     explicit Store(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
-};
-
-/// Keeps two runs of one participant in one database apart: holds an advisory lock on a file beside the
-/// database until destroyed, which removes the file. Where the process dies the lock ends, and the file stays
-/// until the next one.
-class ParticipantLock {
-  public:
-    /// Error: another process holds it.
-    [[nodiscard]] static Result<ParticipantLock> take(const std::filesystem::path& database,
-                                                      const std::string& participant);
-    /// None: another process holds it.
-    [[nodiscard]] static Result<std::optional<ParticipantLock>> tryTake(const std::filesystem::path& database,
-                                                                        const std::string& participant);
-    ParticipantLock(ParticipantLock&&) noexcept;
-    ParticipantLock& operator=(ParticipantLock&&) noexcept;
-    ~ParticipantLock();
-
-  private:
-    ParticipantLock(int file, std::filesystem::path path) : file_(file), path_(std::move(path)) {}
-    int file_ = -1;
-    std::filesystem::path path_{};
 };
 
 }  // namespace deixis::results

@@ -1,4 +1,4 @@
-// Who counts.
+// Who counts, and why somebody does not.
 #pragma once
 
 #include <map>
@@ -6,6 +6,14 @@
 #include <string_view>
 
 namespace deixis::results {
+
+/// Why somebody is a drop-out who has not agreed, and stops being one by agreeing.
+inline constexpr const char* declined_reason = "consent was declined";
+/// The same, of somebody who was let in again: the next session asks for consent before anything else.
+inline constexpr const char* asked_anew_reason = "consent was declined; it is asked anew";
+
+/// Why somebody is a drop-out whose session the operator ended without saying why.
+inline constexpr const char* operator_ended_reason = "the operator ended the session";
 
 /// SQL: whether a participant, given by an expression for the id such as `p.id`, refused one of the study's
 /// consents when last asked for it. Looks at nobody else's. The view responses_flat says the same.

@@ -20,6 +20,10 @@ namespace deixis::results {
 /// while the database is missing.
 [[nodiscard]] std::optional<Error> orphanBeside(const std::filesystem::path& database);
 
+/// Error: no database may be made under this name, since what is left of another one with it lies there,
+/// which has answers that are nowhere else. That it is there itself is no error.
+[[nodiscard]] Result<void> checkPlaceForDatabase(const std::filesystem::path& database);
+
 /// Where the nth copy of what a database held goes when it is lost in a session: "study.recovered.sqlite",
 /// "study.recovered-2.sqlite", ... beside it.
 [[nodiscard]] std::filesystem::path recoveredCopy(const std::filesystem::path& database, int nth);
