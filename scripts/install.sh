@@ -15,7 +15,7 @@ packages=(
 )
 if [ "${1:-}" = tests ]; then
     packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 python3-jsonschema sqlite3 libxml2-utils libbenchmark-dev debootstrap
-        r-base-core r-cran-lme4 r-cran-ordinal postgresql chromium poppler-utils)
+        r-base-core r-cran-lme4 r-cran-ordinal postgresql chromium poppler-utils groff-base)
 fi
 if [ "${1:-}" = list ]; then
     printf '%s\n' "${packages[@]}"

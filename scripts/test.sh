@@ -41,6 +41,12 @@ run_rest() {
     build offline --target deixis || status=1
     say "compare"
     scripts/compare_builds.sh build/dev/deixis build/offline/deixis || status=1
+    say "install"
+    cmake --install build/offline --prefix build/test-logs/installed >/dev/null || status=1
+    if grep -aoE "$PWD/(app|assets|build|core|motion|renderer|results|studies)[ -~]*" build/test-logs/installed/bin/deixis; then
+        echo "install: the installed program names the above"
+        status=1
+    fi
     say "sessions at the desktop"
     ctest --preset dev -R '^desktop/' || status=1
     say "lint"

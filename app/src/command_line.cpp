@@ -86,6 +86,7 @@ void addCommands(CLI::App& cli, Command& chosen) {
     addGenerateCommand(cli, chosen);
     addClipsCommand(cli, chosen);
     addViewCommand(cli, chosen);
+    addDescribeCommand(cli, chosen);
     guardNumbers(cli);
 }
 

@@ -31,5 +31,6 @@ void addClipsCommand(CLI::App& cli, Command& chosen);
 void addStatsCommand(CLI::App& cli, Command& chosen);
 void addSchemaCommand(CLI::App& cli, Command& chosen);
 void addViewCommand(CLI::App& cli, Command& chosen);
+void addDescribeCommand(CLI::App& cli, Command& chosen);
 
 }  // namespace deixis::app

@@ -6,19 +6,33 @@
 
 namespace deixis::assets {
 
-std::filesystem::path dataFile(std::string_view relative) {
-    namespace fs = std::filesystem;
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside the programs of a build, and as seen from an installation's bin folder.
+std::vector<fs::path> foldersOfProgram() {
     std::error_code code;
-    std::vector<fs::path> folders;
-    if (const char* data = std::getenv("DEIXIS_DATA")) folders.emplace_back(data);
     const fs::path program = fs::read_symlink("/proc/self/exe", code);
-    if (!code) folders.push_back(program.parent_path() / "data");
-    folders.emplace_back(DEIXIS_BUILT_DATA);
-    folders.emplace_back(DEIXIS_SOURCE_DATA);
+    if (code) return {};
+    const fs::path folder = program.parent_path();
+    return {folder / "share/deixis", folder.parent_path() / "share/deixis"};
+}
+
+}  // namespace
+
+std::filesystem::path dataFile(std::string_view relative) {
+    std::error_code code;
+    if (const char* data = std::getenv("DEIXIS_DATA"))
+        if (fs::exists(fs::path(data) / relative, code)) return fs::path(data) / relative;
+    const std::vector<fs::path> folders = foldersOfProgram();
     for (const fs::path& folder : folders)
-        if (fs::exists(folder / relative, code)) return folder / relative;
-    // Nowhere: name the place where it ships, so that the error of whoever opens it is about that file.
-    return fs::path(DEIXIS_SOURCE_DATA) / relative;
+        // In a build these are links: who reads the name is told the file that can be mended.
+        if (fs::exists(folder / relative, code)) return fs::weakly_canonical(folder / relative, code);
+    // Nowhere: name the place where it would be, so that the error of whoever opens it is about that file.
+    for (const fs::path& folder : folders)
+        if (fs::exists(folder, code)) return fs::weakly_canonical(folder / relative, code);
+    return folders.empty() ? fs::path(relative) : folders.back() / relative;
 }
 
 std::filesystem::path fileOrShipped(const std::string& name, std::string_view kind) {

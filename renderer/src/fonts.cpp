@@ -1,21 +1,23 @@
 #include "renderer/fonts.hpp"
 
+#include "assets/data_paths.hpp"
+
 namespace deixis::renderer {
 
 std::string regularFontFile() {
-    return DEIXIS_FONT_REGULAR;
+    return assets::dataFile("fonts/regular.ttf").string();
 }
 
 std::string boldFontFile() {
-    return DEIXIS_FONT_BOLD;
+    return assets::dataFile("fonts/bold.ttf").string();
 }
 
 std::string regularHangulFontFile() {
-    return DEIXIS_FONT_HANGUL_REGULAR;
+    return assets::dataFile("fonts/hangul_regular.ttf").string();
 }
 
 std::string boldHangulFontFile() {
-    return DEIXIS_FONT_HANGUL_BOLD;
+    return assets::dataFile("fonts/hangul_bold.ttf").string();
 }
 
 }  // namespace deixis::renderer

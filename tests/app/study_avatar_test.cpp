@@ -40,7 +40,7 @@ TEST_SUITE("app/study_avatar") {
 
     TEST_CASE("Sessions keep the hash of the avatar that was shown; the generators' clips are the same") {
         const Scratch scratch;
-        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "data" / "avatar.glb").string();
+        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb").string();
         std::string bytes = slurp(own);
         bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
         spill(scratch / "figures/mine.glb", bytes);
@@ -69,7 +69,7 @@ TEST_SUITE("app/study_avatar") {
 
     TEST_CASE("A replay finds the study's avatar beside the database, and tells a wrong one by its bytes") {
         const Scratch scratch;
-        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "data" / "avatar.glb").string();
+        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb").string();
         std::string bytes = slurp(own);
         bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
         spill(scratch / "lab/figures/mine.glb", bytes);

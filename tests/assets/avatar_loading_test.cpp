@@ -15,7 +15,7 @@ using namespace deixis;
 namespace {
 
 std::string goodFile() {
-    const auto bytes = readFile(std::filesystem::path(DEIXIS_BINARY_DIR) / "data" / "avatar.glb");
+    const auto bytes = readFile(std::filesystem::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb");
     REQUIRE(bytes.has_value());
     return *bytes;
 }

@@ -27,7 +27,8 @@ using motion::Bone;
 
 namespace {
 
-const std::filesystem::path avatar_file = std::filesystem::path(DEIXIS_BINARY_DIR) / "data" / "avatar.glb";
+const std::filesystem::path avatar_file =
+    std::filesystem::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb";
 
 const Avatar& avatar() {
     static const Avatar loaded = [] {

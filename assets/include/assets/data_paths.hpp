@@ -7,9 +7,9 @@
 
 namespace deixis::assets {
 
-/// A file of assets/data or a product of the build, such as "studies/pointing2023.toml" or "avatar.glb".
-/// Looked for in $DEIXIS_DATA, then beside the program (data/), then in the folders of the build that made
-/// it.
+/// A file that ships, such as "studies/pointing2023.toml" or "avatar.glb". Looked for in $DEIXIS_DATA, then
+/// in share/deixis, as it lies from the program: beside it in a build (links to assets/data), in
+/// ../share/deixis where it is installed as bin/deixis.
 [[nodiscard]] std::filesystem::path dataFile(std::string_view relative);
 
 /// What a person means by `name`: a file, or a TOML file of `kind` that ships, such as "pointing2023" of

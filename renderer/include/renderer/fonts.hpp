@@ -5,7 +5,7 @@
 
 namespace deixis::renderer {
 
-/// Paths of the faces (TrueType), as found when the program was built.
+/// Paths of the faces (TrueType), which ship.
 [[nodiscard]] std::string regularFontFile();
 [[nodiscard]] std::string boldFontFile();
 /// For the characters that those lack: Hangul.
