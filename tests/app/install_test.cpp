@@ -157,13 +157,14 @@ TEST_SUITE("app/install") {
         CHECK_MESSAGE(printed.err.empty(), printed.err);
         const auto helps = helpOfAll();
         CHECK(helps.size() > 40);
-        for (const auto& [command, help] : helps) {
+        for (const auto& help : helps) {
+            const std::string& command = help.first;
             if (command.empty()) continue;
             INFO("deixis" << command);
             const auto at = printed.out.find("\n   deixis" + command + "\n");
             REQUIRE(at != std::string::npos);
             const std::string section = printed.out.substr(at, printed.out.find("\n   deixis", at + 1) - at);
-            const std::set<std::string> told = optionsIn(help);
+            const std::set<std::string> told = optionsIn(help.second);
             for (const std::string& option : told) {
                 INFO(option);
                 CHECK((option == "--help" || contains(section, option)));
