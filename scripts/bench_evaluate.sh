@@ -10,7 +10,7 @@ cd "$folder"
 "$program" targets --grid 1000 >grid.csv
 for i in 1 2 3 4 5 6 7; do
     [ -f "system-$i/manifest.csv" ] && continue
-    "$program" generate stiff --targets grid.csv --hold 3.94 --seed "$i" --out "system-$i" >/dev/null
+    "$program" generate stiff --targets grid.csv --hold 3.94 --seed "$i" -o "system-$i" >/dev/null
     sed -i "s/,stiff,/,system-$i,/" "system-$i/manifest.csv"
 done
 grep -m 1 '^Frames:' system-1/stiff_G0001.bvh

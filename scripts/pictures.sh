@@ -36,12 +36,12 @@ page_picture() {
         --user-data-dir="$scratch/browser" --screenshot="$PWD/docs/images/$3" "file://$1" 2>/dev/null
 }
 if has chromium "report.png, evaluation.png"; then
-    "$program" simulate pointing2023 --participants 39 --db "$scratch/study.sqlite"
+    "$program" simulate pointing2023 --participants 39 -o "$scratch/study.sqlite"
     "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
     page_picture "$scratch/report.html" 990 report.png
     "$program" targets --grid >"$scratch/grid.csv"
     for system in demonstration-nn direct stiff drifting; do
-        "$program" generate "$system" --targets "$scratch/grid.csv" --out "$scratch/$system" >/dev/null
+        "$program" generate "$system" --targets "$scratch/grid.csv" -o "$scratch/$system" >/dev/null
     done
     "$program" evaluate "$scratch"/{demonstration-nn,direct,stiff,drifting} -o "$scratch/evaluation.html"
     page_picture "$scratch/evaluation.html" 1000 evaluation.png

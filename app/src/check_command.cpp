@@ -10,6 +10,7 @@
 
 #include "angles_text.hpp"
 #include "assets/manifest.hpp"
+#include "command_help.hpp"
 #include "commands.hpp"
 #include "studies/plan.hpp"
 #include "study_clips.hpp"
@@ -166,6 +167,9 @@ Result<void> check(const std::string& name) {
 void addCheckCommand(CLI::App& cli, Command& chosen) {
     auto study = std::make_shared<std::string>();
     CLI::App* command = cli.add_subcommand("check", "Check a study file: every problem, in every language");
+    describe(*command, {.writes = "nothing; it prints what the study holds, or its mistakes.",
+                        .example = "deixis check my-study.toml",
+                        .page = "docs/study-file.md"});
     command->add_option("STUDY", *study, "Study file, or the name of one that ships")->required();
     command->callback([study, &chosen] { chosen = [study] { return check(*study); }; });
 }

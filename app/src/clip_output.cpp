@@ -33,6 +33,10 @@ bool isManifest(const fs::path& name) {
 
 }  // namespace
 
+bool isClipFile(const fs::path& file) {
+    return file.extension() == ".csv" || file.extension() == ".glb" || file.extension() == ".bvh";
+}
+
 Result<std::string> clipBytes(const motion::Clip& clip, const fs::path& file) {
     if (file.extension() == ".csv") return assets::writeJointCsv(clip);
     if (file.extension() == ".glb") return assets::writeGlb(clip);

@@ -12,6 +12,9 @@
 
 namespace deixis::app {
 
+/// Whether the name ends as one of the formats in which clips are written.
+[[nodiscard]] bool isClipFile(const std::filesystem::path& file);
+
 /// The clip as the contents of a file of that name. Fails on an ending that no format has, and on a skeleton
 /// that the format cannot hold.
 [[nodiscard]] Result<std::string> clipBytes(const motion::Clip& clip, const std::filesystem::path& file);

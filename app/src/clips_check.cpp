@@ -8,6 +8,7 @@
 #include "clip_files.hpp"
 #include "clip_problems.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
 #include "import_options.hpp"
 #include "study_setup.hpp"
 
@@ -62,7 +63,10 @@ Result<void> check(const ClipsCheckArguments& options) {
 void addClipsCheckCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsCheckArguments>();
     CLI::App* command = clips.add_subcommand(
-        "check", "Every problem of clip files at once, and whether they play on the avatar");
+        "check", "Name every problem of clip files at once, and tell whether they play on the avatar");
+    describe(*command, {.writes = "nothing; it prints the problems, and exits with 1 where there are any.",
+                        .example = "deixis clips check clips/*.bvh",
+                        .page = "docs/clip-format.md"});
     command->add_option("FILE", options->files, clip_file_kinds)->required()->expected(1, 1000000);
     addImportOptions(*command, options->import);
     command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });

@@ -1,11 +1,15 @@
 // deixis clips: looking into clip files, checking, converting, changing and cutting them.
 #include "clips_commands.hpp"
+#include "command_help.hpp"
 
 namespace deixis::app {
 
 void addClipsCommand(CLI::App& cli, Command& chosen) {
     CLI::App* clips = cli.add_subcommand("clips", "Look into clip files, check, convert and cut them");
     clips->require_subcommand(1);
+    describe(*clips, {.writes = "nothing, or what -o names.",
+                      .example = "deixis clips info clips/T001.bvh",
+                      .page = "docs/clip-format.md"});
     addClipsInfoCommand(*clips, chosen);
     addClipsCheckCommand(*clips, chosen);
     addClipsConvertCommand(*clips, chosen);

@@ -5,6 +5,8 @@
 
 #include "clip_output.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "import_options.hpp"
 
 namespace deixis::app {
@@ -32,12 +34,15 @@ Result<void> convert(const ClipsConvertArguments& options) {
 
 void addClipsConvertCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsConvertArguments>();
-    CLI::App* command =
-        clips.add_subcommand("convert", "A clip in another format, in metres and y up, on its own skeleton");
+    CLI::App* command = clips.add_subcommand(
+        "convert", "Write a clip in another format, in metres and y up, on its own skeleton");
+    describe(*command, {.writes = "OUT, in the format that its ending names.",
+                        .example = "deixis clips convert take.csv -o take.bvh",
+                        .page = "docs/clip-format.md"});
     command->add_option("IN", options->from, clip_file_kinds)->required();
-    command->add_option("OUT", options->to, "File to write: .bvh, .glb, or .csv for joint positions")
+    addOutputLast(*command, options->to, "File to write: .bvh, .glb, or .csv for joint positions")
         ->required();
-    command->add_flag("--force", options->force, "Overwrite OUT");
+    addForce(*command, options->force);
     addImportOptions(*command, options->import);
     command->callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
 }

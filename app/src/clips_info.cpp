@@ -9,6 +9,8 @@
 #include "clip_files.hpp"
 #include "clip_problems.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "import_options.hpp"
 #include "motion/skeleton.hpp"
 
@@ -130,9 +132,12 @@ Result<void> info(const ClipsInfoArguments& options) {
 void addClipsInfoCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsInfoArguments>();
     CLI::App* command = clips.add_subcommand(
-        "info", "Format, frames, rate, unit, up axis and bones of a clip, and how each was found out");
+        "info", "Tell a clip's format, frames, rate, unit, up axis and bones, and how each was found out");
+    describe(*command, {.writes = "nothing; it prints what it found.",
+                        .example = "deixis clips info clips/T001.bvh",
+                        .page = "docs/clip-format.md"});
     command->add_option("FILE", options->file, clip_file_kinds)->required();
-    command->add_flag("--json", options->json, "As JSON");
+    addJson(*command, options->json, "Print JSON");
     addImportOptions(*command, options->import);
     command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
 }

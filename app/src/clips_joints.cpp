@@ -5,6 +5,7 @@
 
 #include "assets/joint_positions.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
 #include "import_options.hpp"
 
 namespace deixis::app {
@@ -38,9 +39,13 @@ Result<void> printJoints(const ClipsJointsArguments& options) {
 void addClipsJointsCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsJointsArguments>();
     CLI::App* joints =
-        clips.add_subcommand("joints", "The joints of a clip; with --csv their world positions");
+        clips.add_subcommand("joints", "List the joints of a clip; with --csv print their world positions");
+    describe(*joints, {.writes = "nothing; it prints the joints.",
+                       .example = "deixis clips joints take.bvh --csv > positions.csv",
+                       .page = "docs/clip-format.md"});
     joints->add_option("FILE", options->file, clip_file_kinds)->required();
-    joints->add_flag("--csv", options->csv, "World positions of every joint in every frame, metres");
+    joints->add_flag("--csv", options->csv,
+                     "Print the world positions of every joint in every frame as CSV, in metres");
     addImportOptions(*joints, options->import);
     joints->callback([options, &chosen] { chosen = [options] { return printJoints(*options); }; });
 }

@@ -7,6 +7,8 @@
 #include "assets/clip_import.hpp"
 #include "assets/humanoid_file.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "import_options.hpp"
 
 namespace deixis::app {
@@ -85,11 +87,14 @@ Result<void> printMap(const ClipsMapArguments& options) {
 
 void addClipsMapCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsMapArguments>();
-    CLI::App* map = clips.add_subcommand("map", "Which joint of a clip plays which humanoid bone");
+    CLI::App* map = clips.add_subcommand("map", "Tell which joint of a clip plays which humanoid bone");
+    describe(*map, {.writes = "nothing; it prints the mapping.",
+                    .example = "deixis clips map take.bvh --toml > take.humanoid.toml",
+                    .page = "docs/clip-format.md"});
     map->add_option("FILE", options->file, clip_file_kinds)->required();
-    CLI::Option* json = map->add_flag("--json", options->json, "As JSON");
+    CLI::Option* json = addJson(*map, options->json, "Print JSON");
     map->add_flag("--toml", options->toml,
-                  "As a file NAME.humanoid.toml, to be changed and put beside the clip")
+                  "Print a file NAME.humanoid.toml, to be changed and put beside the clip")
         ->excludes(json);
     map->callback([options, &chosen] { chosen = [options] { return printMap(*options); }; });
 }

@@ -12,6 +12,8 @@
 #include "clip_files.hpp"
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "core/csv.hpp"
 #include "motion/pointing.hpp"
 #include "motion/pointing_measures.hpp"
@@ -266,7 +268,10 @@ Result<void> measure(const ClipsMeasureArguments& options) {
 void addClipsMeasureCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsMeasureArguments>();
     CLI::App* command = clips.add_subcommand(
-        "measure", "Phases, rays, steadiness, smoothness and faults of pointing clips (docs/measures.md)");
+        "measure", "Measure phases, rays, steadiness, smoothness and faults of pointing clips");
+    describe(*command, {.writes = "nothing; it prints the measures.",
+                        .example = "deixis clips measure clips/manifest.csv --csv > measures.csv",
+                        .page = "docs/measures.md"});
     command->add_option("FILES", options->files, "Clips, or manifests of clips")->required();
     command
         ->add_option("--target", options->target,
@@ -277,9 +282,9 @@ void addClipsMeasureCommand(CLI::App& clips, Command& chosen) {
         "--balls", options->balls,
         "CSV of targets with distractors, as 'deixis targets STUDY' prints it: which ball each "
         "ray chooses");
-    command->add_flag("--detect", options->detect, "Find the phases even where the manifest tells them");
-    CLI::Option* csv = command->add_flag("--csv", options->csv, "A line for each clip");
-    command->add_flag("--json", options->json, "An object for each clip")->excludes(csv);
+    command->add_flag("--detect", options->detect, "Find the phases, even where the manifest tells them");
+    CLI::Option* csv = command->add_flag("--csv", options->csv, "Print CSV, a line for each clip");
+    addJson(*command, options->json, "Print JSON, an object for each clip")->excludes(csv);
     command->callback([options, &chosen] { chosen = [options] { return measure(*options); }; });
 }
 

@@ -8,6 +8,8 @@
 #include "clip_files.hpp"
 #include "clip_output.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "import_options.hpp"
 #include "motion/clip_edit.hpp"
 
@@ -20,7 +22,6 @@ namespace fs = std::filesystem;
 struct ClipsMirrorArguments {
     std::string in;
     std::string out;
-    std::string folder;
     assets::ImportOptions import;
     bool force = false;
 };
@@ -50,11 +51,11 @@ Result<void> mirrorManifest(const ClipsMirrorArguments& options) {
     if (!manifest) return tl::unexpected(manifest.error());
     const fs::path home = fs::absolute(manifest->file).parent_path();
     std::error_code code;
-    if (fs::equivalent(home, options.folder, code))
-        return fail(options.folder, "is the folder of the manifest itself",
+    if (fs::equivalent(home, options.out, code))
+        return fail(options.out, "is the folder of the manifest itself",
                     "Mirrored clips go to a folder of their own");
 
-    OutputFolder folder(options.folder, options.force);
+    OutputFolder folder(options.out, options.force);
     std::map<std::string, fs::path> done;  // by the source's name
     std::vector<assets::ManifestRow> rows = manifest->rows;
     for (assets::ManifestRow& row : rows) {
@@ -73,14 +74,14 @@ Result<void> mirrorManifest(const ClipsMirrorArguments& options) {
     }
     if (auto added = folder.add("manifest.csv", assets::manifestCsv(rows)); !added) return added;
     if (auto finished = folder.finish(); !finished) return finished;
-    fmt::print("{} rows mirrored: {}\n", rows.size(), (fs::path(options.folder) / "manifest.csv").string());
+    fmt::print("{} rows mirrored: {}\n", rows.size(), (fs::path(options.out) / "manifest.csv").string());
     return {};
 }
 
 Result<void> mirror(const ClipsMirrorArguments& options) {
-    if (options.out.empty() == options.folder.empty())
-        return fail("clips mirror", "expected either OUT for one clip or --out for a manifest's clips");
-    return options.folder.empty() ? mirrorClip(options) : mirrorManifest(options);
+    // Joint positions are .csv, as manifests are; what is asked for tells which of them is meant.
+    const bool manifest = fs::path(options.in).extension() == ".csv" && !isClipFile(options.out);
+    return manifest ? mirrorManifest(options) : mirrorClip(options);
 }
 
 }  // namespace
@@ -88,12 +89,16 @@ Result<void> mirror(const ClipsMirrorArguments& options) {
 void addClipsMirrorCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsMirrorArguments>();
     CLI::App* command = clips.add_subcommand("mirror", "Exchange left and right: of a clip, or a manifest");
-    command->add_option("IN", options->in, "Clip file; with --out a manifest")->required();
-    CLI::Option* out = command->add_option("OUT", options->out, "The mirrored clip, BVH");
-    command->add_option("--out", options->folder, "Folder for a manifest's mirrored clips and their manifest")
-        ->excludes(out);
+    describe(*command, {.writes = "the clip, or to a folder the clips of a manifest and their manifest.csv.",
+                        .example = "deixis clips mirror T001.bvh -o T001-mirrored.bvh\ndeixis clips mirror "
+                                   "clips/manifest.csv -o mirrored",
+                        .page = "docs/segmentation.md"});
+    command->add_option("IN", options->in, "Clip file, or a manifest")->required();
+    addOutputLast(*command, options->out,
+                  "File for the mirrored clip: .bvh, .glb or .csv; of a manifest the folder for its clips")
+        ->required();
+    addForce(*command, options->force);
     addImportOptions(*command, options->import);
-    command->add_flag("--force", options->force, "Replace what is there already");
     command->callback([options, &chosen] { chosen = [options] { return mirror(*options); }; });
 }
 

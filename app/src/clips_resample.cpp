@@ -4,6 +4,8 @@
 #include "clip_files.hpp"
 #include "clip_output.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "import_options.hpp"
 
 namespace deixis::app {
@@ -31,13 +33,17 @@ Result<void> resample(const ClipsResampleArguments& options) {
 void addClipsResampleCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsResampleArguments>();
     CLI::App* command = clips.add_subcommand("resample", "Bring a clip to another frame rate");
+    describe(*command, {.writes = "OUT, in the format that its ending names.",
+                        .example = "deixis clips resample take.bvh -o take30.bvh --fps 30",
+                        .page = "docs/segmentation.md"});
     command->add_option("IN", options->in, "Clip file")->required();
-    command->add_option("OUT", options->out, "The clip at the new rate, BVH")->required();
+    addOutputLast(*command, options->out, "File for the clip at the new rate: .bvh, .glb or .csv")
+        ->required();
+    addForce(*command, options->force);
     command->add_option("--fps", options->fps, "Frames a second of OUT")
         ->required()
         ->check(CLI::Range(1.0, 1000.0));
     addImportOptionsWithoutRate(*command, options->import);
-    command->add_flag("--force", options->force, "Replace what is there already");
     command->callback([options, &chosen] { chosen = [options] { return resample(*options); }; });
 }
 

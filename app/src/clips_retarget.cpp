@@ -6,6 +6,8 @@
 
 #include "clip_retargeting.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "study_setup.hpp"
 
 namespace deixis::app {
@@ -84,8 +86,13 @@ void addClipsRetargetCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsRetargetArguments>();
     CLI::App* command =
         clips.add_subcommand("retarget", "Bring the clips of a manifest to an avatar, as BVH files");
+    describe(*command,
+             {.writes = "to DIR a BVH file for each clip and manifest.csv; all of them or none.",
+              .example = "deixis clips retarget clips/manifest.csv -o on-avatar --keep pointing-ray",
+              .page = "docs/clip-format.md"});
     command->add_option("MANIFEST", options->manifest, "CSV, see docs/manifest.md")->required();
-    command->add_option("--out", options->folder, "Folder for the clips and their manifest")->required();
+    addOutput(*command, options->folder, "Folder for the clips and their manifest", "DIR")->required();
+    addForce(*command, options->force);
     command->add_option("--keep", options->keep, "What a pointing arm keeps")
         ->check(CLI::IsMember({"joint-angles", "pointing-ray"}))
         ->capture_default_str();
@@ -96,7 +103,6 @@ void addClipsRetargetCommand(CLI::App& clips, Command& chosen) {
     command->add_option("--feet", options->feet, "Whether feet that stand are held")
         ->check(CLI::IsMember({"planted", "free"}))
         ->capture_default_str();
-    command->add_flag("--force", options->force, "Replace what is there already");
     command->callback([options, &chosen] { chosen = [options] { return retargetAll(*options); }; });
 }
 

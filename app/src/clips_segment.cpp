@@ -12,6 +12,8 @@
 #include "clip_files.hpp"
 #include "clip_output.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "import_options.hpp"
 #include "motion/clip_edit.hpp"
 #include "motion/segmentation.hpp"
@@ -93,7 +95,7 @@ Result<void> attach(std::vector<PointingClip>& clips, const std::vector<assets::
     if (list.size() != clips.size())
         return fail(file,
                     fmt::format("lists {} targets, and {} gestures were found", list.size(), clips.size()),
-                    "It takes one line for each gesture, in order; without --out and --targets the gestures "
+                    "It takes one line for each gesture, in order; without -o and --targets the gestures "
                     "are listed");
     for (std::size_t i = 0; i < clips.size(); ++i) {
         clips[i].row.target_id = list[i].id;
@@ -202,10 +204,16 @@ Result<void> segment(const ClipsSegmentArguments& options) {
 void addClipsSegmentCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsSegmentArguments>();
     CLI::App* command = clips.add_subcommand("segment", "Cut a recording into pointing clips");
+    describe(
+        *command,
+        {.writes =
+             "nothing without -o; to DIR a BVH file for each gesture and manifest.csv, all of them or none.",
+         .example = "deixis clips segment take3.bvh -o clips --targets targets.csv",
+         .page = "docs/segmentation.md"});
     command->add_option("RECORDING", options->recording, "Clip file of a person who points, y up")
         ->required();
-    CLI::Option* out = command->add_option("--out", options->folder,
-                                           "Folder for the clips and their manifest [they are only listed]");
+    CLI::Option* out = addOutput(*command, options->folder,
+                                 "Folder for the clips and their manifest [they are only listed]", "DIR");
     command
         ->add_option("--by", options->by,
                      "What ends a gesture: 'returns' of the hand to rest, or straight-arm 'holds' apart")
@@ -230,7 +238,7 @@ void addClipsSegmentCommand(CLI::App& clips, Command& chosen) {
     command->add_flag("--split", options->split, "Folders front, back and no-target, each with its manifest")
         ->needs(out);
     addImportOptions(*command, options->import);
-    command->add_flag("--force", options->force, "Replace what is there already")->needs(out);
+    addForce(*command, options->force)->needs(out);
     command->callback([options, &chosen] { chosen = [options] { return segment(*options); }; });
 }
 

@@ -12,6 +12,8 @@
 #include "clip_files.hpp"
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "motion/gesture_style.hpp"
 #include "motion/motion_statistics.hpp"
 
@@ -260,7 +262,10 @@ void addClipsStatisticsCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsStatisticsArguments>();
     CLI::App* command = clips.add_subcommand(
         "statistics",
-        "Speed, acceleration, jerk and style of clips, distances of two sets, compliance with poses");
+        "Measure speed, acceleration, jerk and style of clips, distances of two sets, compliance with poses");
+    describe(*command, {.writes = "nothing; it prints the numbers.",
+                        .example = "deixis clips statistics made/*.bvh --against recorded/*.bvh --json",
+                        .page = "docs/measures.md"});
     command->add_option("FILES", options->files, "Clips, or manifests of clips")->required();
     command->add_option("--against", options->against,
                         "Clips or manifests to compare with; style is normalised by them");
@@ -277,7 +282,7 @@ void addClipsStatisticsCommand(CLI::App& clips, Command& chosen) {
     command->add_option("--fps", options->fps, "Rate at which all clips are compared")
         ->capture_default_str()
         ->check(CLI::Range(5.0, 240.0));
-    command->add_flag("--json", options->json, "One object");
+    addJson(*command, options->json, "Print JSON, one object");
     command->callback([options, &chosen] { chosen = [options] { return statistics(*options); }; });
 }
 

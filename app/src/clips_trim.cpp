@@ -7,6 +7,8 @@
 #include "clip_files.hpp"
 #include "clip_output.hpp"
 #include "clips_commands.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "core/number.hpp"
 #include "import_options.hpp"
 #include "motion/clip_edit.hpp"
@@ -58,13 +60,16 @@ Result<void> trim(const ClipsTrimArguments& options) {
 void addClipsTrimCommand(CLI::App& clips, Command& chosen) {
     auto options = std::make_shared<ClipsTrimArguments>();
     CLI::App* command = clips.add_subcommand("trim", "Keep a part of a clip");
+    describe(*command, {.writes = "OUT, in the format that its ending names.",
+                        .example = "deixis clips trim take.bvh -o part.bvh --from 1.5s --to 3s",
+                        .page = "docs/segmentation.md"});
     command->add_option("IN", options->in, "Clip file")->required();
-    command->add_option("OUT", options->out, "The part, BVH")->required();
+    addOutputLast(*command, options->out, "File for the part: .bvh, .glb or .csv")->required();
+    addForce(*command, options->force);
     command->add_option("--from", options->from, "First frame kept, from 0, or seconds as in 1.5s")
         ->capture_default_str();
     command->add_option("--to", options->to, "Last frame kept, or seconds as in 3s [the clip's last]");
     addImportOptions(*command, options->import);
-    command->add_flag("--force", options->force, "Replace what is there already");
     command->callback([options, &chosen] { chosen = [options] { return trim(*options); }; });
 }
 

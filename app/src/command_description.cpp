@@ -69,7 +69,7 @@ OptionDescription describe(const CLI::Option& option) {
         out.text += fmt::format(" Needs {}.", other->get_name());
     for (const CLI::Option* other : option.get_excludes())
         out.text += fmt::format(" Not with {}.", other->get_name());
-    if (!option.get_default_str().empty() && !flag)
+    if (!option.get_default_str().empty() && !flag && !out.value_optional)
         out.text += fmt::format(" Default: {}.", shownDefault(option.get_default_str()));
     if (out.required && !out.names.empty()) out.text += " Must be given.";
     return out;

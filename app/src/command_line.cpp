@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <string_view>
 
+#include "command_help.hpp"
 #include "core/nearest_name.hpp"
 #include "core/number.hpp"
 
@@ -48,6 +50,12 @@ void guardNumbers(CLI::App& app) {
     for (CLI::App* command : app.get_subcommands({})) guardNumbers(*command);
 }
 
+using AddCommand = void (*)(CLI::App&, Command&);
+
+std::vector<CLI::App*> allCommands(CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 std::string notThere(const std::string& what, const std::string& where, const std::string& found,
                      const std::vector<std::string>& known) {
     const std::vector<std::string_view> names(known.begin(), known.end());
@@ -66,27 +74,27 @@ std::vector<std::string> optionsOf(const CLI::App& app) {
 }  // namespace
 
 void addCommands(CLI::App& cli, Command& chosen) {
-    addRunCommand(cli, chosen);
-    addSimulateCommand(cli, chosen);
-    addPowerCommand(cli, chosen);
-    addFitCommand(cli, chosen);
-    addReportCommand(cli, chosen);
-    addEvaluateCommand(cli, chosen);
-    addStatsCommand(cli, chosen);
-    addSchemaCommand(cli, chosen);
-    addReplayCommand(cli, chosen);
-    addCheckCommand(cli, chosen);
-    addPlanCommand(cli, chosen);
-    addParticipantsCommand(cli, chosen);
-    addExportCommand(cli, chosen);
-    addMergeCommand(cli, chosen);
-    addPackageCommand(cli, chosen);
-    addPushCommand(cli, chosen);
-    addTargetsCommand(cli, chosen);
-    addGenerateCommand(cli, chosen);
-    addClipsCommand(cli, chosen);
-    addViewCommand(cli, chosen);
+    cli.formatter(helpFormatter());
+    describe(
+        cli,
+        {.writes = "what each command says below its options.",
+         .example = "deixis run pointing2023 --participant P01 --db study.sqlite\ndeixis report study.sqlite",
+         .page = "docs/command-line.md"});
+    const auto group = [&cli, &chosen](const char* name, std::initializer_list<AddCommand> commands) {
+        const std::size_t before = allCommands(cli).size();
+        for (const AddCommand add : commands) add(cli, chosen);
+        const auto all = allCommands(cli);
+        for (std::size_t i = before; i < all.size(); ++i) all[i]->group(name);
+    };
+    group("Commands for a study", {addCheckCommand, addPlanCommand, addTargetsCommand, addRunCommand,
+                                   addSimulateCommand, addParticipantsCommand, addReplayCommand});
+    group("Commands for its results", {addReportCommand, addExportCommand, addMergeCommand, addPackageCommand,
+                                       addPushCommand, addSchemaCommand});
+    group("Commands for statistics", {addPowerCommand, addFitCommand, addStatsCommand});
+    group("Commands for clips and systems",
+          {addGenerateCommand, addEvaluateCommand, addClipsCommand, addViewCommand});
     addDescribeCommand(cli, chosen);
+    nameValues(cli);
     guardNumbers(cli);
 }
 

@@ -11,6 +11,8 @@
 #include <variant>
 
 #include "assets/manifest.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
@@ -26,6 +28,7 @@
 #include "study_setup.hpp"
 #include "training_targets.hpp"
 #include "version.hpp"
+#include "written_output.hpp"
 
 namespace deixis::app {
 
@@ -39,9 +42,10 @@ struct EvaluateArguments {
     std::string bandwidth = "normal-reference";
     std::string mean_shift_bandwidth = "auto";
     std::string study;
-    std::string page = "evaluation.html";
+    std::string page;
     std::string json;
     std::string tables;
+    bool force = false;
     unsigned threads = 0;
 };
 
@@ -146,6 +150,7 @@ Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed
         for (const auto& file : listed.files)
             if (fs::equivalent(out, file.path, code))
                 return fail(out, "is one of the inputs; nothing is written over it", "Name another file");
+        if (auto free = checkReplaceable(out, options.force); !free) return free;
     }
     return {};
 }
@@ -155,8 +160,9 @@ Result<void> write(const results::Evaluation& evaluation, const EvaluateArgument
         for (const auto& [name, bytes] : results::evaluationTables(evaluation))
             if (auto written = writeFile(fs::path(options.tables) / name, bytes); !written) return written;
     if (!options.json.empty())
-        if (auto written = writeFile(options.json, results::evaluationJson(evaluation)); !written)
+        if (auto written = writeOutput(options.json, results::evaluationJson(evaluation)); !written)
             return written;
+    if (options.page.empty()) return {};
     return writeFile(options.page, results::renderEvaluation(evaluation));
 }
 
@@ -238,9 +244,10 @@ Result<void> evaluateClips(const EvaluateArguments& options) {
     const auto evaluation = results::evaluate(std::move(input));
     if (!evaluation) return tl::unexpected(evaluation.error());
     if (auto written = write(*evaluation, options); !written) return written;
-    fmt::print("evaluation: {}\n", options.page);
-    if (!options.json.empty()) fmt::print("numbers: {}\n", options.json);
-    if (!options.tables.empty()) fmt::print("tables: {}\n", options.tables);
+    std::FILE* const to = remarksBeside(options.json);
+    if (!options.page.empty()) fmt::print(to, "evaluation: {}\n", options.page);
+    if (!options.json.empty() && to == stdout) fmt::print("numbers: {}\n", options.json);
+    if (!options.tables.empty()) fmt::print(to, "tables: {}\n", options.tables);
     return {};
 }
 
@@ -250,6 +257,14 @@ void addEvaluateCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<EvaluateArguments>();
     CLI::App* command = cli.add_subcommand(
         "evaluate", "Measure how accurately systems' clips point: an HTML page, JSON and CSV tables");
+    describe(
+        *command,
+        {.writes =
+             "the page (-o; evaluation.html in this folder where it is not given), and what --json and --csv "
+             "name. --json without FILE prints the numbers, and no page is written unless -o asks for it.",
+         .example = "deixis evaluate clips/mine clips/direct -o evaluation.html --csv tables\ndeixis "
+                    "evaluate clips/mine --json",
+         .page = "docs/evaluation.md"});
     command->add_option("MANIFEST", options->manifests, "Manifests of clips, or folders with a manifest.csv")
         ->required();
     command->add_option(
@@ -268,12 +283,18 @@ void addEvaluateCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--study", options->study,
                         "Study whose games the clips were made for: what simulated observers read, and what "
                         "nobody can exceed");
-    command->add_option("-o,--output", options->page, "HTML page to write")->capture_default_str();
-    command->add_option("--json", options->json, "JSON file to write");
-    command->add_option("--csv", options->tables, "Folder for CSV tables");
+    addOutput(*command, options->page, "HTML page to write [evaluation.html]");
+    addForce(*command, options->force);
+    addJsonOrFile(*command, options->json);
+    addCsv(*command, options->tables, "Folder to write every table to, as CSV");
     command->add_option("--threads", options->threads, "Threads that read clips [one for each core]")
         ->check(CLI::Range(1, 1024));
-    command->callback([options, &chosen] { chosen = [options] { return evaluateClips(*options); }; });
+    command->callback([options, &chosen] {
+        chosen = [options] {
+            if (options->page.empty() && options->json != standard_output) options->page = "evaluation.html";
+            return evaluateClips(*options);
+        };
+    });
 }
 
 }  // namespace deixis::app

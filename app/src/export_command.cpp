@@ -4,11 +4,15 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "locked_set.hpp"
+#include "progress_line.hpp"
 #include "results/data_export.hpp"
 #include "results/locked_sets.hpp"
 #include "results/merge.hpp"
@@ -34,7 +38,9 @@ Result<void> exportTables(const ExportRequest& request) {
         request.folder.empty()
             ? std::filesystem::path(request.database).replace_extension("").string() + "-csv"
             : request.folder;
+    auto working = std::make_optional<ElapsedOnTerminal>("exporting");
     const auto written = results::exportCsv(request.database, folder, request.options);
+    working.reset();
     if (!written) return tl::unexpected(written.error());
     for (const std::string& file : *written)
         fmt::print("{}\n", (std::filesystem::path(folder) / file).string());
@@ -43,7 +49,9 @@ Result<void> exportTables(const ExportRequest& request) {
 
 Result<void> merge(const MergeRequest& request) {
     const std::vector<std::filesystem::path> databases(request.databases.begin(), request.databases.end());
+    auto working = std::make_optional<ElapsedOnTerminal>("joining");
     const auto merged = results::mergeDatabases(databases, request.output);
+    working.reset();
     if (!merged) {
         for (const Error& problem : merged.error()) fmt::print(stderr, "{}\n", problem.text());
         return fail(request.output, "was not written: the databases cannot be joined");
@@ -70,12 +78,15 @@ Result<void> merge(const MergeRequest& request) {
 void addExportCommand(CLI::App& cli, Command& chosen) {
     auto request = std::make_shared<ExportRequest>();
     CLI::App* command = cli.add_subcommand("export", "Write a database's tables as CSV, with a codebook");
+    describe(*command, {.writes = "CSV tables, codebook.md and codebook.json to DIR (-o; DATABASE-csv beside "
+                                  "the database where it is not given). An earlier export there is replaced.",
+                        .example = "deixis export study.sqlite -o tables --anonymise",
+                        .page = "docs/data-out.md"});
     command->add_option("DB", request->database, "Database of a study")->required();
-    command->add_option("--format", request->format, "csv")
+    command->add_option("--format", request->format, "Format of the tables")
         ->check(CLI::IsMember({"csv"}))
         ->capture_default_str();
-    command->add_option("-o,--output", request->folder,
-                        "Folder to write to [DB without its ending, and -csv]");
+    addOutput(*command, request->folder, "Folder to write to [DB without its ending, and -csv]", "DIR");
     command->add_flag("--anonymise", request->options.anonymise,
                       "Other ids, no free text, no notes, no dates: to be shared");
     command->add_flag("!--no-tracking", request->options.tracking, "Leave tracked frames out");
@@ -85,8 +96,12 @@ void addExportCommand(CLI::App& cli, Command& chosen) {
 void addMergeCommand(CLI::App& cli, Command& chosen) {
     auto request = std::make_shared<MergeRequest>();
     CLI::App* command = cli.add_subcommand("merge", "Join the databases of several stations of one study");
+    describe(*command, {.writes = "a new database, and beside it the locked studies. A database that is "
+                                  "there already is never replaced.",
+                        .example = "deixis merge station1.sqlite station2.sqlite -o all.sqlite",
+                        .page = "docs/data-out.md"});
     command->add_option("DB", request->databases, "Databases to join, two or more")->required()->expected(-2);
-    command->add_option("-o,--output", request->output, "Database to make; must not exist")->required();
+    addOutput(*command, request->output, "Database to make; must not exist")->required();
     command->callback([request, &chosen] { chosen = [request] { return merge(*request); }; });
 }
 

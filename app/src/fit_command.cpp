@@ -2,19 +2,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "assets/data_paths.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "motion/reference_humanoid.hpp"
+#include "progress_line.hpp"
 #include "recorded_avatar.hpp"
 #include "recorded_clips.hpp"
 #include "report.hpp"
 #include "results/participants.hpp"
 #include "studies/observer_fit.hpp"
 #include "studies/simulated_participant.hpp"
+#include "written_output.hpp"
 
 namespace deixis::app {
 
@@ -30,6 +36,7 @@ struct FitArguments {
     std::string stimuli;
     std::string avatar;
     std::string json;
+    bool force = false;
     double level = 0.95;
 };
 
@@ -191,7 +198,7 @@ Result<void> writeParameters(const FitArguments& options, const Fitted& fitted) 
     out = fmt::format("# [pointing] was fitted by deixis fit to {}; all else is as it stands in\n# {}.\n\n",
                       options.database, options.parameters) +
           out;
-    if (auto written = writeFile(options.output, out); !written) return written;
+    if (auto written = writeUnlessEdited(options.output, out, options.force); !written) return written;
     const auto read = studies::loadSimulatedParameters(options.output);
     if (!read) return tl::unexpected(read.error());
     const studies::ObserverModel& kept = read->observer;
@@ -203,7 +210,7 @@ Result<void> writeParameters(const FitArguments& options, const Fitted& fitted) 
         return fail(options.parameters,
                     "its [pointing] could not be changed: its keys do not stand on lines of their own",
                     "Write them as in the file that ships");
-    fmt::print("parameters: {}\n", options.output);
+    fmt::print(remarksBeside(options.json), "parameters: {}\n", options.output);
     return {};
 }
 
@@ -219,9 +226,9 @@ studies::ObserverFit fitTogether(const std::vector<std::vector<studies::SeenChoi
     return fit;
 }
 
-void printWeights(const studies::ObserverFit& fit) {
-    const auto line = [](const char* name, const studies::FittedParameter& of) {
-        fmt::print("{:<24} {:>8.3f} [{}, {}]\n", name, of.value, endText(of.lower, "0"),
+void printWeights(std::FILE* to, const studies::ObserverFit& fit) {
+    const auto line = [to](const char* name, const studies::FittedParameter& of) {
+        fmt::print(to, "{:<24} {:>8.3f} [{}, {}]\n", name, of.value, endText(of.lower, "0"),
                    endText(of.upper, "1"));
     };
     if (fit.eye_line_share) line("eye_line_share, of all", *fit.eye_line_share);
@@ -229,20 +236,21 @@ void printWeights(const studies::ObserverFit& fit) {
 }
 
 /// Everybody by themselves with the weights of all, all as one, and all as differing in their noise.
-Fitted fitAll(const ChoicesMade& made, studies::ObserverModel model, double level, FitJson& json) {
+Fitted fitAll(const ChoicesMade& made, studies::ObserverModel model, double level, FitJson& json,
+              std::FILE* to) {
     const studies::ObserverFit pooled = fitTogether(made.choices, model, level);
-    fmt::print("{:<14} {:>7}  {:<26} {:<26} {:>12} {:>12}\n", "participant", "choices", "noise, degrees",
+    fmt::print(to, "{:<14} {:>7}  {:<26} {:<26} {:>12} {:>12}\n", "participant", "choices", "noise, degrees",
                "lapse rate", "log-lik.", "AIC");
     json["participants"] = FitJson::array();
     for (std::size_t i = 0; i < made.choices.size(); ++i) {
         const studies::ObserverFit one = studies::fitObserver(made.choices[i], model, level);
-        fmt::print("{}", fitLine(made.participants[i], one));
+        fmt::print(to, "{}", fitLine(made.participants[i], one));
         FitJson row{{"participant", made.participants[i]}};
         row.update(fitJson(one));
         json["participants"].push_back(std::move(row));
     }
-    fmt::print("{}", fitLine("all, as one", pooled));
-    printWeights(pooled);
+    fmt::print(to, "{}", fitLine("all, as one", pooled));
+    printWeights(to, pooled);
     json["pooled"] = fitJson(pooled);
     json["population"] = FitJson();
     model.lapse_rate = pooled.lapse_rate.value;
@@ -272,23 +280,28 @@ Result<void> fitDatabase(const FitArguments& options) {
     }
     for (const std::string& file : {options.output, options.json})
         if (auto checked = checkOutput(file); !checked) return checked;
+    if (auto free = checkReplaceable(options.json, options.force); !free) return free;
+    auto working = std::make_optional<ElapsedOnTerminal>("reading the choices");
     const auto made = choicesMade(options, *base);
+    working.reset();
     if (!made) return tl::unexpected(made.error());
 
+    std::FILE* const to = remarksBeside(options.json);
     const std::string_view ray = studies::readingName(base->observer.reading);
     FitJson json{{"schema", {{"name", "deixis-fit"}, {"version", 1}}},
                  {"ray", ray},
                  {"level", options.level},
                  {"synthetic", made->synthetic},
                  {"choices_not_seen", made->not_seen}};
-    fmt::print("{}; choice ~ (1 - lapse) P(ball | noise) + lapse / balls; {:.4g} % profile intervals\n", ray,
-               100.0 * options.level);
-    if (made->synthetic) fmt::print("Simulated participants are among them: no evidence about people.\n");
-    if (made->not_seen > 0) fmt::print("{} choices left out: nothing was seen to point\n", made->not_seen);
-    const Fitted fitted = fitAll(*made, base->observer, options.level, json);
+    fmt::print(to, "{}; choice ~ (1 - lapse) P(ball | noise) + lapse / balls; {:.4g} % profile intervals\n",
+               ray, 100.0 * options.level);
+    if (made->synthetic) fmt::print(to, "Simulated participants are among them: no evidence about people.\n");
+    if (made->not_seen > 0)
+        fmt::print(to, "{} choices left out: nothing was seen to point\n", made->not_seen);
+    const Fitted fitted = fitAll(*made, base->observer, options.level, json, to);
     if (!options.json.empty()) {
-        if (auto written = writeFile(options.json, json.dump(2) + "\n"); !written) return written;
-        fmt::print("numbers: {}\n", options.json);
+        if (auto written = writeOutput(options.json, json.dump(2) + "\n"); !written) return written;
+        if (options.json != standard_output) fmt::print("numbers: {}\n", options.json);
     }
     if (options.output.empty()) return {};
     return writeParameters(options, fitted);
@@ -300,18 +313,26 @@ void addFitCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<FitArguments>();
     CLI::App* command = cli.add_subcommand(
         "fit", "Fit the simulated participant's noise, lapses and weights to the choices of a database");
+    describe(*command,
+             {.writes = "nothing but what it prints, unless -o or --json FILE name a place.",
+              .example =
+                  "deixis fit study.sqlite -o observer.toml\ndeixis fit study.sqlite --ray arm-finger --json",
+              .page = "docs/simulated-participant.md"});
     command->add_option("DB", options->database, "Database of a study with a referential game")->required();
-    command->add_option("-o,--output", options->output,
-                        "Parameters file to write, for deixis simulate --parameters");
-    command->add_option("--parameters", options->parameters, "Parameters that are not fitted (TOML)")
-        ->default_val(assets::dataFile("simulated_participant.toml").string());
+    addOutput(*command, options->output, "Parameters file to write, for deixis simulate --parameters");
+    addForce(*command, options->force);
+    command
+        ->add_option("--parameters", options->parameters,
+                     "Parameters that are not fitted (TOML) [those that ship]")
+        ->default_val(assets::dataFile("simulated_participant.toml").string())
+        ->default_str("");
     command->add_option(
         "--ray", options->ray,
         "What is read from the arm: two-cue, arm-finger, eye-fingertip, ... [as in the parameters]");
     command->add_option("--level", options->level, "Level of the intervals")
         ->check(CLI::Range(0.5, 0.9999))
         ->capture_default_str();
-    command->add_option("--json", options->json, "JSON file to write");
+    addJsonOrFile(*command, options->json);
     command->add_option("--stimuli", options->stimuli,
                         "Folder of the clips that were shown [where they lay]");
     command->add_option("--avatar", options->avatar,

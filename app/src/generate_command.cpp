@@ -2,12 +2,16 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "assets/data_paths.hpp"
 #include "assets/demonstrations.hpp"
 #include "assets/target_list.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "generation.hpp"
+#include "progress_line.hpp"
 #include "study_setup.hpp"
 
 namespace deixis::app {
@@ -32,8 +36,10 @@ Result<void> generate(const GenerateArguments& options) {
     if (!generator) return tl::unexpected(generator.error());
     const auto targets = assets::readTargetList(options.targets);
     if (!targets) return tl::unexpected(targets.error());
+    auto working = std::make_optional<ElapsedOnTerminal>("generating");
     const auto rows =
         generateClips(**generator, *targets, options.seed, options.manner, options.folder, options.force);
+    working.reset();
     if (!rows) return tl::unexpected(rows.error());
     fmt::print("{} clips of {}: {}\n", rows->size(), options.system,
                (std::filesystem::path(options.folder) / "manifest.csv").string());
@@ -46,6 +52,10 @@ void addGenerateCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<GenerateArguments>();
     CLI::App* command =
         cli.add_subcommand("generate", "Make a built-in system's clips for a list of targets");
+    describe(*command, {.writes = "to DIR a BVH file for each target and manifest.csv; all of them or none.",
+                        .example = "deixis targets pointing2023 > targets.csv\ndeixis generate direct "
+                                   "--targets targets.csv -o clips/direct",
+                        .page = "docs/systems.md"});
     command
         ->add_option("SYSTEM", options->system,
                      fmt::format("One of {}", fmt::join(motion::generatorNames(), ", ")))
@@ -54,9 +64,9 @@ void addGenerateCommand(CLI::App& cli, Command& chosen) {
         ->add_option("--targets", options->targets,
                      "CSV with target_id,x,y,z, such as 'deixis targets' prints")
         ->required();
-    command->add_option("--out", options->folder, "Folder for the clips and their manifest")->required();
-    command->add_option("--seed", options->seed, "Seed of what varies from clip to clip")
-        ->capture_default_str();
+    addOutput(*command, options->folder, "Folder for the clips and their manifest", "DIR")->required();
+    addForce(*command, options->force);
+    addSeed(*command, options->seed, "what varies from clip to clip");
     command
         ->add_option("--hold", options->manner.hold_s, "Seconds that a gesture is held [as the system does]")
         ->check(CLI::Range(0.1, 30.0));
@@ -64,7 +74,6 @@ void addGenerateCommand(CLI::App& cli, Command& chosen) {
         ->add_option("--unsteadiness", options->manner.unsteadiness_m,
                      "Metres that the fingertip wanders during the hold [as the system does]")
         ->check(CLI::Range(0.0, 0.5));
-    command->add_flag("--force", options->force, "Replace what is there already");
     command->callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
 }
 

@@ -17,6 +17,7 @@
 #include "command_line.hpp"
 #include "core/server_address.hpp"
 #include "core/text.hpp"
+#include "old_spellings.hpp"
 #include "progress_line.hpp"
 #include "results/long_check.hpp"
 #include "version.hpp"
@@ -55,7 +56,8 @@ int main(int argc, char** argv) {
     Command chosen;
     addCommands(cli, chosen);
 
-    const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+    const std::vector<std::string> arguments =
+        inTodaysSpelling(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     if (const auto text = unkeepable(arguments)) {
         fmt::print(
             stderr,
@@ -76,7 +78,7 @@ int main(int argc, char** argv) {
         return std::make_shared<ElapsedOnTerminal>("checking " + database.string());
     });
     try {
-        cli.parse(argc, argv);
+        cli.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
         const auto done = chosen();
         if (done) return 0;
         fmt::print(stderr, "deixis: error: {}\n", done.error().text());

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "assets/data_paths.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "core/durable.hpp"
 #include "core/files.hpp"
@@ -168,8 +170,11 @@ void addPackageCommand(CLI::App& cli, Command& chosen) {
     CLI::App* command = cli.add_subcommand(
         "package",
         "Make a replication package: study, clips, avatar, anonymous data and report in one folder");
+    describe(*command, {.writes = "the folder, which must not exist: half a package is never left.",
+                        .example = "deixis package study.sqlite -o replication",
+                        .page = "docs/data-out.md"});
     command->add_option("DB", request->database, "Database of a study")->required();
-    command->add_option("-o,--output", request->folder, "Folder to make; must not exist")->required();
+    addOutput(*command, request->folder, "Folder to make; must not exist", "DIR")->required();
     command->add_flag("--free-text", request->free_text, "Keep what participants typed");
     command->add_flag("!--no-tracking", request->tracking, "Leave tracked movements out");
     command->callback([request, &chosen] { chosen = [request] { return makePackage(*request); }; });

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "command_help.hpp"
 #include "commands.hpp"
 #include "results/participants.hpp"
 
@@ -128,24 +129,48 @@ Result<void> withdraw(const ParticipantsArguments& options) {
 void addParticipantsCommand(CLI::App& cli, Command& chosen) {
     CLI::App* group = cli.add_subcommand("participants", "List, show, exclude or withdraw participants");
     group->require_subcommand(1);
-    const auto add = [&](const char* name, const char* what, bool one,
+    describe(*group, {.writes = "nothing, or to the database what the commands say.",
+                      .example = "deixis participants list study.sqlite",
+                      .page = "docs/running-a-study.md"});
+    const auto add = [&](const char* name, const char* what, const CommandText& text, bool one,
                          Result<void> (*act)(const ParticipantsArguments&)) {
         auto options = std::make_shared<ParticipantsArguments>();
         CLI::App* command = group->add_subcommand(name, what);
+        describe(*command, text);
         command->add_option("DB", options->database, "Database of a study")->required();
         if (one) command->add_option("PARTICIPANT", options->participant, "Pseudonymous id")->required();
         command->callback([options, act, &chosen] { chosen = [options, act] { return act(*options); }; });
         return std::make_pair(command, options);
     };
-    add("list", "Everybody who is in a database", false, list);
-    add("show", "One participant: fields, sessions, what happened", true, show);
+    add("list", "List everybody who is in a database",
+        {.writes = "nothing; it prints the list.",
+         .example = "deixis participants list study.sqlite",
+         .page = "docs/running-a-study.md"},
+        false, list);
+    add("show", "Show one participant: fields, sessions, what happened",
+        {.writes = "nothing; it prints what is kept.",
+         .example = "deixis participants show study.sqlite P07",
+         .page = "docs/running-a-study.md"},
+        true, show);
     const auto [exclude_command, excluded] =
-        add("exclude", "Take a participant's answers out of the analysis; they are kept", true, exclude);
+        add("exclude", "Take a participant's answers out of the analysis; they are kept",
+            {.writes = "to the database, with the reason.",
+             .example = "deixis participants exclude study.sqlite P07 --reason 'fell asleep'",
+             .page = "docs/running-a-study.md"},
+            true, exclude);
     exclude_command->add_option("--reason", excluded->reason, "Why; kept and reported")->required();
-    add("include", "Let a participant in again; consent that was declined is asked anew", true, include);
+    add("include", "Let a participant in again; consent that was declined is asked anew",
+        {.writes = "to the database.",
+         .example = "deixis participants include study.sqlite P07",
+         .page = "docs/running-a-study.md"},
+        true, include);
     const auto [withdraw_command, withdrawn] =
-        add("withdraw", "Erase everything that is kept of a participant", true, withdraw);
-    withdraw_command->add_flag("--yes", withdrawn->yes, "That is meant");
+        add("withdraw", "Erase everything that is kept of a participant",
+            {.writes = "to the database, from which all that the participant answered is gone for good.",
+             .example = "deixis participants withdraw study.sqlite P07 --yes",
+             .page = "docs/running-a-study.md"},
+            true, withdraw);
+    withdraw_command->add_flag("--yes", withdrawn->yes, "Really erase: it cannot be undone");
 }
 
 }  // namespace deixis::app

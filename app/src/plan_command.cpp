@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "enrolment.hpp"
 #include "results/store.hpp"
@@ -102,6 +104,10 @@ Result<void> printPlan(const PlanArguments& options) {
 void addPlanCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<PlanArguments>();
     CLI::App* command = cli.add_subcommand("plan", "Print the exact trials of a participant");
+    describe(*command, {.writes = "nothing; it prints the plan.",
+                        .example = "deixis plan pointing2023 --participant P07\ndeixis plan --db "
+                                   "study.sqlite --participant P07 --json",
+                        .page = "docs/design.md"});
     auto* study = command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
     auto* database = command->add_option("--db", options->database,
                                          "In place of STUDY: a database. The plan that it holds of the "
@@ -112,13 +118,14 @@ void addPlanCommand(CLI::App& cli, Command& chosen) {
         ->add_option("--number", options->number,
                      "Number of the participant in the study [the digits that the id ends in, or 1]")
         ->check(CLI::Range(1, 999999));
-    auto* group = command->add_option(
-        "--group", options->groups,
-        "FACTOR=LEVEL of a factor between participants; may be repeated [as drawn where all "
-        "before enrolled in "
-        "the order of their numbers]");
+    auto* group =
+        command->add_option("--group", options->groups,
+                            "Level of a factor between participants; may be repeated [as drawn where all "
+                            "before enrolled in "
+                            "the order of their numbers]");
+    group->type_name("FACTOR=LEVEL");
     database->excludes(group);
-    command->add_flag("--json", options->json, "As JSON instead of a table");
+    addJson(*command, options->json, "Print JSON instead of a table");
     command->callback([options, &chosen] {
         if (options->study.empty() && options->database.empty())
             throw CLI::ValidationError("plan", "Give STUDY, or with --db the database of a study under way");

@@ -7,6 +7,8 @@
 #include <thread>
 
 #include "assets/data_paths.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "progress_line.hpp"
@@ -14,6 +16,7 @@
 #include "results/effect_estimates.hpp"
 #include "results/power.hpp"
 #include "study_setup.hpp"
+#include "written_output.hpp"
 
 namespace deixis::app {
 
@@ -29,6 +32,7 @@ struct PowerArguments {
     bool search = false;
     std::string json;
     std::string csv;
+    bool force = false;
     results::PowerOptions options;
 };
 
@@ -39,7 +43,8 @@ Result<studies::AssumedEffects> effectsFor(const PowerArguments& options, const 
     if (!table) return tl::unexpected(table.error());
     auto estimated = results::estimateEffects(*table, study);
     if (!estimated) return tl::unexpected(estimated.error());
-    for (const std::string& note : estimated->notes) fmt::print("effects: {}\n", note);
+    for (const std::string& note : estimated->notes)
+        fmt::print(remarksBeside(options.json), "effects: {}\n", note);
     return std::move(estimated->effects);
 }
 
@@ -50,8 +55,10 @@ Result<void> analysePower(const PowerArguments& options) {
     if (!effects) return tl::unexpected(effects.error());
     for (const std::string& file : {options.json, options.csv, options.effects_out})
         if (auto checked = checkOutput(file); !checked) return checked;
+    if (auto free = checkReplaceable(options.json, options.force); !free) return free;
     if (!options.effects_out.empty()) {
-        auto written = writeFile(options.effects_out, studies::assumedEffectsToml(*effects));
+        auto written =
+            writeUnlessEdited(options.effects_out, studies::assumedEffectsToml(*effects), options.force);
         if (!written) return written;
     }
     auto asked = options.options;
@@ -61,16 +68,19 @@ Result<void> analysePower(const PowerArguments& options) {
     if (!power) return tl::unexpected(power.error());
     power->simulate(options.participants, progressOnTerminal("studies"));
     if (options.search) results::searchParticipants(*power, *options.goal, progressOnTerminal("search"));
-    fmt::print("{}", results::powerText(power->result(), options.goal));
+    const bool json_alone = options.json == standard_output;
+    if (!json_alone) fmt::print("{}", results::powerText(power->result(), options.goal));
     if (!options.json.empty()) {
-        auto written = writeFile(options.json, results::powerJson(power->result(), options.goal));
+        auto written = writeOutput(options.json, results::powerJson(power->result(), options.goal));
         if (!written) return written;
-        fmt::print("\nnumbers: {}\n", options.json);
+        if (!json_alone) fmt::print("\nnumbers: {}\n", options.json);
     }
     if (!options.csv.empty()) {
-        if (auto written = writeFile(options.csv, results::powerCsv(power->result())); !written)
-            return written;
-        fmt::print("{}table: {}\n", options.json.empty() ? "\n" : "", options.csv);
+        // Earlier versions took the file itself.
+        const std::filesystem::path named(options.csv);
+        const std::string csv = (named.extension() == ".csv" ? named : named / "power.csv").string();
+        if (auto written = writeFile(csv, results::powerCsv(power->result())); !written) return written;
+        fmt::print(remarksBeside(options.json), "{}table: {}\n", options.json.empty() ? "\n" : "", csv);
     }
     return {};
 }
@@ -81,6 +91,12 @@ void addPowerCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<PowerArguments>();
     CLI::App* command = cli.add_subcommand(
         "power", "How often a study would find assumed effects, and how many participants it needs");
+    describe(
+        *command,
+        {.writes = "nothing but what it prints, unless --json FILE, --csv or --save-effects name a place.",
+         .example = "deixis power pointing2023 --effect pointing2023 --participants 20,40 --goal "
+                    "0.8\ndeixis power pointing2023 --from pilot.sqlite --json",
+         .page = "docs/power.md"});
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
     command->add_option("--participants", options->participants, "Numbers of participants, such as 10,20,39")
         ->delimiter(',')
@@ -89,8 +105,10 @@ void addPowerCommand(CLI::App& cli, Command& chosen) {
     auto* effect = command->add_option(
         "--effect", options->effect,
         "Assumed means and spreads (TOML, docs/power.md), or the name of a file that ships");
-    auto* from = command->add_option("--from", options->from,
-                                     "Databases or CSV files of the study to estimate them from");
+    auto* from =
+        command
+            ->add_option("--from", options->from, "Databases or CSV files of the study to estimate them from")
+            ->type_name("DATA...");
     effect->excludes(from);
     from->excludes(effect);
     command->add_option("--save-effects", options->effects_out,
@@ -105,15 +123,17 @@ void addPowerCommand(CLI::App& cli, Command& chosen) {
     command->add_option("--studies", options->options.studies, "Studies drawn for each number")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
-    command->add_option("--seed", options->options.seed, "Seed of the answers")->capture_default_str();
+    addSeed(*command, options->options.seed, "the answers");
     command
         ->add_option("--alpha", options->options.alpha, "Level of significance; the study's where not given")
         ->check(CLI::Range(1e-6, 0.5));
     command->add_option("--level", options->options.level, "Level of the intervals of the power")
         ->check(CLI::Range(0.5, 0.9999))
         ->capture_default_str();
-    command->add_option("--json", options->json, "JSON file to write");
-    command->add_option("--csv", options->csv, "CSV file to write");
+    addJsonOrFile(*command, options->json);
+    addCsv(*command, options->csv,
+           "Folder for the table power.csv; or the file, by a name that ends in .csv");
+    addForce(*command, options->force);
     options->options.threads = 0;
     command->add_option("--threads", options->options.threads, "Threads that simulate [one for each core]")
         ->check(CLI::Range(1, 1024));

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "command_help.hpp"
 #include "commands.hpp"
 #include "core/server_address.hpp"
 #include "results/server.hpp"
@@ -51,6 +52,10 @@ void addPushCommand(CLI::App& cli, Command& chosen) {
     auto request = std::make_shared<PushRequest>();
     CLI::App* command = cli.add_subcommand(
         "push", "Bring a database's results to a PostgreSQL server, where many stations' lie together");
+    describe(*command, {.writes = "to the server: the database's study, participants, sessions and answers. "
+                                  "The database is only read.",
+                        .example = "deixis push study.sqlite postgresql://lab@db.lab/deixis",
+                        .page = "docs/server.md"});
     command->add_option("DB", request->database, "Database of a study")->required();
     command
         ->add_option("SERVER", request->server,

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "command_help.hpp"
 #include "commands.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "recorded_avatar.hpp"
@@ -130,6 +131,10 @@ Result<void> replay(ReplayArguments options) {
 void addReplayCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<ReplayArguments>();
     CLI::App* command = cli.add_subcommand("replay", "Show again what a participant saw and did");
+    describe(*command, {.writes = "nothing, unless --png or --mp4 name a place.",
+                        .example = "deixis replay study.sqlite --participant P07 --list\ndeixis replay "
+                                   "study.sqlite --participant P07 --trial 12 --mp4 trial.mp4",
+                        .page = "docs/running-a-study.md"});
     command->add_option("DB", options->database, "Database of a study")->required();
     command->add_option("--participant", options->participant, "Pseudonymous id")->required();
     command->add_option("--trial", options->trial, "Only this trial, by its index [all]");

@@ -14,10 +14,13 @@
 #include <utility>
 
 #include "assets/data_paths.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "core/number.hpp"
 #include "core/server_address.hpp"
+#include "progress_line.hpp"
 #include "report.hpp"
 #include "results/analysis.hpp"
 #include "results/analysis_tables.hpp"
@@ -27,6 +30,7 @@
 #include "results/stations_page.hpp"
 #include "version.hpp"
 #include "watched_choices.hpp"
+#include "written_output.hpp"
 
 namespace deixis::app {
 
@@ -42,6 +46,7 @@ struct ReportArguments {
     std::vector<std::string> columns;
     std::vector<std::string> scales;
     std::string by;
+    bool force = false;
 };
 
 /// "MEASURE=BOUND", each.
@@ -204,7 +209,7 @@ Result<void> writeAnalysis(const results::AnalysisResult& analysis, const Report
     if (!files.page.empty())
         if (auto written = writeFile(files.page, results::renderReport(analysis)); !written) return written;
     if (!files.json.empty())
-        if (auto written = writeFile(files.json, results::analysisJson(analysis)); !written) return written;
+        if (auto written = writeOutput(files.json, results::analysisJson(analysis)); !written) return written;
     const Tables csv_tables = csv.get();
     for (const std::string& folder : {files.csv, files.r})
         if (auto written = writeTables(folder, csv_tables); !written) return written;
@@ -256,6 +261,11 @@ Result<void> writeByStation(results::ResponseTable table, const ReportFiles& fil
                                                          : results::onlyAt(std::move(table), std::nullopt),
                                               options),
                              files);
+    if (files.json == standard_output)
+        return fail("--json",
+                    fmt::format("the answers come from {} kinds of station, each with an analysis of its own",
+                                kinds.size()),
+                    "--stations KIND or together makes it one; --json FILE writes them all");
     std::vector<results::StationReport> reports;
     for (const std::string& kind : kinds) {
         const std::string name = kind.empty() ? "unknown" : kind;
@@ -297,6 +307,7 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
                      [](const results::Measure& one) { return one.kind == results::MeasureKind::rating; }))
         return fail("--unit", "found \"ratings\", and the data hold none",
                     "Leave it out: choices and preferences are tested by participants");
+    const ElapsedOnTerminal working("analysing");
     results::AnalysisOptions named = options;
     named.program = programVersion();
     named.build = buildProperties();
@@ -307,6 +318,13 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<ReportArguments>();
     CLI::App* command = cli.add_subcommand(
         "report", "Analyse databases or long tables: an HTML page, and the numbers as JSON, CSV and LaTeX");
+    describe(*command,
+             {.writes = "the page (-o; report.html in this folder where it is not given), and what --json, "
+                        "--csv, --latex and --r name. --json without FILE prints the numbers, and no page is "
+                        "written unless -o asks for it.",
+              .example =
+                  "deixis report study.sqlite -o report.html --csv tables\ndeixis report study.sqlite --json",
+              .page = "docs/analysis.md"});
     command
         ->add_option("DATA", options->data,
                      "Databases of one study or of several, CSV files with one line an answer, or a server's "
@@ -325,9 +343,10 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
         ->allow_extra_args(false);
     command->add_option("--study", options->choice.study,
                         "Which study of a server that holds several: its name, or the beginning of its hash");
-    command->add_option("-o,--output", options->files.page, "HTML page to write")->default_val("report.html");
-    command->add_option("--json", options->files.json, "JSON file to write");
-    command->add_option("--csv", options->files.csv, "Folder to write every table to, as CSV");
+    addOutput(*command, options->files.page, "HTML page to write [report.html]");
+    addForce(*command, options->force);
+    addJsonOrFile(*command, options->files.json);
+    addCsv(*command, options->files.csv, "Folder to write every table to, as CSV");
     command->add_option("--latex", options->files.latex,
                         "Folder to write every table to, as LaTeX (booktabs)");
     command->add_option(
@@ -357,12 +376,12 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
         ->allow_extra_args(false);
     command
         ->add_option("--column", options->columns,
-                     "MEANING=NAME: what CSV files call a column, such as participant=subject, "
+                     "What CSV files call a column, such as participant=subject, "
                      "rating=slider.response or rt_ms=rt; may be repeated")
         ->allow_extra_args(false);
     command
         ->add_option("--scale", options->scales,
-                     "MEASURE=LOW..HIGH: the scale of ratings in CSV files, beyond which no answer may lie; "
+                     "The scale of ratings in CSV files, beyond which no answer may lie; "
                      "may be repeated")
         ->allow_extra_args(false);
     command->add_option(
@@ -371,19 +390,22 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
         "then a factor), or those of one kind; the study's, else apart. Simulated participants "
         "always stand apart");
     command
-        ->add_option(
-            "--equivalence", options->equivalence,
-            "MEASURE=BOUND within which two systems, levels or groups count as equivalent; may be repeated")
+        ->add_option("--equivalence", options->equivalence,
+                     "Bound within which two systems, levels or groups count as equivalent; may be repeated")
         ->allow_extra_args(false);
     command
         ->add_option("--unit", options->unit,
                      "ratings: single ratings are tested, too, in tables marked as pseudo-replicated, beside "
                      "participants' means; participants: these alone. The study's, else participants")
         ->check(CLI::IsMember({"participants", "ratings"}));
-    command->add_option("--seed", options->analysis.seed, "Seed of the bootstrap")->capture_default_str();
+    addSeed(*command, options->analysis.seed, "the bootstrap");
     command->callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
-            const ReportFiles& files = options->files;
+            ReportFiles& files = options->files;
+            const bool json_alone = files.json == standard_output;
+            if (files.page.empty() && !json_alone) files.page = "report.html";
+            for (const std::string& file : {files.page, files.json})
+                if (auto free = checkReplaceable(file, options->force); !free) return free;
             options->choice.join.by_study = !options->by.empty();
             auto bounds = boundsFrom(options->equivalence);
             if (!bounds) return tl::unexpected(bounds.error());
@@ -397,11 +419,14 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
             options->choice.csv.scales = std::move(*scales);
             if (auto done = writeReport(options->data, files, options->analysis, options->choice); !done)
                 return done;
-            fmt::print("report: {}\n", files.page);
-            if (!files.json.empty()) fmt::print("analysis: {}\n", files.json);
-            if (!files.csv.empty()) fmt::print("tables: {}\n", files.csv);
-            if (!files.latex.empty()) fmt::print("LaTeX tables: {}\n", files.latex);
-            if (!files.r.empty()) fmt::print("R: Rscript {}/analysis.R\n", files.r);
+            const auto tell = [to = remarksBeside(files.json)](const char* what, const std::string& where) {
+                if (!where.empty()) fmt::print(to, "{}: {}\n", what, where);
+            };
+            tell("report", files.page);
+            if (!json_alone) tell("analysis", files.json);
+            tell("tables", files.csv);
+            tell("LaTeX tables", files.latex);
+            if (!files.r.empty()) tell("R", fmt::format("Rscript {}/analysis.R", files.r));
             return {};
         };
     });

@@ -11,6 +11,8 @@
 #include <stdexcept>
 
 #include "assets/data_paths.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "enrolment.hpp"
 #include "motion/reference_humanoid.hpp"
@@ -304,6 +306,13 @@ Result<void> run(RunArguments options) {
 void addRunCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<RunArguments>();
     CLI::App* command = cli.add_subcommand("run", "Run one participant's session; resumes where it was left");
+    describe(
+        *command,
+        {.writes =
+             "to DATABASE, every answer as it is given; beside it DATABASE.locked, stimuli and the report "
+             "(STUDY.sqlite and STUDY.html in this folder where neither --db nor --report names them).",
+         .example = "deixis run pointing2023 --participant P07 --db study.sqlite",
+         .page = "docs/running-a-study.md"});
     command->add_option("STUDY", options->study,
                         "Study file, or the name of one that ships [with --db: the study that it holds]");
     command->add_option("--participant", options->participant,
@@ -313,8 +322,7 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
                      "Number of a new participant, which the order of trials follows [the digits that the id "
                      "ends in, or the next free one]")
         ->check(CLI::Range(1, 999999));
-    command->add_option("--language", options->language,
-                        "Language of the participant's texts, such as de [the study's first]");
+    addLanguage(*command, options->language);
     command
         ->add_option(
             "--station", options->station.kind,
@@ -322,10 +330,10 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
             "participant, drawn off screen")
         ->check(CLI::IsMember({"desktop", "headset", "simulated"}))
         ->capture_default_str();
-    command->add_option("--db", options->database, "Database to add to [STUDY.sqlite]");
+    command->add_option("--db", options->database, "Database to begin or to go on with [STUDY.sqlite]");
     command
         ->add_option("--accept-changes", options->accept_changes,
-                     "REASON for which the study's files were changed since it began; it is kept, and new "
+                     "Why the study's files were changed since it began; the reason is kept, and new "
                      "participants get the new files")
         ->check([](const std::string& reason) {
             return reason.find_first_not_of(" \t") == std::string::npos ? "needs a reason in words"
@@ -347,10 +355,13 @@ void addRunCommand(CLI::App& cli, Command& chosen) {
     command->add_flag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
     command
         ->add_option("--parameters", options->station.simulated_parameters,
-                     "Simulated participant's parameters (TOML)")
-        ->default_val(assets::dataFile("simulated_participant.toml").string());
-    command->add_option("--screenshot", options->screenshots,
-                        "STATE=FILE.png: a picture of a state of the simulated session; may be repeated");
+                     "Simulated participant's parameters (TOML) [those that ship]")
+        ->default_val(assets::dataFile("simulated_participant.toml").string())
+        ->default_str("");
+    command
+        ->add_option("--screenshot", options->screenshots,
+                     "A picture of a state of the simulated session; may be repeated")
+        ->type_name("STATE=FILE.png");
     command->add_option("--trace", options->trace,
                         "File to which a JSON line is added for each change of what is presented, while the "
                         "session runs");

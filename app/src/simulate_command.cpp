@@ -4,11 +4,15 @@
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
+#include <optional>
 
 #include "assets/data_paths.hpp"
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "core/durable.hpp"
 #include "enrolment.hpp"
+#include "progress_line.hpp"
 #include "results/database_files.hpp"
 #include "simulated_sessions.hpp"
 #include "simulated_setup.hpp"
@@ -64,7 +68,7 @@ Result<void> simulate(const SimulateArguments& options) {
     std::error_code code;
     if (fs::exists(options.database, code))
         return fail(options.database, "exists already; a simulation never adds to or overwrites a database",
-                    "Name another file with --db, or remove it");
+                    "Name another file with -o, or remove it");
 
     if (auto free = results::checkPlaceForDatabase(options.database); !free) return free;
     const fs::path made =
@@ -84,7 +88,9 @@ Result<void> simulate(const SimulateArguments& options) {
         for (const char* suffix : suffixes) fs::remove(partial.string() + suffix, ignored);
     };
     remove({"", "-wal", "-shm"});
+    auto working = std::make_optional<ElapsedOnTerminal>("simulating");
     const auto answers = simulateInto(partial, options, *locked, *avatar, *parameters);
+    working.reset();
     if (!answers) {
         remove({"", "-wal", "-shm"});
         return tl::unexpected(answers.error());
@@ -102,15 +108,24 @@ void addSimulateCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<SimulateArguments>();
     CLI::App* command = cli.add_subcommand(
         "simulate", "Run whole studies with simulated participants, in virtual time, without drawing");
+    describe(*command, {.writes = "a new database, and beside it its locked study and the clips of the "
+                                  "built-in systems. A database that is there already is never replaced.",
+                        .example = "deixis simulate pointing2023 --participants 39 -o simulated.sqlite",
+                        .page = "docs/simulated-participant.md"});
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
-    command->add_option("--participants", options->participants, "How many (S001, S002, ...)")
+    command
+        ->add_option("--participants", options->participants,
+                     "How many simulated participants, S001, S002 and so on")
         ->check(CLI::Range(1, 9999))
         ->capture_default_str();
-    command->add_option("--db", options->database, "Database to make; must not exist")->required();
+    addOutput(*command, options->database, "Database to make; must not exist")->required();
     command->add_option("--stimuli", options->stimuli,
                         "Folder for the built-in systems' clips [beside the database]");
-    command->add_option("--parameters", options->parameters, "Simulated participants' parameters (TOML)")
-        ->default_val(assets::dataFile("simulated_participant.toml").string());
+    command
+        ->add_option("--parameters", options->parameters,
+                     "Simulated participants' parameters (TOML) [those that ship]")
+        ->default_val(assets::dataFile("simulated_participant.toml").string())
+        ->default_str("");
     command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
 }
 

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "command_help.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "stats_points.hpp"
 #include "stats_table.hpp"
@@ -117,9 +119,14 @@ Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& o
 }
 
 void addTest(CLI::App& stats, Command& chosen, const std::string& name, const std::string& description,
-             StatsTest test, const Takes& takes) {
+             StatsTest test, const Takes& takes, const char* columns_of_example = "a,b") {
     auto options = std::make_shared<StatsArguments>();
     CLI::App* command = stats.add_subcommand(name, description);
+    const std::string example =
+        fmt::format("deixis stats {} answers.csv --columns {}", name, columns_of_example);
+    describe(*command, {.writes = "nothing; it prints the result.",
+                        .example = example.c_str(),
+                        .page = "docs/statistics.md"});
     command
         ->add_option("FILE", options->choice.file,
                      "CSV file with the columns' names in its first line; - "
@@ -147,8 +154,7 @@ void addTest(CLI::App& stats, Command& chosen, const std::string& name, const st
         command->add_option("--resamples", options->test.resamples, "Number of resamples")
             ->capture_default_str()
             ->check(CLI::Range(1, 10'000'000));
-        command->add_option("--seed", options->test.seed, "Seed of the resampling")
-            ->capture_default_str()
+        addSeed(*command, options->test.seed, "the resampling")
             ->check(
                 [](const std::string& text) {
                     return text.starts_with('-') ? "found " + text + ", expected a whole number from 0" : "";
@@ -172,7 +178,7 @@ void addTest(CLI::App& stats, Command& chosen, const std::string& name, const st
                          "Of the automatic bandwidth: the share of all points that are neighbours")
             ->capture_default_str();
     }
-    command->add_flag("--json", options->json, "Print one JSON object, with all digits");
+    addJson(*command, options->json, "Print one JSON object, with all digits");
     command->callback([options, test, takes, &chosen] {
         chosen = [options, test, takes] { return runTest(test, takes, *options); };
     });
@@ -183,6 +189,9 @@ void addTest(CLI::App& stats, Command& chosen, const std::string& name, const st
 void addStatsCommand(CLI::App& cli, Command& chosen) {
     CLI::App* stats = cli.add_subcommand("stats", "Exact statistical tests of the columns of a CSV file");
     stats->require_subcommand(1);
+    describe(*stats, {.writes = "nothing; the tests print their results.",
+                      .example = "deixis stats signed-rank answers.csv --columns a,b",
+                      .page = "docs/statistics.md"});
     addTest(*stats, chosen, "signed-rank", "Wilcoxon's signed-rank test of paired columns a and b",
             statsSignedRank, {.long_form = true, .paired_by = true, .level = true});
     addTest(*stats, chosen, "rank-sum", "Rank-sum test (Mann and Whitney's U) of independent samples a and b",
@@ -193,18 +202,18 @@ void addStatsCommand(CLI::App& cli, Command& chosen) {
             statsShapiro, {.long_form = true, .paired_by = true});
     addTest(*stats, chosen, "spearman", "Spearman's rank correlation of two columns", statsSpearman,
             {.long_form = true, .paired_by = true});
-    addTest(*stats, chosen, "holm", "Holm's correction of a column of p values", statsHolm, {});
+    addTest(*stats, chosen, "holm", "Holm's correction of a column of p values", statsHolm, {}, "p");
     addTest(*stats, chosen, "bootstrap", "Bootstrap intervals of the columns' means and their differences",
             statsBootstrap, {.long_form = true, .paired_by = true, .level = true, .resamples = true});
     addTest(*stats, chosen, "proportion",
             "Share of ones in a column of 0 and 1, with exact interval and test", statsProportion,
-            {.level = true, .chance = true});
+            {.level = true, .chance = true}, "correct");
     addTest(*stats, chosen, "describe", "Mean, spread and quantiles of columns", statsDescribe,
             {.long_form = true, .paired_by = true});
     addTest(*stats, chosen, "kde", "Gaussian kernel density of points, a column for each dimension", nullptr,
-            {.density = true});
+            {.density = true}, "x,y,z");
     addTest(*stats, chosen, "meanshift", "MeanShift clusters of points, a column for each dimension", nullptr,
-            {.clusters = true});
+            {.clusters = true}, "x,y,z");
 }
 
 }  // namespace deixis::app

@@ -6,6 +6,7 @@
 #include "angles_text.hpp"
 #include "assets/data_paths.hpp"
 #include "assets/demonstrations.hpp"
+#include "command_help.hpp"
 #include "commands.hpp"
 #include "core/files.hpp"
 #include "motion/demonstration_library.hpp"
@@ -23,7 +24,6 @@ namespace {
 struct TargetsArguments {
     std::string study;
     std::string picture;
-    bool no_picture = false;
     int grid = 0;
     std::string training;
 };
@@ -40,19 +40,17 @@ Result<void> printGrid(const TargetsArguments& options) {
 Result<void> printTargets(const TargetsArguments& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
-    if (!options.no_picture) {
+    if (!options.picture.empty()) {
         const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
         if (!parameters) return tl::unexpected(parameters.error());
-        const std::string picture =
-            options.picture.empty() ? setup->study.name + "-targets.svg" : options.picture;
         // The picture sets the targets against what the built-in systems were made from, as the paper's does.
         const auto library = motion::makeDemonstrations(motion::referenceHumanoid(), *parameters);
         if (!library) return tl::unexpected(library.error());
         std::vector<Vec3> demonstrations;
         for (const auto& demonstration : *library) demonstrations.push_back(demonstration.target);
         const std::string svg = studies::targetsSvg(setup->study.targets, setup->targets, demonstrations);
-        if (auto written = writeFile(picture, svg); !written) return written;
-        fmt::print(stderr, "picture: {}\n", picture);
+        if (auto written = writeFile(options.picture, svg); !written) return written;
+        fmt::print(stderr, "picture: {}\n", options.picture);
     }
     fmt::print("{}", studies::targetsCsv(setup->study, setup->targets));
     if (auto avatar = loadStudyAvatar(setup->study))
@@ -66,11 +64,14 @@ Result<void> printTargets(const TargetsArguments& options) {
 
 void addTargetsCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<TargetsArguments>();
-    CLI::App* command =
-        cli.add_subcommand("targets", "Print a study's targets and distractors as CSV, and draw them");
+    CLI::App* command = cli.add_subcommand(
+        "targets", "Print a study's targets and distractors as CSV; with --picture draw them, too");
+    describe(*command, {.writes = "nothing but what it prints, unless --picture names a file.",
+                        .example = "deixis targets pointing2023 > targets.csv\ndeixis targets pointing2023 "
+                                   "--picture targets.svg > targets.csv\ndeixis targets --grid > grid.csv",
+                        .page = "docs/design.md"});
     command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
-    command->add_option("--picture", options->picture, "SVG picture to write [STUDY-targets.svg]");
-    command->add_flag("--no-picture", options->no_picture, "Only print");
+    command->add_option("--picture", options->picture, "SVG picture of them to write");
     command
         ->add_option("--grid", options->grid,
                      "Instead: so many test points (a third power; without a number 1000, as in the paper) "

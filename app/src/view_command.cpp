@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "clip_files.hpp"
+#include "command_help.hpp"
 #include "commands.hpp"
 #include "import_options.hpp"
 #include "study_setup.hpp"
@@ -42,6 +43,10 @@ Result<void> view(const ViewArguments& options) {
 void addViewCommand(CLI::App& cli, Command& chosen) {
     auto options = std::make_shared<ViewArguments>();
     CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar");
+    describe(*command, {.writes = "nothing, unless --screenshot names a PNG file.",
+                        .example = "deixis view clips/T001.bvh\ndeixis view clips/T001.bvh --time 0.5 1.0 "
+                                   "1.5 --screenshot strip.png",
+                        .page = "docs/clip-format.md"});
     command->add_option("FILE", options->file, clip_file_kinds)->required();
     addImportOptions(*command, options->import);
     command->add_option("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
@@ -50,7 +55,10 @@ void addViewCommand(CLI::App& cli, Command& chosen) {
     command->add_option(
         "--time", options->view.times_s,
         "Time in seconds at which the clip starts or the picture is taken; several make a strip");
-    command->add_option("--from", options->view.from, "front, left, right, back or three-quarter")
+    command
+        ->add_option("--from", options->view.from,
+                     "Side of the avatar: front, left, right, back or three-quarter")
+        ->type_name("SIDE")
         ->capture_default_str();
     command->callback([options, &chosen] { chosen = [options] { return view(*options); }; });
 }
@@ -59,6 +67,8 @@ void addViewCommand(CLI::App& cli, Command& chosen) {
 
 void addViewCommand(CLI::App& cli, Command& chosen) {
     CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar (not in this build)");
+    describe(*command,
+             {.writes = "nothing.", .example = "deixis view clips/T001.bvh", .page = "docs/clip-format.md"});
     command->prefix_command();
     command->callback([&chosen] {
         chosen = []() -> Result<void> {

@@ -88,7 +88,8 @@ std::string pageStart(const std::string& title, const std::string& heading) {
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta "
         "charset=\"utf-8\"/>\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+        "<meta name=\"generator\" content=\"deixis\"/>\n<title>{}</title>\n"
         "<style>{}{}</style>\n</head>\n<body>\n<main>\n<h1>{}</h1>\n",
         escapeHtml(title), page_css, figure_css, escapeHtml(heading));
 }

@@ -1,4 +1,5 @@
 // The installed program: moved, with sources and build out of sight, with its manual page and completion.
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -50,7 +51,7 @@ class Installed {
 /// Options that help tells, "--" and all.
 std::set<std::string> optionsIn(const std::string& help) {
     std::set<std::string> out;
-    const std::regex line("\n  (-[^ ]+)"), name("--[a-z0-9-]+");
+    const std::regex line("\n  (-[^ ,]+(?:, --[^ ]+)?)"), name("--[a-z0-9-]+");
     for (std::sregex_iterator at(help.begin(), help.end(), line), end; at != end; ++at) {
         const std::string names = (*at)[1];
         for (std::sregex_iterator one(names.begin(), names.end(), name); one != end; ++one)
@@ -63,9 +64,9 @@ std::set<std::string> optionsIn(const std::string& help) {
 std::map<std::string, std::string> helpOfAll(const std::string& path = "") {
     std::map<std::string, std::string> out{{path, program(path + " --help").out}};
     const std::string help = out[path];
-    const auto at = help.find("\nSubcommands:\n");
+    const auto at = std::min(help.find("\nCommands "), help.find("\nSubcommands:\n"));
     if (at == std::string::npos) return out;
-    const std::string list = help.substr(at);
+    const std::string list = help.substr(at, help.find("\nWrites: ") - at);
     const std::regex line("\n  ([a-z-]+) ");
     for (std::sregex_iterator one(list.begin(), list.end(), line), end; one != end; ++one)
         out.merge(helpOfAll(path + " " + (*one)[1].str()));

@@ -8,7 +8,7 @@ using nlohmann::json;
 namespace {
 
 /// A study's answers: each of the participants rates two systems twice, b by `more` above a.
-std::string answersOf(int participants, double more, const std::string& measure = "naturalness") {
+std::string studyAnswers(int participants, double more, const std::string& measure = "naturalness") {
     std::string out = "participant,system,item,author_trial,measure,rating\n";
     for (int p = 1; p <= participants; ++p)
         for (int item = 1; item <= 2; ++item) {
@@ -94,8 +94,8 @@ TEST_SUITE("app/report_studies") {
 
     TEST_CASE("Each CSV file is a study with --by study, on a scale that is said; R finds the same numbers") {
         const Scratch scratch;
-        spill(scratch / "calm.csv", answersOf(6, 4));
-        spill(scratch / "hurry.csv", answersOf(7, -1));
+        spill(scratch / "calm.csv", studyAnswers(6, 4));
+        spill(scratch / "hurry.csv", studyAnswers(7, -1));
         const std::string both = (scratch / "calm.csv") + " " + (scratch / "hurry.csv");
         const std::string files = " -o " + (scratch / "r.html") + " --json " + (scratch / "r.json");
         const auto unsaid = program("report " + both + " --by study" + files);
@@ -118,7 +118,7 @@ TEST_SUITE("app/report_studies") {
         CHECK(out["study"]["hash"] == "");
         // As one study, as ever, the two are the same people twice.
         CHECK(contains(program("report " + both + files).err, "participant P1 stands in calm.csv too"));
-        spill(scratch / "other.csv", answersOf(6, 4, "warmth"));
+        spill(scratch / "other.csv", studyAnswers(6, 4, "warmth"));
         const auto apart = program("report " + (scratch / "calm.csv") + " " + (scratch / "other.csv") +
                                    " --by study" + files);
         CHECK(apart.status == 1);

@@ -1,0 +1,12 @@
+// Spellings of earlier versions, which scripts go on using.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace deixis::app {
+
+/// The words after the program's name with today's options in the place of earlier ones.
+[[nodiscard]] std::vector<std::string> inTodaysSpelling(const std::vector<std::string>& words);
+
+}  // namespace deixis::app

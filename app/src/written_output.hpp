@@ -1,0 +1,28 @@
+// What a command writes at the place that it was given: a file, or standard output.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace deixis::app {
+
+/// As a file's name: standard output.
+inline constexpr const char* standard_output = "-";
+
+/// Where a command tells what it did: standard output, unless `json` is printed there.
+[[nodiscard]] std::FILE* remarksBeside(const std::string& json);
+
+/// `file` may be standard_output.
+[[nodiscard]] Result<void> writeOutput(const std::string& file, std::string_view bytes);
+
+/// Fails where a file stands that Deixis did not write: pages and numbers can be made anew, and so replace
+/// those of an earlier run alone. An empty name and standard_output pass.
+[[nodiscard]] Result<void> checkReplaceable(const std::string& file, bool force);
+
+/// For files that are made to be edited: fails where another text stands there, unless `force` says so.
+[[nodiscard]] Result<void> writeUnlessEdited(const std::string& file, std::string_view bytes, bool force);
+
+}  // namespace deixis::app
