@@ -1,27 +1,19 @@
 // Making the station that a command asks for.
 #pragma once
 
-#include <map>
 #include <memory>
-#include <set>
 #include <string>
-#include <vector>
 
 #include "assets/avatar.hpp"
 #include "core/error.hpp"
 #include "operator_feed.hpp"
+#include "screenshots.hpp"
 #include "studies/plan.hpp"
 #include "studies/simulated_participant.hpp"
 #include "studies/station.hpp"
 #include "studies/study.hpp"
 
 namespace deixis::app {
-
-/// Pictures of states of a session, by name (presentedStateName).
-struct Screenshots {
-    std::map<std::string, std::string> wanted;  ///< state -> PNG file; taken ones are removed
-    std::set<std::string> met;                  ///< the states that came
-};
 
 struct StationRequest {
     std::string kind = "desktop";  ///< "desktop", "headset" or "simulated"

@@ -6,7 +6,7 @@
 
 #include "assets/avatar.hpp"
 #include "core/error.hpp"
-#include "stations.hpp"
+#include "screenshots.hpp"
 #include "studies/simulated_participant.hpp"
 
 namespace deixis::app {
