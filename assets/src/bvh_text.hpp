@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "number_lines.hpp"
 
 namespace deixis::assets {
@@ -21,9 +22,7 @@ namespace deixis::assets {
 /// Words and lines of a text, with the number of the line.
 class BvhText {
   public:
-    explicit BvhText(std::string_view text) : text_(text) {
-        if (text_.substr(0, 3) == "\xEF\xBB\xBF") text_.remove_prefix(3);
-    }
+    explicit BvhText(std::string_view text) : text_(withoutByteOrderMark(text)) {}
 
     /// The next word, over line ends; empty at the end. Braces and the colon's right side stand for
     /// themselves.

@@ -12,6 +12,7 @@
 #include "assets/expmap_rows.hpp"
 #include "assets/gltf_clip.hpp"
 #include "assets/joint_positions.hpp"
+#include "core/text.hpp"
 #include "length_unit.hpp"
 #include "motion/retarget.hpp"
 #include "number_lines.hpp"
@@ -24,18 +25,11 @@ namespace {
 
 enum class Kind : unsigned char { bvh, joint_csv, kinect, expmap, json, gltf, unknown };
 
-std::string lowered(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-}
-
 /// The ending without the dot, in small letters; ".gz" does not count.
 std::string endingOf(const std::string& name) {
     std::filesystem::path path(name);
-    if (lowered(path.extension().string()) == ".gz") path = path.stem();
-    const std::string ending = lowered(path.extension().string());
+    if (lowerCase(path.extension().string()) == ".gz") path = path.stem();
+    const std::string ending = lowerCase(path.extension().string());
     return ending.empty() ? ending : ending.substr(1);
 }
 
@@ -64,7 +58,7 @@ Kind kindOfContent(std::string_view bytes) {
     if (!line) return Kind::unknown;
     const std::string_view start = trimmed(*line);
     constexpr std::string_view bvh = "hierarchy";
-    if (lowered(start.substr(0, bvh.size())) == bvh) return Kind::bvh;
+    if (lowerCase(start.substr(0, bvh.size())) == bvh) return Kind::bvh;
     if (start.front() == '{' || start.front() == '[')
         return start.front() == '{' && bytes.find("\"asset\"") != std::string_view::npos ? Kind::gltf
                                                                                          : Kind::json;

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "gltf_json.hpp"
 
 namespace deixis::assets::gltf {
@@ -74,8 +75,7 @@ std::string_view whyRefused(const std::string& path) {
 Chunks splitChunks(std::string_view bytes, const std::string& file) {
     Chunks chunks;
     if (bytes.size() < 4 || wordAt(bytes, 0) != glb_magic) {
-        constexpr std::string_view mark = "\xEF\xBB\xBF";
-        if (bytes.substr(0, 3) == mark) bytes.remove_prefix(3);
+        bytes = withoutByteOrderMark(bytes);
         const std::size_t first = bytes.find_first_not_of(" \t\r\n");
         if (first == std::string_view::npos || bytes[first] != '{')
             refuse(file, "neither a glTF binary nor glTF text, which start with glTF or {",

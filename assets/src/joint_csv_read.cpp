@@ -5,6 +5,7 @@
 #include <map>
 
 #include "assets/joint_positions.hpp"
+#include "core/text.hpp"
 #include "number_lines.hpp"
 #include "position_import.hpp"
 
@@ -13,13 +14,6 @@ namespace deixis::assets {
 namespace {
 
 constexpr double assumed_fps = 30.0;
-
-std::string lowered(std::string_view text) {
-    std::string out(text);
-    std::transform(out.begin(), out.end(), out.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return out;
-}
 
 bool joins(char c) {
     return c == '.' || c == '_' || c == ' ' || c == ':' || c == '-' || c == '/';
@@ -75,13 +69,13 @@ Result<Columns> readHeader(std::string_view line, char separator, const std::str
         std::string_view title = titles[c];
         if (title.size() >= 2 && title.front() == '"' && title.back() == '"')
             title = title.substr(1, title.size() - 2);
-        if (!columns.time && isTime(lowered(title), columns)) {
+        if (!columns.time && isTime(lowerCase(title), columns)) {
             columns.time = c;
             continue;
         }
         const auto coordinate = coordinateOf(title);
         if (!coordinate) {
-            if (lowered(title) != "frame") columns.passed_over.emplace_back(title);
+            if (lowerCase(title) != "frame") columns.passed_over.emplace_back(title);
             continue;
         }
         const auto [at, fresh] = number_of.emplace(coordinate->joint, columns.joints.size());
@@ -105,7 +99,7 @@ Result<Columns> readHeader(std::string_view line, char separator, const std::str
 }
 
 bool isUnknown(std::string_view field) {
-    const std::string word = lowered(field);
+    const std::string word = lowerCase(field);
     return word.empty() || word == "nan" || word == "na";
 }
 

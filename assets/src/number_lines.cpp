@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "decimal.hpp"
 
 namespace deixis::assets {
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 std::optional<std::string_view> TextLines::next() {
     while (!text_.empty()) {

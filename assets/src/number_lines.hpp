@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include "core/text.hpp"
 
 namespace deixis::assets {
 
@@ -15,9 +16,7 @@ namespace deixis::assets {
 /// Lines of a text without their ends and blanks around them; empty ones are passed over.
 class TextLines {
   public:
-    explicit TextLines(std::string_view text) : text_(text) {
-        if (text_.substr(0, 3) == "\xEF\xBB\xBF") text_.remove_prefix(3);
-    }
+    explicit TextLines(std::string_view text) : text_(withoutByteOrderMark(text)) {}
     /// The next line that is not empty; none at the end.
     [[nodiscard]] std::optional<std::string_view> next();
     [[nodiscard]] int line() const { return line_; }  ///< number of the latest
@@ -27,8 +26,6 @@ class TextLines {
     std::string_view text_;
     int line_ = 0;
 };
-
-[[nodiscard]] std::string_view trimmed(std::string_view text);
 
 /// Fields between `separator`, blanks around them dropped; ' ' separates by any number of blanks and tabs.
 void splitFields(std::string_view line, char separator, std::vector<std::string_view>& fields);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "core/text.hpp"
 #include "length_unit.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "up_axis.hpp"
@@ -34,11 +34,6 @@ Result<void> checkPlaces(const std::vector<BonePositions>& frames, const FoundUn
                                       " more than 100 km away, in unit " + unitWords(unit) +
                                       "; expected the motion of a person");
     return {};
-}
-
-bool sameLetters(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 }  // namespace

@@ -29,10 +29,7 @@ bool isCsvComment(std::string_view line) {
 }
 
 CsvReader::CsvReader(std::string_view text, std::string name, CsvForm form)
-    : text_(text), name_(std::move(name)), form_(form) {
-    constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-    if (text_.substr(0, utf8_mark.size()) == utf8_mark) text_.remove_prefix(utf8_mark.size());
-}
+    : text_(withoutByteOrderMark(text)), name_(std::move(name)), form_(form) {}
 
 Result<void> CsvReader::checkText() const {
     const auto bad = firstUnkeepable(text_);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "core/text.hpp"
+
 namespace deixis {
 
 namespace {
@@ -18,13 +20,8 @@ std::size_t schemeLength(std::string_view text) {
     return 0;
 }
 
-char lower(char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-}
-
 bool beginsLike(std::string_view text, std::string_view word) {
-    return text.size() >= word.size() &&
-           std::equal(word.begin(), word.end(), text.begin(), [](char a, char b) { return a == lower(b); });
+    return sameLetters(text.substr(0, word.size()), word);
 }
 
 /// "scheme" of "scheme://..."; empty: there is none.

@@ -9,19 +9,6 @@
 
 namespace deixis::results {
 
-std::string trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
-
-std::string lowered(std::string_view text) {
-    std::string out = trimmed(text);
-    for (char& c : out)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    return out;
-}
-
 bool isMissing(const std::string& cell) {
     return cell.empty() || cell == "na" || cell == "nan" || cell == "null";
 }
@@ -48,7 +35,7 @@ std::optional<double> numberOf(const std::string& cell) {
 NumberCell numberCell(const std::string& cell) {
     if (cell.empty()) return {true};
     if (const auto value = numberOf(cell)) return {false, value};
-    const std::string text = lowered(cell);
+    const std::string text = plainWord(cell);
     if (const auto point = decimalCommaAsPoint(text)) return {false, finiteNumber(*point), true};
     return {isMissing(text), numberOf(text)};
 }
@@ -58,7 +45,7 @@ Name nameIn(const std::string& cell) {
 }
 
 TruthCell truthCell(const std::string& cell) {
-    const std::string text = lowered(cell);
+    const std::string text = plainWord(cell);
     return {isMissing(text), truthOf(text)};
 }
 
@@ -72,10 +59,10 @@ std::optional<Attention> attentionOf(const std::string& cell) {
 }
 
 std::string reasonOf(const std::string& cell, const char* word) {
-    const std::string lower = lowered(cell);
+    const std::string lower = plainWord(cell);
     if (isMissing(lower)) return {};
     if (const auto value = truthOf(lower)) return *value ? word : "";
-    return trimmed(cell);
+    return std::string(trimmed(cell));
 }
 
 }  // namespace deixis::results

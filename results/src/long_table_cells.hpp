@@ -7,11 +7,14 @@
 #include <unordered_map>
 
 #include "core/name.hpp"
+#include "core/text.hpp"
 
 namespace deixis::results {
 
-[[nodiscard]] std::string trimmed(std::string_view text);
-[[nodiscard]] std::string lowered(std::string_view text);  ///< trimmed, too
+/// Trimmed and in small letters: a cell's text as words are looked for in it.
+[[nodiscard]] inline std::string plainWord(std::string_view text) {
+    return lowerCase(trimmed(text));
+}
 
 // The cells of these are lowered.
 [[nodiscard]] bool isMissing(const std::string& cell);

@@ -20,7 +20,7 @@ namespace {
 /// Lowered, without spaces, and numbers without zeros before them: names that agree in it may be one.
 std::string likeness(const std::string& name) {
     std::string out;
-    for (const char c : lowered(name)) {
+    for (const char c : plainWord(name)) {
         if (c == ' ' || c == '\t') continue;
         if (isDigit(c) && !out.empty() && out.back() == '0' &&
             (out.size() == 1 || !isDigit(out[out.size() - 2])))
@@ -177,7 +177,7 @@ std::optional<std::string> doubtOfUnread(const std::vector<std::string>& unread)
     std::vector<std::string> found;
     for (const std::string& column : unread)
         for (const char* word : {"attention", "attn", "check", "catch", "fail", "exclu"})
-            if (lowered(column).find(word) != std::string::npos) {
+            if (plainWord(column).find(word) != std::string::npos) {
                 found.push_back(column);
                 break;
             }

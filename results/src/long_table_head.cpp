@@ -45,7 +45,7 @@ class HeadReader {
         : file_(file), separator_(separator), options_(options) {
         for (const std::string& field : record.fields) {
             titles_.emplace_back(withoutGuard(trimmed(field)));
-            names_.push_back(lowered(titles_.back()));
+            names_.push_back(plainWord(titles_.back()));
         }
     }
 
@@ -74,14 +74,14 @@ class HeadReader {
     /// A column that is mapped gets the name that it stands for; one that has this name by itself loses it.
     Result<void> mapColumns() {
         for (const auto& [meaning, column] : options_.columns) {
-            const std::string known = lowered(meaning);
+            const std::string known = plainWord(meaning);
             if (!columnNamed(known))
                 return fail(
                     "--column", fmt::format("found \"{}\", which is no column that is read", meaning),
                     fmt::format("One of: {}, {}", fmt::join(long_column_names, ", "), in_milliseconds));
-            const std::string wanted = lowered(column);
+            const std::string wanted = plainWord(column);
             const auto found = std::find_if(titles_.begin(), titles_.end(), [&](const std::string& title) {
-                return lowered(title) == wanted;
+                return plainWord(title) == wanted;
             });
             if (found == titles_.end())
                 return fail(file_, fmt::format("--column {}={}: there is no such column", meaning, column),
@@ -153,14 +153,16 @@ class HeadReader {
     }
 
     [[nodiscard]] bool isFactor(std::size_t column) const {
-        const auto names = [&](const std::string& name) { return lowered(name) == lowered(titles_[column]); };
+        const auto names = [&](const std::string& name) {
+            return plainWord(name) == plainWord(titles_[column]);
+        };
         return std::any_of(options_.between.begin(), options_.between.end(), names) ||
                std::any_of(options_.within.begin(), options_.within.end(), names);
     }
 
     Result<void> addFactor(const std::string& name, const char* option,
                            std::vector<LongHead::FactorAt>& places) {
-        const std::string wanted = lowered(name);
+        const std::string wanted = plainWord(name);
         const auto taken = [&](std::size_t i) {
             const auto at = [&](const LongHead::FactorAt& factor) { return factor.at == i; };
             return std::any_of(head_.between.begin(), head_.between.end(), at) ||
@@ -168,7 +170,7 @@ class HeadReader {
         };
         std::optional<std::size_t> found;
         for (std::size_t i = 0; i < head_.width; ++i) {
-            if (lowered(titles_[i]) != wanted) continue;
+            if (plainWord(titles_[i]) != wanted) continue;
             if (columnNamed(names_[i]))
                 return fail(file_, fmt::format("{} {}: this column has a meaning of its own", option, name),
                             "Name another column");

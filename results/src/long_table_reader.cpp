@@ -116,14 +116,14 @@ Result<void> LongTableReader::readFactors(Person& person, ResponseRow& row) {
     for (std::size_t i = 0; i < table_.between.size(); ++i) {
         const Name level = nameIn(record_.fields[head_.between[i].at]);
         Factor& factor = table_.between[i];
-        if (isMissing(lowered(level.text()))) continue;
+        if (isMissing(plainWord(level.text()))) continue;
         if (auto same = agree(person.between[i], level, row.participant, factor.name); !same) return same;
         between_seen_[i].add(level, factor.levels);
     }
     for (std::size_t i = 0; i < table_.within.size(); ++i) {
         const Name level = within_cells_[i].of(
             record_.fields[head_.within[i].at],
-            [](const std::string& cell) { return isMissing(lowered(cell)) ? Name() : nameIn(cell); });
+            [](const std::string& cell) { return isMissing(plainWord(cell)) ? Name() : nameIn(cell); });
         within_seen_[i].add(level, table_.within[i].levels);
         row.within.push_back(level);
     }
@@ -152,7 +152,7 @@ Result<void> LongTableReader::readRow() {
     const TruthCell& is_practice = truth(practice);
     if (!is_practice.missing && !is_practice.value) return bad(practice, "0 or 1");
     const auto check =
-        attention_.of(cell(attention), [](const std::string& text) { return attentionOf(lowered(text)); });
+        attention_.of(cell(attention), [](const std::string& text) { return attentionOf(plainWord(text)); });
     if (!check) return bad(attention, "0, 1, passed or failed");
     row.excluded = excluded_.of(cell(excluded),
                                 [](const std::string& text) { return Name(reasonOf(text, "excluded")); });
@@ -209,7 +209,7 @@ Result<void> LongTableReader::readDetails(ResponseRow& row) {
             return bad(author_trial, "in which of its author's trials the clip was made, from 1 up");
         row.author_trial = static_cast<int>(*value);
     }
-    if (const std::string said = lowered(cell(status)); !isMissing(said) && said != "answered") {
+    if (const std::string said = plainWord(cell(status)); !isMissing(said) && said != "answered") {
         if (said != "timed_out" && said != "skipped") return bad(status, "answered, timed_out or skipped");
         row.unanswered = said;
         row.response_time_s = 0.0;

@@ -34,7 +34,7 @@ double shareWithoutError(const studies::ObserverModel& model, const studies::See
     return 1.0 / static_cast<double>(std::count(missed.begin(), missed.end(), least));
 }
 
-struct Sums {
+struct ObserverSums {
     double trials = 0.0;
     std::array<double, observer_names.size()> accuracy{}, without_error{};
 };
@@ -51,11 +51,11 @@ std::vector<ObserverReading> readByObservers(const std::vector<ReadTrial>& trial
             layouts.push_back(trial.layout);
     std::vector<std::string> rows = layouts;
     if (rows.size() != 1) rows.insert(rows.begin(), "all");
-    std::vector<std::vector<Sums>> sums(systems.size(), std::vector<Sums>(rows.size()));
+    std::vector<std::vector<ObserverSums>> sums(systems.size(), std::vector<ObserverSums>(rows.size()));
     for (const ReadTrial& trial : trials) {
         const auto system = std::find(systems.begin(), systems.end(), trial.system);
         if (system == systems.end()) continue;
-        Sums here;
+        ObserverSums here;
         here.trials = trial.answers;
         for (std::size_t i = 0; i < models.size(); ++i) {
             const studies::SeenArm arm = asReadBy(i, trial.arm);
@@ -64,7 +64,7 @@ std::vector<ObserverReading> readByObservers(const std::vector<ReadTrial>& trial
         }
         for (std::size_t row = 0; row < rows.size(); ++row) {
             if (rows[row] != trial.layout && (row > 0 || layouts.size() == 1)) continue;
-            Sums& sum = sums[static_cast<std::size_t>(system - systems.begin())][row];
+            ObserverSums& sum = sums[static_cast<std::size_t>(system - systems.begin())][row];
             sum.trials += here.trials;
             for (std::size_t i = 0; i < models.size(); ++i) {
                 sum.accuracy[i] += here.trials * here.accuracy[i];
@@ -75,7 +75,7 @@ std::vector<ObserverReading> readByObservers(const std::vector<ReadTrial>& trial
     std::vector<ObserverReading> out;
     for (std::size_t s = 0; s < systems.size(); ++s)
         for (std::size_t row = 0; row < rows.size(); ++row) {
-            const Sums& sum = sums[s][row];
+            const ObserverSums& sum = sums[s][row];
             if (sum.trials <= 0.0) continue;
             ObserverReading& one = out.emplace_back();
             one.system = systems[s];

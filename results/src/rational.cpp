@@ -65,13 +65,6 @@ std::int64_t smallPowerOfTen(int exponent) {
     return out;
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const auto first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// A decimal as it stands: digits * 10^exponent, without its sign.
 struct Decimal {
     std::string digits;  ///< without leading zeros

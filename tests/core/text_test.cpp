@@ -73,6 +73,31 @@ TEST_SUITE("core/text") {
     }
 }
 
+TEST_SUITE("core/words") {
+    TEST_CASE("Blanks and line ends around a text go, those within stay") {
+        CHECK(trimmed(" \t a b\r\n") == "a b");
+        CHECK(trimmed("a").size() == 1);
+        CHECK(trimmed(" \n\t\r ").empty());
+        CHECK(trimmed("").empty());
+    }
+
+    TEST_CASE("Only A to Z have small letters, whatever the locale") {
+        CHECK(lowerCase("AZaz09_[@`{") == "azaz09_[@`{");
+        CHECK(lowerCase("\xC3\x84\xC4\xB0I") == "\xC3\x84\xC4\xB0i");
+        CHECK(sameLetters("HiPs", "hIpS"));
+        CHECK_FALSE(sameLetters("hips", "hip"));
+        CHECK_FALSE(sameLetters("[", "{"));
+    }
+
+    TEST_CASE("One byte order mark is taken away, and only at the start") {
+        CHECK(withoutByteOrderMark("\xEF\xBB\xBF"
+                                   "a") == "a");
+        CHECK(withoutByteOrderMark("\xEF\xBB\xBF\xEF\xBB\xBF") == "\xEF\xBB\xBF");
+        CHECK(withoutByteOrderMark("a\xEF\xBB\xBF") == "a\xEF\xBB\xBF");
+        CHECK(withoutByteOrderMark("\xEF\xBB") == "\xEF\xBB");
+    }
+}
+
 TEST_SUITE("core/csv") {
     TEST_CASE("A table that is not UTF-8 is refused with the line") {
         const auto latin = parseCsv("id,name\nP01,Zo\xC3\xAB\nP02,Z\xFCrich\n", "people.csv");

@@ -12,6 +12,18 @@ namespace deixis {
     return c >= '0' && c <= '9';
 }
 
+/// Without spaces, tabs and line ends around it.
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
+/// With small letters for A to Z; other letters stay.
+[[nodiscard]] std::string lowerCase(std::string_view text);
+
+/// Alike but for small and capital letters from A to Z.
+[[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
+
+/// Without the byte order mark of UTF-8, where one stands first.
+[[nodiscard]] std::string_view withoutByteOrderMark(std::string_view text);
+
 /// Where the first byte stands that cannot be kept everywhere: a NUL, or one that is no part of a character
 /// of UTF-8 (RFC 3629). PostgreSQL takes neither. None: all of the text can be kept.
 [[nodiscard]] std::optional<std::size_t> firstUnkeepable(std::string_view text);
