@@ -2,13 +2,13 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <ctime>
 #include <memory>
 #include <string>
 
 #include "command_help.hpp"
 #include "commands.hpp"
+#include "core/utc.hpp"
 #include "results/participants.hpp"
 
 namespace deixis::app {
@@ -21,10 +21,6 @@ struct ParticipantsArguments {
     std::string reason;
     bool yes = false;
 };
-
-double utcNow_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 std::string day(double utc_s) {
     if (utc_s <= 0.0) return "-";

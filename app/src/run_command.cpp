@@ -1,7 +1,6 @@
 // deixis run: one participant's session, from the first page to the report.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +13,7 @@
 #include "command_help.hpp"
 #include "command_options.hpp"
 #include "commands.hpp"
+#include "core/utc.hpp"
 #include "enrolment.hpp"
 #include "motion/reference_humanoid.hpp"
 #include "operator_feed.hpp"
@@ -51,10 +51,6 @@ struct RunArguments {
     std::string trace;
     StationRequest station;
 };
-
-double utcNow_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 struct Seat {
     std::string participant;

@@ -58,8 +58,8 @@ constexpr double round = 1.0;
 const std::array<Body, 2> bodies{Body{{0.0, -0.015, 0.085}, {0.078, 0.118, 0.098}, round, 1.0F},
                                  Body{{0.0, 0.0, -0.022}, {0.088, 0.050, 0.042}, 0.35, 0.0F}};
 
-constexpr int rings = 20;
-constexpr int segments = 40;
+constexpr int head_rings = 20;
+constexpr int head_segments = 40;
 
 double bent(double value, double exponent) {
     return std::copysign(std::pow(std::abs(value), exponent), value);
@@ -74,10 +74,10 @@ HeadPass::HeadPass()
     std::vector<HeadCorner> corners;
     std::vector<std::uint16_t> indices;
     for (const Body& body : bodies)
-        for (int ring = 0; ring <= rings; ++ring) {
-            const double polar = pi * ring / rings;
-            for (int segment = 0; segment <= segments; ++segment) {
-                const double azimuth = 2.0 * pi * segment / segments;
+        for (int ring = 0; ring <= head_rings; ++ring) {
+            const double polar = pi * ring / head_rings;
+            for (int segment = 0; segment <= head_segments; ++segment) {
+                const double azimuth = 2.0 * pi * segment / head_segments;
                 const Vec3 unit(std::sin(azimuth), std::cos(polar), std::cos(azimuth));
                 const double e = body.roundness;
                 const double level = std::pow(std::sin(polar), e);
@@ -87,9 +87,9 @@ HeadPass::HeadPass()
                              level_n * bent(unit.z, 2.0 - e));
                 corners.push_back({glm::vec3(body.centre + body.half * p),
                                    glm::vec3(glm::normalize(n / body.half)), body.shade});
-                if (ring == rings || segment == segments) continue;
+                if (ring == head_rings || segment == head_segments) continue;
                 const auto here = static_cast<int>(corners.size()) - 1;
-                const int below = here + segments + 1;
+                const int below = here + head_segments + 1;
                 for (const int index : {here, below, here + 1, here + 1, below, below + 1})
                     indices.push_back(static_cast<std::uint16_t>(index));
             }

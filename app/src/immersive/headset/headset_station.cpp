@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "core/utc.hpp"
 #include "headset_state.hpp"
 #include "motion/skeleton.hpp"
 
@@ -14,10 +15,6 @@ namespace {
 constexpr double hidden_wait_s = 0.02;  ///< between polls while the session does not run
 constexpr double first_frame_s = 3.0;   ///< how long opening waits for the first frame's facts
 constexpr double leave_taking_s = 2.0;  ///< how long the runtime may take to end the session
-
-double utcNow_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 double avatarEyeHeight(const assets::Avatar& avatar) {
     std::vector<Pose> joints;
