@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include "assets/data_paths.hpp"
 #include "core/files.hpp"
 #include "core/unique_name.hpp"
+#include "core/utc.hpp"
 #include "lab_files.hpp"
 #include "locked_set.hpp"
 #include "studies/plan.hpp"
@@ -25,10 +25,6 @@ namespace deixis::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-double nowUtc_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 Result<std::string> languageFor(const StudyRequest& request, const results::Store& store) {
     const auto registered = store.registration(request.participant);
@@ -164,7 +160,7 @@ Result<std::string> acceptChanges(const StudyRequest& request, results::Store& s
     }
     if (!hash) return hash;
     nlohmann::ordered_json what{{"from", before.hash}, {"to", *hash}, {"changes", changes}};
-    if (auto kept = store.changeLocked(before.hash, *hash, what.dump(), request.accept_changes, nowUtc_s());
+    if (auto kept = store.changeLocked(before.hash, *hash, what.dump(), request.accept_changes, utcNow_s());
         !kept)
         return tl::unexpected(kept.error());
     fmt::print("changes accepted, and kept with the reason: {}\n", fmt::join(changes, "; "));

@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/utc.hpp"
 #include "desktop_view.hpp"
 #include "frame_scene.hpp"
 #include "operator/desktop_operator.hpp"
@@ -317,9 +318,7 @@ Result<std::unique_ptr<DesktopStation>> DesktopStation::open(const assets::Avata
     state->renderer = std::make_unique<renderer::Renderer>(std::move(*made));
     state->period_s = 1.0 / state->window->refreshRate_hz();
     state->windowed = options.size;
-    state->utc_offset_s =
-        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count() -
-        state->now_s();
+    state->utc_offset_s = utcNow_s() - state->now_s();
     if (options.operator_window) {
         auto operators =
             DesktopOperator::open(*state->window, options.title + " - experimenter", options.operator_feed);
