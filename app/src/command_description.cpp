@@ -47,7 +47,7 @@ std::string sentence(std::string text) {
     return text;
 }
 
-OptionDescription describe(const CLI::Option& option) {
+OptionDescription describeOption(const CLI::Option& option) {
     OptionDescription out;
     for (const std::string& name : option.get_snames()) out.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
@@ -83,7 +83,7 @@ CommandDescription describe(const CLI::App& app, const std::string& above) {
     out.text = sentence(app.get_description());
     out.footer = app.get_footer();
     for (const CLI::Option* option : app.get_options())
-        if (!option->get_group().empty()) out.options.push_back(describe(*option));
+        if (!option->get_group().empty()) out.options.push_back(describeOption(*option));
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         if (!command->get_group().empty()) out.commands.push_back(describe(*command, out.name));
     return out;
