@@ -11,6 +11,7 @@
 #include "results/analysis_tables.hpp"
 #include "results/fixtures.hpp"
 #include "results/long_table.hpp"
+#include "results/report.hpp"
 #include "results/response_table.hpp"
 
 namespace {

@@ -10,6 +10,7 @@
 #include "quality_outputs.hpp"
 #include "results/accuracy_by_angle.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_json.hpp"
 #include "results/descriptive.hpp"
 
 namespace deixis::results {

@@ -16,6 +16,7 @@
 #include "report_tables.hpp"
 #include "report_tests.hpp"
 #include "report_text.hpp"
+#include "results/report.hpp"
 
 namespace deixis::results {
 

@@ -7,8 +7,10 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
+#include "results/analysis_json.hpp"
 #include "results/analysis_tables.hpp"
 #include "results/data_export.hpp"
+#include "results/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "fixtures.hpp"
+#include "results/analysis_json.hpp"
 #include "results/analysis_tables.hpp"
+#include "results/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fixtures.hpp"
+#include "results/analysis_json.hpp"
 
 using namespace deixis;
 using namespace deixis::results;

@@ -7,6 +7,8 @@
 
 #include "oracles.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_json.hpp"
+#include "results/report.hpp"
 
 using namespace deixis;
 using namespace deixis::results;

@@ -8,6 +8,7 @@
 #include "core/random.hpp"
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_json.hpp"
 #include "results/data_export.hpp"
 #include "results/merge.hpp"
 #include "results/participants.hpp"

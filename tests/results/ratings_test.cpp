@@ -5,7 +5,9 @@
 
 #include "answers_text.hpp"
 #include "oracles.hpp"
+#include "results/analysis_json.hpp"
 #include "results/data_export.hpp"
+#include "results/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

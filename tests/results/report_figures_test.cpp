@@ -8,6 +8,8 @@
 
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_json.hpp"
+#include "results/report.hpp"
 #include "specifications.hpp"
 #include "text.hpp"
 

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "results/analysis.hpp"
+#include "results/analysis_json.hpp"
+#include "results/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -6,6 +6,8 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_json.hpp"
+#include "results/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

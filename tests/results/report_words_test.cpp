@@ -6,6 +6,8 @@
 #include "answers_text.hpp"
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
+#include "results/analysis_json.hpp"
+#include "results/report.hpp"
 #include "results/stations.hpp"
 #include "specifications.hpp"
 #include "text.hpp"

@@ -12,8 +12,10 @@
 #include "fixtures.hpp"
 #include "old_databases.hpp"
 #include "oracles.hpp"
+#include "results/analysis_json.hpp"
 #include "results/analysis_tables.hpp"
 #include "results/long_table.hpp"
+#include "results/report.hpp"
 #include "results/stations.hpp"
 #include "text.hpp"
 

@@ -7,6 +7,7 @@
 #include "fixtures.hpp"
 #include "results/analysis.hpp"
 #include "results/analysis_tables.hpp"
+#include "results/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

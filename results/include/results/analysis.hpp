@@ -434,13 +434,7 @@ struct AnalysisResult {
 /// fills in alpha, measures, omnibus, pairwise, levels, level_tests, preferences, between and
 /// preferences_between from the result's table and options.
 void runTests(AnalysisResult& result);
-/// One JSON object; its keys stand in docs/analysis.md. Numbers in full precision, fixed order: the same
-/// table gives the same bytes. What is not defined is null.
-[[nodiscard]] std::string analysisJson(const AnalysisResult& result);
 /// A rating on a scale of more than ten steps (0 to 100): medians are given beside its means.
 [[nodiscard]] bool hasManySteps(const Measure& measure);
-/// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same table
-/// gives the same bytes. Its figures are Vega-Lite specifications, which the script in it draws.
-[[nodiscard]] std::string renderReport(const AnalysisResult& result);
 
 }  // namespace deixis::results
