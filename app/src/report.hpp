@@ -40,7 +40,4 @@ struct DataChoice {
 [[nodiscard]] Result<results::ResponseTable> loadAll(const std::vector<std::string>& data,
                                                      const DataChoice& choice = {});
 
-/// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
-[[nodiscard]] Result<void> checkOutput(const std::string& file);
-
 }  // namespace deixis::app

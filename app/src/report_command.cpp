@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <iterator>
 #include <map>
@@ -111,15 +110,6 @@ Result<void> writeTables(const std::string& folder, const Tables& tables) {
     return {};
 }
 
-bool isDatabase(const std::string& file) {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code)) return false;
-    std::ifstream in(file, std::ios::binary);
-    std::string start(15, '\0');
-    in.read(start.data(), static_cast<std::streamsize>(start.size()));
-    return start == "SQLite format 3";
-}
-
 /// Adds what observers would read where the clips that were shown are at hand. Returns a note where they are
 /// not; empty where nothing is missing.
 std::string watchAgain(const std::vector<std::string>& data, const std::string& stimuli,
@@ -160,16 +150,6 @@ Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice
         for (const std::string& note : table->notes) fmt::print(stderr, "note: {}: {}\n", data, note);
     return table;
 }
-
-}  // namespace
-
-Result<void> checkOutput(const std::string& file) {
-    if (!file.empty() && isDatabase(file))
-        return fail(file, "is a database; a report is not written over it", "Name another file");
-    return {};
-}
-
-namespace {
 
 /// Each by itself, in their order.
 Result<std::vector<results::ResponseTable>> loadEach(const std::vector<std::string>& data,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 
 #include "core/files.hpp"
@@ -33,6 +34,21 @@ std::FILE* remarksBeside(const std::string& json) {
 Result<void> writeOutput(const std::string& file, std::string_view bytes) {
     if (file != standard_output) return writeFile(file, bytes);
     fmt::print("{}", bytes);
+    return {};
+}
+
+bool isDatabase(const std::string& file) {
+    std::error_code code;
+    if (!std::filesystem::is_regular_file(file, code)) return false;
+    std::ifstream in(file, std::ios::binary);
+    std::string start(15, '\0');
+    in.read(start.data(), static_cast<std::streamsize>(start.size()));
+    return start == "SQLite format 3";
+}
+
+Result<void> checkOutput(const std::string& file) {
+    if (!file.empty() && isDatabase(file))
+        return fail(file, "is a database; a report is not written over it", "Name another file");
     return {};
 }
 

@@ -18,6 +18,11 @@ inline constexpr const char* standard_output = "-";
 /// `file` may be standard_output.
 [[nodiscard]] Result<void> writeOutput(const std::string& file, std::string_view bytes);
 
+/// By the letters that every database of SQLite begins with.
+[[nodiscard]] bool isDatabase(const std::string& file);
+/// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
+[[nodiscard]] Result<void> checkOutput(const std::string& file);
+
 /// Fails where a file stands that Deixis did not write: pages and numbers can be made anew, and so replace
 /// those of an earlier run alone. An empty name and standard_output pass.
 [[nodiscard]] Result<void> checkReplaceable(const std::string& file, bool force);
