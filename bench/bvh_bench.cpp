@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "../assets/src/decimal.hpp"
-#include "assets/bvh.hpp"
-#include "assets/clip_import.hpp"
+#include "assets/joints/bvh.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "assets/joints/decimal.hpp"
 #include "core/files.hpp"
 #include "inputs.hpp"
 

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "motion/generator.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/synthesis/generator.hpp"
 #include "studies/session_fixture.hpp"
 
 namespace deixis::bench {

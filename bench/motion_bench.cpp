@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "inputs.hpp"
-#include "motion/retarget.hpp"
+#include "motion/retarget/retarget.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "app/clips/study_setup.hpp"
 #include "clocks.hpp"
 #include "inputs.hpp"
-#include "studies/plan.hpp"
-#include "study_setup.hpp"
+#include "studies/design/plan.hpp"
 
 namespace {
 

@@ -3,11 +3,11 @@
 #include <benchmark/benchmark.h>
 #include <fmt/core.h>
 
-#include "assets/data_paths.hpp"
+#include "app/clips/study_setup.hpp"
+#include "assets/data/data_paths.hpp"
 #include "clocks.hpp"
 #include "inputs.hpp"
-#include "results/power.hpp"
-#include "study_setup.hpp"
+#include "results/analysis/power.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Drawing a frame of the game off screen and reading it back.
 #include <benchmark/benchmark.h>
 
-#include "renderer/renderer.hpp"
+#include "app/clips/study_setup.hpp"
+#include "renderer/drawing/renderer.hpp"
 #include "scenes.hpp"
-#include "study_setup.hpp"
 
 namespace {
 

@@ -7,12 +7,12 @@
 #include "core/files.hpp"
 #include "core/random.hpp"
 #include "inputs.hpp"
-#include "results/analysis.hpp"
-#include "results/analysis_tables.hpp"
+#include "results/analysis/analysis.hpp"
+#include "results/answers/long_table.hpp"
+#include "results/answers/response_table.hpp"
 #include "results/fixtures.hpp"
-#include "results/long_table.hpp"
-#include "results/report.hpp"
-#include "results/response_table.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/report/report.hpp"
 
 namespace {
 

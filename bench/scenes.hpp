@@ -1,9 +1,9 @@
 // A frame of the game, to draw.
 #pragma once
 
-#include "immersive/frame_scene.hpp"
+#include "app/window/frame_scene.hpp"
 #include "inputs.hpp"
-#include "renderer/scene.hpp"
+#include "renderer/scene/scene.hpp"
 
 namespace deixis::bench {
 

@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "assets/data_paths.hpp"
+#include "app/session/recorders.hpp"
+#include "app/session/session_loop.hpp"
+#include "app/stations/simulated_setup.hpp"
+#include "app/study/enrolment.hpp"
+#include "app/study/stimuli.hpp"
+#include "assets/data/data_paths.hpp"
 #include "clocks.hpp"
-#include "enrolment.hpp"
 #include "inputs.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "recorders.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "results/fixtures.hpp"
-#include "session_loop.hpp"
-#include "simulated_setup.hpp"
-#include "stimuli.hpp"
-#include "studies/simulated_participant.hpp"
+#include "studies/simulation/simulated_participant.hpp"
 
 namespace {
 

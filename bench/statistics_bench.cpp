@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "results/bootstrap.hpp"
-#include "results/rank_sum.hpp"
-#include "results/signed_rank.hpp"
+#include "results/statistics/bootstrap.hpp"
+#include "results/statistics/rank_sum.hpp"
+#include "results/statistics/signed_rank.hpp"
 
 namespace {
 

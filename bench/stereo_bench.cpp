@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "app/clips/study_setup.hpp"
 #include "clocks.hpp"
 #include "idle_gl.hpp"
-#include "renderer/renderer.hpp"
+#include "renderer/drawing/renderer.hpp"
 #include "scenes.hpp"
-#include "study_setup.hpp"
 
 namespace {
 

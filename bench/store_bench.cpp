@@ -12,8 +12,8 @@
 
 #include "inputs.hpp"
 #include "results/fixtures.hpp"
-#include "results/recording_thread.hpp"
-#include "results/store.hpp"
+#include "results/store/recording_thread.hpp"
+#include "results/store/store.hpp"
 
 namespace {
 

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "app/clips/study_setup.hpp"
 #include "inputs.hpp"
-#include "studies/plan.hpp"
-#include "studies/targets.hpp"
-#include "study_setup.hpp"
+#include "studies/design/plan.hpp"
+#include "studies/design/targets.hpp"
 
 namespace {
 

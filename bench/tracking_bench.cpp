@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "clocks.hpp"
+#include "results/database/tracking_blocks.hpp"
 #include "results/fixtures.hpp"
-#include "results/store.hpp"
-#include "results/tracking_blocks.hpp"
+#include "results/store/store.hpp"
 
 namespace {
 

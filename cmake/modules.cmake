@@ -32,6 +32,30 @@ function(add_module name)
     target_link_libraries(deixis_${name} PUBLIC ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
 endfunction()
 
+# add_room(NAME [MAIN header.hpp] [PUBLIC rooms and libs...] [PRIVATE rooms and libs...])
+# A part of this folder's module: the folder NAME, a static library deixis::MODULE::NAME of its *.cpp. Its public
+# headers stand in NAME/include/MODULE/NAME, which is an include root of its own; private ones beside the sources. Only
+# what is linked can be included: the allowed arrows between rooms (written "MODULE/NAME"; every room may use core) stand
+# in these calls, and nowhere else. MAIN is the public header that says what the room is for. deixis::MODULE links all
+# rooms of a module.
+function(add_room name)
+    cmake_parse_arguments(ARG "" "MAIN" "PUBLIC;PRIVATE" ${ARGN})
+    get_filename_component(module ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    set(target deixis_${module}_${name})
+    file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp)
+    add_library(${target} STATIC ${sources})
+    add_library(deixis::${module}::${name} ALIAS ${target})
+    target_include_directories(${target} PUBLIC ${name}/include PRIVATE ${name})
+    list(TRANSFORM ARG_PUBLIC REPLACE "^([a-z_]+)/([a-z_]+)$" "deixis::\\1::\\2")
+    list(TRANSFORM ARG_PRIVATE REPLACE "^([a-z_]+)/([a-z_]+)$" "deixis::\\1::\\2")
+    target_link_libraries(${target} PUBLIC deixis::core ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
+    if(NOT TARGET deixis_${module})
+        add_library(deixis_${module} INTERFACE)
+        add_library(deixis::${module} ALIAS deixis_${module})
+    endif()
+    target_link_libraries(deixis_${module} INTERFACE ${target})
+endfunction()
+
 # Of the tests' code only time to compile is asked; what they test is compiled as the build type says.
 set(DEIXIS_TEST_OPTIONS -O0)
 

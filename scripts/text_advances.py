@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Prints the table of studies/src/text_advances.cpp: how wide the characters of the boards' fonts are.
-   scripts/text_advances.py REGULAR.ttf BOLD.ttf >studies/src/text_advances.cpp"""
+"""Prints the table of studies/texts/text_advances.cpp: how wide the characters of the boards' fonts are.
+   scripts/text_advances.py REGULAR.ttf BOLD.ttf >studies/texts/text_advances.cpp"""
 import struct
 import sys
 

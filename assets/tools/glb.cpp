@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 namespace deixis::avatar_maker {
 

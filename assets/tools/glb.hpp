@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "assets/avatar.hpp"
+#include "assets/avatar/avatar.hpp"
 
 namespace deixis::avatar_maker {
 

@@ -14,7 +14,7 @@
 #include "core/files.hpp"
 #include "eye.hpp"
 #include "glb.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "paint.hpp"
 #include "skin_weights.hpp"
 #include "split.hpp"

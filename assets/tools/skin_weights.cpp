@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "shapes.hpp"
 
 namespace deixis::avatar_maker {

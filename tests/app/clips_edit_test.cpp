@@ -2,8 +2,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "assets/bvh.hpp"
-#include "assets/manifest.hpp"
+#include "assets/joints/bvh.hpp"
+#include "assets/tables/manifest.hpp"
 #include "program.hpp"
 #include "text.hpp"
 

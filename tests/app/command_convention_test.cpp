@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hpp"
-#include "old_spellings.hpp"
+#include "app/command_line/command_line.hpp"
+#include "app/command_line/old_spellings.hpp"
 #include "program.hpp"
 #include "text.hpp"
 

@@ -1,5 +1,5 @@
 // The command line as it is declared: what its numbers take, and what is proposed for what it does not know.
-#include "command_line.hpp"
+#include "app/command_line/command_line.hpp"
 
 #include <doctest/doctest.h>
 

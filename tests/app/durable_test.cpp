@@ -1,9 +1,9 @@
 // Folders of results are on the disk when they are told to be there, by the calls that ask the disk for it.
 #include <doctest/doctest.h>
 
-#include "clip_output.hpp"
+#include "app/clips/clip_output.hpp"
 #include "program.hpp"
-#include "results/data_export.hpp"
+#include "results/copies/data_export.hpp"
 #include "sync_log.hpp"
 
 using namespace deixis;

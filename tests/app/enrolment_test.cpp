@@ -1,5 +1,5 @@
 // Who gets which number, groups and plan, also where several stations enrol at once.
-#include "enrolment.hpp"
+#include "app/study/enrolment.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

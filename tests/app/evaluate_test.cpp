@@ -5,8 +5,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "app/program/progress_line.hpp"
 #include "program.hpp"
-#include "progress_line.hpp"
 #include "schema_check.hpp"
 #include "text.hpp"
 

@@ -10,16 +10,16 @@
 #include <set>
 #include <utility>
 
-#include "assets/data_paths.hpp"
+#include "app/session/recorders.hpp"
+#include "app/stations/simulated_setup.hpp"
+#include "app/study/enrolment.hpp"
+#include "app/study/locked_study.hpp"
+#include "app/study/stimuli.hpp"
+#include "assets/data/data_paths.hpp"
 #include "core/random.hpp"
-#include "enrolment.hpp"
-#include "locked_study.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "program.hpp"
-#include "recorders.hpp"
-#include "simulated_setup.hpp"
-#include "stimuli.hpp"
-#include "studies/simulated_participant.hpp"
+#include "studies/simulation/simulated_participant.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

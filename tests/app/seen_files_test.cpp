@@ -1,5 +1,5 @@
 // Hashes that are remembered are those of the files as they are.
-#include "seen_files.hpp"
+#include "app/study/seen_files.hpp"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>

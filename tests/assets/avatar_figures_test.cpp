@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "assets/avatar.hpp"
+#include "assets/avatar/avatar.hpp"
 #include "core/files.hpp"
 #include "gltf_rig.hpp"
 

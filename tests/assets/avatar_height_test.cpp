@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
-#include "assets/avatar.hpp"
+#include "assets/avatar/avatar.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "gltf_rig.hpp"

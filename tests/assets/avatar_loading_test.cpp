@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "assets/avatar.hpp"
+#include "assets/avatar/avatar.hpp"
 #include "core/files.hpp"
 #include "core/random.hpp"
 

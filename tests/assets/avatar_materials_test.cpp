@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "assets/avatar.hpp"
+#include "assets/avatar/avatar.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "gltf_rig.hpp"

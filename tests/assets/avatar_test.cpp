@@ -1,4 +1,4 @@
-#include "assets/avatar.hpp"
+#include "assets/avatar/avatar.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,9 +17,9 @@
 
 #include "core/files.hpp"
 #include "core/hash.hpp"
-#include "motion/body_shape.hpp"
-#include "motion/hand_shapes.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/hand_shapes.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/pointing/body_shape.hpp"
 
 using namespace deixis;
 using assets::Avatar;

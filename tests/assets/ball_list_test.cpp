@@ -1,4 +1,4 @@
-#include "assets/ball_list.hpp"
+#include "assets/tables/ball_list.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "assets/bvh.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
+#include "assets/joints/bvh.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/retarget/retarget.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;

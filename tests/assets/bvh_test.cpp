@@ -1,4 +1,4 @@
-#include "assets/bvh.hpp"
+#include "assets/joints/bvh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 #include "core/files.hpp"
 #include "core/random.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "shared_data.hpp"
 #include "text.hpp"
 

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
-#include "assets/bvh.hpp"
-#include "motion/clip_edit.hpp"
-#include "motion/retarget.hpp"
-#include "motion/segmentation.hpp"
+#include "assets/joints/bvh.hpp"
+#include "motion/gestures/segmentation.hpp"
+#include "motion/retarget/retarget.hpp"
+#include "motion/skeleton/clip_edit.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;

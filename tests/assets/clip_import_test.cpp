@@ -1,4 +1,4 @@
-#include "assets/clip_import.hpp"
+#include "assets/joints/clip_import.hpp"
 
 #include <doctest/doctest.h>
 #include <zlib.h>
@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "assets/bvh.hpp"
-#include "assets/joint_positions.hpp"
+#include "assets/joints/bvh.hpp"
+#include "assets/joints/joint_positions.hpp"
 #include "core/files.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/retarget/retarget.hpp"
 #include "shared_data.hpp"
 #include "text.hpp"
 

@@ -1,4 +1,4 @@
-#include "../../assets/src/decimal.hpp"
+#include "assets/joints/decimal.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

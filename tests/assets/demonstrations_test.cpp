@@ -1,4 +1,4 @@
-#include "assets/demonstrations.hpp"
+#include "assets/data/demonstrations.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "assets/expmap_rows.hpp"
+#include "assets/joints/expmap_rows.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "assets/clip_import.hpp"
-#include "motion/retarget.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "motion/retarget/retarget.hpp"
 #include "shared_data.hpp"
 #include "text.hpp"
 

@@ -1,4 +1,4 @@
-#include "assets/gltf_clip.hpp"
+#include "assets/gltf/gltf_clip.hpp"
 
 #include <doctest/doctest.h>
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 namespace deixis::tests {
 

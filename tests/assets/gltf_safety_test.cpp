@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "assets/gltf_clip.hpp"
+#include "assets/gltf/gltf_clip.hpp"
 #include "core/files.hpp"
 #include "core/random.hpp"
 #include "tiny_gltf_file.hpp"

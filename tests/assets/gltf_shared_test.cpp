@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "assets/gltf_clip.hpp"
+#include "assets/gltf/gltf_clip.hpp"
 #include "core/files.hpp"
 #include "shared_data.hpp"
 

@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "assets/bvh.hpp"
-#include "assets/gltf_clip.hpp"
+#include "assets/gltf/gltf_clip.hpp"
+#include "assets/joints/bvh.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "core/random.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;

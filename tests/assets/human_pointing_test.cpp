@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "assets/demonstrations.hpp"
-#include "motion/demonstration_library.hpp"
-#include "motion/pointing.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "assets/data/demonstrations.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/pointing/pointing.hpp"
+#include "motion/synthesis/demonstration_library.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;

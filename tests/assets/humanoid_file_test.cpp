@@ -1,10 +1,10 @@
-#include "assets/humanoid_file.hpp"
+#include "assets/tables/humanoid_file.hpp"
 
 #include <doctest/doctest.h>
 
 #include <string>
 
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 using namespace deixis;
 using motion::Bone;

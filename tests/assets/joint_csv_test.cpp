@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "assets/bvh.hpp"
-#include "assets/clip_import.hpp"
-#include "assets/joint_positions.hpp"
-#include "motion/generator.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "assets/joints/bvh.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "assets/joints/joint_positions.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/synthesis/generator.hpp"
 #include "shared_data.hpp"
 #include "text.hpp"
 

@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "assets/clip_import.hpp"
-#include "assets/joint_positions.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "assets/joints/joint_positions.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;

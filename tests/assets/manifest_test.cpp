@@ -1,4 +1,4 @@
-#include "assets/manifest.hpp"
+#include "assets/tables/manifest.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <string>
 
-#include "assets/bvh.hpp"
-#include "assets/clip_import.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "assets/joints/bvh.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "text.hpp"
 
 using namespace deixis;

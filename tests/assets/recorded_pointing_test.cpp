@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "assets/bvh.hpp"
-#include "assets/clip_import.hpp"
-#include "motion/pointing_phases.hpp"
-#include "motion/retarget.hpp"
+#include "assets/joints/bvh.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "motion/pointing/pointing_phases.hpp"
+#include "motion/retarget/retarget.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;

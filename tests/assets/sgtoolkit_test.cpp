@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "assets/clip_import.hpp"
-#include "assets/joint_positions.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "assets/joints/joint_positions.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -10,8 +10,8 @@
 #include <set>
 #include <string>
 
-#include "assets/avatar.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "assets/avatar/avatar.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;

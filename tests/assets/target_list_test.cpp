@@ -1,4 +1,4 @@
-#include "assets/target_list.hpp"
+#include "assets/tables/target_list.hpp"
 
 #include <doctest/doctest.h>
 

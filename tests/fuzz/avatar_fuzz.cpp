@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "assets/avatar.hpp"
+#include "assets/avatar/avatar.hpp"
 
 using namespace deixis;
 

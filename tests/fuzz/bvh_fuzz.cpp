@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "assets/clip_import.hpp"
+#include "assets/joints/clip_import.hpp"
 #include "clip_invariants.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "assets/clip_import.hpp"
+#include "assets/joints/clip_import.hpp"
 
 namespace deixis::fuzz {
 

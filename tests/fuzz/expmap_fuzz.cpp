@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "assets/expmap_rows.hpp"
+#include "assets/joints/expmap_rows.hpp"
 #include "clip_invariants.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "assets/gltf_clip.hpp"
+#include "assets/gltf/gltf_clip.hpp"
 
 using namespace deixis;
 

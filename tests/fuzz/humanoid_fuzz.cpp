@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "motion/humanoid_mapping.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
+#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/retarget/retarget.hpp"
 
 using namespace deixis;
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "assets/joint_positions.hpp"
+#include "assets/joints/joint_positions.hpp"
 #include "clip_invariants.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -8,12 +8,12 @@
 
 #include "../studies/panel_fixture.hpp"
 #include "../studies/session_study.hpp"
+#include "app/clips/study_setup.hpp"
+#include "app/window/frame_scene.hpp"
 #include "board_layout.hpp"
 #include "board_painter.hpp"
-#include "frame_scene.hpp"
-#include "studies/notice.hpp"
-#include "studies/simulated_participant.hpp"
-#include "study_setup.hpp"
+#include "studies/simulation/simulated_participant.hpp"
+#include "studies/station/notice.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

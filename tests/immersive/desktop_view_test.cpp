@@ -12,13 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "app/clips/study_setup.hpp"
 #include "core/random.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "studies/plan.hpp"
-#include "studies/session.hpp"
-#include "studies/simulated_participant.hpp"
-#include "studies/standing.hpp"
-#include "study_setup.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "studies/design/plan.hpp"
+#include "studies/session/session.hpp"
+#include "studies/simulation/simulated_participant.hpp"
+#include "studies/study_file/standing.hpp"
 
 using namespace deixis;
 using namespace deixis::app;

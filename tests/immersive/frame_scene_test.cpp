@@ -1,4 +1,4 @@
-#include "frame_scene.hpp"
+#include "app/window/frame_scene.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/room.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 using namespace deixis;
 using namespace deixis::app;

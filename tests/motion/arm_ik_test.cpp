@@ -1,4 +1,4 @@
-#include "motion/arm_ik.hpp"
+#include "motion/pointing/arm_ik.hpp"
 
 #include <doctest/doctest.h>
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "motion/clip.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/skeleton.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/skeleton/clip.hpp"
+#include "motion/skeleton/skeleton.hpp"
 
 namespace deixis::tests {
 

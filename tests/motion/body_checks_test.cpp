@@ -1,4 +1,4 @@
-#include "motion/body_checks.hpp"
+#include "motion/pointing/body_checks.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/pointing_phases.hpp"
+#include "motion/pointing/pointing_phases.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;

@@ -1,11 +1,11 @@
-#include "motion/clip_edit.hpp"
+#include "motion/skeleton/clip_edit.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cstring>
 
 #include "core/random.hpp"
-#include "motion/demonstration_library.hpp"
+#include "motion/synthesis/demonstration_library.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;

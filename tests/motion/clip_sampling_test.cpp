@@ -4,7 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "core/random.hpp"
-#include "motion/clip.hpp"
+#include "motion/skeleton/clip.hpp"
 
 using namespace deixis;
 

@@ -1,4 +1,4 @@
-#include "motion/clip.hpp"
+#include "motion/skeleton/clip.hpp"
 
 #include <doctest/doctest.h>
 

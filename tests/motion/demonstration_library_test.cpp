@@ -1,4 +1,4 @@
-#include "motion/demonstration_library.hpp"
+#include "motion/synthesis/demonstration_library.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "motion/generator.hpp"
+#include "motion/synthesis/generator.hpp"
 
 #include <doctest/doctest.h>
 

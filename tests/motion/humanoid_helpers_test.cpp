@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "motion/humanoid_mapping.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
+#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/retarget/retarget.hpp"
 
 using namespace deixis;
 using motion::Bone;

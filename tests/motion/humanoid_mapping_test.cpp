@@ -1,5 +1,5 @@
 // Figures under the names of the schemes in use, and under no names at all.
-#include "motion/humanoid_mapping.hpp"
+#include "motion/humanoid/humanoid_mapping.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 using namespace deixis;
 using motion::Bone;

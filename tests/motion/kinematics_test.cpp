@@ -1,4 +1,4 @@
-#include "motion/kinematics.hpp"
+#include "motion/skeleton/kinematics.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 
 #include "core/files.hpp"
 #include "core/random.hpp"
-#include "motion/minimum_jerk.hpp"
+#include "motion/skeleton/minimum_jerk.hpp"
 
 using namespace deixis;
 using namespace deixis::motion;

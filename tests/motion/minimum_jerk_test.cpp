@@ -1,4 +1,4 @@
-#include "motion/minimum_jerk.hpp"
+#include "motion/skeleton/minimum_jerk.hpp"
 
 #include <doctest/doctest.h>
 

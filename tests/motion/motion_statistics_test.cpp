@@ -1,10 +1,10 @@
-#include "motion/motion_statistics.hpp"
+#include "motion/gestures/motion_statistics.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "motion/gesture_style.hpp"
+#include "motion/gestures/gesture_style.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;

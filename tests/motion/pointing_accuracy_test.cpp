@@ -1,14 +1,14 @@
-#include "motion/pointing_accuracy.hpp"
+#include "motion/pointing/pointing_accuracy.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/generator.hpp"
-#include "motion/pointing.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/pointing/pointing.hpp"
+#include "motion/retarget/retarget.hpp"
+#include "motion/synthesis/generator.hpp"
 
 using namespace deixis;
 using namespace deixis::motion;

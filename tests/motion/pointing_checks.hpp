@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "motion/generator.hpp"
-#include "motion/pointing.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/pointing/pointing.hpp"
+#include "motion/synthesis/generator.hpp"
 
 namespace deixis::tests {
 

@@ -1,11 +1,11 @@
-#include "motion/pointing_measures.hpp"
+#include "motion/pointing/pointing_measures.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/demonstration_library.hpp"
+#include "motion/synthesis/demonstration_library.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;

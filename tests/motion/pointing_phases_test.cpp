@@ -1,4 +1,4 @@
-#include "motion/pointing_phases.hpp"
+#include "motion/pointing/pointing_phases.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "motion/minimum_jerk.hpp"
+#include "motion/skeleton/minimum_jerk.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;

@@ -1,11 +1,11 @@
-#include "motion/pointing.hpp"
+#include "motion/pointing/pointing.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 using namespace deixis;
 using doctest::Approx;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "avatar.hpp"
-#include "motion/hand_shapes.hpp"
-#include "motion/retarget.hpp"
+#include "motion/humanoid/hand_shapes.hpp"
+#include "motion/retarget/retarget.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;

@@ -1,4 +1,4 @@
-#include "motion/retarget.hpp"
+#include "motion/retarget/retarget.hpp"
 #include "avatar.hpp"
 
 #include <doctest/doctest.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 using namespace deixis;
 using motion::Bone;

@@ -1,8 +1,8 @@
-#include "motion/segmentation.hpp"
+#include "motion/gestures/segmentation.hpp"
 
 #include <doctest/doctest.h>
 
-#include "motion/clip_edit.hpp"
+#include "motion/skeleton/clip_edit.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;

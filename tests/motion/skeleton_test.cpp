@@ -1,4 +1,4 @@
-#include "motion/skeleton.hpp"
+#include "motion/skeleton/skeleton.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/random.hpp"
-#include "motion/humanoid_mapping.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 
 using namespace deixis;
 using motion::Bone;

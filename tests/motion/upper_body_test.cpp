@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "avatar.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "motion/retarget.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/retarget/retarget.hpp"
 
 using namespace deixis;
 using motion::Bone;

@@ -1,5 +1,5 @@
 // What a session tells its operator.
-#include "operator_feed.hpp"
+#include "app/session/operator_feed.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "mirror_picture.hpp"
+#include "app/operator/mirror_picture.hpp"
 
 using namespace deixis::app;
 

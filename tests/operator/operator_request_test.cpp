@@ -1,5 +1,5 @@
 // What the experimenter asks for, and what is asked back first.
-#include "operator_request.hpp"
+#include "app/operator/operator_request.hpp"
 
 #include <doctest/doctest.h>
 

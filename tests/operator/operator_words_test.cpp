@@ -1,5 +1,5 @@
 // What the operator's panel says.
-#include "operator_words.hpp"
+#include "app/operator/operator_words.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // How long a session will still take.
-#include "time_left.hpp"
+#include "app/session/time_left.hpp"
 
 #include <doctest/doctest.h>
 

@@ -11,8 +11,8 @@
 #include <optional>
 #include <utility>
 
-#include "assets/avatar.hpp"
-#include "renderer/renderer.hpp"
+#include "assets/avatar/avatar.hpp"
+#include "renderer/drawing/renderer.hpp"
 
 namespace deixis::tests {
 

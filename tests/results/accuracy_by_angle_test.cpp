@@ -1,5 +1,5 @@
 // Right choices against the angle to the nearest distractor.
-#include "results/accuracy_by_angle.hpp"
+#include "results/answers/accuracy_by_angle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,10 +7,10 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/analysis_json.hpp"
-#include "results/analysis_tables.hpp"
-#include "results/data_export.hpp"
-#include "results/report.hpp"
+#include "results/copies/data_export.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/report/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -7,10 +7,10 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "oracles.hpp"
-#include "results/analysis_json.hpp"
-#include "results/analysis_tables.hpp"
-#include "results/long_table.hpp"
-#include "results/report.hpp"
+#include "results/answers/long_table.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/report/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "fixtures.hpp"
-#include "results/analysis_json.hpp"
-#include "results/analysis_tables.hpp"
-#include "results/report.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/report/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -1,4 +1,4 @@
-#include "results/analysis.hpp"
+#include "results/analysis/analysis.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fixtures.hpp"
-#include "results/analysis_json.hpp"
+#include "results/outputs/analysis_json.hpp"
 
 using namespace deixis;
 using namespace deixis::results;

@@ -1,5 +1,5 @@
 // The copy of a database that is given away.
-#include "results/anonymous_copy.hpp"
+#include "results/copies/anonymous_copy.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>
@@ -8,9 +8,9 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/participants.hpp"
-#include "results/response_table.hpp"
-#include "results/tracking_blocks.hpp"
+#include "results/answers/response_table.hpp"
+#include "results/database/tracking_blocks.hpp"
+#include "results/participants/participants.hpp"
 #include "text.hpp"
 #include "withdrawal_fixture.hpp"
 

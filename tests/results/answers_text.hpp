@@ -7,9 +7,9 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/analysis.hpp"
-#include "results/analysis_tables.hpp"
-#include "results/long_table.hpp"
+#include "results/analysis/analysis.hpp"
+#include "results/answers/long_table.hpp"
+#include "results/outputs/analysis_tables.hpp"
 
 namespace fixtures {
 

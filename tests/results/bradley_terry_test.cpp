@@ -1,14 +1,14 @@
 // Abilities from preferences, against R's glm (oracles/make_bradley_terry.R) and by hand.
-#include "results/bradley_terry.hpp"
+#include "results/analysis/bradley_terry.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "oracles.hpp"
-#include "results/analysis.hpp"
-#include "results/analysis_json.hpp"
-#include "results/report.hpp"
+#include "results/analysis/analysis.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/report/report.hpp"
 
 using namespace deixis;
 using namespace deixis::results;

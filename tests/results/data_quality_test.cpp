@@ -1,11 +1,11 @@
-#include "results/data_quality.hpp"
+#include "results/answers/data_quality.hpp"
 
 #include <doctest/doctest.h>
 
 #include <fmt/core.h>
 
 #include "fixtures.hpp"
-#include "results/response_table.hpp"
+#include "results/answers/response_table.hpp"
 
 using namespace deixis;
 using doctest::Approx;

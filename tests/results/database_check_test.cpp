@@ -7,12 +7,12 @@
 
 #include "core/random.hpp"
 #include "fixtures.hpp"
-#include "results/analysis.hpp"
-#include "results/analysis_json.hpp"
-#include "results/data_export.hpp"
-#include "results/merge.hpp"
-#include "results/participants.hpp"
-#include "results/response_table.hpp"
+#include "results/analysis/analysis.hpp"
+#include "results/answers/response_table.hpp"
+#include "results/copies/data_export.hpp"
+#include "results/copies/merge.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/participants/participants.hpp"
 #include "text.hpp"
 
 using namespace deixis;

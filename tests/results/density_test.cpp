@@ -1,6 +1,6 @@
 // Densities, clusters and correlations against SciPy, statsmodels and scikit-learn
 // (scripts/reference/density.py).
-#include "results/density.hpp"
+#include "results/statistics/density.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "results/mean_shift.hpp"
-#include "results/spearman.hpp"
+#include "results/statistics/mean_shift.hpp"
+#include "results/statistics/spearman.hpp"
 
 using namespace deixis::results;
 

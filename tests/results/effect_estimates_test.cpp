@@ -1,10 +1,10 @@
 // Effects estimated from answers that were drawn from known ones.
-#include "results/effect_estimates.hpp"
+#include "results/analysis/effect_estimates.hpp"
 
 #include <doctest/doctest.h>
 
-#include "studies/assumed_answers.hpp"
 #include "studies/plan_fixture.hpp"
+#include "studies/simulation/assumed_answers.hpp"
 
 using namespace deixis;
 using namespace deixis::results;

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "core/random.hpp"
-#include "results/descriptive.hpp"
-#include "results/evaluation.hpp"
+#include "results/evaluation/evaluation.hpp"
+#include "results/statistics/descriptive.hpp"
 #include "specifications.hpp"
 #include "text.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "core/csv.hpp"
 #include "oracles.hpp"
-#include "results/evaluation.hpp"
+#include "results/evaluation/evaluation.hpp"
 #include "text.hpp"
 
 using namespace deixis;

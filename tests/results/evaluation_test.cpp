@@ -1,4 +1,4 @@
-#include "results/evaluation.hpp"
+#include "results/evaluation/evaluation.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include "core/csv.hpp"
 #include "core/files.hpp"
 #include "core/random.hpp"
-#include "results/descriptive.hpp"
+#include "results/statistics/descriptive.hpp"
 #include "text.hpp"
 
 using namespace deixis;

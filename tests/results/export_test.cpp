@@ -11,9 +11,9 @@
 #include "core/csv.hpp"
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/data_export.hpp"
-#include "results/participants.hpp"
-#include "results/recording.hpp"
+#include "results/copies/data_export.hpp"
+#include "results/participants/participants.hpp"
+#include "results/store/recording.hpp"
 #include "text.hpp"
 
 using namespace deixis;

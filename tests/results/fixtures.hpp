@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "results/store.hpp"
+#include "results/store/store.hpp"
 
 namespace fixtures {
 

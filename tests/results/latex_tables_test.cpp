@@ -8,7 +8,7 @@
 #include "answers_text.hpp"
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/analysis_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -6,8 +6,8 @@
 #include "answers_text.hpp"
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/analysis_tables.hpp"
-#include "results/long_table.hpp"
+#include "results/answers/long_table.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "text.hpp"
 
 using namespace deixis;

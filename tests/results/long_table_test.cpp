@@ -1,5 +1,5 @@
 // Answers that come as a CSV file, and several files together.
-#include "results/long_table.hpp"
+#include "results/answers/long_table.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/analysis_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -3,11 +3,11 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/data_export.hpp"
-#include "results/merge.hpp"
-#include "results/participants.hpp"
-#include "results/recording.hpp"
-#include "results/response_table.hpp"
+#include "results/answers/response_table.hpp"
+#include "results/copies/data_export.hpp"
+#include "results/copies/merge.hpp"
+#include "results/participants/participants.hpp"
+#include "results/store/recording.hpp"
 #include "text.hpp"
 
 using namespace deixis;

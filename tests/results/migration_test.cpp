@@ -10,10 +10,10 @@
 #include "core/hash.hpp"
 #include "fixtures.hpp"
 #include "old_databases.hpp"
-#include "results/data_export.hpp"
-#include "results/merge.hpp"
-#include "results/participants.hpp"
-#include "results/tracking_blocks.hpp"
+#include "results/copies/data_export.hpp"
+#include "results/copies/merge.hpp"
+#include "results/database/tracking_blocks.hpp"
+#include "results/participants/participants.hpp"
 
 using namespace deixis;
 using fixtures::makeVersion;

@@ -1,5 +1,5 @@
 // Simulated observers side by side, ceilings and drift: against cases worked by hand.
-#include "results/observers.hpp"
+#include "results/answers/observers.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "core/random.hpp"
-#include "motion/generator.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "studies/watched_gesture.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/synthesis/generator.hpp"
+#include "studies/simulation/watched_gesture.hpp"
 
 using namespace deixis;
 using namespace deixis::results;

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "results/rational.hpp"
+#include "results/statistics/rational.hpp"
 
 namespace deixis::tests {
 

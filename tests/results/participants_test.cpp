@@ -1,10 +1,10 @@
-#include "results/participants.hpp"
+#include "results/participants/participants.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>
 
 #include "fixtures.hpp"
-#include "results/participant_lock.hpp"
+#include "results/store/participant_lock.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -1,6 +1,6 @@
 // Power: against exact and simulated power made by other programs, and what must hold of every power
 // analysis.
-#include "results/power.hpp"
+#include "results/analysis/power.hpp"
 
 #include <doctest/doctest.h>
 

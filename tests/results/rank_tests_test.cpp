@@ -1,8 +1,8 @@
 #include "oracles.hpp"
-#include "results/friedman.hpp"
-#include "results/rank_sum.hpp"
-#include "results/shapiro_wilk.hpp"
-#include "results/spearman.hpp"
+#include "results/statistics/friedman.hpp"
+#include "results/statistics/rank_sum.hpp"
+#include "results/statistics/shapiro_wilk.hpp"
+#include "results/statistics/spearman.hpp"
 
 using namespace deixis::results;
 using namespace deixis::tests;

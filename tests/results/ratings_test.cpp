@@ -5,9 +5,9 @@
 
 #include "answers_text.hpp"
 #include "oracles.hpp"
-#include "results/analysis_json.hpp"
-#include "results/data_export.hpp"
-#include "results/report.hpp"
+#include "results/copies/data_export.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/report/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

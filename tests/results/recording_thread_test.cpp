@@ -1,4 +1,4 @@
-#include "results/recording_thread.hpp"
+#include "results/store/recording_thread.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "fixtures.hpp"
-#include "results/analysis.hpp"
-#include "results/analysis_json.hpp"
-#include "results/report.hpp"
+#include "results/analysis/analysis.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/report/report.hpp"
 #include "specifications.hpp"
 #include "text.hpp"
 

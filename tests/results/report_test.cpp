@@ -5,9 +5,9 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/analysis.hpp"
-#include "results/analysis_json.hpp"
-#include "results/report.hpp"
+#include "results/analysis/analysis.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/report/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

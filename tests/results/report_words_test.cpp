@@ -5,10 +5,10 @@
 
 #include "answers_text.hpp"
 #include "fixtures.hpp"
-#include "results/analysis.hpp"
-#include "results/analysis_json.hpp"
-#include "results/report.hpp"
-#include "results/stations.hpp"
+#include "results/analysis/analysis.hpp"
+#include "results/answers/stations.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/report/report.hpp"
 #include "specifications.hpp"
 #include "text.hpp"
 

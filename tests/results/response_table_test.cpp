@@ -1,4 +1,4 @@
-#include "results/response_table.hpp"
+#include "results/answers/response_table.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>
@@ -9,7 +9,7 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/data_export.hpp"
+#include "results/copies/data_export.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -1,5 +1,5 @@
 // Several studies in one report: each by itself and pooled, or refused with the reason.
-#include "results/several_studies.hpp"
+#include "results/analysis/several_studies.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,11 +12,11 @@
 #include "fixtures.hpp"
 #include "old_databases.hpp"
 #include "oracles.hpp"
-#include "results/analysis_json.hpp"
-#include "results/analysis_tables.hpp"
-#include "results/long_table.hpp"
-#include "results/report.hpp"
-#include "results/stations.hpp"
+#include "results/answers/long_table.hpp"
+#include "results/answers/stations.hpp"
+#include "results/outputs/analysis_json.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/report/report.hpp"
 #include "text.hpp"
 
 using namespace deixis;

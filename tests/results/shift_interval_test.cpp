@@ -5,9 +5,9 @@
 
 #include "core/random.hpp"
 #include "oracles.hpp"
-#include "results/rank_sum.hpp"
-#include "results/rounded_fraction.hpp"
-#include "results/signed_rank.hpp"
+#include "results/statistics/rank_sum.hpp"
+#include "results/statistics/rounded_fraction.hpp"
+#include "results/statistics/signed_rank.hpp"
 
 using namespace deixis::results;
 using namespace deixis::tests;

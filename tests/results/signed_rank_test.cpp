@@ -1,4 +1,4 @@
-#include "results/signed_rank.hpp"
+#include "results/statistics/signed_rank.hpp"
 
 #include "core/random.hpp"
 #include "oracles.hpp"

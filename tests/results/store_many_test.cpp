@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fixtures.hpp"
-#include "results/participants.hpp"
-#include "results/store.hpp"
+#include "results/participants/participants.hpp"
+#include "results/store/store.hpp"
 
 using namespace deixis;
 using results::Durability;

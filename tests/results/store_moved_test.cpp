@@ -9,9 +9,9 @@
 #include <functional>
 
 #include "fixtures.hpp"
-#include "results/participants.hpp"
-#include "results/response_table.hpp"
-#include "results/store.hpp"
+#include "results/answers/response_table.hpp"
+#include "results/participants/participants.hpp"
+#include "results/store/store.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -1,4 +1,4 @@
-#include "results/store.hpp"
+#include "results/store/store.hpp"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "fixtures.hpp"
-#include "results/participant_lock.hpp"
+#include "results/store/participant_lock.hpp"
 #include "text.hpp"
 
 using namespace deixis;

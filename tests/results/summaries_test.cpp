@@ -4,10 +4,10 @@
 
 #include "core/random.hpp"
 #include "oracles.hpp"
-#include "results/bootstrap.hpp"
-#include "results/descriptive.hpp"
-#include "results/holm.hpp"
-#include "results/proportion.hpp"
+#include "results/statistics/bootstrap.hpp"
+#include "results/statistics/descriptive.hpp"
+#include "results/statistics/holm.hpp"
+#include "results/statistics/proportion.hpp"
 
 using namespace deixis::results;
 using namespace deixis::tests;

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "fixtures.hpp"
-#include "results/participants.hpp"
-#include "results/server.hpp"
+#include "results/participants/participants.hpp"
+#include "results/server/server.hpp"
 #include "text.hpp"
 
 using namespace deixis;

@@ -1,5 +1,5 @@
 // Tracked frames, packed and unpacked.
-#include "results/tracking_blocks.hpp"
+#include "results/database/tracking_blocks.hpp"
 
 #include <doctest/doctest.h>
 #include <zlib.h>

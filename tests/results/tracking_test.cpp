@@ -11,7 +11,7 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
-#include "results/tracking_blocks.hpp"
+#include "results/database/tracking_blocks.hpp"
 
 using namespace deixis;
 using results::Store;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "dying_vfs.hpp"
-#include "results/participants.hpp"
+#include "results/participants/participants.hpp"
 #include "text.hpp"
 #include "withdrawal_fixture.hpp"
 

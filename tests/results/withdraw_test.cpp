@@ -10,8 +10,8 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "old_databases.hpp"
-#include "results/participant_lock.hpp"
-#include "results/participants.hpp"
+#include "results/participants/participants.hpp"
+#include "results/store/participant_lock.hpp"
 #include "withdrawal_fixture.hpp"
 
 using namespace deixis;

@@ -1,5 +1,5 @@
 // How far distractors look from their target: measured, kept in plans, and limited where a study says so.
-#include "studies/angles.hpp"
+#include "studies/design/angles.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "studies/plan.hpp"
-#include "studies/targets.hpp"
+#include "studies/design/plan.hpp"
+#include "studies/design/targets.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;

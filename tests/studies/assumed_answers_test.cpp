@@ -1,5 +1,5 @@
 // Answers drawn from assumed effects, and the file that assumes them.
-#include "studies/assumed_answers.hpp"
+#include "studies/simulation/assumed_answers.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 
 #include "core/files.hpp"
 #include "core/random.hpp"
-#include "studies/answer_curve.hpp"
 #include "studies/plan_fixture.hpp"
+#include "studies/study_file/answer_curve.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;

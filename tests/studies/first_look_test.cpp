@@ -1,4 +1,4 @@
-#include "studies/first_look.hpp"
+#include "studies/station/first_look.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,12 +8,12 @@
 #include <span>
 #include <vector>
 
-#include "motion/generator.hpp"
-#include "motion/pointing.hpp"
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/pointing/pointing.hpp"
+#include "motion/synthesis/generator.hpp"
 #include "session_fixture.hpp"
 #include "simulated_run.hpp"
-#include "studies/standing.hpp"
+#include "studies/study_file/standing.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "plan_fixture.hpp"
-#include "studies/plan.hpp"
+#include "studies/design/plan.hpp"
 
 using namespace deixis::studies;
 

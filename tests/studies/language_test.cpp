@@ -1,4 +1,4 @@
-#include "studies/language.hpp"
+#include "studies/texts/language.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // The fit of the simulated participant's noise and lapses: against choices that it made with known ones.
-#include "studies/observer_fit.hpp"
+#include "studies/simulation/observer_fit.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // Boards on which participants rate, compare and play.
 #include "panel_fixture.hpp"
-#include "studies/session.hpp"
+#include "studies/session/session.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "panel_layout.hpp"
-#include "studies/text_layout.hpp"
+#include "studies/boards/panel_layout.hpp"
+#include "studies/texts/text_layout.hpp"
 
 namespace deixis::tests {
 

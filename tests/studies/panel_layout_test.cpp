@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "panel_fixture.hpp"
-#include "studies/session.hpp"
+#include "studies/session/session.hpp"
 #include "text.hpp"
 
 using namespace deixis;

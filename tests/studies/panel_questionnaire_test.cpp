@@ -1,6 +1,6 @@
 // Pages of questionnaires.
 #include "panel_fixture.hpp"
-#include "studies/session.hpp"
+#include "studies/session/session.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

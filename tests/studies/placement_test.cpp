@@ -1,4 +1,4 @@
-#include "studies/placement.hpp"
+#include "studies/design/placement.hpp"
 
 #include <doctest/doctest.h>
 

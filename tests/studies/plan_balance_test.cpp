@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "plan_fixture.hpp"
-#include "studies/plan.hpp"
+#include "studies/design/plan.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;

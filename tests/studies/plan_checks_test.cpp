@@ -9,7 +9,7 @@
 #include <string>
 
 #include "plan_fixture.hpp"
-#include "studies/plan.hpp"
+#include "studies/design/plan.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "studies/plan.hpp"
+#include "studies/design/plan.hpp"
 
 namespace deixis::studies::plan_fixture {
 

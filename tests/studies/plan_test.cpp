@@ -1,4 +1,4 @@
-#include "studies/plan.hpp"
+#include "studies/design/plan.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

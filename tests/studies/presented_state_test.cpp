@@ -1,11 +1,11 @@
-#include "studies/presented_state.hpp"
+#include "studies/station/presented_state.hpp"
 
 #include <doctest/doctest.h>
 
 #include <set>
 #include <string>
 
-#include "studies/station.hpp"
+#include "studies/station/station.hpp"
 
 using namespace deixis::studies;
 

@@ -1,11 +1,11 @@
-#include "studies/replay.hpp"
+#include "studies/session/replay.hpp"
 
 #include <doctest/doctest.h>
 
 #include <glm/geometric.hpp>
 
-#include "motion/reference_humanoid.hpp"
-#include "studies/standing.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "studies/study_file/standing.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "panel_layout.hpp"
 #include "session_stages.hpp"
+#include "studies/boards/panel_layout.hpp"
 #include "text.hpp"
 
 using namespace deixis;

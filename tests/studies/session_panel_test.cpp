@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "session_fixture.hpp"
-#include "studies/text_layout.hpp"
+#include "studies/texts/text_layout.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

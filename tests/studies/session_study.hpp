@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "motion/reference_humanoid.hpp"
-#include "studies/session.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "studies/session/session.hpp"
 
 namespace deixis::tests {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "plan_fixture.hpp"
-#include "studies/targets.hpp"
+#include "studies/design/targets.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/files.hpp"
-#include "studies/questionnaire.hpp"
-#include "studies/study.hpp"
+#include "studies/study_file/questionnaire.hpp"
+#include "studies/study_file/study.hpp"
 
 namespace fs = std::filesystem;
 using namespace deixis;

@@ -9,9 +9,9 @@
 #include <map>
 #include <set>
 
-#include "studies/plan.hpp"
-#include "studies/study.hpp"
-#include "studies/targets.hpp"
+#include "studies/design/plan.hpp"
+#include "studies/design/targets.hpp"
+#include "studies/study_file/study.hpp"
 
 namespace fs = std::filesystem;
 using namespace deixis;

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "core/files.hpp"
-#include "studies/simulated_participant.hpp"
+#include "studies/simulation/simulated_participant.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;

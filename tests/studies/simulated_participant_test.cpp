@@ -1,4 +1,4 @@
-#include "studies/simulated_participant.hpp"
+#include "studies/simulation/simulated_participant.hpp"
 
 #include <doctest/doctest.h>
 

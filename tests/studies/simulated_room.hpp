@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "motion/generator.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "studies/session.hpp"
-#include "studies/simulated_participant.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/synthesis/generator.hpp"
+#include "studies/session/session.hpp"
+#include "studies/simulation/simulated_participant.hpp"
 
 namespace deixis::tests {
 

@@ -15,11 +15,11 @@
 
 #include "core/files.hpp"
 #include "core/random.hpp"
-#include "motion/generator.hpp"
-#include "motion/reference_humanoid.hpp"
-#include "studies/session.hpp"
-#include "studies/simulated_participant.hpp"
-#include "studies/standing.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/synthesis/generator.hpp"
+#include "studies/session/session.hpp"
+#include "studies/simulation/simulated_participant.hpp"
+#include "studies/study_file/standing.hpp"
 
 namespace deixis::tests {
 

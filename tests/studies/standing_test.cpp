@@ -1,4 +1,4 @@
-#include "studies/standing.hpp"
+#include "studies/study_file/standing.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 
 #include "session_fixture.hpp"
 #include "simulated_run.hpp"
-#include "studies/visibility.hpp"
+#include "studies/design/visibility.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

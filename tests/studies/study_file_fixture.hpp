@@ -10,7 +10,7 @@
 #include <string>
 
 #include "core/files.hpp"
-#include "studies/study.hpp"
+#include "studies/study_file/study.hpp"
 
 namespace deixis::studies {
 

@@ -1,4 +1,4 @@
-#include "studies/target_grid.hpp"
+#include "studies/design/target_grid.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "studies/targets.hpp"
+#include "studies/design/targets.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // How wide texts are, and where their lines break.
-#include "studies/text_layout.hpp"
+#include "studies/texts/text_layout.hpp"
 
 #include <doctest/doctest.h>
 

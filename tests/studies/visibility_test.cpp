@@ -1,4 +1,4 @@
-#include "studies/visibility.hpp"
+#include "studies/design/visibility.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/reference_humanoid.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
 #include "simulated_run.hpp"
-#include "studies/plan.hpp"
+#include "studies/design/plan.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "studies/plan.hpp"
+#include "studies/design/plan.hpp"
 
 using namespace deixis::studies;
 

@@ -1,0 +1,183 @@
+// deixis package: a study's database as a folder that others can read, replay and analyse.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "app/analysis_commands/analysis_commands.hpp"
+#include "app/analysis_commands/report.hpp"
+#include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/version.hpp"
+#include "assets/data/data_paths.hpp"
+#include "core/durable.hpp"
+#include "core/files.hpp"
+#include "core/hash.hpp"
+#include "core/unique_name.hpp"
+#include "package_readme.hpp"
+#include "package_sets.hpp"
+#include "results/copies/anonymous_copy.hpp"
+#include "results/copies/data_export.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct PackageRequest {
+    std::string database;
+    std::string folder;
+    bool free_text = false;
+    bool tracking = true;
+};
+
+constexpr const char* packaged_database = "study.sqlite";
+
+/// The folder in the making, and the working folder until the end: what is written within names no other.
+/// Gone with all in it unless it was finished.
+class PackageInMaking {
+  public:
+    explicit PackageInMaking(const fs::path& target)
+        : before_(fs::current_path()),
+          target_(fs::absolute(target)),
+          folder_(target_.parent_path() /
+                  fmt::format(".{}.making-{}", target_.filename().string(), uniqueName())) {}
+    ~PackageInMaking() {
+        std::error_code code;
+        fs::current_path(before_, code);
+        fs::remove_all(folder_, code);
+    }
+    PackageInMaking(const PackageInMaking&) = delete;
+    PackageInMaking& operator=(const PackageInMaking&) = delete;
+
+    Result<void> enter() {
+        std::error_code code;
+        // Shipped files stay where they are looked for.
+        if (const char* data = std::getenv("DEIXIS_DATA"))
+            setenv("DEIXIS_DATA", fs::absolute(data).c_str(), 1);
+        fs::create_directories(folder_, code);
+        if (!code) fs::current_path(folder_, code);
+        if (code) return fail(folder_.string(), "cannot be made: " + code.message());
+        return {};
+    }
+    /// Nobody meets half of it.
+    Result<void> publish() {
+        syncFileSystem(folder_);
+        std::error_code code;
+        fs::current_path(before_, code);
+        if (fs::exists(target_, code)) return fail(target_.string(), "was made by somebody else meanwhile");
+        fs::rename(folder_, target_, code);
+        if (code) return fail(target_.string(), "cannot be written: " + code.message());
+        syncFolder(target_.parent_path());
+        return {};
+    }
+
+  private:
+    fs::path before_;
+    fs::path target_;
+    fs::path folder_;
+};
+
+std::vector<std::string> filesHere() {
+    std::vector<std::string> out;
+    for (const auto& entry : fs::recursive_directory_iterator("."))
+        if (entry.is_regular_file()) out.push_back(entry.path().lexically_relative(".").generic_string());
+    std::sort(out.begin(), out.end());
+    return out;
+}
+
+/// SHA256SUMS. A file that holds one of `words`, by which a lab could be told, is named on stderr.
+Result<void> writeSums(const std::vector<std::string>& words) {
+    std::string sums;
+    for (const std::string& file : filesHere()) {
+        const auto bytes = readFile(file);
+        if (!bytes) return tl::unexpected(bytes.error());
+        sums += fmt::format("{}  {}\n", sha256Hex(*bytes), file);
+        for (const std::string& word : words)
+            if (bytes->find(word) != std::string::npos)
+                fmt::print(stderr,
+                           "note: {} holds the text '{}': look at it before you give the package away\n",
+                           file, word);
+    }
+    return writeFileUnsynced("SHA256SUMS", sums);
+}
+
+/// Folders of this machine that no file should name.
+std::vector<std::string> foldersOf(const fs::path& database) {
+    std::vector<std::string> out{fs::absolute(database).parent_path().string()};
+    if (const char* home = std::getenv("HOME")) out.emplace_back(home);
+    constexpr std::size_t telling = 5;  // not "/" nor "/tmp"
+    std::erase_if(out, [](const std::string& one) { return one.size() <= telling; });
+    return out;
+}
+
+Result<void> writePackage(const PackageRequest& request, const fs::path& database) {
+    const auto sets = packageSets(database, packaged_database);
+    if (!sets) return tl::unexpected(sets.error());
+    const auto counts = results::copyAnonymously(
+        database, packaged_database,
+        {request.free_text, request.tracking, sets->hashes, sets->files, sets->authors});
+    if (!counts) return tl::unexpected(counts.error());
+    if (auto written =
+            writeReport({packaged_database}, {"report.html", "analysis.json", "", "latex", "tables"});
+        !written)
+        return written;
+    if (auto written = results::exportCsv(packaged_database, "data", {true, false, true}); !written)
+        return tl::unexpected(written.error());
+    const auto schema = readFile(assets::dataFile("schemas/analysis.schema.json"));
+    if (!schema) return tl::unexpected(schema.error());
+    if (auto written = writeFileUnsynced("analysis.schema.json", *schema); !written) return written;
+    auto answers = results::loadResponses(packaged_database);
+    if (!answers) return tl::unexpected(answers.error());
+    auto people = results::listParticipants(packaged_database);
+    if (!people) return tl::unexpected(people.error());
+    const PackageFacts facts{std::move(*answers), std::move(*people), *counts,         request.free_text,
+                             request.tracking,    counts->frames > 0, programVersion()};
+    if (auto written = writeFileUnsynced("README.md", packageReadme(facts)); !written) return written;
+    return writeSums(foldersOf(database));
+}
+
+Result<void> makePackage(const PackageRequest& request) {
+    fs::path target = fs::path(request.folder).lexically_normal();
+    if (!target.has_filename()) target = target.parent_path();  // "FOLDER/"
+    std::error_code code;
+    if (fs::exists(fs::symlink_status(target, code)))
+        return fail(target.string(), "exists already; nothing is written over",
+                    "Name another folder with -o");
+    const fs::path database = fs::absolute(request.database);
+    if (!fs::is_regular_file(database, code))
+        return fail(request.database, "No such file", "Name the database of a study");
+    PackageInMaking making(target);
+    if (auto entered = making.enter(); !entered) return entered;
+    if (auto written = writePackage(request, database); !written) return written;
+    if (auto published = making.publish(); !published) return published;
+    fmt::print("package: {}\n", request.folder);
+    if (!request.free_text) fmt::print("What participants typed is left out; --free-text keeps it.\n");
+    fmt::print("Read {}/README.md before you give it away: it says what was left out, and what was not.\n",
+               request.folder);
+    return {};
+}
+
+}  // namespace
+
+void addPackageCommand(CLI::App& cli, Command& chosen) {
+    auto request = std::make_shared<PackageRequest>();
+    CLI::App* command = cli.add_subcommand(
+        "package",
+        "Make a replication package: study, clips, avatar, anonymous data and report in one folder");
+    describe(*command, {.writes = "the folder, which must not exist: half a package is never left.",
+                        .example = "deixis package study.sqlite -o replication",
+                        .page = "docs/data-out.md"});
+    command->add_option("DB", request->database, "Database of a study")->required();
+    addOutput(*command, request->folder, "Folder to make; must not exist", "DIR")->required();
+    command->add_flag("--free-text", request->free_text, "Keep what participants typed");
+    command->add_flag("!--no-tracking", request->tracking, "Leave tracked movements out");
+    command->callback([request, &chosen] { chosen = [request] { return makePackage(*request); }; });
+}
+
+}  // namespace deixis::app

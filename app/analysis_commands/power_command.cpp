@@ -1,0 +1,147 @@
+// deixis power: how often a study would find assumed effects, by simulation on its real plans.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "app/analysis_commands/analysis_commands.hpp"
+#include "app/analysis_commands/report.hpp"
+#include "app/clips/study_setup.hpp"
+#include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/progress_line.hpp"
+#include "app/program/written_output.hpp"
+#include "assets/data/data_paths.hpp"
+#include "core/files.hpp"
+#include "results/analysis/effect_estimates.hpp"
+#include "results/analysis/power.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct PowerArguments {
+    std::string study;
+    std::vector<int> participants{10, 20, 39, 60};
+    std::string effect;
+    std::vector<std::string> from;
+    std::string effects_out;
+    std::optional<double> goal;
+    bool search = false;
+    std::string json;
+    std::string csv;
+    bool force = false;
+    results::PowerOptions options;
+};
+
+Result<studies::AssumedEffects> effectsFor(const PowerArguments& options, const studies::Study& study) {
+    if (options.from.empty())
+        return studies::loadAssumedEffects(assets::fileOrShipped(options.effect, "effects"), study);
+    const auto table = loadAll(options.from);
+    if (!table) return tl::unexpected(table.error());
+    auto estimated = results::estimateEffects(*table, study);
+    if (!estimated) return tl::unexpected(estimated.error());
+    for (const std::string& note : estimated->notes)
+        fmt::print(remarksBeside(options.json), "effects: {}\n", note);
+    return std::move(estimated->effects);
+}
+
+Result<void> analysePower(const PowerArguments& options) {
+    const auto setup = loadStudySetup(options.study);
+    if (!setup) return tl::unexpected(setup.error());
+    const auto effects = effectsFor(options, setup->study);
+    if (!effects) return tl::unexpected(effects.error());
+    for (const std::string& file : {options.json, options.csv, options.effects_out})
+        if (auto checked = checkOutput(file); !checked) return checked;
+    if (auto free = checkReplaceable(options.json, options.force); !free) return free;
+    if (!options.effects_out.empty()) {
+        auto written =
+            writeUnlessEdited(options.effects_out, studies::assumedEffectsToml(*effects), options.force);
+        if (!written) return written;
+    }
+    auto asked = options.options;
+    if (asked.threads == 0) asked.threads = std::thread::hardware_concurrency();
+    const int most = *std::max_element(options.participants.begin(), options.participants.end());
+    auto power = results::PowerAnalysis::make(setup->study, setup->targets, *effects, most, asked);
+    if (!power) return tl::unexpected(power.error());
+    power->simulate(options.participants, progressOnTerminal("studies"));
+    if (options.search) results::searchParticipants(*power, *options.goal, progressOnTerminal("search"));
+    const bool json_alone = options.json == standard_output;
+    if (!json_alone) fmt::print("{}", results::powerText(power->result(), options.goal));
+    if (!options.json.empty()) {
+        auto written = writeOutput(options.json, results::powerJson(power->result(), options.goal));
+        if (!written) return written;
+        if (!json_alone) fmt::print("\nnumbers: {}\n", options.json);
+    }
+    if (!options.csv.empty()) {
+        // Earlier versions took the file itself.
+        const std::filesystem::path named(options.csv);
+        const std::string csv = (named.extension() == ".csv" ? named : named / "power.csv").string();
+        if (auto written = writeFile(csv, results::powerCsv(power->result())); !written) return written;
+        fmt::print(remarksBeside(options.json), "{}table: {}\n", options.json.empty() ? "\n" : "", csv);
+    }
+    return {};
+}
+
+}  // namespace
+
+void addPowerCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<PowerArguments>();
+    CLI::App* command = cli.add_subcommand(
+        "power", "How often a study would find assumed effects, and how many participants it needs");
+    describe(
+        *command,
+        {.writes = "nothing but what it prints, unless --json FILE, --csv or --save-effects name a place.",
+         .example = "deixis power pointing2023 --effect pointing2023 --participants 20,40 --goal "
+                    "0.8\ndeixis power pointing2023 --from pilot.sqlite --json",
+         .page = "docs/power.md"});
+    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    command->add_option("--participants", options->participants, "Numbers of participants, such as 10,20,39")
+        ->delimiter(',')
+        ->check(CLI::Range(2, 2000))
+        ->capture_default_str();
+    auto* effect = command->add_option(
+        "--effect", options->effect,
+        "Assumed means and spreads (TOML, docs/power.md), or the name of a file that ships");
+    auto* from =
+        command
+            ->add_option("--from", options->from, "Databases or CSV files of the study to estimate them from")
+            ->type_name("DATA...");
+    effect->excludes(from);
+    from->excludes(effect);
+    command->add_option("--save-effects", options->effects_out,
+                        "File to write the effects to that were taken, to be changed and used again");
+    auto* goal = command
+                     ->add_option("--goal", options->goal,
+                                  "Power that is wanted: tell for each contrast how many participants it "
+                                  "needs, of those simulated")
+                     ->check(CLI::Range(0.01, 0.9999));
+    command->add_flag("--search", options->search, "With --goal: simulate numbers between, to the single one")
+        ->needs(goal);
+    command->add_option("--studies", options->options.studies, "Studies drawn for each number")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    addSeed(*command, options->options.seed, "the answers");
+    command
+        ->add_option("--alpha", options->options.alpha, "Level of significance; the study's where not given")
+        ->check(CLI::Range(1e-6, 0.5));
+    command->add_option("--level", options->options.level, "Level of the intervals of the power")
+        ->check(CLI::Range(0.5, 0.9999))
+        ->capture_default_str();
+    addJsonOrFile(*command, options->json);
+    addCsv(*command, options->csv,
+           "Folder for the table power.csv; or the file, by a name that ends in .csv");
+    addForce(*command, options->force);
+    options->options.threads = 0;
+    command->add_option("--threads", options->options.threads, "Threads that simulate [one for each core]")
+        ->check(CLI::Range(1, 1024));
+    command->callback([options, &chosen] {
+        if (options->effect.empty() && options->from.empty())
+            throw CLI::RequiredError("--effect FILE or --from DATABASE");
+        chosen = [options] { return analysePower(*options); };
+    });
+}
+
+}  // namespace deixis::app

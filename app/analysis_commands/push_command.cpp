@@ -1,0 +1,67 @@
+// deixis push: a station's database to a PostgreSQL server.
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+
+#include "app/analysis_commands/analysis_commands.hpp"
+#include "app/program/command_help.hpp"
+#include "core/server_address.hpp"
+#include "results/server/server.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct PushRequest {
+    std::string database;
+    std::string server;
+};
+
+std::string idList(const std::vector<std::string>& ids) {
+    return fmt::format("{}", fmt::join(ids, ", "));
+}
+
+Result<void> push(const PushRequest& request) {
+    const auto pushed = results::pushDatabase(request.database, request.server);
+    if (!pushed) return tl::unexpected(pushed.error());
+    const results::PushOutcome& told = *pushed;
+    if (told.upgraded_from)
+        fmt::print(
+            "brought up to date: the server's tables of the study, which were of version {}; an older deixis "
+            "can no longer use them\n",
+            *told.upgraded_from);
+    if (told.rows == 0 && told.changed == 0 && told.erased.empty())
+        fmt::print("nothing new: the server holds all of {}\n", request.database);
+    else
+        fmt::print("pushed: {} participants, {} sessions and {} responses new ({} rows), {} rows changed\n",
+                   told.participants, told.sessions, told.responses, told.rows, told.changed);
+    if (!told.erased.empty()) fmt::print("erased, since withdrawn: {}\n", idList(told.erased));
+    if (!told.withdrawn.empty())
+        fmt::print("not pushed, since withdrawn after they took part: {}\n", idList(told.withdrawn));
+    if (!told.older.empty())
+        fmt::print("left as they are, since the server holds more of them than this file: {}\n",
+                   idList(told.older));
+    fmt::print("study: {}, in schema {} of {}\n", told.study, told.schema, withoutPasswords(request.server));
+    return {};
+}
+
+}  // namespace
+
+void addPushCommand(CLI::App& cli, Command& chosen) {
+    auto request = std::make_shared<PushRequest>();
+    CLI::App* command = cli.add_subcommand(
+        "push", "Bring a database's results to a PostgreSQL server, where many stations' lie together");
+    describe(*command, {.writes = "to the server: the database's study, participants, sessions and answers. "
+                                  "The database is only read.",
+                        .example = "deixis push study.sqlite postgresql://lab@db.lab/deixis",
+                        .page = "docs/server.md"});
+    command->add_option("DB", request->database, "Database of a study")->required();
+    command
+        ->add_option("SERVER", request->server,
+                     "postgresql://USER@HOST:PORT/DATABASE; the password from PGPASSWORD or ~/.pgpass")
+        ->required();
+    command->callback([request, &chosen] { chosen = [request] { return push(*request); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,75 @@
+// deixis clips check: whether clip files can be used, and what is doubtful about them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "app/clips/clip_files.hpp"
+#include "app/clips/clip_problems.hpp"
+#include "app/clips/study_setup.hpp"
+#include "app/program/command_help.hpp"
+#include "clips_commands.hpp"
+#include "import_options.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct ClipsCheckArguments {
+    std::vector<std::string> files;
+    assets::ImportOptions import;
+};
+
+// Every problem of one file; errors of reading and retargeting are among them.
+std::vector<ClipProblem> problemsOf(const std::string& file, const ClipsCheckArguments& options,
+                                    const assets::Avatar& avatar) {
+    const auto imported = assets::importClip(file, options.import);
+    if (!imported) return {{true, imported.error().text()}};
+    const auto mapping = mapImported(*imported, file);
+    if (!mapping) return {{true, mapping.error().text()}};
+    auto problems = clipProblems(*imported, file, mapping->map);
+    const bool broken = std::any_of(problems.begin(), problems.end(),
+                                    [](const ClipProblem& problem) { return problem.fatal; });
+    if (broken) return problems;  // why it does not play is said already
+    if (const auto played = clipOnAvatar(*imported, file, avatar); !played)
+        problems.push_back({true, "does not play on the avatar: " + played.error().message});
+    return problems;
+}
+
+Result<void> check(const ClipsCheckArguments& options) {
+    const auto avatar = loadShippedAvatar();
+    if (!avatar) return tl::unexpected(avatar.error());
+    int unusable = 0;
+    for (const std::string& file : options.files) {
+        const auto problems = problemsOf(file, options, *avatar);
+        if (problems.empty()) fmt::print("{}: no problem found\n", file);
+        bool usable = true;
+        for (const ClipProblem& problem : problems) {
+            usable = usable && !problem.fatal;
+            // A reader's error names the file itself.
+            const std::string where = problem.text.starts_with(file) ? "" : file + ": ";
+            fmt::print("{}: {}{}\n", problem.fatal ? "error" : "doubt", where, problem.text);
+        }
+        unusable += usable ? 0 : 1;
+    }
+    if (unusable == 0) return {};
+    return fail("clips check", fmt::format("{} of {} {} cannot be used", unusable, options.files.size(),
+                                           options.files.size() == 1 ? "file" : "files"));
+}
+
+}  // namespace
+
+void addClipsCheckCommand(CLI::App& clips, Command& chosen) {
+    auto options = std::make_shared<ClipsCheckArguments>();
+    CLI::App* command = clips.add_subcommand(
+        "check", "Name every problem of clip files at once, and tell whether they play on the avatar");
+    describe(*command, {.writes = "nothing; it prints the problems, and exits with 1 where there are any.",
+                        .example = "deixis clips check clips/*.bvh",
+                        .page = "docs/clip-format.md"});
+    command->add_option("FILE", options->files, clip_file_kinds)->required()->expected(1, 1000000);
+    addImportOptions(*command, options->import);
+    command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,28 @@
+// deixis clips: looking into clip files, checking, converting, changing and cutting them.
+#include "app/clip_commands/clip_commands.hpp"
+#include "app/program/command_help.hpp"
+#include "clips_commands.hpp"
+
+namespace deixis::app {
+
+void addClipsCommand(CLI::App& cli, Command& chosen) {
+    CLI::App* clips = cli.add_subcommand("clips", "Look into clip files, check, convert and cut them");
+    clips->require_subcommand(1);
+    describe(*clips, {.writes = "nothing, or what -o names.",
+                      .example = "deixis clips info clips/T001.bvh",
+                      .page = "docs/clip-format.md"});
+    addClipsInfoCommand(*clips, chosen);
+    addClipsCheckCommand(*clips, chosen);
+    addClipsConvertCommand(*clips, chosen);
+    addClipsJointsCommand(*clips, chosen);
+    addClipsMapCommand(*clips, chosen);
+    addClipsRetargetCommand(*clips, chosen);
+    addClipsMeasureCommand(*clips, chosen);
+    addClipsStatisticsCommand(*clips, chosen);
+    addClipsMirrorCommand(*clips, chosen);
+    addClipsTrimCommand(*clips, chosen);
+    addClipsResampleCommand(*clips, chosen);
+    addClipsSegmentCommand(*clips, chosen);
+}
+
+}  // namespace deixis::app

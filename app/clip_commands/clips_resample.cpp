@@ -1,0 +1,50 @@
+// deixis clips resample: a clip at another frame rate.
+#include <memory>
+
+#include "app/clips/clip_files.hpp"
+#include "app/clips/clip_output.hpp"
+#include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "clips_commands.hpp"
+#include "import_options.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct ClipsResampleArguments {
+    std::string in;
+    std::string out;
+    double fps = 30.0;
+    assets::ImportOptions import;
+    bool force = false;
+};
+
+Result<void> resample(const ClipsResampleArguments& options) {
+    const auto source = readMappedClip(options.in, options.import);
+    if (!source) return tl::unexpected(source.error());
+    const auto resampled = motion::resample(source->clip, 1.0 / options.fps);
+    if (!resampled) return fail(options.in, resampled.error().message, resampled.error().mend);
+    return writeClip(*resampled, options.out, options.force);
+}
+
+}  // namespace
+
+void addClipsResampleCommand(CLI::App& clips, Command& chosen) {
+    auto options = std::make_shared<ClipsResampleArguments>();
+    CLI::App* command = clips.add_subcommand("resample", "Bring a clip to another frame rate");
+    describe(*command, {.writes = "OUT, in the format that its ending names.",
+                        .example = "deixis clips resample take.bvh -o take30.bvh --fps 30",
+                        .page = "docs/segmentation.md"});
+    command->add_option("IN", options->in, "Clip file")->required();
+    addOutputLast(*command, options->out, "File for the clip at the new rate: .bvh, .glb or .csv")
+        ->required();
+    addForce(*command, options->force);
+    command->add_option("--fps", options->fps, "Frames a second of OUT")
+        ->required()
+        ->check(CLI::Range(1.0, 1000.0));
+    addImportOptionsWithoutRate(*command, options->import);
+    command->callback([options, &chosen] { chosen = [options] { return resample(*options); }; });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,80 @@
+// deixis generate: a built-in system's clips for a list of targets.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "app/clip_commands/clip_commands.hpp"
+#include "app/clips/generation.hpp"
+#include "app/clips/study_setup.hpp"
+#include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/progress_line.hpp"
+#include "assets/data/data_paths.hpp"
+#include "assets/data/demonstrations.hpp"
+#include "assets/tables/target_list.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct GenerateArguments {
+    std::string system;
+    std::string targets;
+    std::string folder;
+    std::uint64_t seed = 1;
+    motion::HoldManner manner;
+    bool force = false;
+};
+
+Result<void> generate(const GenerateArguments& options) {
+    const auto avatar = loadShippedAvatar();
+    if (!avatar) return tl::unexpected(avatar.error());
+    const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
+    if (!parameters) return tl::unexpected(parameters.error());
+    const auto generator = motion::makeGenerator(options.system, avatar->skeleton, *parameters);
+    if (!generator) return tl::unexpected(generator.error());
+    const auto targets = assets::readTargetList(options.targets);
+    if (!targets) return tl::unexpected(targets.error());
+    auto working = std::make_optional<ElapsedOnTerminal>("generating");
+    const auto rows =
+        generateClips(**generator, *targets, options.seed, options.manner, options.folder, options.force);
+    working.reset();
+    if (!rows) return tl::unexpected(rows.error());
+    fmt::print("{} clips of {}: {}\n", rows->size(), options.system,
+               (std::filesystem::path(options.folder) / "manifest.csv").string());
+    return {};
+}
+
+}  // namespace
+
+void addGenerateCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<GenerateArguments>();
+    CLI::App* command =
+        cli.add_subcommand("generate", "Make a built-in system's clips for a list of targets");
+    describe(*command, {.writes = "to DIR a BVH file for each target and manifest.csv; all of them or none.",
+                        .example = "deixis targets pointing2023 > targets.csv\ndeixis generate direct "
+                                   "--targets targets.csv -o clips/direct",
+                        .page = "docs/systems.md"});
+    command
+        ->add_option("SYSTEM", options->system,
+                     fmt::format("One of {}", fmt::join(motion::generatorNames(), ", ")))
+        ->required();
+    command
+        ->add_option("--targets", options->targets,
+                     "CSV with target_id,x,y,z, such as 'deixis targets' prints")
+        ->required();
+    addOutput(*command, options->folder, "Folder for the clips and their manifest", "DIR")->required();
+    addForce(*command, options->force);
+    addSeed(*command, options->seed, "what varies from clip to clip");
+    command
+        ->add_option("--hold", options->manner.hold_s, "Seconds that a gesture is held [as the system does]")
+        ->check(CLI::Range(0.1, 30.0));
+    command
+        ->add_option("--unsteadiness", options->manner.unsteadiness_m,
+                     "Metres that the fingertip wanders during the hold [as the system does]")
+        ->check(CLI::Range(0.0, 0.5));
+    command->callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
+}
+
+}  // namespace deixis::app

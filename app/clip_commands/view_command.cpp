@@ -1,0 +1,82 @@
+// deixis view: a clip on the avatar, in a window or as a picture.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "app/clip_commands/clip_commands.hpp"
+#include "app/clips/clip_files.hpp"
+#include "app/clips/study_setup.hpp"
+#include "app/program/command_help.hpp"
+#include "import_options.hpp"
+
+#ifdef DEIXIS_IMMERSIVE
+#include "app/viewer/clip_viewer.hpp"
+#endif
+
+namespace deixis::app {
+
+#ifdef DEIXIS_IMMERSIVE
+
+namespace {
+
+struct ViewArguments {
+    std::string file;
+    std::string avatar;
+    assets::ImportOptions import;
+    ViewOptions view;
+};
+
+Result<void> view(const ViewArguments& options) {
+    const auto avatar = loadAvatarOrShipped(options.avatar);
+    if (!avatar) return tl::unexpected(avatar.error());
+    for (const std::string& remark : avatar->remarks) fmt::print(stderr, "{}: {}\n", options.avatar, remark);
+    const auto file = assets::importClip(options.file, options.import);
+    if (!file) return tl::unexpected(file.error());
+    const auto clip = clipOnAvatar(*file, options.file, *avatar);
+    if (!clip) return tl::unexpected(clip.error());
+    return viewClip(*clip, options.file, assets::describe(*file), *avatar, options.view);
+}
+
+}  // namespace
+
+void addViewCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<ViewArguments>();
+    CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar");
+    describe(*command, {.writes = "nothing, unless --screenshot names a PNG file.",
+                        .example = "deixis view clips/T001.bvh\ndeixis view clips/T001.bvh --time 0.5 1.0 "
+                                   "1.5 --screenshot strip.png",
+                        .page = "docs/clip-format.md"});
+    command->add_option("FILE", options->file, clip_file_kinds)->required();
+    addImportOptions(*command, options->import);
+    command->add_option("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
+    command->add_option("--size", options->view.size, "Window or picture size")->capture_default_str();
+    command->add_option("--screenshot", options->view.screenshot, "Write a PNG and open no window");
+    command->add_option(
+        "--time", options->view.times_s,
+        "Time in seconds at which the clip starts or the picture is taken; several make a strip");
+    command
+        ->add_option("--from", options->view.from,
+                     "Side of the avatar: front, left, right, back or three-quarter")
+        ->type_name("SIDE")
+        ->capture_default_str();
+    command->callback([options, &chosen] { chosen = [options] { return view(*options); }; });
+}
+
+#else
+
+void addViewCommand(CLI::App& cli, Command& chosen) {
+    CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar (not in this build)");
+    describe(*command,
+             {.writes = "nothing.", .example = "deixis view clips/T001.bvh", .page = "docs/clip-format.md"});
+    command->prefix_command();
+    command->callback([&chosen] {
+        chosen = []() -> Result<void> {
+            return fail("view", "this program was built without windows (DEIXIS_IMMERSIVE=OFF)");
+        };
+    });
+}
+
+#endif
+
+}  // namespace deixis::app

@@ -1,0 +1,109 @@
+#include "app/clips/clip_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "assets/gltf/gltf_clip.hpp"
+#include "assets/joints/bvh.hpp"
+#include "assets/joints/joint_positions.hpp"
+#include "core/durable.hpp"
+#include "core/files.hpp"
+#include "core/unique_name.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<void> refuseToReplace(const fs::path& file, bool force) {
+    std::error_code code;
+    if (!force && fs::exists(file, code))
+        return fail(file.string(), "is there already", "Give another name, or --force to replace it");
+    return {};
+}
+
+bool isManifest(const fs::path& name) {
+    return name.extension() == ".csv";
+}
+
+}  // namespace
+
+bool isClipFile(const fs::path& file) {
+    return file.extension() == ".csv" || file.extension() == ".glb" || file.extension() == ".bvh";
+}
+
+Result<std::string> clipBytes(const motion::Clip& clip, const fs::path& file) {
+    if (file.extension() == ".csv") return assets::writeJointCsv(clip);
+    if (file.extension() == ".glb") return assets::writeGlb(clip);
+    if (file.extension() != ".bvh")
+        return fail(file.string(), fmt::format("found the ending '{}', expected .bvh, .glb or .csv",
+                                               file.extension().string()));
+    const auto& joints = clip.skeleton.joints;
+    if (std::count_if(joints.begin(), joints.end(), [](const auto& joint) { return joint.parent < 0; }) != 1)
+        return fail(file.string(), "BVH holds one root joint, and this skeleton has more");
+    return assets::writeBvh(clip);
+}
+
+Result<void> writeClip(const motion::Clip& clip, const fs::path& file, bool force) {
+    if (auto free = refuseToReplace(file, force); !free) return free;
+    const auto bytes = clipBytes(clip, file);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return writeFile(file, *bytes);
+}
+
+std::string clipStem(const fs::path& file) {
+    const fs::path name = file.extension() == ".gz" ? file.stem() : file.filename();
+    return name.stem().string();
+}
+
+OutputFolder::OutputFolder(fs::path folder, bool force, bool durable)
+    : folder_(std::move(folder)),
+      staging_(folder_ / (".partial" + uniqueName())),
+      force_(force),
+      durable_(durable) {
+    std::error_code code;
+    made_folder_ = !fs::exists(folder_, code);
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code code;
+    fs::remove_all(staging_, code);
+    if (made_folder_) fs::remove(folder_, code);  // where it is empty
+}
+
+Result<void> OutputFolder::add(const fs::path& name, std::string_view bytes) {
+    if (auto free = refuseToReplace(folder_ / name, force_); !free) return free;
+    if (!names_.insert(name).second)
+        return fail((folder_ / name).string(), "two clips would have this name",
+                    "Give the clips names of their own");
+    return writeFileUnsynced(staging_ / name, bytes);
+}
+
+Result<void> OutputFolder::finish() {
+    std::vector<fs::path> order(names_.begin(), names_.end());
+    const auto manifests = std::stable_partition(order.begin(), order.end(),
+                                                 [](const fs::path& name) { return !isManifest(name); });
+    std::error_code code;
+    if (durable_) syncFileSystem(staging_);
+    std::set<fs::path> folders{folder_, fs::absolute(folder_).parent_path()};
+    // No manifest speaks of clips that are being replaced.
+    for (auto manifest = manifests; manifest != order.end(); ++manifest)
+        fs::remove(folder_ / *manifest, code);
+    for (const fs::path& name : order) {
+        fs::create_directories((folder_ / name).parent_path(), code);
+        fs::rename(staging_ / name, folder_ / name, code);
+        if (code) return fail((folder_ / name).string(), "cannot be written: " + code.message());
+        for (fs::path parent = (folder_ / name).parent_path(); folders.insert(parent).second;)
+            parent = parent.parent_path();
+    }
+    if (durable_)
+        for (const fs::path& folder : folders) syncFolder(folder);
+    return {};
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,159 @@
+#include "app/clips/clip_problems.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "assets/tables/humanoid_file.hpp"
+#include "motion/humanoid/humanoid_mapping.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using enum motion::Bone;
+
+constexpr std::array required{hips,          head,          leftUpperArm,  leftLowerArm, leftHand,
+                              rightUpperArm, rightLowerArm, rightHand,     leftUpperLeg, leftLowerLeg,
+                              leftFoot,      rightUpperLeg, rightLowerLeg, rightFoot};
+
+constexpr std::array<std::pair<motion::Bone, motion::Bone>, 9> limbs{{{leftUpperArm, leftLowerArm},
+                                                                      {leftLowerArm, leftHand},
+                                                                      {rightUpperArm, rightLowerArm},
+                                                                      {rightLowerArm, rightHand},
+                                                                      {leftUpperLeg, leftLowerLeg},
+                                                                      {leftLowerLeg, leftFoot},
+                                                                      {rightUpperLeg, rightLowerLeg},
+                                                                      {rightLowerLeg, rightFoot},
+                                                                      {hips, head}}};
+
+class Inspection {
+  public:
+    Inspection(const assets::ImportedClip& imported, const fs::path& file, const motion::HumanoidMap& map)
+        : clip_(imported.clip), map_(map) {
+        for (const motion::LocalPose& frame : clip_.frames)
+            world_.push_back(motion::worldPose(clip_.skeleton, frame));
+        findMissingBones(file);
+        findEmptyLimbs();
+        findJumps();
+        findSunkFeet();
+        findOddSize(imported.unit);
+        for (const std::string& text : motion::mappingDoubts(clip_.skeleton, map_, world_.front()))
+            doubt(text);
+        if (clip_.frameCount() == 1) doubt("has one frame: a pose, not a motion");
+        for (const std::string& remark : imported.remarks) doubt(remark);
+    }
+
+    std::vector<ClipProblem> problems{};
+
+  private:
+    void fatal(std::string text) { problems.push_back({true, std::move(text)}); }
+    void doubt(std::string text) { problems.push_back({false, std::move(text)}); }
+
+    [[nodiscard]] Vec3 at(std::size_t frame, motion::Bone bone) const {
+        return world_[frame][static_cast<std::size_t>(map_[bone])].position;
+    }
+
+    void findMissingBones(const fs::path& file) {
+        if (const auto missing = missingRequiredBones(map_); !missing.empty())
+            fatal(fmt::format(
+                "has no joint for {}. If it has one by another name, say so in {} beside it, with "
+                "a line such as {} = \"NAME OF THE JOINT\"; 'deixis clips joints' lists them",
+                fmt::join(missing, ", "), assets::humanoidFileOf(file).filename().string(), missing.front()));
+        for (const auto& [side, bone] : {std::pair{"left", leftIndexProximal}, {"right", rightIndexProximal}})
+            if (!map_.has(bone)) doubt(fmt::format("has no {} index finger: the hand is relaxed", side));
+    }
+
+    void findEmptyLimbs() {
+        constexpr double shortest_m = 1e-3;
+        for (const auto& [from, to] : limbs) {
+            if (!map_.has(from) || !map_.has(to)) continue;
+            std::size_t frame = 0;
+            while (frame < world_.size() && glm::length(at(frame, to) - at(frame, from)) >= shortest_m)
+                ++frame;
+            if (frame < world_.size())
+                fatal(fmt::format("frame {}: {} and {} are in one place", frame, motion::boneName(from),
+                                  motion::boneName(to)));
+        }
+    }
+
+    void findJumps() {
+        constexpr double fastest_m_s = 20.0;  // hands of people who throw reach 10 to 15
+        for (std::size_t b = 0; b < motion::bone_count; ++b) {
+            const auto bone = static_cast<motion::Bone>(b);
+            if (!map_.has(bone) || bone >= leftThumbMetacarpal) continue;
+            int jumps = 0;
+            std::size_t first = 0;
+            for (std::size_t f = 1; f < world_.size(); ++f)
+                if (glm::length(at(f, bone) - at(f - 1, bone)) > fastest_m_s * clip_.frame_time_s &&
+                    jumps++ == 0)
+                    first = f;
+            if (jumps == 0) continue;
+            const double length_m = glm::length(at(first, bone) - at(first - 1, bone));
+            doubt(fmt::format("{} jumps by {:.2f} m from frame {} to {} ({:.0f} m/s){}",
+                              motion::boneName(bone), length_m, first - 1, first,
+                              length_m / clip_.frame_time_s,
+                              jumps > 1 ? fmt::format(", and {} times more", jumps - 1) : ""));
+        }
+    }
+
+    void findSunkFeet() {
+        constexpr double deepest_m = 0.05;
+        double lowest = 0.0;
+        int frames = 0;
+        for (std::size_t f = 0; f < world_.size(); ++f) {
+            double here = 0.0;
+            for (const motion::Bone bone : {leftFoot, rightFoot, leftToes, rightToes})
+                if (map_.has(bone)) here = std::min(here, at(f, bone).y);
+            frames += here < -deepest_m ? 1 : 0;
+            lowest = std::min(lowest, here);
+        }
+        if (frames > 0)
+            doubt(fmt::format(
+                "feet are up to {:.2f} m below the floor (y = 0) in {} of {} frames; on the avatar "
+                "they are put on it",
+                -lowest, frames, world_.size()));
+    }
+
+    /// A unit that nobody told, and that makes no ordinary person of the figure.
+    void findOddSize(const assets::FoundUnit& unit) {
+        constexpr double leg_of_stature = 0.491;  // thigh and shin (Drillis & Contini 1966)
+        constexpr double smallest_m = 0.8, tallest_m = 2.3;
+        if (unit.origin == assets::Origin::assumed) {
+            doubt(fmt::format("the unit is taken to be the {}: where it is another, give --unit", unit.name));
+            return;
+        }
+        for (const motion::Bone bone : {leftUpperLeg, leftLowerLeg, leftFoot})
+            if (!map_.has(bone)) return;
+        const double leg = glm::length(at(0, leftLowerLeg) - at(0, leftUpperLeg)) +
+                           glm::length(at(0, leftFoot) - at(0, leftLowerLeg));
+        if (const double stature = leg / leg_of_stature; stature < smallest_m || stature > tallest_m)
+            doubt(
+                fmt::format("by its legs the figure is {:.2f} m tall: is its unit really the {}? --unit "
+                            "gives another",
+                            stature, unit.name));
+    }
+
+    const motion::Clip& clip_;
+    motion::HumanoidMap map_;
+    std::vector<std::vector<Pose>> world_{};
+};
+
+}  // namespace
+
+std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map) {
+    std::vector<std::string> names;
+    for (const motion::Bone bone : required)
+        if (!map.has(bone)) names.emplace_back(motion::boneName(bone));
+    return names;
+}
+
+std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported, const fs::path& file,
+                                      const motion::HumanoidMap& map) {
+    return Inspection(imported, file, map).problems;
+}
+
+}  // namespace deixis::app

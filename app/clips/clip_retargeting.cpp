@@ -1,0 +1,88 @@
+#include "app/clips/clip_retargeting.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "app/clips/clip_files.hpp"
+#include "app/clips/clip_output.hpp"
+#include "assets/joints/bvh.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a clip goes below the new folder: as beside its manifest, never outside, with a number where the
+/// name is taken.
+std::string newName(const std::string& clip, std::set<std::string>& taken) {
+    fs::path name = fs::path(clip).lexically_normal();
+    if (name.is_absolute() || name.begin()->string() == "..") name = name.filename();
+    if (name.extension() == ".gz") name.replace_extension();
+    const fs::path stem = fs::path(name).replace_extension();
+    std::string unique = stem.string() + ".bvh";
+    for (int number = 2; !taken.insert(unique).second; ++number)
+        unique = fmt::format("{}-{}.bvh", stem.string(), number);
+    return unique;
+}
+
+}  // namespace
+
+std::optional<motion::PointingGesture> gestureOf(const assets::ManifestRow& row) {
+    if (!row.phases) return std::nullopt;
+    return motion::PointingGesture{row.phases->hand,       row.phases->onset_frame, row.phases->peak_frame,
+                                   row.phases->hold_frame, row.phases->end_frame,   row.target};
+}
+
+Result<motion::Clip> retargetRow(const assets::ImportedClip& clip, const std::string& file,
+                                 const assets::Avatar& avatar, const RetargetManner& manner,
+                                 assets::ManifestRow& row, motion::RetargetReport* report) {
+    motion::RetargetOptions options;
+    options.keep = manner.keep;
+    options.close_hand = manner.close_hand;
+    options.plant_feet = manner.plant_feet;
+    options.gesture = gestureOf(row);
+    motion::RetargetReport made;
+    auto out = clipOnAvatar(clip, file, avatar, options, &made);
+    if (!out) return out;
+    const auto median = [](const std::optional<motion::PointingError>& error) {
+        return error ? std::optional<double>(error->median_deg) : std::nullopt;
+    };
+    row.source_error_deg = median(made.source_error);
+    row.avatar_error_deg = median(made.avatar_error);
+    row.fps = out->framesPerSecond();
+    if (report != nullptr) *report = std::move(made);
+    return out;
+}
+
+Result<std::vector<assets::ManifestRow>> retargetClips(
+    const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetManner& manner,
+    const fs::path& folder, bool force,
+    const std::function<void(const assets::ManifestRow&, const motion::RetargetReport&)>& each) {
+    std::error_code code;
+    if (fs::equivalent(folder, manifest.file.parent_path().empty() ? "." : manifest.file.parent_path(), code))
+        return fail(folder.string(), "is the folder of the clips themselves, expected another one");
+    OutputFolder output(folder, force);
+    std::vector<assets::ManifestRow> rows;
+    std::set<std::string> taken;
+    for (assets::ManifestRow row : manifest.rows) {
+        const fs::path file = manifest.file.parent_path() / row.clip;
+        const auto read = assets::importClip(file);
+        if (!read) return tl::unexpected(read.error());
+        motion::RetargetReport report;
+        const auto clip = retargetRow(*read, file.string(), avatar, manner, row, &report);
+        if (!clip) return tl::unexpected(clip.error());
+        row.clip = newName(row.clip, taken);
+        if (auto added = output.add(row.clip, assets::writeBvh(*clip)); !added)
+            return tl::unexpected(added.error());
+        each(row, report);
+        rows.push_back(std::move(row));
+    }
+    if (auto added = output.add("manifest.csv", assets::manifestCsv(rows)); !added)
+        return tl::unexpected(added.error());
+    if (auto finished = output.finish(); !finished) return tl::unexpected(finished.error());
+    return rows;
+}
+
+}  // namespace deixis::app

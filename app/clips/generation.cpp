@@ -1,0 +1,40 @@
+#include "app/clips/generation.hpp"
+
+#include <fmt/format.h>
+
+#include "app/clips/clip_output.hpp"
+#include "assets/joints/bvh.hpp"
+#include "core/random.hpp"
+
+namespace deixis::app {
+
+Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& generator,
+                                                       const std::vector<assets::ListedTarget>& targets,
+                                                       std::uint64_t seed, const motion::HoldManner& manner,
+                                                       const std::filesystem::path& folder, bool force,
+                                                       bool durable) {
+    OutputFolder output(folder, force, durable);
+    std::vector<assets::ManifestRow> rows;
+    for (const auto& [id, position] : targets) {
+        const std::uint64_t clip_seed = deriveSeed(seed, id);
+        const motion::GeneratedClip made = generator.generate({id, position, clip_seed, manner});
+        assets::ManifestRow row;
+        row.clip = fmt::format("{}_{}.bvh", generator.name(), id);
+        row.system = std::string(generator.name());
+        row.target_id = id;
+        row.target = position;
+        row.phases = assets::PointingPhases{made.onset_frame, made.peak_frame, made.hold_frame,
+                                            made.end_frame, made.hand};
+        row.fps = made.clip.framesPerSecond();
+        row.seed = clip_seed;
+        if (auto added = output.add(row.clip, assets::writeBvh(made.clip)); !added)
+            return tl::unexpected(added.error());
+        rows.push_back(std::move(row));
+    }
+    if (auto added = output.add("manifest.csv", assets::manifestCsv(rows)); !added)
+        return tl::unexpected(added.error());
+    if (auto finished = output.finish(); !finished) return tl::unexpected(finished.error());
+    return rows;
+}
+
+}  // namespace deixis::app

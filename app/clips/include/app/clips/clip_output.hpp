@@ -1,0 +1,52 @@
+// What the commands that change clips write: clip files in the
+// format that their name asks for, and whole folders, never half.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "motion/skeleton/clip.hpp"
+
+namespace deixis::app {
+
+/// Whether the name ends as one of the formats in which clips are written.
+[[nodiscard]] bool isClipFile(const std::filesystem::path& file);
+
+/// The clip as the contents of a file of that name. Fails on an ending that no format has, and on a skeleton
+/// that the format cannot hold.
+[[nodiscard]] Result<std::string> clipBytes(const motion::Clip& clip, const std::filesystem::path& file);
+
+/// The clip as a file. One that is there already is replaced only if `force` says so.
+[[nodiscard]] Result<void> writeClip(const motion::Clip& clip, const std::filesystem::path& file, bool force);
+
+/// A clip file's name without the endings of its format: "a/T1.bvh.gz" -> "T1".
+[[nodiscard]] std::string clipStem(const std::filesystem::path& file);
+
+/// A folder of clips and manifests in the making. The files lie in a hidden folder inside it until `finish`
+/// moves them all to their places, manifests last; whatever ends the work before leaves none of them.
+class OutputFolder {
+  public:
+    /// `force`: files that are there already are replaced. `durable`: what finish() has moved is on the disk,
+    /// which clips that can be made anew need not wait for.
+    OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    /// `name` is relative to the folder. Fails where it is there already, and `force` was not given.
+    [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
+    [[nodiscard]] Result<void> finish();
+
+  private:
+    std::filesystem::path folder_;
+    std::filesystem::path staging_;
+    bool force_;
+    bool durable_;
+    bool made_folder_ = false;
+    std::set<std::filesystem::path> names_;
+};
+
+}  // namespace deixis::app

@@ -1,0 +1,42 @@
+// A folder of clips, listed in a manifest, brought to an avatar.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "assets/avatar/avatar.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "assets/tables/manifest.hpp"
+#include "core/error.hpp"
+#include "motion/retarget/retarget.hpp"
+
+namespace deixis::app {
+
+/// How clips are brought to the avatar.
+struct RetargetManner {
+    motion::Keep keep = motion::Keep::joint_angles;
+    bool close_hand = false;  ///< hands without fingers close with the index finger out while they point
+    bool plant_feet = true;
+};
+
+/// The gesture of a manifest's row; none where the row has no phases.
+[[nodiscard]] std::optional<motion::PointingGesture> gestureOf(const assets::ManifestRow& row);
+
+/// A row's clip on the avatar. The row's pointing errors, which the source and the avatar make, are filled
+/// in.
+[[nodiscard]] Result<motion::Clip> retargetRow(const assets::ImportedClip& clip, const std::string& file,
+                                               const assets::Avatar& avatar, const RetargetManner& manner,
+                                               assets::ManifestRow& row,
+                                               motion::RetargetReport* report = nullptr);
+
+/// Every clip of a manifest as BVH under `folder`, by the name that it has beside its manifest, and a
+/// manifest of them, all or none. `each` is told of every clip. Files that are there already are replaced
+/// only where `force` says so.
+[[nodiscard]] Result<std::vector<assets::ManifestRow>> retargetClips(
+    const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetManner& manner,
+    const std::filesystem::path& folder, bool force,
+    const std::function<void(const assets::ManifestRow&, const motion::RetargetReport&)>& each);
+
+}  // namespace deixis::app

@@ -1,0 +1,21 @@
+// Making a system's clips for a list of targets: BVH files and a manifest.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "assets/tables/manifest.hpp"
+#include "assets/tables/target_list.hpp"
+#include "core/error.hpp"
+#include "motion/synthesis/generator.hpp"
+
+namespace deixis::app {
+
+/// One BVH file per target and, last, `manifest.csv`, all of them or none. Files that are there already are
+/// replaced only where `force` says so; `durable` as in OutputFolder.
+[[nodiscard]] Result<std::vector<assets::ManifestRow>> generateClips(
+    const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
+    const motion::HoldManner& manner, const std::filesystem::path& folder, bool force, bool durable = true);
+
+}  // namespace deixis::app

@@ -1,0 +1,84 @@
+#include "app/clips/training_targets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "assets/data/data_paths.hpp"
+#include "assets/data/demonstrations.hpp"
+#include "assets/tables/manifest.hpp"
+#include "assets/tables/target_list.hpp"
+#include "core/csv.hpp"
+#include "core/files.hpp"
+#include "core/hash.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/synthesis/demonstration_library.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+Result<TrainingTargets> syntheticLibrary() {
+    const auto path = assets::dataFile("demonstrations.toml");
+    const auto bytes = readFile(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto parameters = assets::parseDemonstrationParameters(*bytes, path.string());
+    if (!parameters) return tl::unexpected(parameters.error());
+    const auto library = motion::makeDemonstrations(motion::referenceHumanoid(), *parameters);
+    if (!library) return tl::unexpected(library.error());
+    TrainingTargets out;
+    for (const auto& demonstration : *library) out.targets.push_back(demonstration.target);
+    for (const auto& demonstration : *library)
+        out.targets.push_back(demonstration.target * Vec3(-1.0, 1.0, 1.0));
+    out.source = "synthetic demonstrations and their mirror images";
+    out.synthetic = true;
+    // Only the name: where the program is installed says nothing about the numbers.
+    out.file = {path.filename().string(), sha256Hex(*bytes)};
+    return out;
+}
+
+Result<TrainingTargets> fromManifest(const std::string& bytes, const std::string& file) {
+    const auto manifest = assets::parseManifest(bytes, file);
+    if (!manifest) return tl::unexpected(manifest.error());
+    TrainingTargets out;
+    out.source = file;
+    const auto& built_in = motion::generatorNames();
+    std::set<std::tuple<double, double, double>> seen;
+    for (const auto& row : manifest->rows) {
+        if (!row.target || !seen.emplace(row.target->x, row.target->y, row.target->z).second) continue;
+        out.targets.push_back(*row.target);
+        out.synthetic =
+            out.synthetic || std::find(built_in.begin(), built_in.end(), row.system) != built_in.end();
+    }
+    if (out.targets.empty())
+        return fail(file, "names no targets", "Training targets need target_x, target_y and target_z");
+    return out;
+}
+
+}  // namespace
+
+Result<TrainingTargets> loadTrainingTargets(const std::string& file) {
+    if (file.empty()) return syntheticLibrary();
+    const auto bytes = readFile(file);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto records = parseCsv(*bytes, file);
+    if (!records) return tl::unexpected(records.error());
+    const bool manifest = !records->empty() &&
+                          std::find(records->front().fields.begin(), records->front().fields.end(), "clip") !=
+                              records->front().fields.end();
+    Result<TrainingTargets> out;
+    if (manifest) {
+        out = fromManifest(*bytes, file);
+    } else {
+        const auto list = assets::parseTargetList(*bytes, file);
+        if (!list) return tl::unexpected(list.error());
+        out->source = file;
+        for (const auto& target : *list) out->targets.push_back(target.position);
+    }
+    if (out) out->file = {file, sha256Hex(*bytes)};
+    return out;
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,209 @@
+#include "app/operator/operator_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace deixis::app {
+
+namespace {
+
+std::string_view wordsFor(studies::PresentedState state) {
+    using State = studies::PresentedState;
+    switch (state) {
+        case State::starting:
+            return "";
+        case State::instructions:
+            return "Reads the instructions";
+        case State::consent:
+            return "Is asked for consent";
+        case State::questionnaire:
+            return "Answers questions";
+        case State::rest:
+            return "Takes a break";
+        case State::welcome_back:
+            return "Reads the welcome back";
+        case State::practice_again:
+            return "Reads that there is more practice";
+        case State::attention:
+            return "Reads a word about attention";
+        case State::closing:
+            return "Reads the closing words";
+        case State::paused:
+            return "Paused";
+        case State::waiting:
+            return "Waits for the clip";
+        case State::playing:
+            return "Watches the clip";
+        case State::pointing:
+            return "Watches the avatar point";
+        case State::check:
+            return "Is shown a number to give";
+        case State::rating:
+            return "Rates the clip";
+        case State::rated:
+            return "Has rated the clip";
+        case State::listening:
+            return "Plays and rates the clips";
+        case State::comparing:
+            return "Plays and compares the clips";
+        case State::reasons:
+            return "Gives reasons for the preference";
+        case State::choosing:
+            return "Chooses a ball";
+        case State::aiming:
+            return "Aims at a ball";
+        case State::chosen:
+            return "Has chosen a ball";
+        case State::feedback:
+            return "Is shown the target";
+        case State::confidence:
+            return "Says how sure the choice was";
+        case State::over:
+            return "The session is over";
+    }
+    throw std::logic_error("a state without words");
+}
+
+struct EventWords {
+    std::string_view kind;
+    std::string_view words;
+    bool with_detail;
+};
+constexpr std::array<EventWords, 15> event_words{{
+    {"session_start", "Session begun", true},
+    {"pause", "Paused", true},
+    {"resume", "Resumed", false},
+    {"trial_repeated", "Trial started over", false},
+    {"check_failed", "Attention check failed", false},
+    {"warned", "Participant warned", false},
+    {"practice_met", "Practice passed", false},
+    {"practice_failed", "Practice failed", false},
+    {"operator_repeat", "Last trial is repeated", true},
+    {"operator_skip", "Skipped", true},
+    {"operator_abort", "Aborted", true},
+    {"operator_note", "Note", true},
+    {"operator_saw_trial", "Trial shown to you", false},
+    {"exclusion", "Excluded", true},
+    {"recording_failed", "Answers can no longer be saved", true},
+}};
+
+struct NamedHeadsetState {
+    std::string_view name;
+    std::string_view words;
+    bool in_use;
+};
+constexpr std::array<NamedHeadsetState, 9> headset_words{{
+    {"unknown", "Starting", false},
+    {"idle", "Waiting for the headset", false},
+    {"ready", "Starting", false},
+    {"synchronized", "Not worn, or hidden by another program", false},
+    {"visible", "Seen, but a system menu takes the input", false},
+    {"focused", "In use", true},
+    {"stopping", "Stopping", false},
+    {"loss pending", "The runtime is closing", false},
+    {"exiting", "Ended by the runtime", false},
+}};
+
+std::string capitalised(std::string_view text) {
+    std::string out(text);
+    if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+    return out;
+}
+
+// Reads "n/m" in which n is at most m.
+std::optional<std::pair<int, int>> count(std::string_view word) {
+    const std::size_t slash = word.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    std::pair<int, int> read{0, 0};
+    const char* middle = word.data() + slash;
+    const char* end = word.data() + word.size();
+    const auto first = std::from_chars(word.data(), middle, read.first);
+    const auto second = std::from_chars(middle + 1, end, read.second);
+    if (first.ec != std::errc() || second.ec != std::errc()) return std::nullopt;
+    if (first.ptr != middle || second.ptr != end) return std::nullopt;
+    if (read.first < 1 || read.first > read.second) return std::nullopt;
+    return read;
+}
+
+}  // namespace
+
+std::optional<double> StudyProgress::done() const {
+    if (trials == 0) return std::nullopt;
+    return static_cast<double>(trial - 1) / trials;
+}
+
+StudyProgress studyProgress(std::string_view status) {
+    StudyProgress progress;
+    const std::size_t comma = status.find(", ");
+    const std::string_view course = status.substr(0, comma);
+    if (comma != std::string_view::npos) progress.remark = capitalised(status.substr(comma + 2));
+    const std::size_t gap = course.rfind(' ');
+    if (gap != std::string_view::npos)
+        if (const auto counted = count(course.substr(gap + 1))) {
+            progress.stage = capitalised(course.substr(0, gap));
+            progress.trial = counted->first;
+            progress.trials = counted->second;
+            return progress;
+        }
+    progress.stage = capitalised(course);
+    return progress;
+}
+
+std::string stateInWords(const studies::PresentedFrame& frame) {
+    const std::string_view words = wordsFor(frame.state);
+    return frame.in_game ? fmt::format("{} ({})", words, frame.viewer_place) : std::string(words);
+}
+
+DeviceWords headsetInWords(std::string_view state) {
+    for (const NamedHeadsetState& known : headset_words)
+        if (state == known.name) return {std::string(known.words), known.in_use};
+    return {capitalised(state), false};
+}
+
+std::string distanceInWords(double metres) {
+    const double centimetres = std::round(metres * 100.0);
+    if (centimetres < 100.0) return fmt::format("{:.0f} cm", centimetres);
+    return fmt::format("{:.2f} m", metres);
+}
+
+std::string elapsedInWords(double seconds) {
+    const auto whole = static_cast<long long>(std::floor(std::max(0.0, seconds)));
+    const long long hours = whole / 3600;
+    const long long minutes = whole / 60 % 60;
+    if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
+    return fmt::format("{}:{:02}", minutes, whole % 60);
+}
+
+std::string timeLeftInWords(std::optional<double> seconds) {
+    if (!seconds) return "not known yet";
+    if (*seconds < 60.0) return "less than a minute";
+    const auto minutes = static_cast<long long>(std::round(*seconds / 60.0));
+    if (minutes < 60) return fmt::format("about {} min", minutes);
+    return fmt::format("about {} h {:02} min", minutes / 60, minutes % 60);
+}
+
+std::string bytesInWords(std::uintmax_t bytes) {
+    const double gigabytes = static_cast<double>(bytes) / 1e9;
+    if (gigabytes < 1.0) return fmt::format("{} MB", bytes / 1'000'000);
+    if (gigabytes < 10.0) return fmt::format("{:.1f} GB", std::floor(10.0 * gigabytes) / 10.0);
+    return fmt::format("{:.0f} GB", std::floor(gigabytes));
+}
+
+std::string eventInWords(const OperatorEvent& event) {
+    if (event.detail.starts_with("nothing to ")) return capitalised(event.detail);
+    for (const EventWords& known : event_words) {
+        if (event.kind != known.kind) continue;
+        if (event.detail.empty() || !known.with_detail) return std::string(known.words);
+        return fmt::format("{}: {}", known.words, event.detail);
+    }
+    return event.detail.empty() ? event.kind : fmt::format("{}: {}", event.kind, event.detail);
+}
+
+}  // namespace deixis::app

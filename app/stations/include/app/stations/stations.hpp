@@ -1,0 +1,36 @@
+// Making the station that a command asks for.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/session/operator_feed.hpp"
+#include "app/session/screenshots.hpp"
+#include "assets/avatar/avatar.hpp"
+#include "core/error.hpp"
+#include "studies/design/plan.hpp"
+#include "studies/simulation/simulated_participant.hpp"
+#include "studies/station/station.hpp"
+#include "studies/study_file/study.hpp"
+
+namespace deixis::app {
+
+struct StationRequest {
+    std::string kind = "desktop";  ///< "desktop", "headset" or "simulated"
+    std::string size;  ///< "WIDTHxHEIGHT" of the window or of what the simulated participant sees; or empty
+    bool fullscreen = false;
+    bool operator_window = false;  ///< desktop: the experimenter's beside the participant's
+    std::shared_ptr<const OperatorFeed> operator_feed{};  ///< what the session tells the experimenter
+    double resolution_scale = 1.0;  ///< headset: of the size that the runtime recommends
+    std::string simulated_parameters;
+    std::shared_ptr<Screenshots> screenshots = std::make_shared<Screenshots>();  ///< simulated only
+};
+
+/// Opens the station. The simulated one draws each key moment and several frames a second through the same
+/// renderer as the desktop, off screen, where the program was built with it.
+[[nodiscard]] Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request,
+                                                                    const studies::Study& study,
+                                                                    const studies::StudyPlan& plan,
+                                                                    const assets::Avatar& avatar);
+
+}  // namespace deixis::app

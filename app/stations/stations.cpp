@@ -1,0 +1,138 @@
+#include "app/stations/stations.hpp"
+
+#include <fmt/format.h>
+
+#include "app/stations/simulated_setup.hpp"
+
+#ifdef DEIXIS_IMMERSIVE
+#include "app/desktop/desktop_station.hpp"
+#include "app/desktop/drawn_simulation.hpp"
+#include "app/headset/headset_station.hpp"
+#endif
+
+namespace deixis::app {
+
+namespace {
+
+#ifdef DEIXIS_IMMERSIVE
+
+Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest& request,
+                                                      const studies::Study& study,
+                                                      const studies::StudyPlan& plan,
+                                                      const assets::Avatar& avatar) {
+    if (!request.screenshots->wanted.empty())
+        return fail("--screenshot", "pictures of a session are taken with --station simulated");
+    DesktopOptions options;
+    options.title = study.title + " - " + plan.participant;
+    options.fullscreen = request.fullscreen;
+    options.eye_height_m = study.eye_height_m;
+    options.controls = study.words("station_desktop_controls");
+    options.operator_window = request.operator_window;
+    options.operator_feed = request.operator_feed;
+    if (!request.size.empty()) {
+        const auto size = parseWindowSize(request.size);
+        if (!size) return tl::unexpected(size.error());
+        options.size = *size;
+    }
+    auto station = DesktopStation::open(avatar, options);
+    if (!station) return tl::unexpected(station.error());
+    return std::move(*station);
+}
+
+Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest& request,
+                                                      const studies::Study& study,
+                                                      const studies::StudyPlan& plan,
+                                                      const assets::Avatar& avatar) {
+    if (!request.screenshots->wanted.empty())
+        return fail("--screenshot", "pictures of a session are taken with --station simulated");
+    HeadsetStationOptions options;
+    options.participant = plan.participant;
+    options.title = study.title + " - " + plan.participant;
+    options.resolution_scale = request.resolution_scale;
+    options.study = study.headset;
+    options.hint = study.words("station_headset_hint");
+    options.tracking_lost = study.words("station_tracking_lost");
+    options.operator_feed = request.operator_feed;
+    if (!request.size.empty()) {
+        const auto size = parseWindowSize(request.size);
+        if (!size) return tl::unexpected(size.error());
+        options.window_size = *size;
+    }
+    auto station = HeadsetStation::open(avatar, options);
+    if (!station) return tl::unexpected(station.error());
+    return std::move(*station);
+}
+
+#else
+
+Result<std::unique_ptr<studies::Station>> openDesktop(const StationRequest&, const studies::Study&,
+                                                      const studies::StudyPlan&, const assets::Avatar&) {
+    return fail("--station", "this program was built without windows (DEIXIS_IMMERSIVE=OFF)",
+                "Use --station simulated, or build with DEIXIS_IMMERSIVE=ON");
+}
+
+Result<std::unique_ptr<studies::Station>> openHeadset(const StationRequest&, const studies::Study&,
+                                                      const studies::StudyPlan&, const assets::Avatar&) {
+    return fail("--station", "this program was built without a headset (DEIXIS_IMMERSIVE=OFF)",
+                "Use --station simulated, or build with DEIXIS_IMMERSIVE=ON");
+}
+
+Result<void> drawSimulation(studies::SimulatedStation&, const assets::Avatar&, const std::string&,
+                            const std::shared_ptr<Screenshots>& screenshots) {
+    if (screenshots->wanted.empty()) return {};
+    return fail("--screenshot", "this program was built without drawing (DEIXIS_IMMERSIVE=OFF)");
+}
+
+#endif
+
+// A participant who pauses once, in the midst of the first clip: for a picture of that state.
+class PausingStation : public studies::Station {
+  public:
+    explicit PausingStation(std::unique_ptr<studies::Station> station) : station_(std::move(station)) {}
+    [[nodiscard]] studies::StationInfo info() const override { return station_->info(); }
+    [[nodiscard]] studies::InputFrame beginFrame() override {
+        studies::InputFrame input = station_->beginFrame();
+        if (pointing_ && !paused_) {
+            paused_ = true;
+            input.pause = true;
+            input.pause_reason = "for a picture";
+        }
+        return input;
+    }
+    studies::FrameReport present(const studies::PresentedFrame& frame) override {
+        pointing_ = frame.state == studies::PresentedState::pointing;
+        return station_->present(frame);
+    }
+
+  private:
+    std::unique_ptr<studies::Station> station_;
+    bool pointing_ = false;
+    bool paused_ = false;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request,
+                                                      const studies::Study& study,
+                                                      const studies::StudyPlan& plan,
+                                                      const assets::Avatar& avatar) {
+    if (request.kind == "desktop") return openDesktop(request, study, plan, avatar);
+    if (request.kind == "headset") return openHeadset(request, study, plan, avatar);
+    if (request.kind != "simulated")
+        return fail("--station", fmt::format("unknown station '{}'; expected desktop, headset or simulated",
+                                             request.kind));
+    if (request.operator_window)
+        return fail("--operator", "a simulated participant has no window for the experimenter",
+                    "Use --station desktop; a headset's window is always there");
+    const auto parameters = studies::loadSimulatedParameters(request.simulated_parameters);
+    if (!parameters) return tl::unexpected(parameters.error());
+    auto station =
+        std::make_unique<studies::SimulatedStation>(*parameters, avatar.skeleton, simulatedSeed(plan));
+    if (auto drawn = drawSimulation(*station, avatar, request.size, request.screenshots); !drawn)
+        return tl::unexpected(drawn.error());
+    if (request.screenshots->wanted.contains("paused"))
+        return std::make_unique<PausingStation>(std::move(station));
+    return station;
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,112 @@
+#include "app/study/stimuli.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <future>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "app/clips/clip_files.hpp"
+#include "app/clips/study_clips.hpp"
+#include "assets/joints/clip_import.hpp"
+#include "assets/tables/manifest.hpp"
+#include "core/files.hpp"
+#include "core/hash.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the plans show, and where the targets then are; zero of an item without one.
+Result<std::map<studies::Stimulus, Vec3>> wantedBy(const std::vector<studies::StudyPlan>& plans) {
+    std::map<studies::Stimulus, Vec3> wanted;
+    for (const auto& plan : plans)
+        for (const auto& trial : plan.trials)
+            for (const auto& stimulus : trial.stimuli) {
+                const auto [known, is_new] = wanted.emplace(stimulus, trial.target);
+                if (!is_new && glm::length(known->second - trial.target) > 0.001)
+                    return fail(plan.participant,
+                                fmt::format("{} has two targets in the plans shown together", stimulus.item));
+            }
+    return wanted;
+}
+
+}  // namespace
+
+Result<StimulusLibrary> StimulusLibrary::load(const LockedStudy& locked,
+                                              const std::vector<studies::StudyPlan>& plans,
+                                              const assets::Avatar& avatar) {
+    const auto wanted = wantedBy(plans);
+    if (!wanted) return tl::unexpected(wanted.error());
+    using Part = std::map<studies::Stimulus, Loaded>;
+    const auto loadSystem = [&](const studies::SystemSource& system) -> Result<Part> {
+        const auto manifest = assets::readManifest(locked.manifest(system.name));
+        if (!manifest) return tl::unexpected(manifest.error());
+        Part part;
+        for (const auto& [stimulus, target] : *wanted) {
+            if (stimulus.system != system.name) continue;
+            const studies::TargetItem item{stimulus.item, target, target != Vec3(0.0)};
+            int before = stimulus.clip;
+            const auto row = std::find_if(manifest->rows.begin(), manifest->rows.end(), [&](const auto& one) {
+                return one.target_id == item.id && madeFor(one, item) && before-- == 0;
+            });
+            if (row == manifest->rows.end())
+                return fail(
+                    manifest->file.string(),
+                    fmt::format("has no clip{} for {} at ({:.4f}, {:.4f}, {:.4f}), which a plan shows",
+                                stimulus.clip > 0 ? fmt::format(" {}", stimulus.clip + 1) : "", item.id,
+                                target.x, target.y, target.z));
+            const fs::path file = manifest->file.parent_path() / row->clip;
+            const auto bytes = readFile(file);
+            if (!bytes) return tl::unexpected(bytes.error());
+            // What is shown is what was locked, to the byte, whatever was remembered of the file.
+            const std::string name = file.lexically_relative(locked.folder).generic_string();
+            const std::string hash = sha256Hex(*bytes);
+            if (const auto kept = locked.files.find(name); kept == locked.files.end() || kept->second != hash)
+                return tl::unexpected(damaged(locked.folder, name + " was changed"));
+            const auto read = assets::importClipBytes(*bytes, file.string());
+            if (!read) return tl::unexpected(read.error());
+            auto clip = clipOnAvatar(*read, file.string(), avatar);
+            if (!clip) return tl::unexpected(clip.error());
+            part.emplace(stimulus, Loaded{std::move(*clip), {name, hash, row->author, row->trial}});
+        }
+        return part;
+    };
+
+    std::vector<std::future<Result<Part>>> parts;
+    for (const auto& system : locked.setup.study.systems)
+        parts.push_back(std::async(std::launch::async, loadSystem, std::cref(system)));
+    StimulusLibrary library;
+    std::optional<Error> first_error;
+    for (auto& future : parts) {
+        auto part = future.get();
+        if (part)
+            library.clips_.merge(*part);
+        else if (!first_error)
+            first_error = part.error();
+    }
+    if (first_error) return tl::unexpected(*first_error);
+    return library;
+}
+
+const motion::Clip& StimulusLibrary::clip(const studies::Stimulus& stimulus) const {
+    const auto found = clips_.find(stimulus);
+    if (found == clips_.end())
+        throw std::logic_error("clip of " + stimulus.system + " for " + stimulus.item + " was not loaded");
+    return found->second.clip;
+}
+
+results::ClipRecords StimulusLibrary::records() const {
+    results::ClipRecords out;
+    for (const auto& [stimulus, loaded] : clips_) out.emplace(stimulus, loaded.record);
+    return out;
+}
+
+}  // namespace deixis::app

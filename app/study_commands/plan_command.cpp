@@ -1,0 +1,136 @@
+// deixis plan: the exact trials of a participant.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/clips/study_setup.hpp"
+#include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/study/enrolment.hpp"
+#include "app/study/study_under_way.hpp"
+#include "app/study_commands/study_commands.hpp"
+#include "results/store/store.hpp"
+#include "studies/design/plan.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct PlanArguments {
+    std::string study;
+    std::string database;
+    std::string participant;
+    int number = 0;
+    std::vector<std::string> groups;
+    bool json = false;
+};
+
+// FACTOR=LEVEL ...
+Result<studies::Groups> parseGroups(const std::vector<std::string>& options) {
+    studies::Groups groups;
+    for (const std::string& option : options) {
+        const auto equals = option.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == option.size())
+            return fail("--group", fmt::format("'{}' was given; expected FACTOR=LEVEL", option));
+        groups[option.substr(0, equals)] = option.substr(equals + 1);
+    }
+    return groups;
+}
+
+// The stored plan's JSON, with what it is; trials of one stimulus tell its system and item under names of
+// their own, too. assets/data/schemas/plan.schema.json describes it.
+std::string jsonForScripts(const studies::StudyPlan& plan) {
+    nlohmann::ordered_json json{{"schema", {{"name", "deixis-plan"}, {"version", 1}}}};
+    json.update(nlohmann::ordered_json::parse(studies::planJson(plan)));
+    for (auto& trial : json["trials"]) {
+        if (trial["stimuli"].size() != 1) continue;
+        trial["system"] = trial["stimuli"][0]["system"];
+        trial["target_id"] = trial["stimuli"][0]["item"];
+    }
+    return json.dump(1) + "\n";
+}
+
+/// Of a new participant of a study file.
+Result<studies::StudyPlan> planOfStudy(const PlanArguments& options) {
+    const auto setup = loadStudySetup(options.study);
+    if (!setup) return tl::unexpected(setup.error());
+    auto groups = parseGroups(options.groups);
+    if (!groups) return tl::unexpected(groups.error());
+    const int number =
+        options.number > 0 ? options.number : studies::numberOfParticipant(options.participant).value_or(1);
+    const studies::Turn turn = studies::turnOf(setup->study, number, *groups);
+    return studies::buildPlan(setup->study, setup->targets, options.participant, number, turn.groups,
+                              turn.number_in_cell);
+}
+
+/// The plan that the database holds; of who is not in it yet the one that a session begun now would have.
+Result<studies::StudyPlan> planInDatabase(const PlanArguments& options) {
+    std::optional<studies::StudyPlan> plan;
+    const auto number = options.number > 0 ? std::optional(options.number) : std::nullopt;
+    const auto read =
+        results::Store::read(options.database, [&](const results::Store& store) -> Result<void> {
+            plan = store.plan(options.participant);
+            if (plan && number && *number != plan->number)
+                return fail("--number",
+                            fmt::format("found {}, but {} takes part with the number {}", *number,
+                                        options.participant, plan->number),
+                            "Leave it out");
+            if (plan) return {};
+            const auto held = studyHeld(options.database, store);
+            if (!held) return tl::unexpected(held.error());
+            auto enrolment = enrol(held->setup, store, options.participant, number, 0.0);
+            if (!enrolment) return tl::unexpected(enrolment.error());
+            plan = std::move(enrolment->plan);
+            return {};
+        });
+    if (!read) return tl::unexpected(read.error());
+    return std::move(*plan);
+}
+
+Result<void> printPlan(const PlanArguments& options) {
+    const auto plan = options.database.empty() ? planOfStudy(options) : planInDatabase(options);
+    if (!plan) return tl::unexpected(plan.error());
+    fmt::print("{}", options.json ? jsonForScripts(*plan) : studies::planTable(*plan));
+    return {};
+}
+
+}  // namespace
+
+void addPlanCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<PlanArguments>();
+    CLI::App* command = cli.add_subcommand("plan", "Print the exact trials of a participant");
+    describe(*command, {.writes = "nothing; it prints the plan.",
+                        .example = "deixis plan pointing2023 --participant P07\ndeixis plan --db "
+                                   "study.sqlite --participant P07 --json",
+                        .page = "docs/design.md"});
+    auto* study = command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
+    auto* database = command->add_option("--db", options->database,
+                                         "In place of STUDY: a database. The plan that it holds of the "
+                                         "participant, or that the next session would store");
+    database->excludes(study);
+    command->add_option("--participant", options->participant, "Pseudonymous id, such as P07")->required();
+    command
+        ->add_option("--number", options->number,
+                     "Number of the participant in the study [the digits that the id ends in, or 1]")
+        ->check(CLI::Range(1, 999999));
+    auto* group =
+        command->add_option("--group", options->groups,
+                            "Level of a factor between participants; may be repeated [as drawn where all "
+                            "before enrolled in "
+                            "the order of their numbers]");
+    group->type_name("FACTOR=LEVEL");
+    database->excludes(group);
+    addJson(*command, options->json, "Print JSON instead of a table");
+    command->callback([options, &chosen] {
+        if (options->study.empty() && options->database.empty())
+            throw CLI::ValidationError("plan", "Give STUDY, or with --db the database of a study under way");
+        chosen = [options] { return printPlan(*options); };
+    });
+}
+
+}  // namespace deixis::app

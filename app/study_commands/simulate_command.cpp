@@ -1,0 +1,132 @@
+// deixis simulate: whole studies by simulated participants, in virtual time, nothing drawn.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+
+#include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/progress_line.hpp"
+#include "app/stations/simulated_sessions.hpp"
+#include "app/stations/simulated_setup.hpp"
+#include "app/study/enrolment.hpp"
+#include "app/study/stimuli.hpp"
+#include "app/study_commands/study_commands.hpp"
+#include "assets/data/data_paths.hpp"
+#include "core/durable.hpp"
+#include "results/database/database_files.hpp"
+#include "studies/design/plan.hpp"
+#include "studies/simulation/simulated_participant.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimulateArguments {
+    std::string study;
+    int participants = 39;
+    std::string database;
+    std::string stimuli;
+    std::string parameters;
+};
+
+// Everybody, into a database that is made. Returns how many units were answered.
+Result<int> simulateInto(const fs::path& database, const SimulateArguments& options,
+                         const LockedStudy& locked, const assets::Avatar& avatar,
+                         const studies::SimulatedParameters& parameters) {
+    auto store = results::Store::open(database, results::Durability::whole_run);
+    if (!store) return tl::unexpected(store.error());
+    const StudySetup& setup = locked.setup;
+    std::vector<studies::StudyPlan> plans;
+    for (int i = 1; i <= options.participants; ++i) {
+        const auto enrolment = enrol(setup, *store, fmt::format("S{:03}", i), {}, 0.0);
+        if (!enrolment) return tl::unexpected(enrolment.error());
+        if (auto stored =
+                store->storePlan(setup.study, enrolment->registration, enrolment->plan, locked.hash);
+            !stored)
+            return tl::unexpected(stored.error());
+        plans.push_back(enrolment->plan);
+    }
+    const auto stimuli = StimulusLibrary::load(locked, plans, avatar);
+    if (!stimuli) return tl::unexpected(stimuli.error());
+    const auto answers = simulateSessions(setup, plans, avatar, *stimuli, parameters, *store);
+    if (!answers) return answers;
+    store->commit();
+    return answers;
+}
+
+Result<void> simulate(const SimulateArguments& options) {
+    const auto setup = loadStudySetup(options.study);
+    if (!setup) return tl::unexpected(setup.error());
+    const auto parameters = studies::loadSimulatedParameters(options.parameters);
+    if (!parameters) return tl::unexpected(parameters.error());
+
+    std::error_code code;
+    if (fs::exists(options.database, code))
+        return fail(options.database, "exists already; a simulation never adds to or overwrites a database",
+                    "Name another file with -o, or remove it");
+
+    if (auto free = results::checkPlaceForDatabase(options.database); !free) return free;
+    const fs::path made =
+        options.stimuli.empty() ? stimuliFolder(options.database) : fs::path(options.stimuli);
+    const auto hash = lockStudy(*setup, {options.database, made, {}, {}, false});
+    if (!hash) return tl::unexpected(firstOf(hash.error(), options.study));
+    const auto locked = openLocked(options.database, *hash);
+    if (!locked) return tl::unexpected(locked.error());
+    const auto avatar = loadStudyAvatar(locked->setup.study);
+    if (!avatar) return tl::unexpected(avatar.error());
+
+    // Written beside and renamed at the end: an interrupted simulation leaves no half database.
+    const fs::path partial = options.database + ".partial";
+    if (partial.has_parent_path()) fs::create_directories(partial.parent_path(), code);
+    const auto remove = [&partial](std::initializer_list<const char*> suffixes) {
+        std::error_code ignored;
+        for (const char* suffix : suffixes) fs::remove(partial.string() + suffix, ignored);
+    };
+    remove({"", "-wal", "-shm"});
+    auto working = std::make_optional<ElapsedOnTerminal>("simulating");
+    const auto answers = simulateInto(partial, options, *locked, *avatar, *parameters);
+    working.reset();
+    if (!answers) {
+        remove({"", "-wal", "-shm"});
+        return tl::unexpected(answers.error());
+    }
+    if (auto moved = moveFile(partial, options.database); !moved) return moved;
+    remove({"-wal", "-shm"});
+    fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants,
+               *answers, options.database);
+    return {};
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& cli, Command& chosen) {
+    auto options = std::make_shared<SimulateArguments>();
+    CLI::App* command = cli.add_subcommand(
+        "simulate", "Run whole studies with simulated participants, in virtual time, without drawing");
+    describe(*command, {.writes = "a new database, and beside it its locked study and the clips of the "
+                                  "built-in systems. A database that is there already is never replaced.",
+                        .example = "deixis simulate pointing2023 --participants 39 -o simulated.sqlite",
+                        .page = "docs/simulated-participant.md"});
+    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    command
+        ->add_option("--participants", options->participants,
+                     "How many simulated participants, S001, S002 and so on")
+        ->check(CLI::Range(1, 9999))
+        ->capture_default_str();
+    addOutput(*command, options->database, "Database to make; must not exist")->required();
+    command->add_option("--stimuli", options->stimuli,
+                        "Folder for the built-in systems' clips [beside the database]");
+    command
+        ->add_option("--parameters", options->parameters,
+                     "Simulated participants' parameters (TOML) [those that ship]")
+        ->default_val(assets::dataFile("simulated_participant.toml").string())
+        ->default_str("");
+    command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
+}
+
+}  // namespace deixis::app

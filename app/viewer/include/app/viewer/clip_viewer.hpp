@@ -1,0 +1,26 @@
+// A clip on the avatar in a window of its own: play, pause, scrub, speed, an orbiting camera. Or as a
+// picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assets/avatar/avatar.hpp"
+#include "core/error.hpp"
+#include "motion/skeleton/clip.hpp"
+
+namespace deixis::app {
+
+struct ViewOptions {
+    std::string size = "1280x720";
+    std::string screenshot;       ///< PNG file; empty: a window
+    std::vector<double> times_s;  ///< pictured side by side; the window starts at the first
+    std::string from = "three-quarter";
+};
+
+/// `clip` is on the avatar's skeleton.
+[[nodiscard]] Result<void> viewClip(const motion::Clip& clip, const std::string& name,
+                                    const std::string& description, const assets::Avatar& avatar,
+                                    const ViewOptions& options);
+
+}  // namespace deixis::app

@@ -1,0 +1,300 @@
+#include "app/viewer/replay_viewer.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "app/window/gl_window.hpp"
+#include "app/window/pressed_keys.hpp"
+#include "app/window/window_gui.hpp"
+#include "core/durable.hpp"
+#include "motion/humanoid/reference_humanoid.hpp"
+#include "renderer/drawing/renderer.hpp"
+#include "replay_scene.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Everything of one answer that is needed to show it.
+class Show {
+  public:
+    Show(const results::Recording& recording, const studies::ClipSource& clips, const assets::Avatar& avatar)
+        : recording_(recording), idle_(motion::relaxedPose(avatar.skeleton)) {
+        for (const results::RecordedAnswer& answer : recording.answers)
+            replays_.emplace_back(answer.trial, clips, avatar.skeleton, idle_);
+    }
+    Show(const Show&) = delete;
+    Show& operator=(const Show&) = delete;
+
+    [[nodiscard]] std::size_t count() const { return replays_.size(); }
+    [[nodiscard]] const results::RecordedAnswer& answer(std::size_t i) const { return recording_.answers[i]; }
+    [[nodiscard]] double length_s(std::size_t i) const { return replays_[i].end_s() - replays_[i].begin_s(); }
+
+    /// At `time_s` after the trial's beginning.
+    [[nodiscard]] renderer::Scene scene(std::size_t i, double time_s, bool from_outside,
+                                        const OutsideView& view, double trail_s) const {
+        const double at_s = replays_[i].begin_s() + time_s;
+        return from_outside ? sceneFromOutside(replays_[i], answer(i).trial, at_s, view, trail_s)
+                            : sceneByTheirEyes(replays_[i], answer(i).trial, at_s);
+    }
+
+    [[nodiscard]] std::string title(std::size_t i) const {
+        const studies::Trial& trial = answer(i).trial.trial;
+        return fmt::format("Trial {} ({}{}): {}{}", trial.index, trial.stage,
+                           trial.practice ? ", practice" : "", answer(i).outcome,
+                           answer(i).superseded ? " - done again, does not count" : "");
+    }
+
+  private:
+    const results::Recording& recording_;
+    motion::LocalPose idle_;
+    std::vector<studies::TrialReplay> replays_;
+};
+
+using TakeImage = std::function<Result<void>(const renderer::Image&)>;
+
+// Each frame of each answer, off screen.
+Result<int> drawAll(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
+                    WindowSize size, const TakeImage& take) {
+    auto context = renderer::OffscreenContext::create();
+    if (!context) return tl::unexpected(context.error());
+    auto renderer = renderer::Renderer::create(avatar, {});
+    if (!renderer) return tl::unexpected(renderer.error());
+    int frames = 0;
+    for (std::size_t i = 0; i < show.count(); ++i) {
+        const double step_s = options.speed / options.frames_per_s;
+        const int count = static_cast<int>(std::floor(show.length_s(i) / step_s)) + 1;
+        for (int k = 0; k < count; ++k, ++frames) {
+            const renderer::Scene scene =
+                show.scene(i, k * step_s, options.view == "third", OutsideView{}, options.trail_s);
+            if (auto taken = take(renderer->capture(scene, size.width, size.height)); !taken)
+                return tl::unexpected(taken.error());
+        }
+    }
+    return frames;
+}
+
+Result<void> writePictures(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
+                           WindowSize size) {
+    std::error_code code;
+    fs::create_directories(options.png_folder, code);
+    if (code) return fail(options.png_folder, "cannot be made: " + code.message());
+    int number = 0;
+    const auto frames = drawAll(show, avatar, options, size, [&](const renderer::Image& image) {
+        return renderer::writePng(fs::path(options.png_folder) / fmt::format("frame_{:05}.png", ++number),
+                                  image);
+    });
+    if (!frames) return tl::unexpected(frames.error());
+    fmt::print("{} frames: {}\n", *frames, options.png_folder);
+    return {};
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
+                       WindowSize size) {
+    if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
+        return fail("--mp4", "ffmpeg is not installed, which makes the film",
+                    "Install it (Debian: apt install ffmpeg), or write pictures with --png FOLDER");
+    // Written beside and renamed at the end: no half film.
+    const std::string partial = options.mp4_file + ".partial.mp4";
+    const std::string command = fmt::format(
+        "ffmpeg -y -loglevel error -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i - "
+        "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p {}",
+        size.width, size.height, options.frames_per_s, quoted(partial));
+    std::FILE* ffmpeg = popen(command.c_str(), "w");
+    if (ffmpeg == nullptr) return fail("--mp4", "ffmpeg cannot be started");
+    const auto frames =
+        drawAll(show, avatar, options, size, [&](const renderer::Image& image) -> Result<void> {
+            if (std::fwrite(image.rgb.data(), 1, image.rgb.size(), ffmpeg) != image.rgb.size())
+                return fail(options.mp4_file, "ffmpeg stopped taking frames");
+            return {};
+        });
+    const int status = pclose(ffmpeg);
+    std::error_code code;
+    if (!frames || status != 0) {
+        fs::remove(partial, code);
+        if (!frames) return tl::unexpected(frames.error());
+        return fail(options.mp4_file, "ffmpeg could not write the film; its own words stand above");
+    }
+    if (auto moved = moveFile(partial, options.mp4_file); !moved) return moved;
+    fmt::print("{} frames: {}\n", *frames, options.mp4_file);
+    return {};
+}
+
+// The window's controls.
+class Controls {
+  public:
+    Controls(GLFWwindow* window, const ReplayOptions& options)
+        : from_outside(options.view == "third"),
+          speed(static_cast<float>(options.speed)),
+          trail_s(static_cast<float>(options.trail_s)),
+          gui_(window) {}
+
+    std::size_t trial = 0;
+    bool playing = true;
+    bool from_outside;
+    float time_s = 0.0F;
+    float speed;
+    float trail_s;
+    OutsideView view{};
+    bool close = false;
+
+    /// Advances, and draws the bar over the picture.
+    void frame(const Show& show, const std::vector<int>& keys) {
+        gui_.beginFrame();
+        for (const int key : keys) obey(key, show);
+        const ImGuiIO& io = ImGui::GetIO();
+        const auto end_s = static_cast<float>(show.length_s(trial));
+        if (playing) time_s += speed * io.DeltaTime;
+        if (time_s > end_s) {
+            time_s = end_s;
+            if (trial + 1 < show.count() && playing)
+                go(trial + 1);
+            else
+                playing = false;
+        }
+        if (!io.WantCaptureMouse && from_outside) turn(io);
+        bar(show, end_s);
+        gui_.endFrame();
+    }
+
+  private:
+    WindowGui gui_;
+
+    void go(std::size_t to) {
+        trial = to;
+        time_s = 0.0F;
+    }
+
+    void obey(int key, const Show& show) {
+        constexpr float step_s = 1.0F / 30.0F;
+        if (key == GLFW_KEY_SPACE) playing = !playing;
+        if (key == GLFW_KEY_ESCAPE) close = true;
+        if (key == GLFW_KEY_V) from_outside = !from_outside;
+        if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT) {
+            playing = false;
+            time_s = std::max(0.0F, time_s + (key == GLFW_KEY_LEFT ? -step_s : step_s));
+        }
+        if (key == GLFW_KEY_PAGE_UP && trial > 0) go(trial - 1);
+        if (key == GLFW_KEY_PAGE_DOWN && trial + 1 < show.count()) go(trial + 1);
+    }
+
+    void turn(const ImGuiIO& io) {
+        if (ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.0F)) {
+            view.azimuth_rad -= 0.006 * static_cast<double>(io.MouseDelta.x);
+            view.elevation_rad = std::clamp(view.elevation_rad + 0.006 * static_cast<double>(io.MouseDelta.y),
+                                            radiansFromDegrees(-5.0), radiansFromDegrees(85.0));
+        }
+        view.distance_m =
+            std::clamp(view.distance_m * std::pow(0.9, static_cast<double>(io.MouseWheel)), 1.0, 9.0);
+    }
+
+    void bar(const Show& show, float end_s) {
+        const ImVec2 screen = ImGui::GetIO().DisplaySize;
+        const float margin = 16.0F;
+        const float letter = ImGui::GetFontSize();
+        ImGui::SetNextWindowPos({margin, screen.y - margin}, ImGuiCond_Always, {0.0F, 1.0F});
+        ImGui::SetNextWindowSize({screen.x - 2 * margin, 0.0F});
+        ImGui::SetNextWindowBgAlpha(0.86F);
+        ImGui::Begin("replay", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        ImGui::SetNextItemWidth(screen.x - 2 * margin - 12.0F * letter);
+        if (ImGui::BeginCombo("##trial", show.title(trial).c_str(), ImGuiComboFlags_HeightLarge)) {
+            for (std::size_t i = 0; i < show.count(); ++i)
+                if (ImGui::Selectable(fmt::format("{}##{}", show.title(i), i).c_str(), i == trial)) go(i);
+            ImGui::EndCombo();
+        }
+        ImGui::SameLine();
+        if (ImGui::Button("Before", {5.0F * letter, 0.0F}) && trial > 0) go(trial - 1);
+        ImGui::SameLine();
+        if (ImGui::Button("Next", {5.0F * letter, 0.0F}) && trial + 1 < show.count()) go(trial + 1);
+
+        if (ImGui::Button(playing ? "Pause" : "Play", {4.5F * letter, 0.0F})) {
+            if (!playing && time_s >= end_s) time_s = 0.0F;
+            playing = !playing;
+        }
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(screen.x * 0.36F);
+        if (ImGui::SliderFloat("##time", &time_s, 0.0F, end_s, "%.2f s")) playing = false;
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(8.0F * letter);
+        ImGui::SliderFloat("speed", &speed, 0.1F, 4.0F, "%.2fx", ImGuiSliderFlags_Logarithmic);
+        ImGui::SameLine();
+        if (ImGui::RadioButton("their eyes", !from_outside)) from_outside = false;
+        ImGui::SameLine();
+        if (ImGui::RadioButton("outside", from_outside)) from_outside = true;
+        ImGui::SameLine();
+        ImGui::SetNextItemWidth(-3.0F * letter);
+        ImGui::SliderFloat("trail", &trail_s, 0.0F, 10.0F, "%.1f s");
+        const studies::RecordedTrial& shown = show.answer(trial).trial;
+        std::string about = fmt::format("{} station", shown.station);
+        if (shown.synthetic) about += ", answered by a simulated participant";
+        if (shown.tracking.empty()) about += ", head and hand were not recorded";
+        ImGui::TextDisabled(
+            "%s.   Space: play or pause   Arrows: step   Page keys: trial   V: view   Drag, wheel: "
+            "look around   Esc: close",
+            about.c_str());
+        ImGui::End();
+    }
+};
+
+Result<void> window(const results::Recording& recording, const Show& show, const assets::Avatar& avatar,
+                    WindowSize size, const ReplayOptions& options) {
+    PressedKeys keys;
+    auto opened = GlWindow::open(
+        fmt::format("Deixis replay - {} - {}", recording.study_title, recording.participant), size, false);
+    if (!opened) return tl::unexpected(opened.error());
+    const GlWindow& gl_window = **opened;
+    auto renderer = renderer::Renderer::create(avatar, {});
+    if (!renderer) return tl::unexpected(renderer.error());
+    keys.connect(gl_window.handle());
+    Controls controls(gl_window.handle(), options);
+    while (glfwWindowShouldClose(gl_window.handle()) == GLFW_FALSE && !controls.close) {
+        glfwPollEvents();
+        const WindowSize now = gl_window.framebufferSize();
+        if (now.width == 0 || now.height == 0) {
+            glfwWaitEventsTimeout(0.1);
+            continue;
+        }
+        renderer->draw(show.scene(controls.trial, static_cast<double>(controls.time_s), controls.from_outside,
+                                  controls.view, static_cast<double>(controls.trail_s)),
+                       now.width, now.height);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, now.width, now.height);
+        controls.frame(show, keys.take());
+        glfwSwapBuffers(gl_window.handle());
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> showReplay(const results::Recording& recording, const studies::ClipSource& clips,
+                        const assets::Avatar& avatar, const ReplayOptions& options) {
+    const auto size = parseWindowSize(options.size);
+    if (!size) return tl::unexpected(size.error());
+    const Show show(recording, clips, avatar);
+    if (!options.png_folder.empty())
+        if (auto written = writePictures(show, avatar, options, *size); !written) return written;
+    if (!options.mp4_file.empty())
+        if (auto written = writeFilm(show, avatar, options, *size); !written) return written;
+    if (!options.png_folder.empty() || !options.mp4_file.empty()) return {};
+    return window(recording, show, avatar, *size, options);
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,103 @@
+#include "avatar_humanoid.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "motion/retarget/retarget.hpp"
+
+namespace deixis::assets {
+
+namespace {
+
+using motion::Bone;
+using enum motion::Bone;
+
+constexpr Bone needed[] = {hips,          head,          leftUpperLeg,  leftLowerLeg, leftFoot,
+                           rightUpperLeg, rightLowerLeg, rightFoot,     leftUpperArm, leftLowerArm,
+                           leftHand,      rightUpperArm, rightLowerArm, rightHand};
+
+/// VRM 0.x calls the thumb's bones proximal, intermediate and distal (VRM 1.0: metacarpal, proximal, distal).
+std::optional<Bone> boneOfVrm0(std::string_view name) {
+    if (name == "leftThumbProximal") return leftThumbMetacarpal;
+    if (name == "leftThumbIntermediate") return leftThumbProximal;
+    if (name == "rightThumbProximal") return rightThumbMetacarpal;
+    if (name == "rightThumbIntermediate") return rightThumbProximal;
+    return motion::boneFromName(name);
+}
+
+class VrmMap {
+  public:
+    /// `lists_absent`: exporters of VRM 0.x list the bones that a figure lacks, with node -1.
+    VrmMap(const tinygltf::Model& model, const std::string& file, bool lists_absent)
+        : model_(model), file_(file), lists_absent_(lists_absent) {
+        nodes_.fill(-1);
+    }
+
+    Result<void> add(std::string_view name, std::optional<Bone> bone, const tinygltf::Value& node) {
+        if (!bone) return {};  // a bone of a later version
+        const int index = node.IsInt() ? node.GetNumberAsInt() : -2;
+        if (index == -1 && lists_absent_) return {};
+        if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
+            return fail(file_, fmt::format("VRM's bone {} is no node of the file", name),
+                        "Export the file anew");
+        nodes_[static_cast<std::size_t>(*bone)] = index;
+        return {};
+    }
+    [[nodiscard]] const BoneNodes& nodes() const { return nodes_; }
+
+  private:
+    const tinygltf::Model& model_;
+    const std::string& file_;
+    bool lists_absent_;
+    BoneNodes nodes_{};
+};
+
+const tinygltf::Value* humanBones(const tinygltf::Model& model, const char* extension) {
+    const auto found = model.extensions.find(extension);
+    if (found == model.extensions.end() || !found->second.IsObject()) return nullptr;
+    const tinygltf::Value& humanoid = found->second.Get("humanoid");
+    if (!humanoid.IsObject()) return nullptr;
+    return &humanoid.Get("humanBones");
+}
+
+}  // namespace
+
+Result<std::optional<BoneNodes>> vrmHumanoid(const tinygltf::Model& model, const std::string& file) {
+    if (const auto* bones = humanBones(model, "VRMC_vrm"); bones != nullptr && bones->IsObject()) {
+        VrmMap map(model, file, false);
+        for (const std::string& name : bones->Keys()) {
+            const tinygltf::Value& bone = bones->Get(name);
+            if (!bone.IsObject()) continue;
+            if (auto added = map.add(name, motion::boneFromName(name), bone.Get("node")); !added)
+                return tl::unexpected(added.error());
+        }
+        return map.nodes();
+    }
+    if (const auto* bones = humanBones(model, "VRM"); bones != nullptr && bones->IsArray()) {
+        VrmMap map(model, file, true);
+        for (int i = 0; i < static_cast<int>(bones->ArrayLen()); ++i) {
+            const tinygltf::Value& bone = bones->Get(i);
+            if (!bone.IsObject() || !bone.Get("bone").IsString()) continue;
+            const auto& name = bone.Get("bone").Get<std::string>();
+            if (auto added = map.add(name, boneOfVrm0(name), bone.Get("node")); !added)
+                return tl::unexpected(added.error());
+        }
+        return map.nodes();
+    }
+    return std::nullopt;
+}
+
+motion::HumanoidMap humanoidByNames(const motion::Skeleton& skeleton) {
+    const motion::HumanoidMap exact = motion::mapByVrmNames(skeleton);
+    return missingBones(exact).empty() ? exact : motion::detectHumanoid(skeleton);
+}
+
+std::string missingBones(const motion::HumanoidMap& map) {
+    std::string names;
+    for (const Bone bone : needed)
+        if (!map.has(bone)) names += (names.empty() ? "" : ", ") + std::string(motion::boneName(bone));
+    return names;
+}
+
+}  // namespace deixis::assets

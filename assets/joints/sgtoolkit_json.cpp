@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "assets/joints/joint_positions.hpp"
+#include "position_import.hpp"
+#include "up_axis.hpp"
+
+namespace deixis::assets {
+
+namespace {
+
+using Json = nlohmann::json;
+using motion::Bone;
+
+constexpr double usual_fps = 15.0;
+constexpr std::size_t joint_count = 10;
+constexpr std::size_t position_numbers = 3 * joint_count;
+constexpr std::size_t direction_numbers = 3 * (joint_count - 1);
+constexpr const char* expected_frames =
+    "expected frames of 30 numbers (x y z of 10 joints) or 27 (directions of 9 bones)";
+
+enum Joint : unsigned char {
+    spine,
+    neck,
+    nose,
+    head_top,
+    left_shoulder,
+    left_elbow,
+    left_wrist,
+    right_shoulder,
+    right_elbow,
+    right_wrist
+};
+
+/// The 9 bones and their lengths, as the toolkit turns directions into positions (data_utils.py).
+struct SgBone {
+    Joint from, to;
+    double length;
+};
+constexpr std::array<SgBone, 9> bones{{{spine, neck, 0.26},
+                                       {neck, nose, 0.18},
+                                       {nose, head_top, 0.14},
+                                       {neck, left_shoulder, 0.22},
+                                       {left_shoulder, left_elbow, 0.36},
+                                       {left_elbow, left_wrist, 0.33},
+                                       {neck, right_shoulder, 0.22},
+                                       {right_shoulder, right_elbow, 0.36},
+                                       {right_elbow, right_wrist, 0.33}}};
+
+using Pose10 = std::array<Vec3, joint_count>;
+
+/// Numbers of a frame: flat, or x y z of each joint in an array of its own.
+Result<std::vector<double>> numbersOf(const Json& frame, const std::string& where) {
+    std::vector<double> numbers;
+    const auto add = [&](const Json& value) {
+        if (!value.is_number() || !std::isfinite(value.get<double>())) return false;
+        numbers.push_back(value.get<double>());
+        return true;
+    };
+    const auto wrong = [&] {
+        return fail(where, std::string("found something else than numbers, ") + expected_frames);
+    };
+    if (!frame.is_array()) return wrong();
+    for (const Json& item : frame) {
+        if (item.is_array()) {
+            for (const Json& number : item)
+                if (!add(number)) return wrong();
+        } else if (!add(item)) {
+            return wrong();
+        }
+    }
+    return numbers;
+}
+
+Result<Pose10> poseOf(const Json& frame, const std::string& where) {
+    const auto numbers = numbersOf(frame, where);
+    if (!numbers) return tl::unexpected(numbers.error());
+    const auto triple = [&](std::size_t i) {
+        return Vec3((*numbers)[3 * i], (*numbers)[3 * i + 1], (*numbers)[3 * i + 2]);
+    };
+    Pose10 pose{};
+    if (numbers->size() == position_numbers) {
+        for (std::size_t j = 0; j < joint_count; ++j) pose[j] = triple(j);
+        return pose;
+    }
+    if (numbers->size() != direction_numbers)
+        return fail(where, fmt::format("found {} numbers, {}", numbers->size(), expected_frames));
+    for (std::size_t b = 0; b < bones.size(); ++b) {
+        const double length = glm::length(triple(b));
+        if (!(length > 1e-6) || !std::isfinite(length))
+            return fail(where, fmt::format("found no direction for bone {}, {}", b, expected_frames));
+        pose[bones[b].to] = pose[bones[b].from] + bones[b].length / length * triple(b);
+    }
+    return pose;
+}
+
+/// The object of an array that options.animation chooses, by its name or index.
+Result<const Json*> chosenOf(const Json& gestures, const std::string& name, const std::string& animation) {
+    std::string names;
+    std::size_t index = 0;
+    for (const Json& gesture : gestures) {
+        const std::string own = gesture.is_object() && gesture.contains("name") && gesture["name"].is_string()
+                                    ? gesture["name"].get<std::string>()
+                                    : std::string();
+        if (!animation.empty() && (animation == own || animation == std::to_string(index))) return &gesture;
+        if (index++ < 10)
+            names += (names.empty() ? "" : ", ") + (own.empty() ? std::to_string(index - 1) : own);
+    }
+    if (animation.empty() && gestures.size() == 1) return &gestures[0];
+    return fail(name,
+                animation.empty()
+                    ? fmt::format("holds {} gestures: {}; expected to be told which", index, names)
+                    : fmt::format("holds no gesture '{}', only: {}", animation, names),
+                "Name one with --animation, or its number from 0");
+}
+
+Result<const Json*> framesOf(const Json& file, const std::string& name, const std::string& animation) {
+    const Json* at = &file;
+    if (at->is_array() && !at->empty() && at->front().is_object()) {
+        const auto chosen = chosenOf(*at, name, animation);
+        if (!chosen) return chosen;
+        at = *chosen;
+    }
+    if (at->is_object()) {
+        for (const char* key : {"output-data", "motion"})
+            if (at->contains(key)) {
+                at = &(*at)[key];
+                break;
+            }
+        if (at->is_object())
+            return fail(name,
+                        "found neither 'output-data' nor 'motion', expected a gesture of the SGToolkit");
+    }
+    if (!at->is_array() || at->empty()) return fail(name, std::string("found no frames, ") + expected_frames);
+    return at;
+}
+
+/// Whether the figure, turned to y up, is its own mirror image: its left lies where up and the way that it
+/// faces put the right.
+bool isMirrored(const std::vector<Pose10>& poses, const Quat& turn) {
+    double left = 0.0;
+    for (const Pose10& p : poses) {
+        const Vec3 face = turn * (p[nose] - 0.5 * (p[neck] + p[head_top]));
+        left += glm::dot(turn * (p[left_shoulder] - p[right_shoulder]), glm::cross(up, face));
+    }
+    return left < 0.0;
+}
+
+motion::BonePositions bonePositions(const Pose10& p) {
+    motion::BonePositions out;
+    constexpr std::array<std::pair<Joint, Bone>, 9> joints{{{spine, Bone::spine},
+                                                            {neck, Bone::neck},
+                                                            {nose, Bone::head},
+                                                            {left_shoulder, Bone::leftUpperArm},
+                                                            {left_elbow, Bone::leftLowerArm},
+                                                            {left_wrist, Bone::leftHand},
+                                                            {right_shoulder, Bone::rightUpperArm},
+                                                            {right_elbow, Bone::rightLowerArm},
+                                                            {right_wrist, Bone::rightHand}}};
+    for (const auto& [joint, bone] : joints) out[bone] = p[joint];
+    return out;
+}
+
+}  // namespace
+
+Result<ImportedClip> parseSgToolkitJson(std::string_view text, const std::string& name,
+                                        const ImportOptions& options) {
+    Json file;
+    try {
+        file = Json::parse(text);
+    } catch (const Json::exception& problem) {  // its words begin with a code in brackets
+        const std::string words = problem.what();
+        return fail(name, "is not JSON: " + words.substr(std::min(words.find("] ") + 2, words.size())));
+    }
+    const auto frames = framesOf(file, name, options.animation);
+    if (!frames) return tl::unexpected(frames.error());
+    std::vector<Pose10> poses;
+    for (const Json& frame : **frames) {
+        auto pose = poseOf(frame, fmt::format("{}: frame {}", name, poses.size()));
+        if (!pose) return tl::unexpected(pose.error());
+        poses.push_back(*pose);
+    }
+    PositionRecording out;
+    out.format = "SGToolkit joint positions";
+    out.rate = options.fps ? FoundRate{*options.fps, Origin::given} : FoundRate{usual_fps, Origin::declared};
+    for (const Pose10& pose : poses) out.frames.push_back(bonePositions(pose));
+    const FoundUp rise = findUp(out.frames, options.up_axis);
+    if (isMirrored(poses, yFromUp(rise.axis))) {
+        const bool along_x = rise.axis == UpAxis::x || rise.axis == UpAxis::minus_x;
+        const Vec3 mirror = along_x ? Vec3(1, 1, -1) : Vec3(-1, 1, 1);
+        for (auto& frame : out.frames)
+            for (auto& position : frame.at)
+                if (position) *position *= mirror;
+        out.remarks.emplace_back("left-handed coordinates, as in the toolkit's window, are mirrored");
+    }
+    out.remarks.emplace_back("upper body only: hips and legs stay at rest");
+    return clipOfPositions(std::move(out), name, options);
+}
+
+}  // namespace deixis::assets

@@ -1,0 +1,62 @@
+// A manifest: the clips of one or more systems, and the target for which each was made. CSV, documented in
+// docs/manifest.md.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/pose.hpp"
+#include "motion/skeleton/humanoid.hpp"
+
+namespace deixis::assets {
+
+/// When a pointing hand does what. Frames count from 0; 0 <= onset < peak <= hold < end < frame count.
+struct PointingPhases {
+    int onset_frame = 0;  ///< the hand leaves its rest
+    int peak_frame = 0;   ///< the pointing posture is reached
+    int hold_frame = 0;   ///< last frame of the pointing posture; the hand starts back
+    int end_frame = 0;    ///< the hand is back at rest
+    motion::Side hand = motion::Side::right;
+};
+
+/// One clip. Gestures that point at nothing have no target, and none of the phases.
+struct ManifestRow {
+    std::string clip;  ///< file, relative to the manifest
+    std::string system;
+    std::string target_id;
+    std::optional<Vec3> target{};  ///< metres, in the avatar's frame
+    std::optional<PointingPhases> phases{};
+    double fps = 30.0;
+    std::uint64_t seed = 0;
+    /// Where the clip was retargeted: the error of its pointing ray as recorded, and on the avatar; degrees.
+    std::optional<double> source_error_deg{};
+    std::optional<double> avatar_error_deg{};
+    std::string author{};        ///< who made it, where people do; empty: not known
+    std::optional<int> trial{};  ///< which of the author's trials it came from, from 1
+    std::size_t line = 0;        ///< of the file on which the row begins; 0: it comes from no file
+};
+
+struct Manifest {
+    std::filesystem::path file;
+    std::vector<ManifestRow> rows;
+};
+
+/// Reads and checks a manifest: header, numbers, frames in order. Columns may stand in any order; those that
+/// a manifest does not know are passed over. Errors name file, line and column. Whether the clips are there
+/// is not looked at.
+[[nodiscard]] Result<Manifest> readManifest(const std::filesystem::path& path);
+/// The same with every problem: of a broken row its first, of a broken header that alone.
+[[nodiscard]] tl::expected<Manifest, std::vector<Error>> checkManifest(const std::filesystem::path& path);
+/// The first problem alone, from text; `name` stands for the file in errors and in the result.
+[[nodiscard]] Result<Manifest> parseManifest(std::string_view text, const std::filesystem::path& name);
+/// Header and rows, with those of the optional columns that a row has a value in; every number with as many
+/// digits as bring the same number back.
+[[nodiscard]] std::string manifestCsv(const std::vector<ManifestRow>& rows);
+
+}  // namespace deixis::assets

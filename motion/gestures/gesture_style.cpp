@@ -1,0 +1,146 @@
+#include "motion/gestures/gesture_style.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace deixis::motion {
+
+namespace {
+
+constexpr double style_limit = 3.0;
+
+std::ptrdiff_t indexOf(const JointCourses& motion, Bone bone) {
+    const auto found = std::find(motion.joints.begin(), motion.joints.end(), bone);
+    return found == motion.joints.end() ? -1 : found - motion.joints.begin();
+}
+
+double handedness(double left, double right) {
+    if (right > left) return left / right - 1.0;
+    return left > 0.0 ? 1.0 - right / left : 0.0;
+}
+
+template <typename F>
+Style eachOf(const F& f) {
+    return {f(&Style::speed), f(&Style::space), f(&Style::handedness)};
+}
+
+}  // namespace
+
+const std::vector<Bone>& styleBones() {
+    static const std::vector<Bone> bones{
+        Bone::hips,         Bone::spine,    Bone::neck,          Bone::head,          Bone::leftUpperArm,
+        Bone::leftLowerArm, Bone::leftHand, Bone::rightUpperArm, Bone::rightLowerArm, Bone::rightHand};
+    return bones;
+}
+
+const std::vector<Bone>& poseBones() {
+    static const std::vector<Bone> bones(styleBones().begin() + 1, styleBones().end());
+    return bones;
+}
+
+Result<std::vector<Style>> gestureStyle(const JointCourses& motion, int window) {
+    const auto left = indexOf(motion, Bone::leftHand);
+    const auto right = indexOf(motion, Bone::rightHand);
+    if (left < 0 || right < 0) return fail("", "found no left and right hand", "Style is told by both hands");
+    const auto frames = static_cast<int>(motion.positions.front().size());
+    if (window < 2) return fail("", fmt::format("found a window of {} frames, expected 2 or more", window));
+    if (frames < 2) return fail("", fmt::format("found {} frames, style needs at least 2", frames));
+
+    const auto step = [&](std::size_t joint, int f) {
+        const auto& course = motion.positions[joint];
+        const auto i = static_cast<std::size_t>(f);
+        return glm::length(course[i] - course[i - 1]);
+    };
+    const auto l = static_cast<std::size_t>(left);
+    const auto r = static_cast<std::size_t>(right);
+    std::vector<Style> out;
+    for (int i = 0; i < frames; ++i) {
+        const int first = std::max(0, i - window / 2);
+        const int last = std::min(frames - 1, i + window / 2);
+        double speed = 0.0, space = 0.0, left_speed = 0.0, right_speed = 0.0;
+        for (int j = first; j <= last; ++j) {
+            const auto f = static_cast<std::size_t>(j);
+            space += glm::length(motion.positions[l][f] - motion.positions[r][f]);
+            if (j == 0) continue;
+            for (std::size_t k = 0; k < motion.joints.size(); ++k) speed += step(k, j);
+            left_speed += step(l, j);
+            right_speed += step(r, j);
+        }
+        const int whole_frames = window / 2 * 2 + 1;
+        const double whole = whole_frames;
+        const int steps = last - std::max(first, 1) + 1;
+        out.push_back({speed * whole / (steps * static_cast<double>(window)),
+                       space * whole / ((last - first + 1) * static_cast<double>(window)),
+                       handedness(left_speed, right_speed)});
+    }
+    return out;
+}
+
+StyleNorm styleNorm(const std::vector<std::vector<Style>>& corpus) {
+    double n = 0.0;
+    for (const auto& clip : corpus) n += static_cast<double>(clip.size());
+    const auto mean = [&](double Style::*element) {
+        double sum = 0.0;
+        for (const auto& clip : corpus)
+            for (const Style& s : clip) sum += s.*element;
+        return n > 0.0 ? sum / n : 0.0;
+    };
+    StyleNorm out;
+    out.mean = eachOf(mean);
+    out.sd = eachOf([&](double Style::*element) {
+        double squares = 0.0;
+        for (const auto& clip : corpus)
+            for (const Style& s : clip) squares += std::pow(s.*element - out.mean.*element, 2);
+        return n > 0.0 ? std::sqrt(squares / n) : 0.0;
+    });
+    return out;
+}
+
+Style normalisedStyle(const Style& style, const StyleNorm& norm) {
+    return eachOf([&](double Style::*element) {
+        if (norm.sd.*element <= 0.0) return 0.0;
+        return std::clamp((style.*element - norm.mean.*element) / norm.sd.*element, -style_limit,
+                          style_limit);
+    });
+}
+
+Result<double> poseCompliance(const JointCourses& asked, const JointCourses& made, int first, int last) {
+    if (asked.joints != made.joints || asked.joints.empty())
+        return fail("", "the poses asked for and the motion have different joints",
+                    "Give poses of the same kind of skeleton");
+    if (std::abs(asked.frame_time_s - made.frame_time_s) > 0.01 * made.frame_time_s)
+        return fail("",
+                    fmt::format("poses are asked for at {:.4g} frames a second, the motion has {:.4g}",
+                                1.0 / asked.frame_time_s, 1.0 / made.frame_time_s),
+                    "Frames are counted: bring both to one rate ('deixis clips resample')");
+    const auto frames =
+        static_cast<int>(std::min(asked.positions.front().size(), made.positions.front().size()));
+    if (first < 0 || last <= first || last > frames)
+        return fail("", fmt::format("found {} frames, expected at least {} (poses are asked for in {} to {})",
+                                    frames, last, first, last - 1));
+    double sum = 0.0;
+    for (std::size_t j = 0; j < asked.positions.size(); ++j)
+        for (int f = first; f < last; ++f) {
+            const auto i = static_cast<std::size_t>(f);
+            const Vec3 difference = glm::abs(asked.positions[j][i] - made.positions[j][i]);
+            sum += difference.x + difference.y + difference.z;
+        }
+    return sum / (3.0 * static_cast<double>(asked.positions.size()) * (last - first));
+}
+
+Result<double> styleCompliance(const std::vector<Style>& asked, const std::vector<Style>& made) {
+    if (asked.empty() || asked.size() != made.size())
+        return fail("", fmt::format("found styles of {} and {} frames, expected as many of both",
+                                    asked.size(), made.size()));
+    double sum = 0.0;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        sum += std::abs(asked[i].speed - made[i].speed) + std::abs(asked[i].space - made[i].space) +
+               std::abs(asked[i].handedness - made[i].handedness);
+    return sum / (3.0 * static_cast<double>(asked.size()));
+}
+
+}  // namespace deixis::motion

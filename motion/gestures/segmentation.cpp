@@ -1,0 +1,364 @@
+#include "motion/gestures/segmentation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "gesture_phases.hpp"
+#include "hand_track.hpp"
+
+namespace deixis::motion {
+
+namespace {
+
+using std::to_string;
+
+constexpr std::array sides{Side::left, Side::right};
+
+/// Frames, both ends in.
+struct Run {
+    int begin;
+    int end;
+};
+
+/// The longest runs of frames from `first` on for which `holds` is true.
+template <typename Holds>
+std::vector<Run> runsOf(int first, int count, Holds holds) {
+    std::vector<Run> runs;
+    for (int f = first; f < count; ++f) {
+        if (!holds(f)) continue;
+        if (!runs.empty() && runs.back().end == f - 1)
+            runs.back().end = f;
+        else
+            runs.push_back({f, f});
+    }
+    return runs;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+std::string framesText(Run run) {
+    return to_string(run.begin) + " to " + to_string(run.end);
+}
+
+std::string handText(Side side) {
+    return "the " + std::string(sideName(side)) + " hand";
+}
+
+/// A stretch in which a hand is out of rest.
+struct Excursion {
+    Run frames;
+    Run around;  ///< reaching to the hand's excursions before and after
+    Side hand;
+    double farthest;
+};
+
+class Cutter {
+  public:
+    Cutter(const Clip& recording, const HumanoidMap& map, const SegmentationOptions& options)
+        : options_(options),
+          dt_(recording.frame_time_s),
+          count_(recording.frameCount()),
+          tracks_(trackHands(recording, map)) {}
+
+    Result<Segmentation> cut() {
+        for (const Side side : sides) {
+            const auto rest = restOf(side);
+            if (!rest) return tl::unexpected(rest.error());
+            auto& displacement = displacement_[static_cast<std::size_t>(side)];
+            auto& sagittal = sagittal_[static_cast<std::size_t>(side)];
+            for (const Vec3& reach : track(side).reach) {
+                const Vec3 d = reach - *rest;
+                displacement.push_back(glm::length(d));
+                sagittal.push_back(std::hypot(d.y, d.z));
+            }
+        }
+        for (const Side side : sides) holds_[static_cast<std::size_t>(side)] = holdsOf(side);
+        if (options_.by == CutBy::returns)
+            cutByReturns();
+        else
+            cutByHolds();
+        std::stable_sort(out_.left_out.begin(), out_.left_out.end(),
+                         [](const LeftOut& a, const LeftOut& b) { return a.first < b.first; });
+        return std::move(out_);
+    }
+
+  private:
+    [[nodiscard]] const HandTrack& track(Side side) const { return tracks_[static_cast<std::size_t>(side)]; }
+    [[nodiscard]] double displacement(Side side, int frame) const {
+        return displacement_[static_cast<std::size_t>(side)][static_cast<std::size_t>(frame)];
+    }
+    [[nodiscard]] double sagittal(Side side, int frame) const {
+        return sagittal_[static_cast<std::size_t>(side)][static_cast<std::size_t>(frame)];
+    }
+    [[nodiscard]] double speed(Side side, int frame) const {
+        return track(side).speed_m_s[static_cast<std::size_t>(frame)];
+    }
+    [[nodiscard]] double seconds(Run run) const { return (run.end - run.begin + 1) * dt_; }
+    /// Durations that fall short by rounding alone count as reached.
+    [[nodiscard]] bool lasts(Run run, double least_s) const { return seconds(run) >= least_s - 1e-4; }
+
+    /// Where the hand rests, from the shoulder, arm lengths.
+    Result<Vec3> restOf(Side side) {
+        const auto& reach = track(side).reach;
+        if (options_.rest_frame) {
+            const int frame = *options_.rest_frame;
+            if (frame < 0 || frame >= count_)
+                return fail("", "found " + to_string(frame) + " as the frame at rest, expected 0 to " +
+                                    to_string(count_ - 1));
+            return reach[static_cast<std::size_t>(frame)];
+        }
+        constexpr double still_m_s = 0.15;
+        const double hanging = std::cos(radiansFromDegrees(40.0));
+        std::array<std::vector<double>, 3> at_rest;
+        for (int f = 0; f < count_; ++f) {
+            const Vec3& r = reach[static_cast<std::size_t>(f)];
+            if (-r.y < hanging * glm::length(r) || speed(side, f) > still_m_s) continue;
+            for (int axis = 0; axis < 3; ++axis) at_rest[static_cast<std::size_t>(axis)].push_back(r[axis]);
+        }
+        constexpr double least_s = 0.2;
+        if (static_cast<double>(at_rest[0].size()) * dt_ >= least_s - 1e-4)
+            return Vec3(median(at_rest[0]), median(at_rest[1]), median(at_rest[2]));
+        if (options_.by == CutBy::returns)
+            return fail("", handText(side) + " never hangs still with the arm down, expected 0.2 s of it",
+                        "Name a frame in which both hands are at rest, or cut by holds");
+        out_.remarks.push_back(handText(side) +
+                               " never hangs still with the arm down: an arm straight down counts as rest");
+        return -up;
+    }
+
+    /// Slow, straight and raised.
+    [[nodiscard]] std::vector<Run> holdsOf(Side side) const {
+        const HandTrack& t = track(side);
+        auto runs = runsOf(1, count_, [&](int f) {
+            const auto i = static_cast<std::size_t>(f);
+            return t.step_speed_m_s[i] < options_.hold_speed_m_s &&
+                   glm::length(t.reach[i]) > options_.hold_reach && displacement(side, f) > options_.out;
+        });
+        runs.erase(std::remove_if(runs.begin(), runs.end(),
+                                  [&](const Run& run) { return !lasts(run, options_.least_hold_s); }),
+                   runs.end());
+        return runs;
+    }
+
+    [[nodiscard]] std::vector<Excursion> excursionsOf(Side side) const {
+        std::vector<Run> runs;
+        for (const Run& run :
+             runsOf(0, count_, [&](int f) { return displacement(side, f) > options_.back; })) {
+            if (!runs.empty() && !lasts({runs.back().end + 1, run.begin - 1}, options_.least_rest_s))
+                runs.back().end = run.end;
+            else
+                runs.push_back(run);
+        }
+        std::vector<Excursion> out;
+        for (std::size_t i = 0; i < runs.size(); ++i) {
+            const Run& run = runs[i];
+            double farthest = 0.0;
+            for (int f = run.begin; f <= run.end; ++f) farthest = std::max(farthest, displacement(side, f));
+            if (farthest < options_.out || !lasts(run, options_.least_gesture_s)) continue;
+            const Run around{i > 0 ? runs[i - 1].end + 1 : 0,
+                             i + 1 < runs.size() ? runs[i + 1].begin - 1 : count_ - 1};
+            out.push_back({run, around, side, farthest});
+        }
+        return out;
+    }
+
+    void cutByReturns() {
+        std::vector<Excursion> excursions = excursionsOf(Side::left);
+        for (const Excursion& e : excursionsOf(Side::right)) excursions.push_back(e);
+        // Of what the two hands do together, the one that goes farther leads.
+        std::stable_sort(excursions.begin(), excursions.end(),
+                         [](const Excursion& a, const Excursion& b) { return a.farthest > b.farthest; });
+        std::vector<const Excursion*> leading;
+        for (const Excursion& e : excursions) {
+            const auto leader = std::find_if(leading.begin(), leading.end(), [&](const Excursion* other) {
+                return other->hand != e.hand && together(e.frames, other->frames);
+            });
+            if (leader == leading.end())
+                leading.push_back(&e);
+            else
+                leaveOut(e.frames, e.hand,
+                         "goes along with " + handText((*leader)->hand) + ", which goes farther");
+        }
+        for (const Excursion* e : leading) {
+            if (e->frames.begin == 0)
+                leaveOut(e->frames, e->hand, "the recording begins when the hand is out of rest");
+            else if (e->frames.end == count_ - 1)
+                leaveOut(e->frames, e->hand, "the recording ends before the hand is back");
+            else
+                out_.gestures.push_back(gestureOf(*e, remarksOnOther(*e, excursions)));
+        }
+        sortGestures();
+        shareMargins();
+    }
+
+    [[nodiscard]] static std::vector<std::string> remarksOnOther(const Excursion& e,
+                                                                 const std::vector<Excursion>& excursions) {
+        std::vector<std::string> remarks;
+        constexpr double nearly = 0.9;
+        for (const Excursion& other : excursions)
+            if (other.hand != e.hand && together(e.frames, other.frames))
+                remarks.push_back(handText(other.hand) + " is out of rest too (frames " +
+                                  framesText(other.frames) + ")" +
+                                  (other.farthest > nearly * e.farthest ? " and goes as far" : ""));
+        return remarks;
+    }
+
+    /// More than half of the shorter one lies in the other.
+    static bool together(Run a, Run b) {
+        const int common = std::min(a.end, b.end) - std::max(a.begin, b.begin) + 1;
+        return 2 * common > std::min(a.end - a.begin, b.end - b.begin) + 1;
+    }
+
+    Gesture gestureOf(const Excursion& e, std::vector<std::string> remarks) const {
+        // The peak of displacement in the sagittal plane (section 2.1): of the frames nearly as far, the
+        // stillest.
+        double farthest = 0.0;
+        for (int f = e.frames.begin; f <= e.frames.end; ++f)
+            farthest = std::max(farthest, sagittal(e.hand, f));
+        int middle = -1;
+        for (int f = e.frames.begin; f <= e.frames.end; ++f)
+            if (sagittal(e.hand, f) >= 0.9 * farthest &&
+                (middle < 0 || speed(e.hand, f) < speed(e.hand, middle)))
+                middle = f;
+        const GestureFrames phases = gesturePhases(track(e.hand).speed_m_s, e.around.begin, e.frames.begin,
+                                                   middle, e.frames.end, e.around.end);
+        double reach = 0.0;
+        for (int f = phases.peak; f <= phases.hold; ++f)
+            reach = std::max(reach, glm::length(track(e.hand).reach[static_cast<std::size_t>(f)]));
+        constexpr double bent = 0.8;
+        if (reach < bent) remarks.emplace_back("the arm stays bent");
+        constexpr double least_stop_s = 0.1;
+        if ((phases.hold - phases.peak) * dt_ < least_stop_s) remarks.emplace_back("the hand does not stop");
+        const auto& holds = holds_[static_cast<std::size_t>(e.hand)];
+        const auto several = std::count_if(holds.begin(), holds.end(), [&](const Run& hold) {
+            return hold.begin >= e.frames.begin && hold.end <= e.frames.end;
+        });
+        if (several > 1) remarks.push_back("holds " + to_string(several) + " times before the hand is back");
+        return gesture(phases, e.around, e.hand, std::move(remarks));
+    }
+
+    [[nodiscard]] Gesture gesture(const GestureFrames& phases, Run around, Side hand,
+                                  std::vector<std::string> remarks) const {
+        const int margin = static_cast<int>(std::lround(options_.margin_s / dt_));
+        return {std::max(around.begin, phases.onset - margin),
+                std::min(around.end, phases.end + margin),
+                phases.onset,
+                phases.peak,
+                phases.hold,
+                phases.end,
+                hand,
+                std::move(remarks)};
+    }
+
+    void cutByHolds() {
+        for (const Side side : sides) {
+            const auto& holds = holds_[static_cast<std::size_t>(side)];
+            for (std::size_t i = 0; i < holds.size(); ++i) {
+                const Run& hold = holds[i];
+                const auto between = [](const Run& a, const Run& b) { return (a.end + b.begin) / 2; };
+                const Run around{i > 0 ? between(holds[i - 1], hold) : 0,
+                                 i + 1 < holds.size() ? between(hold, holds[i + 1]) : count_ - 1};
+                if (hold.end == count_ - 1) {
+                    leaveOut(hold, side, "the recording ends during the hold");
+                    continue;
+                }
+                std::vector<std::string> remarks;
+                for (const Run& other : holds_[static_cast<std::size_t>(opposite(side))])
+                    if (std::min(hold.end, other.end) >= std::max(hold.begin, other.begin))
+                        remarks.push_back(handText(opposite(side)) + " holds too (frames " +
+                                          framesText(other) + ")");
+                out_.gestures.push_back(gesture(
+                    phasesAroundHold(track(side).speed_m_s, around.begin, hold.begin, hold.end, around.end),
+                    around, side, std::move(remarks)));
+            }
+        }
+        sortGestures();
+    }
+
+    void leaveOut(Run frames, Side hand, std::string why) {
+        out_.left_out.push_back({frames.begin, frames.end, hand, std::move(why)});
+    }
+
+    void sortGestures() {
+        std::stable_sort(out_.gestures.begin(), out_.gestures.end(),
+                         [](const Gesture& a, const Gesture& b) { return a.onset < b.onset; });
+    }
+
+    /// The rest between two gestures is shared where it is short.
+    void shareMargins() {
+        for (std::size_t i = 1; i < out_.gestures.size(); ++i) {
+            Gesture& before = out_.gestures[i - 1];
+            Gesture& after = out_.gestures[i];
+            if (before.end >= after.onset) {
+                before.last = before.end;
+                after.first = after.onset;
+                after.remarks.push_back("sets out before " + handText(before.hand) + " is back");
+                continue;
+            }
+            const int middle = (before.end + after.onset) / 2;
+            before.last = std::min(before.last, middle);
+            after.first = std::max(after.first, middle + 1);
+        }
+    }
+
+    const SegmentationOptions& options_;
+    double dt_;
+    int count_;
+    std::vector<HandTrack> tracks_;  // by Side, as all below
+    std::array<std::vector<double>, 2> displacement_;
+    std::array<std::vector<double>, 2> sagittal_;
+    std::array<std::vector<Run>, 2> holds_;
+    Segmentation out_;
+};
+
+Result<void> checkFigure(const Clip& recording, const HumanoidMap& map) {
+    using enum Bone;
+    std::string missing;
+    for (const Bone bone : {hips, leftUpperLeg, rightUpperLeg, leftUpperArm, leftLowerArm, leftHand,
+                            rightUpperArm, rightLowerArm, rightHand})
+        if (!map.has(bone)) missing += (missing.empty() ? "" : ", ") + std::string(boneName(bone));
+    if (!missing.empty())
+        return fail("", "no joint was found for " + missing + ", expected a figure with hips and two arms",
+                    "Name the joints as VRM, Mixamo, CMU or another common rig does");
+    Vec3 trunk(0.0);
+    double arms = 0.0;
+    std::vector<Pose> world;
+    for (const LocalPose& frame : recording.frames) {
+        worldPose(recording.skeleton, frame, world);
+        const auto at = [&](Bone bone) { return world[static_cast<std::size_t>(map[bone])].position; };
+        const Vec3 along = 0.5 * (at(leftUpperArm) + at(rightUpperArm)) - at(hips);
+        if (glm::length(along) > 0.0) trunk += glm::normalize(along);
+        arms = std::max(arms, glm::length(at(leftHand) - at(leftUpperArm)) *
+                                  glm::length(at(rightHand) - at(rightUpperArm)));
+    }
+    if (!(arms > 0.0)) return fail("", "an arm has no length, expected shoulder, elbow and hand apart");
+    if (!(trunk.y > 0.7 * glm::length(trunk)))
+        return fail("", "the figure does not stand upright, expected a person whose trunk points along y",
+                    "Turn the recording so that y is up");
+    return {};
+}
+
+}  // namespace
+
+Result<Segmentation> segment(const Clip& recording, const HumanoidMap& map,
+                             const SegmentationOptions& options) {
+    if (const auto checked = checkFigure(recording, map); !checked) return tl::unexpected(checked.error());
+    return Cutter(recording, map, options).cut();
+}
+
+Pose personFromRecording(const Clip& recording, const HumanoidMap& map, int frame) {
+    const auto world = worldPose(recording.skeleton, recording.frames[static_cast<std::size_t>(frame)]);
+    const auto at = [&](Bone bone) { return world[static_cast<std::size_t>(map[bone])].position; };
+    const Vec3 ahead = glm::cross(at(Bone::leftUpperLeg) - at(Bone::rightUpperLeg), up);
+    const Vec3 hips = at(Bone::hips);
+    return inverse(Pose{{hips.x, 0.0, hips.z}, yawRotation(std::atan2(ahead.x, ahead.z))});
+}
+
+}  // namespace deixis::motion

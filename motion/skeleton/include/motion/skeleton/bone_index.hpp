@@ -1,0 +1,14 @@
+// A bone's place in tables that have an entry for each.
+#pragma once
+
+#include <cstddef>
+
+#include "motion/skeleton/humanoid.hpp"
+
+namespace deixis::motion {
+
+constexpr std::size_t indexOf(Bone bone) {
+    return static_cast<std::size_t>(bone);
+}
+
+}  // namespace deixis::motion

@@ -1,0 +1,58 @@
+// Systems that make pointing clips for a target: the interface, and the built-in ones. Each is documented in
+// docs/systems.md. They are synthetic stand-ins until learned systems come.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "motion/skeleton/clip.hpp"
+#include "motion/synthesis/demonstration_parameters.hpp"
+
+namespace deixis::motion {
+
+/// How a gesture is held, where a study asks for it; what is not set stays as the system does by itself.
+struct HoldManner {
+    std::optional<double> hold_s{};  ///< from peak to hold
+    /// About how far the fingertip wanders to each side of where it points, slowly, during the hold; metres.
+    std::optional<double> unsteadiness_m{};
+};
+
+struct GenerationRequest {
+    std::string target_id;
+    Vec3 target{0.0};  ///< metres, in the avatar's frame
+    std::uint64_t seed = 0;
+    HoldManner manner{};
+};
+
+/// Frames count from 0; 0 <= onset < peak <= hold < end < frame count. Meanings as in assets/manifest.hpp.
+struct GeneratedClip {
+    Clip clip;
+    Side hand = Side::right;
+    int onset_frame = 0;
+    int peak_frame = 0;
+    int hold_frame = 0;
+    int end_frame = 0;
+};
+
+/// A system: the same request gives the same clip, bit for bit. Safe to use from one thread at a time.
+class Generator {
+  public:
+    virtual ~Generator() = default;
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] virtual GeneratedClip generate(const GenerationRequest& request) const = 0;
+};
+
+/// Names of the built-in systems: "demonstration-nn", "direct", "stiff", "drifting".
+[[nodiscard]] const std::vector<std::string>& generatorNames();
+
+/// Makes a built-in system for an avatar. Fails on an unknown name, or an avatar without the bones of both
+/// arms.
+[[nodiscard]] Result<std::unique_ptr<Generator>> makeGenerator(std::string_view name, const Skeleton& avatar,
+                                                               const DemonstrationParameters& parameters);
+
+}  // namespace deixis::motion

@@ -1,0 +1,24 @@
+// The part of each eye's picture that is never seen: black and nearer than everything, so that what follows
+// is not drawn there.
+#pragma once
+
+#include "renderer/scene/stereo.hpp"
+#include "renderer/scene/views.hpp"
+
+namespace deixis::renderer {
+
+class HiddenAreaPass {
+  public:
+    HiddenAreaPass();
+    /// Throws std::invalid_argument where the indices are no triangles of the corners.
+    void set(const std::array<HiddenArea, 2>& areas);
+    void draw(Views views);
+
+  private:
+    ViewProgram program_;
+    gl::VertexArray vertices_;
+    gl::Buffer corners_, indices_;
+    GLsizei index_count_ = 0;
+};
+
+}  // namespace deixis::renderer

@@ -1,0 +1,280 @@
+#include "export_tables.hpp"
+
+#include "results/database/standing.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+using enum ColumnType;
+
+const ExportColumn participant_column{
+    {"participant", text, "Pseudonymous id"}, "participant", Privacy::participant};
+const ExportColumn session{
+    {"session", whole, "One sitting of a participant with the program"}, "session", Privacy::session};
+const ExportColumn trial_index{
+    {"trial_index", whole, "Which answered unit, from 0 over all sessions in the order planned"},
+    "trial_index"};
+
+ExportTable responsesTable() {
+    return {
+        "responses.csv",
+        "One row for each answer to a question or rating, and one for each response without any (a choice of "
+        "the game, "
+        "a skipped trial). Answers that were given anew stand with the new ones only.",
+        "FROM responses_flat AS f WHERE participant = ?1 ORDER BY trial_index, response, stimulus, question",
+        {
+            participant_column,
+            {{"participant_status", text,
+              "active, excluded (leaves the analysis) or dropped (left the study, or refused consent when "
+              "last asked)"},
+             "participant_status"},
+            session,
+            trial_index,
+            {{"stage", text, "Name of the stage in the study file"}, "stage"},
+            {{"kind", text,
+              "Kind of the stage: rating, parallel-rating, pairwise, referential-game, questionnaire, "
+              "consent"},
+             "kind"},
+            {{"practice", truth, "1: practice, which is not analysed"}, "practice"},
+            {{"attempt", whole, "Practice: which attempt, from 0"}, "attempt"},
+            {{"status", text, "answered, timed_out (the time limit passed) or skipped (by the experimenter)"},
+             "status"},
+            {{"question", text,
+              "rating, preference, confidence, reasons, consent, or a questionnaire's question"},
+             "question"},
+            {{"measure", text, "What the answer measures in the report; empty: nothing, or a choice"},
+             "CASE question WHEN 'rating' THEN (SELECT measure FROM stages WHERE name = f.stage) "
+             "WHEN 'confidence' THEN question WHEN 'preference' THEN question END"},
+            {{"stimulus", whole, "Which of the trial's clips, from 0; empty: of both, or none"}, "stimulus"},
+            {{"system", text, "System that made the clip; of a pair the one that stood left"}, "system"},
+            {{"other_system", text, "Of a pair: the one that stood right"}, "other_system"},
+            {{"item", text, "Item (target) that the clip is for"}, "item"},
+            {{"scored", truth, "1: counts in the analysis; 0: practice, an attention check, a page"},
+             "scored"},
+            {{"value", number,
+              "The answer as a number; a preference runs from -2 (clearly left, system) to 2 (clearly right, "
+              "other_system)"},
+             "value"},
+            {{"scale_low", number, "Least that could be answered"},
+             "(SELECT low FROM questions AS q WHERE q.stage = f.stage AND q.question = f.question)"},
+            {{"scale_high", number, "Most that could be answered"},
+             "(SELECT high FROM questions AS q WHERE q.stage = f.stage AND q.question = f.question)"},
+            {{"text", text, "Chosen options by their ids, or what was typed"},
+             "text",
+             Privacy::kept,
+             "CASE WHEN EXISTS (SELECT 1 FROM questions AS q WHERE q.stage = f.stage AND q.question = "
+             "f.question AND "
+             "q.kind = 'text') THEN NULL ELSE text END"},
+            {{"chosen_place", whole, "Game: the ball chosen, from 0 in the order shown"}, "chosen_place"},
+            {{"target_place", whole, "Game: the ball that was the target"}, "target_place"},
+            {{"balls", whole, "Game: how many balls were shown"}, "json_array_length(balls)"},
+            {{"correct", truth, "Game: 1 where the target was chosen"}, "correct"},
+            {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
+            {{"check_passed", truth, "Attention check: 1 passed, 0 failed"}, "check_passed"},
+            {{"layout", text, "Where the participant stood"}, "layout"},
+            {{"viewer_x_m", number, "Where the participant was asked to stand, in the avatar's frame", "m"},
+             "viewer_x_m"},
+            {{"viewer_z_m", number, "", "m"}, "viewer_z_m"},
+            {{"viewer_heading_deg", number,
+              "Where the participant was to face: 0 as the avatar does, 180 back at it", "degrees"},
+             "heading_deg"},
+            {{"distance", text, "Game: band of the distractors' distance"}, "distance"},
+            {{"target_id", text, "Item of the trial"}, "target_id"},
+            {{"response_time_s", number, "From the end of the motion to the answer, less pauses", "s"},
+             "response_time_s"},
+            {{"replays", whole, "How often a clip was asked for again"}, "replays"},
+            {{"plays", whole, "How often this clip was shown to its end"}, "plays"},
+            {{"pauses", whole, "How often the trial was interrupted"}, "pauses"},
+            {{"paused_s", number, "How long while the answer was open", "s"}, "paused_s"},
+            {{"begun_before", truth, "1: its clip had been begun in an earlier session, which broke off"},
+             "begun_before"},
+            {{"marked", text, "Why the trial is in doubt: interrupted, off place; empty: it is not"},
+             "(SELECT group_concat(why, ', ') FROM (SELECT 'interrupted' AS why WHERE f.pauses > 0 OR "
+             "f.begun_before UNION ALL SELECT 'off place' WHERE EXISTS (SELECT 1 FROM events AS v WHERE "
+             "v.session = f.session AND v.trial_index = f.trial_index AND v.kind = 'off_place')))"},
+            {{"input", text, "ray or key; empty where nothing was answered"}, "input"},
+            {{"dropped_frames", whole, "Display periods without a new frame during the trial"},
+             "dropped_frames"},
+            {{"samples_missing", whole, "Tracked frames of the trial that were not kept"}, "samples_missing"},
+            {{"max_off_place_m", number, "Farthest that the head was from its place in the trial", "m"},
+             "max_off_place_m"},
+            {{"clip_file", text, "File of the clip"}, "clip_file", Privacy::left_out},
+            {{"clip_hash", text, "SHA-256 of the clip's bytes"}, "clip_hash"},
+            {{"clip", whole,
+              "Which of the system's clips for the item, from 0; more than one where several stand "
+              "for it"},
+             "clip"},
+            {{"author", text, "Who made the clip, as its manifest says"}, "author", Privacy::left_out},
+            {{"author_trial", whole, "In which of the author's trials"}, "author_trial"},
+            {{"onset_s", number, "First frame of the last clip's last play", "s"}, "onset_s", Privacy::clock},
+            {{"motion_end_s", number, "Last frame of that clip: the answer opened", "s"},
+             "motion_end_s",
+             Privacy::clock},
+            {{"answered_s", number, "The answer", "s"}, "answered_s", Privacy::clock},
+            {{"answered_utc", text, "The answer, UTC"}, "answered_utc", Privacy::left_out},
+            {{"head_x_m", number, "Head at the answer: position in the avatar's frame", "m"}, "head_x_m"},
+            {{"head_y_m", number, "", "m"}, "head_y_m"},
+            {{"head_z_m", number, "", "m"}, "head_z_m"},
+            {{"head_qw", number, "Head at the answer: unit quaternion; -z looks forward"}, "head_qw"},
+            {{"head_qx", number, ""}, "head_qx"},
+            {{"head_qy", number, ""}, "head_qy"},
+            {{"head_qz", number, ""}, "head_qz"},
+            {{"ray_x_m", number, "Pointing ray at the answer: origin", "m"}, "ray_x_m"},
+            {{"ray_y_m", number, "", "m"}, "ray_y_m"},
+            {{"ray_z_m", number, "", "m"}, "ray_z_m"},
+            {{"ray_dx", number, "Pointing ray at the answer: unit direction"}, "ray_dx"},
+            {{"ray_dy", number, ""}, "ray_dy"},
+            {{"ray_dz", number, ""}, "ray_dz"},
+            {{"station", text, "desktop, headset or simulated"}, "station"},
+            {{"synthetic", truth, "1: a simulated participant answered; no evidence about people"},
+             "synthetic"},
+        }};
+}
+
+ExportTable trialsTable() {
+    return {
+        "trials.csv",
+        "What was planned: one row for each unit that is answered.",
+        "FROM trials AS t WHERE participant = ?1 ORDER BY trial_index",
+        {
+            participant_column,
+            trial_index,
+            {{"stage", text, "Name of the stage in the study file"}, "stage"},
+            {{"kind", text, "Kind of the stage"}, "kind"},
+            {{"practice", truth, "1: practice, which is not analysed"}, "practice"},
+            {{"attempt", whole, "Practice: which attempt, from 0"}, "attempt"},
+            {{"page", whole, "Questionnaire: which page, from 0"}, "page"},
+            {{"stimuli", text,
+              "Clips in the order shown, SYSTEM/ITEM parted by ';', with /CLIP where that is not 0"},
+             "(SELECT group_concat(one, ';') FROM (SELECT s.system || '/' || s.item || CASE WHEN s.clip > 0 "
+             "THEN '/' || s.clip ELSE '' END AS one FROM "
+             "trial_stimuli AS s WHERE "
+             "s.participant = t.participant AND s.trial_index = t.trial_index ORDER BY s.position))"},
+            {{"layout", text, "Where the participant stands"}, "layout"},
+            {{"distance", text, "Game: band of the distractors' distance"}, "distance"},
+            {{"target_id", text, "Item of the trial"}, "target_id"},
+            {{"target_x_m", number, "Target in the avatar's frame", "m"}, "target_x_m"},
+            {{"target_y_m", number, "", "m"}, "target_y_m"},
+            {{"target_z_m", number, "", "m"}, "target_z_m"},
+            {{"balls", text, "Game: centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},
+             "balls"},
+            {{"target_place", whole, "Game: which of the balls is the target, from 0"}, "target_place"},
+            {{"visibility", text,
+              "Game: share of each ball's disc that is seen from the layout's places, with the avatar at "
+              "rest and pointing, JSON"},
+             "visibility"},
+            {{"least_seen_headset", number,
+              "Game: the least of these shares of any ball, at the place for a headset"},
+             "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
+            {{"least_seen_desktop", number, "The same at the place for a desktop"},
+             "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
+            {{"angles", text,
+              "Game: how far each distractor looks from the target, as the avatar's eyes and the "
+              "participant's "
+              "at the layout's places see it, JSON",
+              "degrees"},
+             "angles"},
+            {{"least_angle_avatar_deg", number, "Game: the least of these angles as the avatar's eyes see it",
+              "degrees"},
+             "(SELECT min(s.atom) FROM json_tree(t.angles, '$.avatar') AS s WHERE s.atom IS NOT NULL)"},
+            {{"least_angle_headset_deg", number, "The same from the place for a headset", "degrees"},
+             "(SELECT min(s.atom) FROM json_tree(t.angles, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
+            {{"least_angle_desktop_deg", number, "The same from the place for a desktop", "degrees"},
+             "(SELECT min(s.atom) FROM json_tree(t.angles, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
+            {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
+            {{"check_stimulus", whole, "Number: the clip with which it is shown"}, "check_stimulus"},
+            {{"check_expected", number, "Number: the number to be given"}, "check_expected"},
+            {{"check_of_trial", whole, "Repeat: the trial that is repeated"}, "check_of_trial"},
+        }};
+}
+
+ExportTable sessionsTable() {
+    return {
+        "sessions.csv",
+        "One row for each time that the program ran with a participant.",
+        "FROM sessions AS e WHERE participant = ?1 ORDER BY id",
+        {
+            participant_column,
+            {{"session", whole, "One sitting of a participant with the program"}, "id", Privacy::session},
+            {{"station", text, "desktop, headset or simulated"}, "station"},
+            {{"station_details", text, "Device, driver, display"}, "station_details", Privacy::left_out},
+            {{"synthetic", truth, "1: a simulated participant answered; no evidence about people"},
+             "synthetic"},
+            {{"program_version", text, "Version of the program"}, "program_version"},
+            {{"avatar_hash", text, "SHA-256 of the avatar shown"}, "avatar_hash"},
+            {{"started_utc", text, "Beginning, UTC"},
+             "strftime('%Y-%m-%dT%H:%M:%fZ', started_utc_s, 'unixepoch')",
+             Privacy::left_out},
+            {{"ended_utc", text, "End, UTC; empty where the program ended without saying so"},
+             "strftime('%Y-%m-%dT%H:%M:%fZ', ended_utc_s, 'unixepoch')",
+             Privacy::left_out},
+            {{"duration_s", number, "From beginning to end", "s"}, "ended_utc_s - started_utc_s"},
+            {{"outcome", text, "finished, quit, aborted, declined or excluded; empty: it broke off, or runs"},
+             "outcome"},
+        }};
+}
+
+ExportTable eventsTable() {
+    return {"events.csv",
+            "What happened, in the order in which it did; the kinds are listed in docs/database.md.",
+            "FROM (SELECT v.*, e.participant FROM events AS v JOIN sessions AS e ON e.id = v.session) WHERE "
+            "participant = ?1 "
+            "ORDER BY id",
+            {
+                participant_column,
+                session,
+                {{"time_s", number, "When, on the station's clock", "s"}, "time_s", Privacy::clock},
+                {{"utc", text, "When, UTC"},
+                 "strftime('%Y-%m-%dT%H:%M:%fZ', utc_s, 'unixepoch')",
+                 Privacy::left_out},
+                {{"kind", text, "What happened"}, "kind"},
+                {{"trial_index", whole, "Trial under way; empty: none"}, "trial_index"},
+                {{"detail", text, "More about it"},
+                 "detail",
+                 Privacy::kept,
+                 "CASE WHEN kind LIKE 'operator\\_%' ESCAPE '\\' OR kind = 'quit' THEN '' ELSE detail END"},
+            }};
+}
+
+/// What is known of the participant, and the levels of the system, beside each answer.
+void joinColumns(SQLite::Database& database, std::vector<ExportColumn>& columns) {
+    const auto add = [&](const char* names, const std::string& prefix, const char* description,
+                         const auto& sql) {
+        SQLite::Statement name(database, names);
+        while (name.executeStep()) {
+            const std::string one = name.getColumn(0).getString();
+            columns.push_back({{prefix + one, text, description}, sql(quotedSql(one), "")});
+            columns.back().anonymous_sql =
+                sql(quotedSql(one), " AND field NOT IN (SELECT question FROM questions WHERE kind = 'text')");
+        }
+    };
+    add("SELECT DISTINCT factor FROM participant_groups ORDER BY 1", "group_",
+        "The participant's level of this factor between participants",
+        [](const std::string& one, const char*) {
+            return "(SELECT level FROM participant_groups WHERE participant = ?1 AND factor = " + one + ")";
+        });
+    add("SELECT DISTINCT l.key FROM systems AS s, json_each(s.levels) AS l ORDER BY 1", "level_",
+        "The system's level of this factor", [](const std::string& one, const char*) {
+            return "(SELECT l.value FROM systems AS s, json_each(s.levels) AS l WHERE s.name = f.system AND "
+                   "l.key = " +
+                   one + ")";
+        });
+    add("SELECT DISTINCT field FROM participant_fields ORDER BY 1", "field_",
+        "The participant's answer to this question about themselves",
+        [](const std::string& one, const char* shared) {
+            return "(SELECT coalesce(text, value) FROM participant_fields WHERE participant = ?1 AND field "
+                   "= " +
+                   one + shared + ")";
+        });
+}
+
+}  // namespace
+
+std::vector<ExportTable> exportTables(SQLite::Database& database) {
+    std::vector<ExportTable> tables{responsesTable(), trialsTable(), sessionsTable(), eventsTable()};
+    joinColumns(database, tables.front().columns);
+    return tables;
+}
+
+}  // namespace deixis::results

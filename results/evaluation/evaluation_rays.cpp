@@ -1,0 +1,119 @@
+#include "evaluation_rays.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "results/page/report_tables.hpp"
+#include "results/statistics/descriptive.hpp"
+#include "results/tables/csv_table.hpp"
+
+namespace deixis::results {
+
+std::vector<double> rayErrors_deg(const SystemEvaluation& system, motion::PointingRay ray) {
+    std::vector<double> out;
+    for (const MeasuredClip* clip : system.clips)
+        if (const auto& error = clip->ray_errors_deg.at(static_cast<std::size_t>(ray)); error)
+            out.push_back(*error);
+    return out;
+}
+
+std::string raysFinding(const Evaluation& evaluation) {
+    // Rays that put the systems in the same order are told together.
+    std::map<std::vector<std::size_t>, std::vector<std::string>> orders;
+    std::map<std::size_t, std::vector<std::string>> errors;  // by system, in the order of the rays
+    for (const motion::PointingRay ray : compared_rays) {
+        std::vector<std::pair<double, std::size_t>> means;
+        for (std::size_t i = 0; i < evaluation.systems.size(); ++i)
+            if (const auto of = rayErrors_deg(evaluation.systems[i], ray); !of.empty())
+                means.emplace_back(mean(of), i);
+        if (means.empty()) continue;
+        std::stable_sort(means.begin(), means.end());
+        std::vector<std::size_t> order;
+        for (const auto& [error, system] : means) order.push_back(system);
+        orders[order].emplace_back(motion::pointingRayName(ray));
+        if (ray == motion::PointingRay::forearm || ray == motion::PointingRay::eye_fingertip)
+            for (const auto& [error, system] : means)
+                errors[system].push_back(
+                    fmt::format("{:.1f}&#176; by {}", error, motion::pointingRayName(ray)));
+    }
+    if (orders.empty()) return "";
+    std::string out = "<li>Mean angle between ray and target: ";
+    bool first = true;
+    for (const auto& [system, said] : errors) {
+        out += fmt::format("{}<b>{}</b> {}", first ? "" : "; ", escapeHtml(evaluation.systems[system].system),
+                           fmt::join(said, ", "));
+        first = false;
+    }
+    out += ".";
+    if (orders.size() > 1 && evaluation.systems.size() > 1) {
+        out += " <b>The rays do not put the systems in the same order</b>:";
+        first = true;
+        for (const auto& [order, rays] : orders) {
+            std::vector<std::string> names;
+            for (const std::size_t system : order)
+                names.push_back(escapeHtml(evaluation.systems[system].system));
+            out +=
+                fmt::format("{} {} by {}", first ? "" : ";", fmt::join(names, ", "), fmt::join(rays, ", "));
+            first = false;
+        }
+        out += " (best first).";
+    } else if (evaluation.systems.size() > 1) {
+        out += " All rays put the systems in the same order.";
+    }
+    return out + "</li>";
+}
+
+std::string raysHtml(const Evaluation& evaluation, Numbering& tables) {
+    std::string head = "<th>System</th>";
+    for (const motion::PointingRay ray : compared_rays)
+        head += fmt::format("<th>{}</th>", motion::pointingRayName(ray));
+    std::string rows;
+    for (const SystemEvaluation& system : evaluation.systems) {
+        rows += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(system.system));
+        for (const motion::PointingRay ray : compared_rays) {
+            const auto errors = rayErrors_deg(system, ray);
+            rows += errors.empty() ? fmt::format("<td>{}</td>", dash)
+                                   : fmt::format("<td>{:.1f} [{:.1f}, {:.1f}]</td>", mean(errors),
+                                                 quantile(errors, 0.25), quantile(errors, 0.75));
+        }
+        rows += "</tr>";
+    }
+    return openTable(
+               units::clips,
+               "Every ray side by side: angle between it and the target, degrees, in the frame of the "
+               "accuracy; "
+               "mean and quartiles over clips. Equation&#160;2 takes the forearm. Which of them people read "
+               "is an "
+               "open question that this table does not answer.",
+               head, tables, TableWidth::dense) +
+           rows + close_table;
+}
+
+std::string raysTable(const Evaluation& evaluation) {
+    using enum ColumnType;
+    CsvTable table({{"system", text, ""},
+                    {"ray", text, ""},
+                    {"clips", whole, ""},
+                    {"error_mean", number, "", "deg"},
+                    {"error_sd", number, "", "deg"},
+                    {"error_q25", number, "", "deg"},
+                    {"error_median", number, "", "deg"},
+                    {"error_q75", number, "", "deg"}});
+    for (const SystemEvaluation& system : evaluation.systems)
+        for (const motion::PointingRay ray : compared_rays) {
+            const auto errors = rayErrors_deg(system, ray);
+            if (errors.empty()) continue;
+            table.text(system.system);
+            table.text(std::string(motion::pointingRayName(ray)));
+            table.whole(static_cast<long long>(errors.size()));
+            table.number(mean(errors));
+            errors.size() > 1 ? table.number(sampleSd(errors)) : table.empty();
+            for (const double q : {0.25, 0.5, 0.75}) table.number(quantile(errors, q));
+            table.endRow();
+        }
+    return table.take();
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,98 @@
+#include "results/outputs/observers_html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "results/page/report_tables.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+std::string percent(double share) {
+    return fixedText(100.0 * share, 1) + "&#160;%";
+}
+
+std::string ranked(const ObserverRanking& ranking) {
+    std::string out;
+    for (const auto& group : ranking)
+        for (const std::string& system : group)
+            out += (out.empty() ? "" : system == group.front() ? " &gt; " : " &#8776; ") + escapeHtml(system);
+    return out;
+}
+
+}  // namespace
+
+std::string observersFinding(const std::vector<ObserverReading>& readings) {
+    if (readings.empty()) return "";
+    std::string out =
+        "<li>What a simulated observer makes of the same arms hangs on what pointing is taken to mean. Its "
+        "expected accuracy, from the least to the greatest over " +
+        fmt::format("{} observers: ", observer_names.size());
+    std::string last;
+    std::string spreads;
+    for (const ObserverReading& one : readings) {
+        if (one.system == last) continue;
+        last = one.system;
+        const auto [least, greatest] = std::minmax_element(one.accuracy.begin(), one.accuracy.end());
+        spreads += fmt::format("{}<b>{}</b> {} to {}", spreads.empty() ? "" : ", ", escapeHtml(one.system),
+                               fixedText(100.0 * *least, 1), percent(*greatest));
+    }
+    out += spreads + ".";
+    const auto rankings = observerRankings(readings);
+    if (readings.front().system != last) {  // there are several
+        const bool agree = std::all_of(rankings.begin(), rankings.end(),
+                                       [&](const auto& one) { return one == rankings.front(); });
+        if (agree) {
+            out += " All rank them alike: " + ranked(rankings.front()) + ".";
+        } else {
+            out += " They do not rank them alike: ";
+            for (std::size_t i = 0; i < observer_names.size(); ++i)
+                out += fmt::format("{}by {}, {}", i == 0 ? "" : "; ", observer_names[i], ranked(rankings[i]));
+            out += ".";
+        }
+        const bool groups = std::any_of(rankings.begin(), rankings.end(), [](const auto& ranking) {
+            return std::any_of(ranking.begin(), ranking.end(),
+                               [](const auto& group) { return group.size() > 1; });
+        });
+        if (groups) out += " (&#8776;: within one percentage point.)";
+    }
+    return out + " None of them is shown to read as people do.</li>";
+}
+
+std::string observersTable(const std::vector<ObserverReading>& readings, const char* trials,
+                           Numbering& tables) {
+    if (readings.empty()) return "";
+    std::string columns = fmt::format("<th>System</th><th class=\"text\">layout</th><th>{}</th>", trials);
+    for (const char* const observer : observer_names)
+        columns += fmt::format("<th>{}</th><th>without error</th>", observer);
+    std::string out = openTable(
+        units::trials,
+        "Correct choices that simulated observers are expected to make of the same arms and balls, with the "
+        "noise and lapses of the parameters that ship; &#8220;without error&#8221;: with neither, the share "
+        "in which the target is "
+        "what is read. two-cue: the lines of eye and arm and the finger&#8217;s place in the own view, each "
+        "a "
+        "reading; arm-finger: the line from the elbow through the fingertip; eye-fingertip: the line from "
+        "the pointer&#8217;s eye. No evidence about people.",
+        columns, tables, TableWidth::dense);
+    for (const ObserverReading& one : readings) {
+        out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{:.0f}</td>",
+                           escapeHtml(one.system), escapeHtml(one.layout), one.trials);
+        for (std::size_t i = 0; i < observer_names.size(); ++i)
+            out += "<td>" + percent(one.accuracy[i]) + "</td><td>" + percent(one.without_error[i]) + "</td>";
+        out += "</tr>";
+    }
+    return out + close_table;
+}
+
+std::string nearestText(const NearestCeiling& ceiling) {
+    return fmt::format(
+        "A system that plays the demonstration whose target is nearest would point {} m beside the test "
+        "target (median over {}); a reader without any error, who sees the balls from between the "
+        "pointer&#8217;s eyes, would then be right in {}.",
+        fixedText(ceiling.median_distance_m, 2), ceiling.targets, percent(ceiling.share_right));
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,276 @@
+// The report's page: what stands where.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "report_computed.hpp"
+#include "report_details.hpp"
+#include "report_figures.hpp"
+#include "report_findings.hpp"
+#include "report_paper.hpp"
+#include "report_studies.hpp"
+#include "report_tests.hpp"
+#include "results/outputs/bradley_terry_outputs.hpp"
+#include "results/outputs/quality_outputs.hpp"
+#include "results/page/page.hpp"
+#include "results/page/report_tables.hpp"
+#include "results/page/report_text.hpp"
+#include "results/report/report.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+std::string cells(const Summary& summary, const Measure& measure, bool with_median) {
+    const auto number = [&](bool known, double value) {
+        return known ? scoreText(measure, value) : std::string(dash);
+    };
+    const std::string interval =
+        summary.interval ? intervalText(measure, summary.interval->lower, summary.interval->upper) +
+                               (summary.interval_falls_short ? " &#8225;" : "")
+                         : std::string(dash);
+    return fmt::format(
+        "<td>{}</td>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", number(summary.n > 0, summary.mean),
+        with_median
+            ? fmt::format("<td>{}</td>", number(summary.n > 0 && hasManySteps(measure), summary.median))
+            : std::string(),
+        interval, number(summary.by_participant.size() > 1, summary.sd_participants),
+        number(summary.n > 1, summary.sd_trials), summary.n);
+}
+
+std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
+    if (result.measures.empty()) return "";
+    const bool with_median = std::any_of(result.measures.begin(), result.measures.end(), hasManySteps);
+    std::string out = openTable(
+        units::means,
+        fmt::format("Means of each system, over participants{}. Interval: {:g}&#160;%, bootstrap over "
+                    "participants. SD trials and n are of single answers.",
+                    with_median ? ", and medians" : "", 100.0 * result.level),
+        fmt::format("<th>Measure</th><th class=\"text\">System</th><th>Mean</th>{}<th>Interval</th>"
+                    "<th>SD participants</th><th>SD trials</th><th>n</th>",
+                    with_median ? "<th>Median</th>" : ""),
+        numbering);
+    for (std::size_t i = 0; i < result.measures.size(); ++i)
+        for (const auto& system : result.systems)
+            out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
+                               escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
+                               cells(system.measures[i], result.measures[i], with_median));
+    const bool falls_short =
+        std::any_of(result.systems.begin(), result.systems.end(), [](const auto& system) {
+            return std::any_of(system.measures.begin(), system.measures.end(),
+                               [](const Summary& one) { return one.interval_falls_short; });
+        });
+    return out + close_table +
+           (falls_short
+                ? "<p class=\"small\">&#8225; Of so few participants no interval within the range of their "
+                  "means covers so often; read it as too narrow.</p>"
+                : "");
+}
+
+/// A row for each system, and one for all; only that one where each system has one level. Empty without
+/// answers.
+std::string levelTable(const AnalysisResult& result, const Measure& measure, const std::string& factor,
+                       Numbering& numbering) {
+    std::vector<std::string> levels;
+    std::map<std::string, std::vector<const LevelResult*>> by_system;
+    bool crossed = false;
+    for (const LevelResult& row : result.levels) {
+        if (row.factor != factor || row.measure != measure.name) continue;
+        if (row.system == "all") levels.push_back(row.level);
+        by_system[row.system].push_back(&row);
+    }
+    if (levels.empty()) return "";
+    std::vector<std::string> systems{"all"};
+    for (const auto& system : result.table.systems) {
+        systems.push_back(system);
+        const auto& rows = by_system[system];
+        crossed = crossed || levels.size() == 1 ||
+                  std::count_if(rows.begin(), rows.end(), [](const auto* row) { return row->n > 0; }) > 1;
+    }
+    if (!crossed) systems.resize(1);
+    const bool accuracy = measure.kind == MeasureKind::accuracy;
+    std::string columns = "<th>System</th>";
+    for (const auto& level : levels) columns += fmt::format("<th>{}</th><th>n</th>", escapeHtml(level));
+    std::string out = openTable(
+        accuracy ? units::choices : units::ratings,
+        fmt::format(
+            "{} by {}: {}mean &#177; standard deviation over trials{}.",
+            escapeHtml(capitalised(measure.name)), escapeHtml(factor), accuracy ? "proportion correct, " : "",
+            accuracy && factor == "layout" && isPointing2023(result.table) ? " (the paper's Table 1)" : ""),
+        columns, numbering);
+    for (const auto& system : systems) {
+        out += fmt::format("<tr{}><th scope=\"row\">{}</th>", system == "all" ? " class=\"all\"" : "",
+                           escapeHtml(system));
+        for (const LevelResult* row : by_system[system]) {
+            const std::string sd = row->n > 1 ? fmt::format("{:.2f}", row->sd_trials) : std::string(dash);
+            out += row->n == 0 ? fmt::format("<td>{}</td><td>0</td>", dash)
+                               : fmt::format("<td>{} &#177; {}</td><td>{}</td>",
+                                             signedText(fmt::format("{:.2f}", row->mean)), sd, row->n);
+        }
+        out += "</tr>";
+    }
+    return out + close_table;
+}
+
+std::string joined(const std::vector<std::string>& items) {
+    std::string out;
+    for (const auto& item : items) out += (out.empty() ? "" : ", ") + escapeHtml(item);
+    return out;
+}
+
+/// Answers in marked trials and participants who failed a check: in the headline, and not in one of the other
+/// choices.
+std::string doubtfulButKept(const ResponseTable& table) {
+    std::map<std::string, int> marks;
+    for (const ResponseRow& row : table.rows)
+        if (!row.marked.empty()) ++marks[row.marked];
+    std::string out;
+    for (const auto& [why, n] : marks)
+        out += fmt::format("{}{} ({} {})", out.empty() ? "Marked trials: " : ", ", escapeHtml(why), n,
+                           n == 1 ? "answer" : "answers");
+    if (!out.empty()) out += ".";
+    if (!table.failed_checks.empty())
+        out += fmt::format("{}Failed a check: {}.", out.empty() ? "" : " ",
+                           joined({table.failed_checks.begin(), table.failed_checks.end()}));
+    if (out.empty()) return "";
+    return "<p>" + out + " Their answers count in the headline; what changes without them stands above.</p>";
+}
+
+std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering) {
+    const ResponseTable& table = result.table;
+    const std::string kept = doubtfulButKept(table);
+    if (table.checks.empty() && table.left_out.empty() && table.withdrawn == 0 && kept.empty()) return "";
+    std::string out = "<h2>Attention checks and exclusions</h2>";
+    if (!table.checks.empty()) {
+        out +=
+            openTable(units::checks, "Attention checks of all participants, the excluded ones too.",
+                      "<th>Stage</th><th class=\"text\">Kind</th><th>passed</th><th>failed</th>", numbering);
+        for (const auto& check : table.checks)
+            out += fmt::format(
+                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td></tr>",
+                escapeHtml(check.stage), escapeHtml(check.kind), check.passed, check.failed);
+        out += close_table;
+    }
+    out += kept;
+    if (table.withdrawn > 0)
+        out += fmt::format(
+            "<p>{} withdrew; nothing of theirs is kept.</p>",
+            table.withdrawn == 1 ? "1 participant" : fmt::format("{} participants", table.withdrawn));
+    if (table.left_out.empty())
+        return table.withdrawn > 0 ? out + "<p>Nobody else is left out.</p>"
+                                   : out + "<p>Nobody is left out.</p>";
+    out += "<p>The answers of these participants are left out:</p><ul>";
+    for (const auto& one : table.left_out)
+        out += fmt::format("<li>{}: {} ({})</li>", escapeHtml(one.participant),
+                           one.dropped ? "dropped out" : "excluded", escapeHtml(one.reason));
+    return out + "</ul>";
+}
+
+std::string provenance(const AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    std::string out = "<h2>Where the numbers come from</h2><dl>";
+    const auto entry = [&](const char* name, const std::string& html) {
+        out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
+    };
+    entry("Data", escapeHtml(table.database));
+    entry("Answers (SHA-256)", result.answers_hash);
+    out += studyOrigins(table);
+    if (!table.study_hash.empty()) {
+        if (table.origins.empty()) {
+            entry("Study", escapeHtml(table.study_name));
+            entry("Study file (SHA-256)", escapeHtml(table.study_hash));
+        }
+        entry("Recorded by", joined(table.program_versions));
+        if (!table.operating_systems.empty()) entry("Recorded on", joined(table.operating_systems));
+        entry("Avatar (SHA-256)", joined(table.avatar_hashes));
+    }
+    if (!result.options.program.empty()) entry("Analysed by", escapeHtml(result.options.program));
+    for (const auto& [name, value] : result.options.build)
+        entry(propertyLabel(name).c_str(), escapeHtml(value));
+    entry("Settings",
+          fmt::format("&#945; = {}, intervals at {:g}&#160;%, {} bootstrap resamples, seed {}", result.alpha,
+                      100.0 * result.level, result.options.resamples, result.options.seed));
+    for (const auto& station : table.stations)
+        entry("Station", fmt::format("{}{}: {} session{}{}", escapeHtml(station.kind),
+                                     station.synthetic ? " (no person answers)" : "", station.sessions,
+                                     station.sessions == 1 ? "" : "s",
+                                     station.details.empty() ? "" : "; " + escapeHtml(station.details)));
+    return out + "</dl>";
+}
+
+std::string stationKinds(const ResponseTable& table) {
+    std::string out;
+    std::string last;
+    for (const auto& station : table.stations)
+        if (station.kind != last) {
+            out += (out.empty() ? "" : ", ") + escapeHtml(station.kind);
+            last = station.kind;
+        }
+    return out;
+}
+
+/// " (120 accuracy, 60 naturalness)": a trial may give several answers. Empty for one measure.
+std::string answersByMeasure(const ResponseTable& table) {
+    if (table.measures.size() < 2) return "";
+    std::map<Name, int> counts;
+    for (const ResponseRow& row : table.rows) ++counts[row.measure];
+    std::string out;
+    for (const Measure& measure : table.measures)
+        out +=
+            fmt::format("{}{} {}", out.empty() ? "" : ", ", counts[measure.name], escapeHtml(measure.name));
+    return " (" + out + ")";
+}
+
+}  // namespace
+
+std::string renderReport(const AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    std::string out =
+        pageStart(table.study_title + " \u2013 report", table.study_title) +
+        fmt::format(
+            "<p class=\"lead\">{}{} participant{} &#183; {} answer{} analysed{} &#183; {} system{}{}</p>\n",
+            result.by_study.empty() ? "" : fmt::format("{} studies &#183; ", result.by_study.size()),
+            result.participants, result.participants == 1 ? "" : "s", table.rows.size(),
+            table.rows.size() == 1 ? "" : "s", answersByMeasure(table), table.systems.size(),
+            table.systems.size() == 1 ? "" : "s",
+            table.stations.empty() ? "" : " &#183; station: " + stationKinds(table));
+    if (result.synthetic)
+        out +=
+            "<p class=\"synthetic\"><b>Simulated participants:</b> these numbers test the pipeline and are "
+            "no evidence "
+            "about people.</p>\n";
+    const std::string lead = out + findingsHtml(result);
+    out = designHtml(result);
+    Numbering figures("Figure");
+    out += figuresHtml(result, figures);
+    Numbering numbering;
+    // One after another: the tables count.
+    if (!result.measures.empty()) {
+        out += fmt::format("\n<h2>Means{}</h2>\n", result.by_study.empty() ? "" : ", all studies pooled") +
+               meansTable(result, numbering);
+        out += "\n" + distributionsHtml(result, numbering);
+        out += "\n" + pooledHtml(result, numbering);
+        for (const Factor& factor : withinFactors(table))
+            for (const Measure& measure : result.measures)
+                out += "\n" + levelTable(result, measure, factor.name, numbering);
+    }
+    out += "\n" + studiesHtml(result, numbering);
+    out += "\n" + testsHtml(result, numbering);
+    out += "\n" + differencesHtml(result, figures);
+    out += "\n" + bradleyTerryHtml(result, numbering);
+    out += "\n" + sensitivityHtml(result, numbering);
+    out += "\n" + betweenHtml(result, numbering);
+    out += "\n" + choicesHtml(result, figures, numbering);
+    out += "\n" + detailsHtml(result, numbering);
+    out += "\n" + scoresHtml(result, numbering);
+    out += "\n" + qualityHtml(result, numbering);
+    out += "\n" + checksAndLeftOut(result, numbering);
+    out += "\n" + presenceHtml(result, numbering);
+    out += remarksHtml(result.remarks);
+    out += paperHtml(result);
+    out += "\n<h2>Methods in full</h2>" + methodsHtml(result) + "\n" + provenance(result);
+    return withContents(lead, out) + pageEnd("The tables hold all their numbers.");
+}
+
+}  // namespace deixis::results

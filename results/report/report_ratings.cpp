@@ -1,0 +1,195 @@
+#include "report_ratings.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "results/page/report_tables.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+constexpr const char* pseudo_replicated =
+    "<b>pseudo-replicated</b>: ratings of one participant are not independent, so p is too small";
+
+std::string magnitude(const std::optional<double>& z) {
+    return z ? fmt::format("{:.2f}", std::abs(*z)) : std::string(dash);
+}
+
+std::string medianText(const Measure& measure, const std::optional<double>& median) {
+    return median ? scoreText(measure, *median) : std::string(dash);
+}
+
+std::string cellsOfPair(const std::string& a, const std::string& b) {
+    return fmt::format("<td class=\"text\">{}</td><td class=\"text\">{}</td>", escapeHtml(a), escapeHtml(b));
+}
+
+/// "Medians of all ratings, highest first: x 56.00, y 54.00."
+std::string mediansInOrder(const std::vector<const RatingComparison*>& pairs, const Measure& measure) {
+    std::vector<std::pair<std::string, double>> medians;
+    const auto add = [&](const std::string& system, const std::optional<double>& median) {
+        const auto known = [&](const auto& one) { return one.first == system; };
+        if (median && std::none_of(medians.begin(), medians.end(), known))
+            medians.emplace_back(system, *median);
+    };
+    for (const RatingComparison* one : pairs) {
+        add(one->a, one->median_a);
+        add(one->b, one->median_b);
+    }
+    std::stable_sort(medians.begin(), medians.end(),
+                     [](const auto& one, const auto& other) { return one.second > other.second; });
+    std::string out;
+    for (const auto& [system, median] : medians)
+        out +=
+            fmt::format("{}{} {}", out.empty() ? "" : ", ", escapeHtml(system), scoreText(measure, median));
+    return out;
+}
+
+}  // namespace
+
+std::string ratingPairsHtml(const AnalysisResult& result, const Measure& measure, const std::string& where,
+                            Numbering& numbering) {
+    std::vector<const RatingComparison*> pairs;
+    bool tested = false;
+    for (const RatingComparison& one : result.rating_pairs)
+        if (one.measure == measure.name) {
+            pairs.push_back(&one);
+            tested = tested || one.test.n_pairs > 0;
+        }
+    if (!tested) return "";
+    std::string out = openTable(
+        units::ratings,
+        fmt::format("{}, all pairs of systems{} once more by single ratings, {}. Pairs: a participant's two "
+                    "ratings on one page, or of one item.",
+                    escapeHtml(capitalised(measure.name)), where, pseudo_replicated),
+        "<th class=\"text\">A</th><th class=\"text\">B</th><th>Median A</th><th>Median B</th><th>pairs</th>"
+        "<th>participants</th><th>|Z|</th><th>p</th><th>p (Holm)</th><th class=\"text\">Result</th>",
+        numbering, TableWidth::dense);
+    for (const RatingComparison* one : pairs) {
+        const SignedRankTest& test = one->test;
+        const bool known = test.n_pairs > 0;
+        const char* verdict = !known                       ? "no pairs"
+                              : !one->significant          ? "not significant"
+                              : test.w_plus > test.w_minus ? "A higher"
+                                                           : "B higher";
+        out += fmt::format(
+            "<tr>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+            "<td class=\"text {}\">{}</td></tr>",
+            cellsOfPair(one->a, one->b), medianText(measure, one->median_a),
+            medianText(measure, one->median_b), test.n_pairs, one->participants, magnitude(test.z),
+            known ? pText(test.p_two_sided) : std::string(dash), pText(one->p_holm),
+            one->significant ? "sig" : "not", verdict);
+    }
+    return out + close_table +
+           fmt::format(
+               "<p class=\"small\">Holm's family: {}, &#945;&#160;=&#160;{}. Z: normal approximation. "
+               "Medians of all ratings, highest first: {}.</p>",
+               counted(pairs.front()->family_size, "test", "tests"), result.alpha,
+               mediansInOrder(pairs, measure));
+}
+
+std::string authorTrialsHtml(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
+    if (result.author_trials.empty()) return "";
+    const std::string first_columns =
+        "<th>Measure</th><th class=\"text\">System</th><th class=\"text\">A</th><th class=\"text\">B</th>";
+    const auto firstCells = [](const auto& one) {
+        return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}",
+                           escapeHtml(capitalised(one.measure)), escapeHtml(one.system),
+                           cellsOfPair("trial " + one.a, "trial " + one.b));
+    };
+    std::string out = openTable(
+        units::ratings,
+        fmt::format(
+            "Ratings{} of clips that their authors made in an earlier trial (A) against those of a later "
+            "one (B), to see whether authors learn: rank-sum test, {}.",
+            where, pseudo_replicated),
+        first_columns +
+            "<th>n A</th><th>n B</th><th>Median A</th><th>Median B</th><th>|Z|</th><th>p</th><th>p "
+            "(Holm)</th>",
+        numbering, TableWidth::dense);
+    for (const AuthorTrialResult& one : result.author_trials) {
+        const Measure measure = measureOf(result, one.measure);
+        out += firstCells(one) + fmt::format(
+                                     "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+                                     "<td class=\"{}\">{}</td></tr>",
+                                     one.test.n_a, one.test.n_b, scoreText(measure, one.median_a),
+                                     scoreText(measure, one.median_b), magnitude(one.test.z),
+                                     pText(one.test.p_two_sided), one.significant ? "sig" : "not",
+                                     pText(one.p_holm));
+    }
+    out += close_table;
+    out += openTable(units::means,
+                     fmt::format("The same{} by participants: each one's mean rating of clips from trial A "
+                                 "less that from trial B, "
+                                 "signed-rank test of those who rated both; it speaks about other "
+                                 "participants with these same clips, "
+                                 "not about other authors. Bold: significant.",
+                                 where),
+                     first_columns + "<th>Median A</th><th>Median B</th>" + signed_rank_columns, numbering,
+                     TableWidth::dense);
+    for (const MedianComparison& one : result.author_trials_paired) {
+        const Measure measure = measureOf(result, one.measure);
+        out += firstCells(one) + fmt::format("<td>{}</td><td>{}</td>{}<td class=\"{}\">{}</td></tr>",
+                                             medianText(measure, one.median_a),
+                                             medianText(measure, one.median_b),
+                                             signedRankCells(one, scoreTextOf(measure)),
+                                             one.significant ? "sig" : "not", pText(one.p_holm));
+    }
+    return out + close_table +
+           fmt::format(
+               "<p class=\"small\">Holm's families: {} by ratings, {} by participants, "
+               "&#945;&#160;=&#160;{}. That no difference is significant does not show that there is "
+               "none.</p>",
+               counted(result.author_trials.front().family_size, "test", "tests"),
+               result.author_trials_paired.front().family_size, result.alpha);
+}
+
+namespace {
+
+/// "Z = 5.74, p &lt; 0.001, Holm-corrected p &lt; 0.001".
+std::string testText(const std::optional<double>& z, const std::optional<double>& p,
+                     const std::optional<double>& p_holm) {
+    const auto equals = [](const std::optional<double>& value) {
+        return !value ? std::string("not defined") : (*value < 0.001 ? "" : "= ") + pText(*value);
+    };
+    return fmt::format("Z = {}, p {}, Holm-corrected p {}", z ? fixedText(*z, 2) : "not defined", equals(p),
+                       equals(p_holm));
+}
+
+}  // namespace
+
+std::string ratingResults(const AnalysisResult& result, const std::string& where, const Measure& measure) {
+    const std::string name = escapeHtml(capitalised(measure.name)) + where;
+    std::string pairs;
+    for (const RatingComparison& one : result.rating_pairs)
+        if (one.measure == measure.name && one.test.n_pairs > 0)
+            pairs += fmt::format("{}{} against {} (medians {} and {}, n = {} pairs of ratings, {})",
+                                 pairs.empty() ? "" : "; ", escapeHtml(one.a), escapeHtml(one.b),
+                                 medianText(measure, one.median_a), medianText(measure, one.median_b),
+                                 one.test.n_pairs, testText(one.test.z, one.test.p_two_sided, one.p_holm));
+    std::string trials;
+    for (std::size_t i = 0; i < result.author_trials.size(); ++i) {
+        const AuthorTrialResult& one = result.author_trials[i];
+        const MedianComparison& paired = result.author_trials_paired[i];
+        if (one.measure != measure.name) continue;
+        trials += fmt::format("{}{}, trial {} against {} (n = {} and {} ratings, {}",
+                              trials.empty() ? "" : "; ", escapeHtml(one.system), one.a, one.b, one.test.n_a,
+                              one.test.n_b, testText(one.test.z, one.test.p_two_sided, one.p_holm));
+        trials += paired.test.n_pairs == 0
+                      ? ")"
+                      : fmt::format("; by participants' means n = {}, {})", paired.test.n_pairs,
+                                    testText(paired.test.z, paired.test.p_two_sided, paired.p_holm));
+    }
+    std::string out;
+    if (!pairs.empty())
+        out += fmt::format("<p><b>{} by single ratings (pseudo-replicated: p too small).</b> {}.</p>", name,
+                           pairs);
+    if (!trials.empty())
+        out += fmt::format("<p><b>{} by authors' trials (tests of ratings pseudo-replicated).</b> {}.</p>",
+                           name, trials);
+    return out;
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,66 @@
+#include "results/report/stations_page.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "report_details.hpp"
+#include "results/answers/stations.hpp"
+#include "results/outputs/analysis_json_groups.hpp"
+#include "results/page/page.hpp"
+#include "results/page/report_tables.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+/// The tests of stations alone: of each system, and over all.
+AnalysisResult onlyStations(AnalysisResult result) {
+    std::erase_if(result.between, [](const BetweenResult& one) { return one.factor != station_factor; });
+    std::erase_if(result.preferences_between,
+                  [](const PreferenceBetweenResult& one) { return one.factor != station_factor; });
+    std::erase_if(result.table.between, [](const Factor& one) { return one.name != station_factor; });
+    return result;
+}
+
+}  // namespace
+
+std::string renderStations(const AnalysisResult& between, const std::vector<StationReport>& reports) {
+    const AnalysisResult stations = onlyStations(between);
+    std::string out = pageStart(between.table.study_title + " \u2013 report", between.table.study_title) +
+                      fmt::format("<p class=\"lead\">Answers from {} kinds of station, analysed apart</p>\n",
+                                  reports.size());
+    Numbering numbering;
+    out += openTable(units::stations,
+                     "A report for each kind of station. Their answers are nowhere one mean; a study may say "
+                     "<code>stations = \"together\"</code> in <code>[analysis]</code>.",
+                     "<th>Station</th><th>participants</th><th>answers</th><th class=\"text\">Report</th>",
+                     numbering);
+    for (const StationReport& one : reports)
+        out += fmt::format(
+            "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>",
+            escapeHtml(one.kind), one.kind == simulated_station ? " (no people)" : "", one.participants,
+            one.answers,
+            one.page.empty() ? std::string(dash)
+                             : fmt::format("<a href=\"{0}\">{0}</a>", escapeHtml(one.page)));
+    out += close_table;
+    const std::string tests = betweenHtml(stations, numbering);
+    out += tests.empty() ? "<p>No two kinds of station have people's answers to compare.</p>" : tests;
+    return out + remarksHtml(between.table.notes) + pageEnd("The tables hold all its numbers.");
+}
+
+std::string stationsJson(const AnalysisResult& between, const std::vector<StationReport>& reports) {
+    const AnalysisResult stations = onlyStations(between);
+    nlohmann::ordered_json out;
+    out["schema"] = {{"name", "deixis-analysis-by-station"}, {"version", 1}};
+    out["stations"] = nlohmann::ordered_json::array();
+    for (const StationReport& one : reports)
+        out["stations"].push_back(
+            {{"station", one.kind}, {"participants", one.participants}, {"answers", one.answers}});
+    out["between"] = betweenJson(stations);
+    out["preferences_between"] = preferencesBetweenJson(stations);
+    return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""Writes the picture and the tables of the rooms into docs/architecture.md, from the link lists in the CMakeLists.txt.
+   scripts/draw_rooms.py           writes them
+   scripts/draw_rooms.py --check   fails where the page says something else"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PAGE = ROOT / "docs" / "architecture.md"
+BEGIN, END = "<!-- rooms: made by scripts/draw_rooms.py -->\n", "<!-- end of rooms -->\n"
+MODULES = ["motion", "assets", "studies", "results", "renderer", "app"]
+
+
+def rooms_of(module):
+    """{room: (main header, [rooms it may use])} in the order of the link lists."""
+    text = (ROOT / module / "CMakeLists.txt").read_text()
+    text = re.sub(r"#.*", "", text)
+    variables = {name: value.split() for name, value in re.findall(r"set\((\w+) ((?:\w+/\w+ ?)+)\)", text)}
+    found = {}
+    for call in re.findall(r"add_room\(([^)]*)\)", text):
+        words = [w for word in call.split() for w in (variables[word[2:-1]] if word[0] == "$" else [word])]
+        main = words[words.index("MAIN") + 1]
+        found[words[0]] = (main, [w for w in words if re.fullmatch(r"[a-z_]+/[a-z_]+", w)])
+    return found
+
+
+def purpose(module, room, main):
+    """The first sentence of the main header's opening comment."""
+    header = ROOT / module / room / "include" / module / room / main
+    comment = []
+    for line in header.read_text().splitlines():
+        if not line.startswith("//"):
+            break
+        comment.append(line[2:].strip())
+    text = " ".join(comment)
+    if not text:
+        sys.exit(f"{header}: has no opening comment that says what the room is for")
+    end = re.search(r"[.:](?= [A-Z]|$)", text)
+    return text[: end.start()] + "." if end else text
+
+
+def within(found, module):
+    """Arrows inside a module, without those that follow from others."""
+    uses = {room: {u.split("/")[1] for u in use if u.startswith(module + "/")} for room, (_, use) in found.items()}
+
+    def reach(room):
+        out = set()
+        for other in uses[room]:
+            out |= {other} | reach(other)
+        return out
+
+    return [(room, other) for room in uses for other in sorted(uses[room])
+            if not any(other in reach(third) for third in uses[room] if third != other)]
+
+
+def page_part():
+    modules = {module: rooms_of(module) for module in MODULES}
+    out = ["```mermaid", "flowchart BT"]
+    for module, found in modules.items():
+        out.append(f"  subgraph {module}")
+        out += [f"    {module}.{room}[{room}]" for room in found]
+        out += [f"    {module}.{room} --> {module}.{other}" for room, other in within(found, module)]
+        out.append("  end")
+    arrows = {m: {u.split("/")[0] for _, use in found.values() for u in use} - {m} for m, found in modules.items()}
+    for module in MODULES:
+        for other in sorted(arrows[module]):
+            if not any(other in arrows.get(third, ()) for third in arrows[module]):
+                out.append(f"  {module} ==> {other}")
+    out += ["```", ""]
+    for module, found in modules.items():
+        out += [f"**{module}/**", "", "| room | what it is for | may use, beside `core` |", "|---|---|---|"]
+        for room, (main, use) in found.items():
+            names = ", ".join(u.split("/")[1] if u.startswith(module + "/") else u for u in use) or "–"
+            out.append(f"| [`{room}`](../{module}/{room}) | {purpose(module, room, main)} | {names} |")
+        out.append("")
+    return "\n".join(out)
+
+
+def main():
+    text = PAGE.read_text()
+    before, rest = text.split(BEGIN)
+    after = rest.split(END)[1]
+    new = before + BEGIN + page_part() + END + after
+    if sys.argv[1:] == ["--check"]:
+        if new != text:
+            sys.exit("docs/architecture.md does not show the rooms as they are linked: run scripts/draw_rooms.py")
+        return
+    PAGE.write_text(new)
+
+
+main()

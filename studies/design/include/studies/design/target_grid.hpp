@@ -1,0 +1,18 @@
+// A grid of test points for the objective evaluation (Deichler et al. 2023, section 3.2).
+#pragma once
+
+#include <vector>
+
+#include "core/error.hpp"
+#include "core/pose.hpp"
+#include "studies/design/targets.hpp"
+
+namespace deixis::studies {
+
+/// `count` = k^3 points, k >= 2: k evenly from the least to the greatest x of `training`, and so for y and z,
+/// ends included; x runs fastest, then y, then z. Ids "G0001", "G0002", ..., as wide as needed; positions
+/// rounded to 0.1 mm. Fails where count is no such number (naming the nearest that are), or where there are
+/// no training targets.
+[[nodiscard]] Result<std::vector<TargetItem>> targetGrid(const std::vector<Vec3>& training, int count);
+
+}  // namespace deixis::studies

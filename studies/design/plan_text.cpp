@@ -1,0 +1,408 @@
+// The plan as JSON and as a table.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "studies/design/plan.hpp"
+
+namespace deixis::studies {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Carries an error out of the readers below; never leaves this file.
+struct BadPlan : std::runtime_error {
+    BadPlan(std::string where_, const std::string& message)
+        : std::runtime_error(message), where(std::move(where_)) {}
+    std::string where;
+};
+
+Json positionJson(const Vec3& position) {
+    return Json::array({position.x, position.y, position.z});
+}
+
+Json checkJson(const TrialCheck& check) {
+    return {{"kind", checkKindName(check.kind)},
+            {"stimulus", check.stimulus},
+            {"expected", check.expected},
+            {"of_trial", check.of_trial}};
+}
+
+Json seenJson(const std::vector<SeenBalls>& seen) {
+    Json out = Json::object();
+    for (const SeenBalls& one : seen)
+        out[std::string(standingName(one.standing))] = {{"at_rest", one.at_rest}, {"pointing", one.pointing}};
+    return out;
+}
+
+Json anglesObject(const BallAngles& angles) {
+    return {{"avatar", angles.avatar_deg}, {"headset", angles.headset_deg}, {"desktop", angles.desktop_deg}};
+}
+
+Json trialJson(const Trial& trial) {
+    Json stimuli = Json::array();
+    for (const Stimulus& stimulus : trial.stimuli) {
+        Json& one = stimuli.emplace_back(Json{{"system", stimulus.system}, {"item", stimulus.item}});
+        if (stimulus.clip > 0) one["clip"] = stimulus.clip;
+    }
+    Json distractors = Json::array();
+    for (const Vec3& distractor : trial.distractors) distractors.push_back(positionJson(distractor));
+    Json out = {{"index", trial.index},
+                {"stage", trial.stage},
+                {"kind", stageKindName(trial.kind)},
+                {"practice", trial.practice},
+                {"attempt", trial.attempt},
+                {"page", trial.page},
+                {"stimuli", stimuli},
+                {"layout", trial.layout},
+                {"distance", trial.distance},
+                {"target", trial.target == Vec3(0.0) ? Json() : positionJson(trial.target)},
+                {"distractors", distractors},
+                {"ball_order", trial.ball_order},
+                {"check", trial.check ? checkJson(*trial.check) : Json()}};
+    if (!trial.seen.empty()) out["visibility"] = seenJson(trial.seen);
+    if (trial.angles) out["angles"] = anglesObject(*trial.angles);
+    return out;
+}
+
+/// An object read key by key: every key must be there, of its type, and no other.
+class Reader {
+  public:
+    Reader(const Json& json, std::string where, std::size_t keys) : json_(json), where_(std::move(where)) {
+        if (!json.is_object()) bad("", json, "an object");
+        if (json.size() > keys)
+            throw BadPlan(where_, fmt::format("found {} keys, expected {}", json.size(), keys));
+    }
+
+    [[nodiscard]] const Json& get(const char* key) const {
+        const auto found = json_.find(key);
+        if (found == json_.end()) throw BadPlan(name(key), "missing");
+        return *found;
+    }
+    [[nodiscard]] std::string text(const char* key) const { return text(key, get(key)); }
+    [[nodiscard]] std::string text(const char* key, const Json& json) const {
+        if (!json.is_string()) bad(key, json, "a text");
+        return json.get<std::string>();
+    }
+    [[nodiscard]] bool boolean(const char* key) const {
+        const Json& json = get(key);
+        if (!json.is_boolean()) bad(key, json, "true or false");
+        return json.get<bool>();
+    }
+    [[nodiscard]] double number(const char* key) const {
+        const Json& json = get(key);
+        if (!json.is_number()) bad(key, json, "a number");
+        return json.get<double>();
+    }
+    [[nodiscard]] std::uint64_t count(const char* key) const {
+        const Json& json = get(key);
+        if (!json.is_number_unsigned()) bad(key, json, "a whole number from 0 up");
+        return json.get<std::uint64_t>();
+    }
+    /// A whole number within `low`..`high`.
+    [[nodiscard]] int whole(const char* key, int low, int high) const {
+        const Json& json = get(key);
+        const bool fits =
+            json.is_number_integer() &&
+            !(json.is_number_unsigned() &&
+              json.get<std::uint64_t>() > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) &&
+            json.get<std::int64_t>() >= low && json.get<std::int64_t>() <= high;
+        if (!fits) bad(key, json, fmt::format("a whole number from {} to {}", low, high));
+        return json.get<int>();
+    }
+    [[nodiscard]] const Json& list(const char* key) const {
+        const Json& json = get(key);
+        if (!json.is_array()) bad(key, json, "a list");
+        return json;
+    }
+    [[nodiscard]] Vec3 position(const char* key, const Json& json) const {
+        const bool three = json.is_array() && json.size() == 3 &&
+                           std::all_of(json.begin(), json.end(), [](const Json& e) { return e.is_number(); });
+        if (!three) bad(key, json, "a position [x, y, z]");
+        return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+    }
+    [[noreturn]] void bad(const char* key, const Json& found, std::string_view expected) const {
+        std::string shown = found.dump(-1, ' ', false, Json::error_handler_t::replace);
+        if (shown.size() > 60) shown = found.type_name();
+        throw BadPlan(name(key), fmt::format("found {}, expected {}", shown, expected));
+    }
+    [[nodiscard]] std::string name(std::string_view key) const {
+        if (where_.empty() || key.empty()) return where_ + std::string(key);
+        return fmt::format("{}.{}", where_, key);
+    }
+
+  private:
+    const Json& json_;
+    std::string where_;
+};
+
+constexpr int most = std::numeric_limits<int>::max();
+
+std::vector<int> readBallOrder(const Reader& reader, std::size_t balls) {
+    const Json& json = reader.list("ball_order");
+    std::vector<int> out;
+    std::vector<bool> seen(balls, false);
+    for (const Json& entry : json) {
+        const bool place = entry.is_number_unsigned() && entry.get<std::uint64_t>() < balls;
+        if (!place || seen[entry.get<std::size_t>()]) break;
+        seen[entry.get<std::size_t>()] = true;
+        out.push_back(entry.get<int>());
+    }
+    if (out.size() != balls || json.size() != balls)
+        reader.bad("ball_order", json, "each ball's number once: 0 for the target, 1.. for the distractors");
+    return out;
+}
+
+std::vector<Stimulus> readStimuli(const Reader& reader, StageKind kind) {
+    const Json& json = reader.list("stimuli");
+    std::vector<Stimulus> out;
+    for (const Json& entry : json) {
+        const bool several = entry.is_object() && entry.contains("clip");
+        const Reader one(entry, reader.name(fmt::format("stimuli[{}]", out.size())), several ? 3 : 2);
+        out.push_back({one.text("system"), one.text("item"), several ? one.whole("clip", 1, most) : 0});
+    }
+    constexpr std::size_t most_on_a_page = 6;
+    const std::size_t n = out.size();
+    if (kind == StageKind::parallel_rating && (n < 2 || n > most_on_a_page))
+        reader.bad("stimuli", json, "2 to 6 stimuli");
+    if (kind == StageKind::pairwise && n != 2) reader.bad("stimuli", json, "two stimuli");
+    if ((kind == StageKind::rating || kind == StageKind::game) && n != 1)
+        reader.bad("stimuli", json, "one stimulus");
+    if (!showsClips(kind) && n != 0) reader.bad("stimuli", json, "no stimuli on a page");
+    return out;
+}
+
+std::optional<TrialCheck> readCheck(const Reader& trial, const Trial& read) {
+    const Json& json = trial.get("check");
+    if (json.is_null()) return std::nullopt;
+    constexpr std::size_t keys = 4;
+    const Reader reader(json, trial.name("check"), keys);
+    constexpr std::array kinds{CheckKind::number, CheckKind::catch_trial, CheckKind::repeat};
+    const std::string name = reader.text("kind");
+    const auto* kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](CheckKind k) { return checkKindName(k) == name; });
+    if (kind == kinds.end()) reader.bad("kind", reader.get("kind"), "\"number\", \"catch\" or \"repeat\"");
+    TrialCheck check;
+    check.kind = *kind;
+    check.stimulus = reader.whole("stimulus", 0, std::max(0, static_cast<int>(read.stimuli.size()) - 1));
+    check.expected = reader.number("expected");
+    check.of_trial = check.kind == CheckKind::repeat ? reader.whole("of_trial", 0, read.index - 1)
+                                                     : reader.whole("of_trial", -1, -1);
+    return check;
+}
+
+std::vector<double> readShares(const Reader& reader, const char* key, std::size_t balls) {
+    const Json& json = reader.list(key);
+    std::vector<double> out;
+    for (const Json& share : json)
+        if (share.is_number() && share.get<double>() >= 0.0 && share.get<double>() <= 1.0)
+            out.push_back(share.get<double>());
+    if (out.size() != balls || json.size() != balls)
+        reader.bad(key, json, "a share from 0 to 1 for each ball");
+    return out;
+}
+
+/// Plans from before it was kept have none.
+std::vector<SeenBalls> readSeen(const Reader& trial, const Trial& read) {
+    const Json& json = trial.get("visibility");
+    const Reader stands(json, trial.name("visibility"), 2);
+    std::vector<SeenBalls> out;
+    for (const Standing standing : {Standing::headset, Standing::desktop}) {
+        const std::string name(standingName(standing));
+        constexpr std::size_t keys = 2;
+        const Reader one(stands.get(name.c_str()), stands.name(name), keys);
+        const std::size_t balls = read.ball_order.size();
+        out.push_back(
+            {read.layout, standing, readShares(one, "at_rest", balls), readShares(one, "pointing", balls)});
+    }
+    return out;
+}
+
+std::vector<double> readDegrees(const Reader& reader, const char* key, std::size_t distractors) {
+    const Json& json = reader.list(key);
+    std::vector<double> out;
+    for (const Json& angle : json)
+        if (angle.is_number() && angle.get<double>() >= 0.0 && angle.get<double>() <= 180.0)
+            out.push_back(angle.get<double>());
+    if (out.size() != distractors || json.size() != distractors)
+        reader.bad(key, json, "degrees from 0 to 180 for each distractor");
+    return out;
+}
+
+/// Plans from before they were kept have none.
+BallAngles readAngles(const Reader& trial, std::size_t distractors) {
+    constexpr std::size_t keys = 3;
+    const Reader reader(trial.get("angles"), trial.name("angles"), keys);
+    return {readDegrees(reader, "avatar", distractors), readDegrees(reader, "headset", distractors),
+            readDegrees(reader, "desktop", distractors)};
+}
+
+Trial readTrial(const Json& json, std::size_t index, const std::vector<std::string>& stages) {
+    const bool seen = json.is_object() && json.contains("visibility");
+    const bool angles = json.is_object() && json.contains("angles");
+    const std::size_t keys = std::size_t{13} + (seen ? 1 : 0) + (angles ? 1 : 0);
+    const Reader reader(json, fmt::format("trials[{}]", index), keys);
+    Trial trial;
+    if (reader.count("index") != index)
+        reader.bad("index", reader.get("index"), "the trials in order from 0");
+    trial.index = static_cast<int>(index);
+    trial.stage = reader.text("stage");
+    if (std::find(stages.begin(), stages.end(), trial.stage) == stages.end())
+        reader.bad("stage", reader.get("stage"), "one of the plan's stages");
+    const std::optional<StageKind> kind = stageKindFromName(reader.text("kind"));
+    if (!kind || *kind == StageKind::instructions || *kind == StageKind::rest)
+        reader.bad("kind", reader.get("kind"), "a kind of stage that has answers");
+    trial.kind = *kind;
+    trial.practice = reader.boolean("practice");
+    trial.attempt = reader.whole("attempt", 0, trial.practice ? most : 0);
+    trial.page = reader.whole("page", 0, trial.kind == StageKind::questionnaire ? most : 0);
+    trial.stimuli = readStimuli(reader, trial.kind);
+    trial.layout = reader.text("layout");
+    trial.distance = reader.text("distance");
+    const Json& target = reader.get("target");
+    if (!target.is_null()) trial.target = reader.position("target", target);
+    for (const Json& distractor : reader.list("distractors"))
+        trial.distractors.push_back(reader.position("distractors", distractor));
+    const bool game = trial.kind == StageKind::game;
+    if (game && target.is_null()) reader.bad("target", target, "a position [x, y, z] in a referential game");
+    if (!game && !trial.distance.empty())
+        reader.bad("distance", reader.get("distance"), "\"\" where no balls are shown");
+    if (!game && !trial.distractors.empty())
+        reader.bad("distractors", reader.get("distractors"), "none where no balls are shown");
+    trial.ball_order = readBallOrder(reader, game ? trial.distractors.size() + 1 : 0);
+    trial.check = readCheck(reader, trial);
+    if (seen) trial.seen = readSeen(reader, trial);
+    if (angles) trial.angles = readAngles(reader, trial.distractors.size());
+    return trial;
+}
+
+StudyPlan readPlan(const Json& document) {
+    const bool in_cell = document.is_object() && document.contains("number_in_cell");
+    const std::size_t keys = in_cell ? 9 : 8;
+    const Reader reader(document, "", keys);
+    StudyPlan plan;
+    plan.participant = reader.text("participant");
+    if (!validParticipant(plan.participant))
+        reader.bad("participant", reader.get("participant"), "a participant's id");
+    plan.number = reader.whole("number", 1, most);
+    if (in_cell) plan.number_in_cell = reader.whole("number_in_cell", 1, most);
+    plan.study_name = reader.text("study");
+    plan.study_hash = reader.text("study_hash");
+    plan.seed = reader.count("seed");
+    const Json& groups = reader.get("groups");
+    if (!groups.is_object()) reader.bad("groups", groups, "an object");
+    for (const auto& group : groups.items()) plan.groups[group.key()] = reader.text("groups", group.value());
+    for (const Json& stage : reader.list("stages")) plan.stages.push_back(reader.text("stages", stage));
+    for (const Json& trial : reader.list("trials"))
+        plan.trials.push_back(readTrial(trial, plan.trials.size(), plan.stages));
+    return plan;
+}
+
+std::string joined(const std::vector<std::string>& texts, std::string_view by) {
+    return fmt::format("{}", fmt::join(texts, by));
+}
+
+/// A row of the table for people.
+using Row = std::array<std::string, 8>;
+
+Row tableRow(const Trial& trial) {
+    std::vector<std::string> systems;
+    for (const Stimulus& stimulus : trial.stimuli)
+        systems.push_back(stimulus.clip == 0
+                              ? stimulus.system
+                              : fmt::format("{} (clip {})", stimulus.system, stimulus.clip + 1));
+    std::string role = "page";
+    if (trial.practice)
+        role = trial.attempt == 0 ? "practice" : fmt::format("practice, attempt {}", trial.attempt + 1);
+    else if (trial.check)
+        role = checkKindName(trial.check->kind);
+    else if (!trial.stimuli.empty())
+        role = "scored";
+    if (trial.kind == StageKind::questionnaire) role = fmt::format("page {}", trial.page + 1);
+
+    std::string shown;
+    if (const int place = trial.targetPlace(); place >= 0)
+        shown = fmt::format("target is ball {} of {}", place + 1, trial.ball_order.size());
+    if (trial.check && trial.check->kind == CheckKind::number)
+        shown = fmt::format("asks for {} with {}", trial.check->expected,
+                            systems[static_cast<std::size_t>(trial.check->stimulus)]);
+    if (trial.check && trial.check->kind == CheckKind::repeat)
+        shown += fmt::format("{}trial {} again", shown.empty() ? "" : ", ", trial.check->of_trial);
+    const auto orDash = [](std::string text) { return text.empty() ? std::string("-") : text; };
+    return {fmt::format("{}", trial.index),
+            trial.stage,
+            role,
+            orDash(joined(systems, " | ")),
+            trial.stimuli.empty() ? "-" : trial.stimuli.front().item,
+            orDash(trial.layout),
+            orDash(trial.distance),
+            orDash(shown)};
+}
+
+}  // namespace
+
+std::string planJson(const StudyPlan& plan) {
+    std::string out = fmt::format(
+        "{{\n  \"participant\": {},\n  \"number\": {},{}\n  \"study\": {},\n  \"study_hash\": {},\n  "
+        "\"seed\": "
+        "{},\n  \"groups\": {},\n  \"stages\": {},\n  \"trials\": [",
+        Json(plan.participant).dump(), plan.number,
+        plan.number_in_cell ? fmt::format("\n  \"number_in_cell\": {},", *plan.number_in_cell) : "",
+        Json(plan.study_name).dump(), Json(plan.study_hash).dump(), plan.seed, Json(plan.groups).dump(),
+        Json(plan.stages).dump());
+    const char* separator = "\n    ";
+    for (const Trial& trial : plan.trials) {  // a line each
+        out += separator + trialJson(trial).dump();
+        separator = ",\n    ";
+    }
+    return out + "\n  ]\n}\n";
+}
+
+Result<StudyPlan> planFromJson(std::string_view json) {
+    try {
+        return readPlan(Json::parse(json));
+    } catch (const BadPlan& bad) {
+        return fail(bad.where.empty() ? "plan" : "plan: " + bad.where, bad.what());
+    } catch (const Json::parse_error& error) {
+        return fail("plan", fmt::format("this is not valid JSON (at byte {})", error.byte));
+    } catch (const Json::exception& error) {
+        return fail("plan", fmt::format("this JSON cannot be read: {}", error.what()));
+    }
+}
+
+std::string visibilityJson(const Trial& trial) {
+    return trial.seen.empty() ? std::string() : seenJson(trial.seen).dump();
+}
+
+std::string anglesJson(const Trial& trial) {
+    return trial.angles ? anglesObject(*trial.angles).dump() : std::string();
+}
+
+std::string planTable(const StudyPlan& plan) {
+    std::vector<Row> rows{{"trial", "stage", "role", "system", "item", "layout", "distance", "shown"}};
+    for (const Trial& trial : plan.trials) rows.push_back(tableRow(trial));
+    std::array<std::size_t, std::tuple_size_v<Row>> widths{};
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+
+    const std::string in_cell =
+        plan.number_in_cell ? fmt::format(", {} in its groups", *plan.number_in_cell) : "";
+    std::string out = fmt::format("participant {} (number {}{}), study {}, seed {}\n", plan.participant,
+                                  plan.number, in_cell, plan.study_name, plan.seed);
+    for (const auto& group : plan.groups) out += fmt::format("{}: {}\n", group.first, group.second);
+    for (const Row& row : rows) {
+        std::string line = fmt::format("{:>{}}", row[0], widths[0]);
+        for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:<{}}", row[i], widths[i]);
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += line + '\n';
+    }
+    return out;
+}
+
+}  // namespace deixis::studies

@@ -1,0 +1,105 @@
+// What happens in a session, as the session tells it and the store keeps it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "core/pose.hpp"
+#include "studies/design/plan.hpp"
+
+namespace deixis::studies {
+
+/// A moment on the station's clock and as UTC.
+struct Moment {
+    double time_s = 0.0;
+    double utc_s = 0.0;
+};
+
+/// One answered question.
+struct Answer {
+    /// "rating" (single and parallel), "preference" (-2 clearly left .. 2 clearly right), "confidence",
+    /// "reasons", "consent" (1, 0), or a questionnaire's Question::id.
+    std::string question;
+    int stimulus = -1;              ///< rating: which of the trial's; else -1
+    std::optional<double> value{};  ///< a number, a scale's value; choice: the option's place from 0
+    std::string text{};             ///< text; choice: the option's id; choices: ids, parted by ';'
+};
+
+enum class ResponseStatus : unsigned char {
+    answered,
+    timed_out,  ///< the time limit passed; there may be no answers
+    skipped     ///< by the operator, with Response::reason; there are no answers
+};
+[[nodiscard]] std::string_view responseStatusName(ResponseStatus status);
+
+/// An answered unit, complete: the store writes it in one transaction. Practice is kept in the same way,
+/// marked by its trial.
+struct Response {
+    int trial_index = 0;
+    ResponseStatus status = ResponseStatus::answered;
+    std::vector<Answer> answers{};
+    int chosen_place = -1;               ///< game: which ball, by place; -1 else
+    bool correct = false;                ///< game only
+    std::optional<bool> check_passed{};  ///< of an attention check
+    Moment onset{};                ///< first frame of the last clip's last play, as shown; pages: when shown
+    Moment motion_end{};           ///< last frame of that clip shown; selection opened here; pages: as onset
+    Moment answered{};             ///< when select, or the key, went down
+    double response_time_s = 0.0;  ///< answered - motion_end, less paused time
+    double paused_s = 0.0;         ///< how long the session was paused while this answer was open
+    int replays = 0;
+    std::vector<int> plays{};  ///< by stimulus: how often its clip was shown to the end
+    int pauses = 0;            ///< interruptions: during the clip, which then started over, or while choosing
+    bool begun_before = false;     ///< its clip had been begun in an earlier sitting, which broke off
+    std::string reason{};          ///< skipped: why
+    std::string exclusion{};       ///< why the participant leaves the analysis with it; empty: does not
+    std::string input;             ///< "ray", "key"; "" where nothing was answered
+    Pose stage_from_head{};        ///< at the answer
+    std::optional<Ray> pointer{};  ///< at the answer
+    ViewerPlace viewer{};          ///< where the participant was asked to stand
+};
+
+/// The operator has the last answered trial done again: its answer is kept, and marked.
+struct Superseded {
+    int trial_index = 0;
+    std::string reason;
+    Moment at{};
+};
+
+/// Reasons of an exclusion begin with one of these; after it stand the stage's name and, of a check, the
+/// trial.
+inline constexpr std::string_view check_failed_reason = "attention check failed: ";
+inline constexpr std::string_view practice_failed_reason = "practice failed: ";
+
+/// The participant's answers leave the analysis, for what an earlier sitting left (else Response::exclusion).
+struct Exclusion {
+    std::string reason;  ///< such as "practice failed: game-practice"
+    Moment at{};
+};
+
+/// Anything else worth keeping. Kinds, with their details:
+/// - the course: "session_start", "stage_start" (name), "instructions_read" (page), "break_start",
+///   "break_end", "finished", "quit" (reason);
+/// - of a trial: "stimulus_onset" (which stimulus, replay), "motion_end" (which stimulus), "replay",
+///   "check_failed" (what), "warned", "feedback";
+/// - "practice_met", "practice_failed" (share correct);
+/// - interruptions: "pause" (reason), "resume" (after how long), "trial_repeated";
+/// - the operator's: "operator_repeat", "operator_skip", "operator_abort" (reason), "operator_note" (text);
+/// - "early_select": select went down in a trial before its answer was open (what was shown, at most once a
+///   trial), or so shortly before that it was told afterwards (by how much); it was no answer;
+/// - "off_place" (how far, "0.42 m"; in a trial once, and once more where it gets worse by 10 cm),
+///   "back_on_place";
+/// - "pointer_lost" (in a trial, for 2 s while its answer was open), "pointer_found";
+/// - whatever the station told, see StationNote.
+struct Note {
+    std::string kind;
+    int trial_index = -1;  ///< of the trial under way; -1: none
+    Moment at{};
+    std::string detail{};
+};
+
+using SessionEvent = std::variant<Response, Superseded, Exclusion, Note>;
+
+}  // namespace deixis::studies

@@ -1,0 +1,47 @@
+// Attention checks: whether an answer passes, and what the study wants when too many do not.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "studies/session/session.hpp"
+
+namespace deixis::studies {
+
+/// How an answer did in its trial's check.
+struct CheckResult {
+    bool passed = true;
+    std::string what{};  ///< "number: 73 expected, 50 given"
+};
+
+class CheckJudge {
+  public:
+    /// Study and plan must outlive it.
+    CheckJudge(const Study& study, const StudyPlan& plan, const Resume& resume);
+
+    /// None where the trial is no check, was not answered, or repeats one whose answer is not known.
+    [[nodiscard]] std::optional<CheckResult> judge(const Response& response) const;
+    /// Keeps an answer, with the result of its check.
+    void keep(const Response& response);
+    void forget(int trial);  ///< it is done again
+
+    /// What is to be done about a failed check, given all failures of its kind in its stage so far; note:
+    /// nothing.
+    [[nodiscard]] CheckRule ruleFor(const Trial& trial) const;
+    [[nodiscard]] int passed() const;
+    [[nodiscard]] int failed() const;
+
+  private:
+    const Study& study_;
+    const StudyPlan& plan_;
+    std::map<std::pair<std::string, CheckKind>, int> earlier_failures_;  ///< of other sittings
+    std::map<int, Response> kept_{};  ///< by trial, with those of `Resume::first_answers`
+    std::map<int, bool> results_{};   ///< by trial, of this sitting
+
+    [[nodiscard]] const AttentionChecks* checksOf(const Trial& trial) const;
+    [[nodiscard]] const Trial& trialOf(int index) const;
+};
+
+}  // namespace deixis::studies

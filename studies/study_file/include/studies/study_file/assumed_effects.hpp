@@ -1,0 +1,89 @@
+// What a power analysis assumes of the answers to come: means of the systems, and how much answers differ.
+// The file is documented in docs/power.md.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "studies/study_file/study.hpp"
+
+namespace deixis::studies {
+
+enum class AskedKind : unsigned char { accuracy, rating, preference };
+
+/// What a study measures of its systems, over the scored stages for it.
+struct AskedMeasure {
+    std::string name;  ///< "accuracy", "confidence", "preference", or Stage::measure
+    AskedKind kind = AskedKind::rating;
+    int low = 0;
+    int high = 1;
+    int balls = 0;  ///< accuracy: shown in a trial, the most there are
+};
+
+/// Accuracy first, then in the order of the stages.
+[[nodiscard]] std::vector<AskedMeasure> askedMeasures(const Study& study);
+
+/// By name of a system, a layout or a distance.
+using ByName = std::map<std::string, double>;
+
+/// By factor between participants: a shift of each of its levels; 0 where one is not named.
+using GroupShifts = std::map<std::string, ByName>;
+
+/// SDs over participants, over participants for each system of its own, and over items. Independent of one
+/// another and normal.
+struct AssumedSpread {
+    double participant_sd = 0.0;
+    double participant_system_sd = 0.0;
+    double item_sd = 0.0;
+};
+
+/// The game. SDs and shifts are on the logit scale.
+struct AssumedAccuracy {
+    ByName systems;  ///< expected share of right choices, over participants, items and levels
+    AssumedSpread spread{};
+    double lapse_rate = 0.0;  ///< of choices that fall on any ball
+    ByName layouts{};         ///< shift of each; 0 where it is not named
+    ByName distances{};
+    GroupShifts groups{};
+};
+
+/// A rating, or the game's confidence. SDs are in steps of the scale, before rounding to a step.
+struct AssumedRating {
+    ByName systems;  ///< expected answer on the measure's scale
+    AssumedSpread spread{};
+    double noise_sd = 1.0;  ///< of one answer; above 0
+    GroupShifts groups{};   ///< in steps of the scale, before rounding
+};
+
+/// Preferences: the difference of two strengths with noise, cut into five answers.
+struct AssumedPreference {
+    ByName systems;  ///< strengths; only differences count
+    double participant_system_sd = 0.0;
+    double noise_sd = 1.0;
+    double tie_zone = 0.0;    ///< a difference no larger is no preference
+    double clear_zone = 1.0;  ///< one no larger is a slight one
+};
+
+/// Measures of which nothing is assumed are not simulated.
+struct AssumedEffects {
+    std::optional<AssumedAccuracy> accuracy{};
+    std::map<std::string, AssumedRating> ratings{};  ///< by measure
+    std::optional<AssumedPreference> preference{};
+};
+
+/// Errors name file, line and key: the first problem of the file.
+[[nodiscard]] Result<AssumedEffects> loadAssumedEffects(const std::filesystem::path& path,
+                                                        const Study& study);
+/// The same as a file, which reads back as the same numbers.
+[[nodiscard]] std::string assumedEffectsToml(const AssumedEffects& effects);
+
+/// All sums of one shift of each factor between participants; {0} where there is none.
+[[nodiscard]] std::vector<double> groupShifts(const Study& study, const GroupShifts& groups);
+/// All sums of one of these, one shift of a layout and one of a distance that the games of the study have.
+[[nodiscard]] std::vector<double> gameShifts(const Study& study, const AssumedAccuracy& accuracy);
+
+}  // namespace deixis::studies

@@ -1,0 +1,95 @@
+// The parts of a study file, read one after another; private to studies.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "studies/study_file/study.hpp"
+#include "studies/texts/study_texts.hpp"
+#include "studies/texts/toml_table.hpp"
+#include "study_vocabulary.hpp"
+
+namespace deixis::studies {
+
+/// The names, each once.
+template <typename Entry>
+std::vector<std::string_view> namesIn(const std::vector<Entry>& entries) {
+    std::vector<std::string_view> out;
+    for (const Entry& entry : entries)
+        if (!entry.name.empty() && std::find(out.begin(), out.end(), entry.name) == out.end())
+            out.push_back(entry.name);
+    return out;
+}
+
+/// What to read from and where it goes.
+struct StudyReader {
+    const toml::table& file;
+    TomlTable root;
+    std::filesystem::path folder;  ///< of the study file
+    StudyFolders folders;
+    Problems& problems;
+    Study& study;
+    bool shows_clips = false;  ///< any stage of the file
+    bool has_game = false;
+    std::string questionnaire_bytes{};  ///< of the files named, each once, in order
+
+    /// Keeps where the study file has `key` of `table`, for Study::places.
+    void keepPlace(const std::string& name, const TomlTable& table, std::string_view key) {
+        study.places[name] =
+            fmt::format("{}:{}: {}", study.file.string(), table.place(key).line, table.dotted(key));
+    }
+};
+
+// study_parts.cpp, in the order in which they need each other
+void readTargets(StudyReader& reader);
+void readDistances(StudyReader& reader);
+void readLayouts(StudyReader& reader);
+void readSystems(StudyReader& reader);
+void readBetween(StudyReader& reader);
+void readHeadset(StudyReader& reader);
+void readAnalysis(StudyReader& reader);
+
+/// A stage as read so far, with its table for what can be checked only when all are read.
+struct StageEntry {
+    TomlTable table;
+    std::size_t kind;  ///< place in kind_names, or their number where the kind is wrong
+    Stage stage{};
+};
+
+// study_stages.cpp
+/// Fills in all that a stage's own table tells.
+[[nodiscard]] std::deque<StageEntry> readStages(StudyReader& reader);
+// study_trials.cpp
+void readTrials(TomlTable& table, const Study& study, Stage& stage);
+/// How many trials a participant has in a stage that is no practice, checks left aside.
+[[nodiscard]] long long trialsOf(const Stage& stage);
+
+// study_checks.cpp
+/// Fills in practice stages from the ones they practise and checks what stages have to do with each other and
+/// with the rest of the file.
+void finishStages(StudyReader& reader, std::deque<StageEntry>& stages);
+
+// study_questions.cpp
+/// A required [key] that is a scale.
+[[nodiscard]] Scale readScale(TomlTable& table, std::string_view key);
+[[nodiscard]] std::vector<QuestionOption> readOptions(TomlTable& table);
+/// [[questions]] and the default scale of a table.
+[[nodiscard]] std::vector<Question> readQuestions(TomlTable& table);
+
+// questionnaire_file.cpp
+struct QuestionnaireFile {
+    Questionnaire questionnaire{};
+    std::vector<std::string> languages{};
+    std::string bytes{};
+};
+/// Reads and checks NAME.toml in `language` (of the file's, else its first).
+[[nodiscard]] tl::expected<QuestionnaireFile, std::vector<Error>> loadQuestionnaire(
+    const std::filesystem::path& path, const std::string& language);
+
+}  // namespace deixis::studies
