@@ -21,7 +21,7 @@ if [ "${1:-}" = list ]; then
     printf '%s\n' "${packages[@]}"
     exit 0
 fi
-# npm fetches what draws the report's figures (results/figures). Not listed: the headset's Debian 13 builds from the same
+# npm fetches what draws the report's figures (results/page/figures). Not listed: the headset's Debian 13 builds from the same
 # folder, and finds it there.
 command -v npm >/dev/null || packages+=(nodejs npm)
 

@@ -24,7 +24,7 @@ if [ "${1:-}" = --scenarios-only ]; then
     shift
 fi
 
-cmake -P results/figures/fetch.cmake # inside there is neither npm nor a network
+cmake -P results/page/figures/fetch.cmake # inside there is neither npm nor a network
 echo "== headset: configure and build on Debian 13"
 # GCC 14 takes a reference into a static map for one into a temporary.
 inside cmake -S /deixis -B /deixis/build/trixie -G Ninja -Wno-dev -DCMAKE_BUILD_TYPE=RelWithDebInfo \

@@ -157,7 +157,7 @@ studies::TrackedPose poseAt(const SQLite::Statement& row, int first) {
             (validity & tracked) != 0};
 }
 
-/// In the order of version 2's columns: see results/schema/step_2.sql.
+/// In the order of version 2's columns: see results/database/schema/step_2.sql.
 studies::TrackingSample frameOf(const SQLite::Statement& row) {
     constexpr int head = 9, columns_of_pose = 8;
     studies::TrackingSample sample;

@@ -1,5 +1,5 @@
-// The script that draws the figures, made from results/figures; the assembler takes it in, since compilers
-// are slow with so long a text.
+// The script that draws the figures, made from results/page/figures; the assembler takes it in, since
+// compilers are slow with so long a text.
 #include "results/page/figure.hpp"
 
 __asm__(

@@ -1,6 +1,6 @@
 # Joins the libraries that draw the figures, their licences and page.js into one script that can stand in a page, in
 # HTML and in XML alike:
-#   cmake -DFOLDER=results/figures -DOUT=figures.js -P bundle.cmake
+#   cmake -DFOLDER=results/page/figures -DOUT=figures.js -P bundle.cmake
 set(modules ${FOLDER}/node_modules)
 
 # Each licence once, below the names of those that have it.

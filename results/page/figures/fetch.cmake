@@ -1,5 +1,5 @@
 # Sees to it that node_modules beside this file holds what package-lock.json names; else fetches it with npm. Included
-# by the build; `cmake -P results/figures/fetch.cmake` does it alone.
+# by the build; `cmake -P results/page/figures/fetch.cmake` does it alone.
 cmake_minimum_required(VERSION 3.25)
 
 function(deixis_fetch_figure_libraries)
