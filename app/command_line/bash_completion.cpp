@@ -19,7 +19,7 @@ std::string valuesOf(const OptionDescription& option, const KnownWords& known) {
     if (!option.choices.empty()) return fmt::format("{}", fmt::join(option.choices, " "));
     const auto words = known.find(option.names.empty() ? option.value : option.names.back());
     if (words != known.end()) return fmt::format("{}", fmt::join(words->second, " "));
-    const bool number = option.value == "INT" || option.value == "UINT" || option.value == "FLOAT";
+    const bool number = option.value == "NUMBER";
     return number ? "" : "@files";
 }
 

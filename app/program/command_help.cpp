@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "app/program/option_value.hpp"
+
 namespace deixis::app {
 
 namespace {
@@ -49,33 +51,10 @@ std::string entry(const std::string& name, const std::string& meaning) {
         wrapped(meaning));
 }
 
-/// "TEXT:{front,left}" and "FLOAT:FLOAT in [0 - 1]" in words.
-struct ValueText {
-    std::string name;
-    std::string limits;
-};
-
 std::string replacedAll(std::string text, std::string_view from, std::string_view to) {
     for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
         text.replace(at, from.size(), to);
     return text;
-}
-
-ValueText valueText(const CLI::Option& option) {
-    const std::string type = option.get_type_name();
-    const std::size_t colon = std::min(type.find(':'), type.size());
-    ValueText out{type.substr(0, colon), ""};
-    if (out.name == "FLOAT" || out.name == "INT" || out.name == "UINT") out.name = "NUMBER";
-    const std::string rule = colon < type.size() ? type.substr(colon + 1) : "";
-    if (rule.starts_with('{'))
-        out.name = replacedAll(rule.substr(1, rule.find('}') - 1), ",", "|");
-    else if (const auto range = rule.find(" in ["); range != std::string::npos)
-        out.limits = replacedAll(rule.substr(range + 5, rule.find(']') - range - 5), " - ", " to ");
-    else if (rule == "POSITIVE")
-        out.limits = "above 0";
-    else if (rule == "NONNEGATIVE")
-        out.limits = "from 0 on";
-    return out;
 }
 
 std::string namesOf(const std::set<CLI::Option*>& options) {
@@ -103,10 +82,12 @@ class HelpFormatter : public CLI::Formatter {
         // "-o,--output" reads better with a space.
         std::string name = replacedAll(make_option_name(option, false), ",", ", ");
         name = name.substr(0, name.find('{'));  // of "--no-tracking{false}"
-        const ValueText value = valueText(*option);
+        const OptionValue value = optionValue(*option);
         const bool takes_value = option->get_items_expected_max() > 0;
         const bool may_be_left_out = option->get_items_expected_min() == 0;
-        if (takes_value) name += may_be_left_out ? " [" + value.name + "]" : " " + value.name;
+        const std::string shown =
+            value.choices.empty() ? value.name : fmt::format("{}", fmt::join(value.choices, "|"));
+        if (takes_value) name += may_be_left_out ? " [" + shown + "]" : " " + shown;
         std::string meaning = option->get_description();
         if (!value.limits.empty()) meaning += fmt::format(" ({})", value.limits);
         if (takes_value && !may_be_left_out && !option->get_default_str().empty())
@@ -127,7 +108,7 @@ class HelpFormatter : public CLI::Formatter {
                 out += fmt::format(" {} {}",
                                    one->get_snames().empty() ? "--" + one->get_lnames().front()
                                                              : "-" + one->get_snames().front(),
-                                   valueText(*one).name);
+                                   optionValue(*one).name);
         if (!app->get_subcommands([](const CLI::App*) { return true; }).empty()) out += " COMMAND";
         return out + " [OPTIONS]\n";
     }
