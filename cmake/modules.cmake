@@ -32,17 +32,17 @@ function(add_module name)
     target_link_libraries(deixis_${name} PUBLIC ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
 endfunction()
 
-# add_room(NAME [MAIN header.hpp] [PUBLIC rooms and libs...] [PRIVATE rooms and libs...])
+# add_room(NAME [MAIN header.hpp] [ALSO files] [PUBLIC rooms and libs...] [PRIVATE rooms and libs...])
 # A part of this folder's module: the folder NAME, a static library deixis::MODULE::NAME of its *.cpp. Its public
 # headers stand in NAME/include/MODULE/NAME, which is an include root of its own; private ones beside the sources. Only
 # what is linked can be included: the allowed arrows between rooms (written "MODULE/NAME"; every room may use core) stand
-# in these calls, and nowhere else. MAIN is the public header that says what the room is for. deixis::MODULE links all
-# rooms of a module.
+# in these calls, and nowhere else. MAIN is the public header that says what the room is for. ALSO: sources that stand in
+# folders of their own, each with all that there is of one thing. deixis::MODULE links all rooms of a module.
 function(add_room name)
-    cmake_parse_arguments(ARG "" "MAIN" "PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(ARG "" "MAIN;ALSO" "PUBLIC;PRIVATE" ${ARGN})
     get_filename_component(module ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     set(target deixis_${module}_${name})
-    file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp)
+    file(GLOB sources CONFIGURE_DEPENDS ${name}/*.cpp ${ARG_ALSO})
     add_library(${target} STATIC ${sources})
     add_library(deixis::${module}::${name} ALIAS ${target})
     target_include_directories(${target} PUBLIC ${name}/include PRIVATE ${name})

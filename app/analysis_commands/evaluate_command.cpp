@@ -28,6 +28,7 @@
 #include "motion/pointing/pointing.hpp"
 #include "motion/synthesis/generator.hpp"
 #include "results/evaluation/evaluation.hpp"
+#include "studies/study_file/stage_kind.hpp"
 #include "studies/study_file/standing.hpp"
 
 namespace deixis::app {
@@ -177,7 +178,7 @@ Result<results::StudyGames> gamesOfStudy(const std::string& name) {
     std::set<std::string> layouts;
     std::set<std::string> distances;
     for (const studies::Stage& stage : study.stages) {
-        if (stage.kind != studies::StageKind::game) continue;
+        if (!studies::declarationOf(stage.kind).balls) continue;
         layouts.insert(stage.design.layouts.begin(), stage.design.layouts.end());
         distances.insert(stage.design.distances.begin(), stage.design.distances.end());
     }

@@ -13,6 +13,7 @@
 #include "assets/tables/manifest.hpp"
 #include "core/room.hpp"
 #include "motion/synthesis/generator.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::app {
 
@@ -130,7 +131,7 @@ void checkRoom(const studies::Study& study, const std::vector<studies::TargetIte
                std::vector<Error>& problems) {
     const bool shows_balls =
         std::any_of(study.stages.begin(), study.stages.end(),
-                    [](const studies::Stage& stage) { return stage.kind == studies::StageKind::game; });
+                    [](const studies::Stage& stage) { return studies::declarationOf(stage.kind).placed; });
     if (!shows_balls) return;
     const double radius_m = study.targets.ball_diameter_m / 2.0;
     const auto inside = [radius_m](const Vec3& centre) {

@@ -228,12 +228,9 @@ std::set<std::string> systemsAsked(const studies::Study& study, const AskedMeasu
     std::set<std::string> out;
     for (const studies::Stage& stage : study.stages) {
         if (!stage.scored()) continue;
-        const bool game = stage.kind == studies::StageKind::game;
-        const bool pairs = stage.kind == studies::StageKind::pairwise;
-        if (pairs  ? measure.kind == AskedKind::preference
-            : game ? measure.name == "accuracy" || (measure.name == "confidence" && stage.confidence)
-                   : measure.name == stage.measure)
-            out.insert(stage.design.systems.begin(), stage.design.systems.end());
+        for (const AskedMeasure& asked : studies::measuresOf(study, stage))
+            if (asked.kind == measure.kind && asked.name == measure.name)
+                out.insert(stage.design.systems.begin(), stage.design.systems.end());
     }
     return out;
 }

@@ -16,6 +16,7 @@
 #include "results/analysis/analysis.hpp"
 #include "studies/design/plan.hpp"
 #include "studies/simulation/assumed_answers.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -102,7 +103,7 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::As
     std::set<std::string> systems, layouts, distances;
     for (const studies::PlannedAnswer& answer : planned) {
         for (const studies::Stimulus& stimulus : answer.trial->stimuli) systems.insert(stimulus.system);
-        if (answer.trial->kind != studies::StageKind::game) continue;
+        if (!studies::declarationOf(answer.trial->kind).balls) continue;
         layouts.insert(answer.trial->layout);
         distances.insert(answer.trial->distance);
     }

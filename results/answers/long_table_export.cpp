@@ -1,7 +1,10 @@
 // The lines of an export's responses.csv as those of a long table.
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "long_table_reader.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -31,14 +34,20 @@ bool LongTableReader::takeExportLine() {
         who != exported_participant_ || this->cell(LongColumn::trial) != exported_trial_;
     exported_participant_ = who;
     exported_trial_ = this->cell(LongColumn::trial);
-    if (cell(kind) == "consent") {
+    const studies::StageDeclaration* declared = studies::findDeclaration(cell(kind));
+    if (declared != nullptr && declared->asks_consent) {
         if (!cell(value).empty()) declined_[who] = cell(value) == "0";
         return false;
     }
     if (first_of_trial && !cell(check_kind).empty()) countExportedCheck();
     const std::string asked = cell(question);
-    const bool rated = asked == "rating" || asked == "confidence" || asked == "preference";
-    const bool choice = cell(kind) == "referential-game" && first_of_trial;
+    const auto measures =
+        declared != nullptr ? declared->measures : std::span<const studies::DeclaredMeasure>{};
+    const auto measured =
+        std::find_if(measures.begin(), measures.end(),
+                     [&](const studies::DeclaredMeasure& one) { return one.question == asked; });
+    const bool rated = !asked.empty() && measured != measures.end();
+    const bool choice = declared != nullptr && declared->balls && first_of_trial;
     if (cell(scored) != "1" || this->cell(LongColumn::practice) == "1" || !(rated || choice)) return false;
 
     const std::string answer = rated ? cell(value) : "";
@@ -46,7 +55,7 @@ bool LongTableReader::takeExportLine() {
     const std::string is_right = choice && chosen ? cell(ExportColumnOf::correct) : "";
     const std::string unanswered = choice && !chosen ? cell(ExportColumnOf::status) : "";
     const std::string standing = cell(participant_status);
-    const std::string of = asked == "rating" ? cell(ExportColumnOf::measure) : asked;
+    const std::string of = rated && measured->name.empty() ? cell(ExportColumnOf::measure) : asked;
     const std::string left_out =
         standing == "active" ? "" : fmt::format("{}: for a reason in participants.csv", standing);
     // In the order of the places that the head gives them.

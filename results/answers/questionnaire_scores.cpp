@@ -59,11 +59,12 @@ std::vector<QuestionnaireScore> readQuestionnaireScores(SQLite::Database& databa
     if (scores.empty()) return out;
     using Answers = std::map<std::string, double>;
     std::map<std::string, std::map<std::string, Answers>> answers;  // by participant and stage
-    Statement given(database,
-                    "SELECT r.participant, t.stage, a.question, a.value FROM responses AS r "
-                    "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
-                    "JOIN answers AS a ON a.response = r.id "
-                    "WHERE r.superseded IS NULL AND t.kind = 'questionnaire' AND a.value IS NOT NULL");
+    Statement given(
+        database,
+        "SELECT r.participant, t.stage, a.question, a.value FROM responses AS r "
+        "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+        "JOIN answers AS a ON a.response = r.id "
+        "WHERE r.superseded IS NULL AND t.stage IN (SELECT stage FROM scores) AND a.value IS NOT NULL");
     while (given.executeStep())
         answers[given.getColumn(0).getString()][given.getColumn(1).getString()]
                [given.getColumn(2).getString()] = given.getColumn(3).getDouble();

@@ -16,6 +16,7 @@
 #include "results/database/database_open.hpp"
 #include "results/database/locked_history.hpp"
 #include "results/database/standing.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -71,15 +72,16 @@ void readStudy(SQLite::Database& database, const std::string& people, ResponseTa
 
 // How many values of the scored trials of a stage were planned, of participants who count.
 int planned(SQLite::Database& database, const std::string& people, const std::string& stage,
-            const std::string& measure, ResponseTable& table) {
+            bool each_stimulus, const std::string& measure, ResponseTable& table) {
     Statement counts(
         database,
         fmt::format(
             "SELECT t.participant, count(*) FROM trial_stimuli AS s JOIN trials AS t USING (participant, "
             "trial_index) JOIN {} AS p ON p.id = t.participant WHERE s.scored AND p.status = 'active' AND "
-            "t.stage = ? AND (t.kind <> 'pairwise' OR s.position = 0) GROUP BY t.participant",
+            "t.stage = ? AND (? OR s.position = 0) GROUP BY t.participant",
             people));
     counts.bind(1, stage);
+    counts.bind(2, each_stimulus ? 1 : 0);
     int all = 0;
     while (counts.executeStep()) {
         const int of_participant = counts.getColumn(1).getInt();
@@ -101,15 +103,18 @@ void addMeasure(ResponseTable& table, const Measure& measure) {
     same->fewest_balls = std::min(same->fewest_balls, measure.fewest_balls);
 }
 
-/// What a stage's ratings, or the confidence in its choices, measure, and on which scale.
+/// What the answers to a question of a stage measure, and on which scale.
 struct StageScale {
     std::string stage;
+    std::string_view question;
     std::string measure;
     double low = 0.0;
     double high = 0.0;
+    bool each_stimulus = true;
 };
 
-using MeasureOfStage = std::map<std::string, std::string>;
+/// By stage and question.
+using MeasureOfAnswers = std::map<std::pair<std::string, std::string_view>, std::string>;
 
 /// Measures that are asked on several scales get these in their names. Returns what such ones were called.
 std::set<std::string> nameByScale(std::vector<StageScale>& scales) {
@@ -124,36 +129,55 @@ std::set<std::string> nameByScale(std::vector<StageScale>& scales) {
     return renamed;
 }
 
-MeasureOfStage readMeasures(SQLite::Database& database, const std::string& people, ResponseTable& table) {
-    Statement games(
+/// How many balls there were in a stage's trials: the most and the fewest.
+std::pair<int, int> ballsIn(SQLite::Database& database, const std::string& stage) {
+    Statement balls(
         database,
-        "SELECT s.name, max(json_array_length(balls)), min(json_array_length(balls)) FROM stages AS s JOIN "
-        "trials AS t ON t.stage = s.name WHERE s.kind = 'referential-game' AND s.practice_of IS NULL AND "
-        "t.check_kind IS NOT 'catch' GROUP BY s.name ORDER BY s.position");
-    while (games.executeStep())
-        addMeasure(table, {"accuracy", MeasureKind::accuracy, 0.0, 1.0, games.getColumn(1).getInt(),
-                           planned(database, people, games.getColumn(0).getString(), "accuracy", table),
-                           games.getColumn(2).getInt()});
+        "SELECT coalesce(max(json_array_length(balls)), 0), coalesce(min(json_array_length(balls)), "
+        "0) FROM trials WHERE stage = ? AND check_kind IS NOT 'catch'");
+    balls.bind(1, stage);
+    balls.executeStep();
+    return {balls.getColumn(0).getInt(), balls.getColumn(1).getInt()};
+}
+
+/// What the kinds of the stages declare to be measured. Choices first, then preferences, then ratings.
+MeasureOfAnswers readMeasures(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement stages(
         database,
-        "SELECT s.name, s.kind, s.measure, s.scale_low, s.scale_high, q.low, q.high FROM stages AS s LEFT "
-        "JOIN questions AS q ON q.stage = s.name AND q.question = 'confidence' WHERE practice_of IS NULL AND "
-        "s.name IN (SELECT stage FROM trials) ORDER BY s.position");
+        "SELECT name, kind, coalesce(measure, '') FROM stages WHERE practice_of IS NULL AND name "
+        "IN (SELECT stage FROM trials) ORDER BY position");
+    Statement question(database, "SELECT low, high FROM questions WHERE stage = ? AND question = ?");
+    std::vector<Measure> preferences;
     std::vector<StageScale> scales;
     while (stages.executeStep()) {
         const std::string name = stages.getColumn(0).getString();
-        const std::string kind = stages.getColumn(1).getString();
-        if (kind == "pairwise")
-            addMeasure(table, {"preference", MeasureKind::preference, -2.0, 2.0, 0,
-                               planned(database, people, name, "preference", table)});
-        else if (kind == "rating" || kind == "parallel-rating")
-            scales.push_back({name, stages.getColumn(2).getString(), stages.getColumn(3).getDouble(),
-                              stages.getColumn(4).getDouble()});
-        else if (kind == "referential-game" && !stages.getColumn(5).isNull())
-            scales.push_back(
-                {name, "confidence", stages.getColumn(5).getDouble(), stages.getColumn(6).getDouble()});
+        const studies::StageDeclaration* kind = studies::findDeclaration(stages.getColumn(1).getString());
+        if (kind == nullptr) continue;
+        for (const studies::DeclaredMeasure& declared : kind->measures) {
+            const bool each = kind->answersEach();
+            const std::string measure =
+                declared.name.empty() ? stages.getColumn(2).getString() : std::string(declared.name);
+            if (declared.kind == studies::AskedKind::accuracy) {
+                const auto [most, fewest] = ballsIn(database, name);
+                addMeasure(table, {measure, MeasureKind::accuracy, 0.0, 1.0, most,
+                                   planned(database, people, name, each, measure, table), fewest});
+                continue;
+            }
+            question.reset();
+            question.bind(1, name);
+            question.bind(2, std::string(declared.question));
+            if (!question.executeStep()) continue;  // it need not be asked
+            const double low = question.getColumn(0).getDouble();
+            const double high = question.getColumn(1).getDouble();
+            if (declared.kind == studies::AskedKind::preference)
+                preferences.push_back({measure, MeasureKind::preference, low, high, 0,
+                                       planned(database, people, name, each, measure, table)});
+            else
+                scales.push_back({name, declared.question, measure, low, high, each});
+        }
     }
-    MeasureOfStage measures;
+    for (const Measure& preference : preferences) addMeasure(table, preference);
+    MeasureOfAnswers measures;
     for (const std::string& name : nameByScale(scales))
         table.notes.push_back(fmt::format(
             "{} is asked on different scales: each scale is a measure of its own here, since their answers "
@@ -161,8 +185,8 @@ MeasureOfStage readMeasures(SQLite::Database& database, const std::string& peopl
             name));
     for (const StageScale& one : scales) {
         addMeasure(table, {one.measure, MeasureKind::rating, one.low, one.high, 0,
-                           planned(database, people, one.stage, one.measure, table)});
-        measures[one.stage] = one.measure;
+                           planned(database, people, one.stage, one.each_stimulus, one.measure, table)});
+        measures[{one.stage, one.question}] = one.measure;
     }
     return measures;
 }
@@ -242,18 +266,19 @@ void keepRow(ResponseTable& table, ResponseRow row) {
     rows.push_back(std::move(row));
 }
 
-void readRatings(SQLite::Database& database, const std::string& people, const MeasureOfStage& measures,
+void readRatings(SQLite::Database& database, const std::string& people, const MeasureOfAnswers& measures,
                  ResponseTable& table) {
     Statement rows(database,
-                   fmt::format("SELECT {}, a.value, t.stage, x.author_trial {}"
+                   fmt::format("SELECT {}, a.value, t.stage, x.author_trial, a.question {}"
                                "JOIN answers AS a ON a.response = r.id "
                                "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
                                "r.trial_index AND s.position = coalesce(a.stimulus, 0) {}"
-                               "WHERE {} AND a.question IN ('rating', 'confidence') AND a.value IS NOT NULL "
+                               "WHERE {} AND a.value IS NOT NULL "
                                "ORDER BY r.participant, r.trial_index, s.position, a.position",
                                row_columns, rowTables(people), clip_shown, row_counts));
     while (rows.executeStep()) {
-        const auto measure = measures.find(rows.getColumn(next_column + 1).getString());
+        const std::string question = rows.getColumn(next_column + 3).getString();
+        const auto measure = measures.find({rows.getColumn(next_column + 1).getString(), question});
         if (measure == measures.end()) continue;
         ResponseRow row = baseRow(rows, measure->second);
         row.value = rows.getColumn(next_column).getDouble();
@@ -267,8 +292,8 @@ void readChoices(SQLite::Database& database, const std::string& people, Response
         database,
         fmt::format("SELECT {}, r.correct, json_array_length(t.balls), r.chosen_place IS NULL, r.status "
                     "{}JOIN trial_stimuli AS s ON s.participant = r.participant AND "
-                    "s.trial_index = r.trial_index AND s.position = 0 WHERE {} AND t.kind = "
-                    "'referential-game' ORDER BY r.participant, r.trial_index",
+                    "s.trial_index = r.trial_index AND s.position = 0 WHERE {} AND t.balls IS NOT NULL "
+                    "ORDER BY r.participant, r.trial_index",
                     row_columns, rowTables(people), row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "accuracy");
@@ -307,7 +332,7 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
     table.database = path.filename().string();
     readStudy(database, people, table);
     table.notes = changeNotes(database);
-    const MeasureOfStage measures = readMeasures(database, people, table);
+    const MeasureOfAnswers measures = readMeasures(database, people, table);
     readSessions(database, table);
     readLeftOut(database, people, table);
     readChoices(database, people, table);

@@ -1,10 +1,13 @@
 // What was asked, as an export tells it.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "export_more.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -37,6 +40,14 @@ std::vector<Option> optionsOf(const std::string& options, const std::string& lab
     return out;
 }
 
+/// As an SQL list: kinds in which a ball is chosen.
+std::string kindsWithBalls() {
+    std::vector<std::string> names;
+    for (const studies::StageDeclaration* kind : studies::allDeclarations())
+        if (kind->balls) names.push_back(fmt::format("'{}'", kind->name));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 ExportedFile questionsFile(SQLite::Database& database) {
@@ -61,7 +72,8 @@ ExportedFile questionsFile(SQLite::Database& database) {
         "q.low, q.high, q.options, q.labels, s.position, q.position FROM questions AS q JOIN stages AS s ON "
         "s.name = q.stage UNION ALL SELECT name, kind, NULL, 'choice', 'ball', question, NULL, NULL, NULL, "
         "NULL, "
-        "position, -1 FROM stages WHERE kind = 'referential-game' ORDER BY 11, 12");
+        "position, -1 FROM stages WHERE kind IN (" +
+            kindsWithBalls() + ") ORDER BY 11, 12");
     while (rows.executeStep()) {
         auto options = optionsOf(rows.getColumn(8).getString(), rows.getColumn(9).getString(),
                                  rows.getColumn(6).getDouble(), rows.getColumn(7).getDouble());

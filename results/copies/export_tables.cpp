@@ -1,6 +1,9 @@
 #include "export_tables.hpp"
 
+#include <fmt/format.h>
+
 #include "results/database/standing.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -15,6 +18,19 @@ const ExportColumn session{
 const ExportColumn trial_index{
     {"trial_index", whole, "Which answered unit, from 0 over all sessions in the order planned"},
     "trial_index"};
+
+/// SQL for what a row of responses_flat measures, as the kinds of stages declare it.
+std::string measureOfAnswer() {
+    std::string out = "CASE";
+    for (const studies::StageDeclaration* kind : studies::allDeclarations())
+        for (const studies::DeclaredMeasure& measure : kind->measures)
+            if (!measure.question.empty())
+                out +=
+                    fmt::format(" WHEN kind = '{}' AND question = '{}' THEN {}", kind->name, measure.question,
+                                measure.name.empty() ? "(SELECT measure FROM stages WHERE name = f.stage)"
+                                                     : fmt::format("'{}'", measure.name));
+    return out + " END";
+}
 
 ExportTable responsesTable() {
     return {
@@ -44,8 +60,7 @@ ExportTable responsesTable() {
               "rating, preference, confidence, reasons, consent, or a questionnaire's question"},
              "question"},
             {{"measure", text, "What the answer measures in the report; empty: nothing, or a choice"},
-             "CASE question WHEN 'rating' THEN (SELECT measure FROM stages WHERE name = f.stage) "
-             "WHEN 'confidence' THEN question WHEN 'preference' THEN question END"},
+             measureOfAnswer()},
             {{"stimulus", whole, "Which of the trial's clips, from 0; empty: of both, or none"}, "stimulus"},
             {{"system", text, "System that made the clip; of a pair the one that stood left"}, "system"},
             {{"other_system", text, "Of a pair: the one that stood right"}, "other_system"},

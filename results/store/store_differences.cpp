@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "studies/study_file/stage_kind.hpp"
+
 namespace deixis::results {
 
 namespace {
@@ -72,7 +74,7 @@ std::string position(const Vec3& p) {
 std::string trialText(const studies::Trial& trial) {
     std::string out = fmt::format("{} {}", trial.stage, studies::stageKindName(trial.kind));
     if (trial.practice) out += fmt::format(", attempt {}", trial.attempt + 1);
-    if (trial.kind == studies::StageKind::questionnaire) out += fmt::format(", page {}", trial.page + 1);
+    if (studies::declarationOf(trial.kind).in_pages) out += fmt::format(", page {}", trial.page + 1);
     for (const auto& stimulus : trial.stimuli) {
         out += fmt::format(", {} {}", stimulus.system, stimulus.item);
         if (stimulus.clip > 0) out += fmt::format(" (clip {})", stimulus.clip + 1);

@@ -8,6 +8,7 @@
 #include "results/database/participant_token.hpp"
 #include "store_differences.hpp"
 #include "store_impl.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -38,32 +39,6 @@ const char* kindName(studies::QuestionKind kind) {
             return "text";
     }
     throw std::logic_error("no such kind of question");
-}
-
-bool rated(const studies::Stage& stage) {
-    return stage.kind == studies::StageKind::rating || stage.kind == studies::StageKind::parallel_rating;
-}
-
-/// All that is asked in a stage, under the names that its answers have.
-std::vector<studies::Question> questionsOf(const studies::Stage& stage, const studies::LanguageTable& words) {
-    std::vector<studies::Question> out = stage.questionnaire.questions;
-    if (rated(stage)) out.push_back({"rating", studies::QuestionKind::scale, stage.question, stage.scale});
-    if (stage.kind == studies::StageKind::pairwise) {
-        studies::Scale preference;
-        preference.low = -2;
-        preference.high = 2;
-        for (const char* key : {"prefer_left_clearly", "prefer_left_slightly", "prefer_neither",
-                                "prefer_right_slightly", "prefer_right_clearly"})
-            preference.labels.push_back(words(key));
-        out.push_back({"preference", studies::QuestionKind::scale, stage.question, preference});
-    }
-    for (const auto& [name, question] :
-         {std::pair("confidence", &stage.confidence), std::pair("reasons", &stage.reasons)}) {
-        if (!question->has_value()) continue;
-        out.push_back(**question);
-        out.back().id = name;
-    }
-    return out;
 }
 
 Json leaveOutJson(const studies::LeaveOutRule& rule) {
@@ -214,7 +189,8 @@ void Store::Impl::insertStage(const studies::Stage& stage, int position,
     auto row = query("INSERT INTO stages VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
     row << position << stage.name << studies::stageKindName(stage.kind) << stage.session;
     row.textOrNull(stage.practice ? stage.practice->of : "").textOrNull(stage.measure);
-    if (rated(stage))
+    const studies::StageDeclaration& kind = studies::declarationOf(stage.kind);
+    if (kind.showsClips() && kind.has("scale"))
         row << stage.scale.low << stage.scale.high;
     else
         row.null(2);
@@ -222,7 +198,9 @@ void Store::Impl::insertStage(const studies::Stage& stage, int position,
     row.run();
 
     int place = 0;
-    for (const studies::Question& question : questionsOf(stage, words)) {
+    const auto questions =
+        kind.questions != nullptr ? kind.questions(stage, words) : std::vector<studies::Question>{};
+    for (const studies::Question& question : questions) {
         auto insert = query("INSERT INTO questions VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
         insert << stage.name << question.id << place++ << kindName(question.kind) << question.text;
         if (question.kind == studies::QuestionKind::scale)
@@ -291,7 +269,7 @@ void Store::Impl::insertTrial(const std::string& participant, const studies::Tri
         row << trial.target;
     else if (!trial.stimuli.empty())
         row.null(3);
-    if (trial.kind == studies::StageKind::game) {
+    if (!trial.ball_order.empty()) {
         std::vector<Vec3> balls;
         for (std::size_t place = 0; place < trial.ball_order.size(); ++place)
             balls.push_back(trial.ball(static_cast<int>(place)));

@@ -91,10 +91,10 @@ studies::GroupSizes Store::groupsRegistered() const {
 studies::Resume Store::resume(const std::string& participant, double now_utc_s) const {
     studies::Resume out;
     auto answer = impl_->query(
-        "SELECT r.trial_index, t.kind <> 'referential-game' OR coalesce(r.correct, 0) FROM responses AS r "
+        "SELECT r.trial_index, t.balls IS NULL OR coalesce(r.correct, 0) FROM responses AS r "
         "JOIN trials AS t USING (participant, trial_index) WHERE r.participant = ? AND r.superseded IS NULL "
-        "AND NOT (t.kind = 'consent' AND EXISTS (SELECT 1 FROM answers AS a WHERE a.response = r.id AND "
-        "a.question = 'consent' AND a.value = 0))");
+        "AND NOT EXISTS (SELECT 1 FROM consents AS c WHERE c.participant = r.participant AND c.stage = "
+        "t.stage AND c.session = r.session AND NOT c.agreed)");
     answer << participant;
     while (answer.next()) out.answered[answer[0].getInt()] = answer[1].getInt() != 0;
     auto failed = impl_->query(

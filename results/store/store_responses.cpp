@@ -5,6 +5,7 @@
 
 #include "results/database/standing.hpp"
 #include "store_impl.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -31,7 +32,8 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
                                  const studies::StudyPlan& plan, const ClipRecords& clips) {
     const studies::Trial& trial = plan.trials.at(static_cast<std::size_t>(response.trial_index));
     const studies::Stage& stage = stageOf(study, trial);
-    if (stage.kind == studies::StageKind::consent) supersedeRefusal(response.trial_index, response.answered);
+    if (studies::declarationOf(stage.kind).asks_consent)
+        supersedeRefusal(response.trial_index, response.answered);
     auto row = query(
         "INSERT INTO responses (participant, trial_index, session, status, chosen_place, correct, "
         "check_passed, onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, "
@@ -77,9 +79,8 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
         insert << answer.value;
         insert.textOrNull(answer.text);
         insert.run();
-        if (stage.kind == studies::StageKind::consent && answer.question == "consent")
-            insertConsent(answer, response, study, stage);
-        if (stage.kind == studies::StageKind::questionnaire && stage.about_participant) insertField(answer);
+        if (studies::declarationOf(stage.kind).asks_consent) insertConsent(answer, response, study, stage);
+        if (stage.about_participant) insertField(answer);
     }
     keepHash(id);
     if (!response.exclusion.empty()) exclude(response.exclusion, response.answered);

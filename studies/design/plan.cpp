@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 #include <span>
 
 #include "core/random.hpp"
+#include "plan_balls.hpp"
 #include "plan_stage.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -66,42 +67,49 @@ Result<std::vector<OpenStage>> openStages(const Study& study, const Groups& grou
     return out;
 }
 
-/// Gives every stage targets of its own, drawn by chance. Games come first where some items have no place in
-/// the room, for those can only be rated.
+/// Gives every stage targets of its own, drawn by chance. Those that ask most of an item come first, for some
+/// items may have no place in the room and can only be rated.
 Result<void> drawItems(std::vector<OpenStage>& stages, const std::vector<TargetItem>& targets, int bands,
                        Random random) {
+    ItemNeed in_room{0, 0, true, false};
+    ItemNeed with_balls{0, 0, true, true};
     int needed = 0;
-    int needed_placed = 0;
     for (const OpenStage& open : stages) {
         needed += open.need.total();
-        needed_placed += open.need.placed ? open.need.total() : 0;
+        in_room.scored += open.need.placed ? open.need.total() : 0;
+        with_balls.scored += open.need.balls ? open.need.total() : 0;
     }
-    const auto playable = [&](const TargetItem& item) {
-        return item.placed && static_cast<int>(item.distractors.size()) >= bands;
+    const auto suits = [&](const TargetItem& item, const ItemNeed& need) {
+        return (!need.placed || item.placed) &&
+               (!need.balls || static_cast<int>(item.distractors.size()) >= bands);
     };
-    const auto placed = std::count_if(targets.begin(), targets.end(), playable);
     if (static_cast<int>(targets.size()) < needed)
         return fail("targets.count",
                     fmt::format("found {} targets, expected at least {} for the items, practice and catch "
                                 "trials of all stages",
                                 targets.size(), needed));
-    if (placed < needed_placed)
-        return fail("targets",
-                    fmt::format("found {} with a place in the room and distractors, expected at least {} for "
-                                "the referential games",
-                                placed, needed_placed));
+    for (const ItemNeed& need : {with_balls, in_room}) {
+        const auto found = std::count_if(targets.begin(), targets.end(),
+                                         [&](const TargetItem& item) { return suits(item, need); });
+        if (found < need.scored)
+            return fail("targets",
+                        fmt::format("found {} with a place in the room{}, expected at least {} for the {}",
+                                    found, need.balls ? " and distractors" : "", need.scored,
+                                    need.balls ? "referential games" : "stages that need one"));
+    }
 
     std::vector<const TargetItem*> left;
     left.reserve(targets.size());
     for (const TargetItem& item : targets) left.push_back(&item);
     random.shuffle(std::span<const TargetItem*>(left));
-    for (const bool placed_ones : {true, false})
+    const auto demand = [](const ItemNeed& need) { return (need.placed ? 1 : 0) + (need.balls ? 1 : 0); };
+    for (const int round : {2, 1, 0})
         for (OpenStage& open : stages) {
-            if (open.need.placed != placed_ones) continue;
+            if (demand(open.need) != round) continue;
             const auto wanted = static_cast<std::size_t>(open.need.total());
             for (const TargetItem*& item : left) {
                 if (open.items.size() == wanted) break;
-                if (item == nullptr || (placed_ones && !playable(*item))) continue;
+                if (item == nullptr || !suits(*item, open.need)) continue;
                 open.items.push_back(item);
                 item = nullptr;
             }
@@ -111,9 +119,8 @@ Result<void> drawItems(std::vector<OpenStage>& stages, const std::vector<TargetI
 
 std::vector<Trial> pageTrials(const Stage& stage) {
     std::vector<Trial> out;
-    const int pages = stage.kind == StageKind::consent         ? 1
-                      : stage.kind == StageKind::questionnaire ? stage.questionnaire.pages()
-                                                               : 0;
+    const StageDeclaration& kind = declarationOf(stage.kind);
+    const int pages = kind.pages != nullptr ? kind.pages(stage) : 0;
     for (int page = 0; page < pages; ++page) {
         Trial trial;
         trial.stage = stage.name;
@@ -154,41 +161,6 @@ void drawClips(const std::vector<TargetItem>& targets, std::uint64_t seed, std::
             Random random(seed, "clip of " + stimulus.system + " for " + stimulus.item);
             stimulus.clip = static_cast<int>(random.below(static_cast<std::uint64_t>(clips->second)));
         }
-}
-
-/// How far the distractors of each game trial look from its target.
-void noteAngles(const Study& study, std::vector<Trial>& trials) {
-    for (Trial& trial : trials)
-        if (trial.kind == StageKind::game)
-            trial.angles =
-                ballAngles(study, *study.findLayout(trial.layout), trial.target, trial.distractors);
-}
-
-/// What is seen of the balls of each game trial, past the reference avatar. All systems show an item with the
-/// same balls, so that it is worked out once for each.
-void noteVisibility(const Study& study, std::vector<Trial>& trials) {
-    const std::vector<Viewpoint> from = viewpoints(study);
-    std::map<std::array<std::string, 3>, std::vector<SeenBalls>> known;  // the target first
-    for (Trial& trial : trials) {
-        if (trial.kind != StageKind::game) continue;
-        const std::array<std::string, 3> key{trial.stimuli.front().item, trial.distance, trial.layout};
-        const auto [entry, fresh] = known.try_emplace(key);
-        if (fresh) {
-            const double radius_m = study.targets.ball_diameter_m / 2;
-            std::vector<Sphere> balls{{trial.target, radius_m}};
-            for (const Vec3& distractor : trial.distractors) balls.push_back({distractor, radius_m});
-            for (const Viewpoint& viewpoint : from)
-                if (viewpoint.layout == trial.layout)
-                    entry->second.push_back(seenFrom(viewpoint, StandingAvatar::reference(), balls));
-        }
-        trial.seen = entry->second;
-        for (std::size_t i = 0; i < trial.seen.size(); ++i)
-            for (std::size_t place = 0; place < trial.ball_order.size(); ++place) {
-                const auto ball = static_cast<std::size_t>(trial.ball_order[place]);
-                trial.seen[i].at_rest[place] = entry->second[i].at_rest[ball];
-                trial.seen[i].pointing[place] = entry->second[i].pointing[ball];
-            }
-    }
 }
 
 }  // namespace
@@ -247,8 +219,7 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
     }
     placePages(study, plan.trials);
     drawClips(targets, seed, plan.trials);
-    noteVisibility(study, plan.trials);
-    noteAngles(study, plan.trials);
+    noteBalls(study, plan.trials);
     return plan;
 }
 

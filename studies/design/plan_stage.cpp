@@ -9,9 +9,11 @@
 #include <span>
 
 #include "core/random.hpp"
+#include "plan_balls.hpp"
 #include "plan_levels.hpp"
 #include "plan_order.hpp"
 #include "plan_units.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -20,10 +22,6 @@ namespace {
 tl::unexpected<Error> failIn(const Stage& stage, std::string_view key, std::string message,
                              std::string mend = {}) {
     return fail(fmt::format("stages.{}.{}", stage.name, key), std::move(message), std::move(mend));
-}
-
-bool showsSeveral(StageKind kind) {
-    return kind == StageKind::pairwise || kind == StageKind::parallel_rating;
 }
 
 int countOf(const Stage& stage, CheckKind kind) {
@@ -36,17 +34,18 @@ int countOf(const Stage& stage, CheckKind kind) {
 /// A study file has been checked when it was read; this keeps a study made by hand from breaking the plan.
 Result<void> checkDesign(const Study& study, const Stage& stage) {
     const TrialDesign& design = stage.design;
-    const std::size_t least = showsSeveral(stage.kind) ? 2 : 1;
+    const StageDeclaration& kind = declarationOf(stage.kind);
+    const auto least = static_cast<std::size_t>(kind.min_stimuli);
     if (design.systems.size() < least)
         return failIn(stage, "systems",
                       fmt::format("found {}, expected at least {}", design.systems.size(), least));
     if (design.layouts.empty()) return failIn(stage, "layouts", "found none, expected at least one");
     if (design.items < 1)
         return failIn(stage, "items", fmt::format("found {}, expected at least 1", design.items));
-    if (stage.kind == StageKind::parallel_rating && design.system_meets != Meeting::crossed)
+    if (kind.arrangement == Arrangement::shuffled && design.system_meets != Meeting::crossed)
         return failIn(stage, "system_meets",
                       "found \"nested\", expected \"crossed\": a page shows all systems");
-    if (stage.kind == StageKind::game && design.distances.empty())
+    if (kind.balls && design.distances.empty())
         return failIn(stage, "distances", "found none, expected at least one");
     for (const std::string& name : design.systems)
         if (study.findSystem(name) == nullptr)
@@ -58,14 +57,13 @@ Result<void> checkDesign(const Study& study, const Stage& stage) {
         if (study.findDistance(name) == nullptr)
             return failIn(stage, "distances",
                           fmt::format("found \"{}\", expected one of [[distances]]", name));
-    const bool scale = stage.kind == StageKind::rating || stage.kind == StageKind::parallel_rating;
     for (const AttentionChecks& check : stage.checks) {
-        if (check.kind == CheckKind::number && !scale)
+        if (check.kind == CheckKind::number && !kind.has("scale"))
             return failIn(
                 stage, "checks.kind",
                 "found \"number\", expected \"repeat\" or \"catch\": there is no scale to give it on");
         if (check.kind != CheckKind::catch_trial) continue;
-        if (stage.kind != StageKind::game)
+        if (!kind.balls)
             return failIn(stage, "checks.kind", "found \"catch\", expected it in a referential game only");
         if (study.findDistance(check.distance) == nullptr)
             return failIn(stage, "checks.distance",
@@ -214,14 +212,9 @@ Trial& addTrial(std::vector<Trial>& trials, const Study& study, const Stage& sta
     trial.target = unit.item->target;
     trial.stimuli.reserve(shown.size());
     for (const int system : shown) trial.stimuli.push_back({design.design.systems[system], unit.item->id});
-    if (design.kind == StageKind::parallel_rating) random.shuffle(std::span<Stimulus>(trial.stimuli));
-    if (design.kind == StageKind::game) {
-        trial.distance = study.distances[unit.band].name;
-        trial.distractors = unit.item->distractors[unit.band];
-        trial.ball_order.resize(trial.distractors.size() + 1);
-        std::iota(trial.ball_order.begin(), trial.ball_order.end(), 0);
-        shuffle(trial.ball_order, random);
-    }
+    const StageDeclaration& kind = declarationOf(design.kind);
+    if (kind.arrangement == Arrangement::shuffled) random.shuffle(std::span<Stimulus>(trial.stimuli));
+    if (kind.balls) drawBalls(trial, study, *unit.item, unit.band, random);
     return trial;
 }
 
@@ -295,9 +288,10 @@ Result<const Stage*> designOf(const Study& study, const Stage& stage) {
 }
 
 ItemNeed itemsNeeded(const Stage& stage, const Stage& design) {
-    const bool placed = design.kind == StageKind::game;
-    if (stage.practice) return {stage.design.items * stage.practice->max_attempts, 0, placed};
-    return {stage.design.items, countOf(stage, CheckKind::catch_trial), placed};
+    const StageDeclaration& kind = declarationOf(design.kind);
+    if (stage.practice)
+        return {stage.design.items * stage.practice->max_attempts, 0, kind.placed, kind.balls};
+    return {stage.design.items, countOf(stage, CheckKind::catch_trial), kind.placed, kind.balls};
 }
 
 Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
@@ -310,7 +304,7 @@ Result<std::vector<Trial>> scoredTrials(const Study& study, const Stage& stage,
     const Result<std::vector<int>> order = orderUnits(stage, levels, units, seed);
     if (!order) return tl::unexpected(order.error());
 
-    const std::vector<char> swapped = stage.kind == StageKind::pairwise
+    const std::vector<char> swapped = declarationOf(stage.kind).arrangement == Arrangement::sides
                                           ? drawSides(units, levels.shown.size(), Random(seed, "sides"))
                                           : std::vector<char>(units.size());
     Random random(seed, "places");
@@ -353,7 +347,7 @@ Result<std::vector<Trial>> practiceTrials(const Study& study, const Stage& stage
             PlannedTrial unit{items[attempt * stage.design.items + i], shown, own[i][0],
                               levels.bands[own[i][1]]};
             std::vector<int> systems = levels.shown[shown];
-            if (design.kind == StageKind::pairwise) shuffle(systems, random);
+            if (declarationOf(design.kind).arrangement == Arrangement::sides) shuffle(systems, random);
             Trial& trial = addTrial(trials, study, stage, design, unit, systems, random);
             trial.practice = true;
             trial.attempt = attempt;

@@ -14,7 +14,8 @@ namespace deixis::studies {
 struct ItemNeed {
     int scored = 0;  ///< items of the design; of practice: of all its attempts
     int catches = 0;
-    bool placed = false;  ///< whether they must have a place in the room: balls are shown
+    bool placed = false;  ///< whether they must have a place in the room
+    bool balls = false;   ///< and distractors
 
     [[nodiscard]] int total() const { return scored + catches; }
 };

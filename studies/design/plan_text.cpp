@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "studies/design/plan.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -167,14 +168,15 @@ std::vector<Stimulus> readStimuli(const Reader& reader, StageKind kind) {
         const Reader one(entry, reader.name(fmt::format("stimuli[{}]", out.size())), several ? 3 : 2);
         out.push_back({one.text("system"), one.text("item"), several ? one.whole("clip", 1, most) : 0});
     }
-    constexpr std::size_t most_on_a_page = 6;
-    const std::size_t n = out.size();
-    if (kind == StageKind::parallel_rating && (n < 2 || n > most_on_a_page))
-        reader.bad("stimuli", json, "2 to 6 stimuli");
-    if (kind == StageKind::pairwise && n != 2) reader.bad("stimuli", json, "two stimuli");
-    if ((kind == StageKind::rating || kind == StageKind::game) && n != 1)
-        reader.bad("stimuli", json, "one stimulus");
-    if (!showsClips(kind) && n != 0) reader.bad("stimuli", json, "no stimuli on a page");
+    const StageDeclaration& declared = declarationOf(kind);
+    const int n = static_cast<int>(out.size());
+    if (n < declared.min_stimuli || n > declared.max_stimuli)
+        reader.bad("stimuli", json,
+                   !declared.showsClips() ? "no stimuli on a page"
+                   : declared.min_stimuli < declared.max_stimuli
+                       ? fmt::format("{} to {} stimuli", declared.min_stimuli, declared.max_stimuli)
+                   : declared.min_stimuli == 1 ? "one stimulus"
+                                               : "two stimuli");
     return out;
 }
 
@@ -256,12 +258,13 @@ Trial readTrial(const Json& json, std::size_t index, const std::vector<std::stri
     if (std::find(stages.begin(), stages.end(), trial.stage) == stages.end())
         reader.bad("stage", reader.get("stage"), "one of the plan's stages");
     const std::optional<StageKind> kind = stageKindFromName(reader.text("kind"));
-    if (!kind || *kind == StageKind::instructions || *kind == StageKind::rest)
+    if (!kind || !declarationOf(*kind).answered)
         reader.bad("kind", reader.get("kind"), "a kind of stage that has answers");
     trial.kind = *kind;
+    const StageDeclaration& declared = declarationOf(*kind);
     trial.practice = reader.boolean("practice");
     trial.attempt = reader.whole("attempt", 0, trial.practice ? most : 0);
-    trial.page = reader.whole("page", 0, trial.kind == StageKind::questionnaire ? most : 0);
+    trial.page = reader.whole("page", 0, declared.in_pages ? most : 0);
     trial.stimuli = readStimuli(reader, trial.kind);
     trial.layout = reader.text("layout");
     trial.distance = reader.text("distance");
@@ -269,13 +272,13 @@ Trial readTrial(const Json& json, std::size_t index, const std::vector<std::stri
     if (!target.is_null()) trial.target = reader.position("target", target);
     for (const Json& distractor : reader.list("distractors"))
         trial.distractors.push_back(reader.position("distractors", distractor));
-    const bool game = trial.kind == StageKind::game;
-    if (game && target.is_null()) reader.bad("target", target, "a position [x, y, z] in a referential game");
-    if (!game && !trial.distance.empty())
+    if (declared.placed && target.is_null())
+        reader.bad("target", target, fmt::format("a position [x, y, z] in a {}", declared.name));
+    if (!declared.balls && !trial.distance.empty())
         reader.bad("distance", reader.get("distance"), "\"\" where no balls are shown");
-    if (!game && !trial.distractors.empty())
+    if (!declared.balls && !trial.distractors.empty())
         reader.bad("distractors", reader.get("distractors"), "none where no balls are shown");
-    trial.ball_order = readBallOrder(reader, game ? trial.distractors.size() + 1 : 0);
+    trial.ball_order = readBallOrder(reader, declared.balls ? trial.distractors.size() + 1 : 0);
     trial.check = readCheck(reader, trial);
     if (seen) trial.seen = readSeen(reader, trial);
     if (angles) trial.angles = readAngles(reader, trial.distractors.size());
@@ -324,7 +327,7 @@ Row tableRow(const Trial& trial) {
         role = checkKindName(trial.check->kind);
     else if (!trial.stimuli.empty())
         role = "scored";
-    if (trial.kind == StageKind::questionnaire) role = fmt::format("page {}", trial.page + 1);
+    if (declarationOf(trial.kind).in_pages) role = fmt::format("page {}", trial.page + 1);
 
     std::string shown;
     if (const int place = trial.targetPlace(); place >= 0)

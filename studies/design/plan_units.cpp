@@ -5,6 +5,7 @@
 #include <span>
 
 #include "plan_levels.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -62,19 +63,10 @@ void setBlocks(std::vector<PlannedTrial>& units, const TrialDesign& design, cons
 
 DesignLevels levelsOf(const Study& study, const Stage& design) {
     DesignLevels out;
-    const int systems = static_cast<int>(design.design.systems.size());
-    if (design.kind == StageKind::parallel_rating) out.shown.emplace_back();
-    for (int i = 0; i < systems; ++i) {
-        if (design.kind == StageKind::parallel_rating) {
-            out.shown.front().push_back(i);
-        } else if (design.kind == StageKind::pairwise) {
-            for (int j = i + 1; j < systems; ++j) out.shown.push_back({i, j});
-        } else {
-            out.shown.push_back({i});
-        }
-    }
+    const StageDeclaration& kind = declarationOf(design.kind);
+    out.shown = kind.shown(static_cast<int>(design.design.systems.size()));
     out.layouts = static_cast<int>(design.design.layouts.size());
-    if (design.kind == StageKind::game)
+    if (kind.balls)
         for (const std::string& name : design.design.distances) out.bands.push_back(bandIndex(study, name));
     else
         out.bands = {-1};

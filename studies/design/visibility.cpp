@@ -7,6 +7,7 @@
 
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/pointing/pointing.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -52,7 +53,7 @@ Vec3 eyesAt(const Study& study, const Layout& layout, Standing standing) {
 std::vector<Viewpoint> viewpoints(const Study& study) {
     std::set<std::string> used;
     for (const Stage& stage : study.stages)
-        if (stage.kind == StageKind::game)
+        if (declarationOf(stage.kind).balls)
             used.insert(stage.design.layouts.begin(), stage.design.layouts.end());
     std::vector<Viewpoint> out;
     for (const Layout& layout : study.layouts) {

@@ -7,6 +7,7 @@
 
 #include "ball_met.hpp"
 #include "session_avatar.hpp"
+#include "studies/study_file/stage_kind.hpp"
 #include "studies/study_file/standing.hpp"
 
 namespace deixis::studies {
@@ -65,6 +66,10 @@ std::size_t pointingHand(const RecordedTrial& recorded) {
     return best;
 }
 
+bool showsPair(const Trial& trial) {
+    return declarationOf(trial.kind).arrangement == Arrangement::sides;
+}
+
 std::vector<BallView> ballsOf(const RecordedTrial& recorded) {
     std::vector<BallView> balls;
     for (int place = 0; place < static_cast<int>(recorded.trial.ball_order.size()); ++place)
@@ -91,7 +96,7 @@ TrialReplay::TrialReplay(const RecordedTrial& recorded, const ClipSource& clips,
 }
 
 std::vector<Pose> TrialReplay::joints(double time_s, int avatar_place) const {
-    const bool pair = recorded_.trial.kind == StageKind::pairwise;
+    const bool pair = showsPair(recorded_.trial);
     AvatarPoser poser(avatar_, idle_);
     if (pair) poser.standAt(pairPlaces(viewerPose(recorded_.layout))[static_cast<std::size_t>(avatar_place)]);
     const RecordedPlay* playing = nullptr;
@@ -125,7 +130,7 @@ PresentedFrame TrialReplay::at(double time_s) const {
     frame.viewer_place = recorded_.layout.name;
     frame.stage_from_viewer = viewerPose(recorded_.layout);
     frame.avatar_joints = joints(time_s, 0);
-    if (recorded_.trial.kind == StageKind::pairwise) frame.right_avatar_joints = joints(time_s, 1);
+    if (showsPair(recorded_.trial)) frame.right_avatar_joints = joints(time_s, 1);
     const auto pointed = pointer(time_s);
     const bool open = time_s >= recorded_.open_s;
     const bool answered = time_s >= recorded_.answered_s;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "session_state.hpp"
+#include "studies/study_file/stage_kind.hpp"
 #include "studies/study_file/standing.hpp"
 
 namespace deixis::studies {
@@ -14,9 +15,9 @@ namespace {
 
 constexpr double patience_with_disk_s = 1.5;
 
-/// Of the game only an answer that hit the target is correct; elsewhere there is nothing to get wrong.
+/// Where nothing can be got wrong every answer is correct.
 bool countsAsCorrect(const Trial& trial, const Response& response) {
-    return trial.kind != StageKind::game || response.correct;
+    return !declarationOf(trial.kind).right_or_wrong || response.correct;
 }
 
 std::string practiceFailed(const Stage& practice) {
@@ -124,7 +125,7 @@ void SessionRunner::State::keepAnswer(Response response) {
     if (failed_practice != nullptr) exclude(response, practiceFailed(*failed_practice));
     core.events.push_back(response);
 
-    if (trial.kind == StageKind::consent && response.answers.front().value == 0.0)
+    if (declarationOf(trial.kind).asks_consent && response.answers.front().value == 0.0)
         course.close(SessionOutcome::declined);
     if (failed) core.note("check_failed", check->what);
     if (rule == CheckRule::warn) course.warn();

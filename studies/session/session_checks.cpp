@@ -4,56 +4,41 @@
 
 #include <cmath>
 
+#include "session_unit.hpp"
+
 namespace deixis::studies {
 
 namespace {
 
 constexpr double rounding = 1e-9;
 
-std::optional<double> valueOf(const Response& response, const char* question, int stimulus) {
+}  // namespace
+
+std::optional<double> GivenAnswer::value(std::string_view question, int stimulus) const {
     for (const Answer& answer : response.answers)
         if (answer.question == question && answer.stimulus == stimulus) return answer.value;
     return std::nullopt;
 }
 
-/// Which ball was chosen, whatever its place.
-int ballOf(const Trial& trial, const Response& response) {
-    if (response.chosen_place < 0) return -1;
-    return trial.ball_order.at(static_cast<std::size_t>(response.chosen_place));
-}
-
-CheckResult compared(double first, double now, double tolerance) {
+CheckResult compareNumbers(double first, double now, double tolerance) {
     return {std::abs(now - first) <= tolerance + rounding,
             fmt::format("repeat: {} first, {} now", first, now)};
 }
 
-/// Ratings and preferences of a repeat against those of the first time; the stimuli may stand elsewhere.
-CheckResult compare(const Trial& trial, const Response& now, const Trial& first_trial, const Response& first,
-                    double tolerance) {
-    if (trial.kind == StageKind::game) {
-        const int before = ballOf(first_trial, first);
-        const int again = ballOf(trial, now);
-        return {before == again, fmt::format("repeat: ball {} first, {} now", before, again)};
-    }
-    if (trial.kind == StageKind::pairwise) {
-        const bool swapped = trial.stimuli != first_trial.stimuli;
-        const double before = valueOf(first, "preference", -1).value_or(0.0);
-        return compared(swapped ? -before : before, valueOf(now, "preference", -1).value_or(0.0), tolerance);
-    }
+CheckResult compareEach(std::string_view question, const GivenAnswer& first, const GivenAnswer& now,
+                        double tolerance) {
     CheckResult result;
-    for (std::size_t i = 0; i < trial.stimuli.size(); ++i)
-        for (std::size_t j = 0; j < first_trial.stimuli.size(); ++j) {
-            if (trial.stimuli[i] != first_trial.stimuli[j]) continue;
-            const auto again = valueOf(now, "rating", static_cast<int>(i));
-            const auto before = valueOf(first, "rating", static_cast<int>(j));
+    for (std::size_t i = 0; i < now.trial.stimuli.size(); ++i)
+        for (std::size_t j = 0; j < first.trial.stimuli.size(); ++j) {
+            if (now.trial.stimuli[i] != first.trial.stimuli[j]) continue;
+            const auto again = now.value(question, static_cast<int>(i));
+            const auto before = first.value(question, static_cast<int>(j));
             if (!again || !before) continue;
-            CheckResult one = compared(*before, *again, tolerance);
+            CheckResult one = compareNumbers(*before, *again, tolerance);
             if (result.passed) result = std::move(one);
         }
     return result;
 }
-
-}  // namespace
 
 CheckJudge::CheckJudge(const Study& study, const StudyPlan& plan, const Resume& resume)
     : study_(study), plan_(plan), earlier_failures_(resume.check_failures) {
@@ -80,7 +65,7 @@ std::optional<CheckResult> CheckJudge::judge(const Response& response) const {
     const double expected = trial.check->expected;
     switch (trial.check->kind) {
         case CheckKind::number: {
-            const auto given = valueOf(response, "rating", trial.check->stimulus);
+            const auto given = GivenAnswer{trial, response}.value("rating", trial.check->stimulus);
             if (!given) return std::nullopt;
             return CheckResult{std::abs(*given - expected) <= tolerance + rounding,
                                fmt::format("number: {} expected, {} given", expected, *given)};
@@ -92,8 +77,9 @@ std::optional<CheckResult> CheckJudge::judge(const Response& response) const {
             const bool comparable = first != kept_.end() &&
                                     first->second.status == ResponseStatus::answered &&
                                     response.status == ResponseStatus::answered;
-            if (!comparable) return std::nullopt;
-            return compare(trial, response, trialOf(trial.check->of_trial), first->second, tolerance);
+            if (!comparable || unitOf(trial.kind).compare == nullptr) return std::nullopt;
+            return unitOf(trial.kind)
+                .compare({trialOf(trial.check->of_trial), first->second}, {trial, response}, tolerance);
         }
     }
     return std::nullopt;

@@ -16,6 +16,22 @@ struct CheckResult {
     std::string what{};  ///< "number: 73 expected, 50 given"
 };
 
+/// A trial with its answer.
+struct GivenAnswer {
+    const Trial& trial;
+    const Response& response;
+
+    /// Of a question (about a stimulus; -1: about none); none where it was not given.
+    [[nodiscard]] std::optional<double> value(std::string_view question, int stimulus = -1) const;
+};
+
+/// Two answers with a number, against a tolerance.
+[[nodiscard]] CheckResult compareNumbers(double first, double now, double tolerance);
+/// Every stimulus's answer to a question against that of the first time, wherever the stimulus stood: the
+/// first that differs.
+[[nodiscard]] CheckResult compareEach(std::string_view question, const GivenAnswer& first,
+                                      const GivenAnswer& now, double tolerance);
+
 class CheckJudge {
   public:
     /// Study and plan must outlive it.

@@ -5,10 +5,6 @@
 namespace deixis::studies {
 
 void ComparePage::enter(const InputFrame& input, bool /*moved*/) {
-    if (trial_.kind == StageKind::pairwise)
-        core_.standAsPair();
-    else
-        core_.standAlone();
     core_.poser.blendTo(core_.idle, core_.now.time_s);
     core_.right_poser.blendTo(core_.idle, core_.now.time_s);
     for (std::size_t i = 0; i < trial_.stimuli.size(); ++i) {

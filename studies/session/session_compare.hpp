@@ -15,7 +15,7 @@ namespace deixis::studies {
 class ComparePage : public TrialUnit {
   public:
     ComparePage(SessionCore& core, const CourseItem& item) : TrialUnit(core, item) {}
-    void enter(const InputFrame& input, bool moved) override;
+    void enter(const InputFrame& input, bool moved) override;  ///< once the avatars stand
     void step(const InputFrame& input) override;
     void shown(std::uint64_t frame, const Moment& at) override;
     void resume(const InputFrame& input, double away_s) override;

@@ -7,12 +7,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include "studies/study_file/stage_kind.hpp"
+
 namespace deixis::studies {
 
 namespace {
 
 bool isPage(const Stage& stage) {
-    return stage.kind == StageKind::instructions || stage.kind == StageKind::rest;
+    return !declarationOf(stage.kind).answered;
 }
 
 const Stage& stageOf(const Study& study, std::string_view name) {
@@ -216,7 +218,7 @@ std::vector<const Stage*> Course::pagesFor(const Trial& trial) const {
         pages.insert(pages.begin(), more.begin(), more.end());
     }
     pages.erase(std::remove_if(pages.begin(), pages.end(),
-                               [](const Stage* page) { return page->kind == StageKind::rest; }),
+                               [](const Stage* page) { return declarationOf(page->kind).is_break; }),
                 pages.end());
     return pages;
 }
@@ -247,7 +249,7 @@ std::optional<CoursePage> Course::pageFor(const Trial& trial) const {
 
 CoursePage Course::stagePage(const Stage& stage, bool last) const {
     const LanguageTable& words = study_.words;
-    const bool rest = stage.kind == StageKind::rest;
+    const bool rest = declarationOf(stage.kind).is_break;
     std::string otherwise = words(rest ? "break_title" : last ? "thank_you_title" : "instructions_title");
     if (!rest && !last && &stage == stages_.front() && !study_.title.empty()) otherwise = study_.title;
     auto [title, body] = titledText(rest && stage.text.empty() ? words("break_text") : stage.text, otherwise);
@@ -336,7 +338,7 @@ std::optional<CourseItem> Course::next() {
     }
     if (trial == nullptr) return closingItem();
     // A consent that is asked anew comes before all else.
-    const bool consent = trial->kind == StageKind::consent;
+    const bool consent = declarationOf(trial->kind).asks_consent;
     if (welcomes_back_ && !consent && unread(std::string(presentedStateName(PresentedState::welcome_back))))
         return pageItem(welcomeBack(*trial), nullptr, trial);
     for (const Stage* page : pagesFor(*trial))

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "session_state.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
@@ -47,7 +48,8 @@ void SessionRunner::State::obey(const InputFrame& input, const OperatorCommand& 
 /// Right away, unless a clip of the next trial has been seen: then after it.
 void SessionRunner::State::repeatLast(const InputFrame& input, const std::string& reason) {
     const bool consent =
-        last_answered && plan.trials[static_cast<std::size_t>(*last_answered)].kind == StageKind::consent;
+        last_answered &&
+        declarationOf(plan.trials[static_cast<std::size_t>(*last_answered)].kind).asks_consent;
     if (!last_answered || consent || course.closingEarly()) {
         core.note("operator_repeat", "nothing to repeat");
         return;

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "studies/study_file/stage_kind.hpp"
+
 namespace deixis::studies {
 
 TrialUnit::TrialUnit(SessionCore& core, const CourseItem& item)
@@ -13,7 +15,7 @@ TrialUnit::TrialUnit(SessionCore& core, const CourseItem& item)
 }
 
 void TrialUnit::showState(PresentedState state) {
-    core_.view.show(state, trial_.kind == StageKind::game);
+    core_.view.show(state, declarationOf(trial_.kind).placed);
 }
 
 bool TrialUnit::checked(int i) const {
@@ -61,27 +63,19 @@ bool TrialUnit::skip(const InputFrame& input, const std::string& reason) {
     return true;
 }
 
+#define DEIXIS_KIND(name) extern const UnitDeclaration name##_unit;
+DEIXIS_STAGE_KINDS(DEIXIS_KIND)
+#undef DEIXIS_KIND
+
+const UnitDeclaration& unitOf(StageKind kind) {
+#define DEIXIS_KIND(name) &name##_unit,
+    constexpr const UnitDeclaration* units[] = {DEIXIS_STAGE_KINDS(DEIXIS_KIND)};
+#undef DEIXIS_KIND
+    return *units[static_cast<std::size_t>(kind)];
+}
+
 std::unique_ptr<Unit> makeUnit(SessionCore& core, const CourseItem& item) {
-    if (item.trial == nullptr) return makePage(core, item);
-    switch (item.trial->kind) {
-        case StageKind::instructions:
-        case StageKind::rest:
-            break;
-        case StageKind::consent:
-            return makeConsent(core, item);
-        case StageKind::questionnaire:
-            return makeQuestionnaire(core, item);
-        case StageKind::rating:
-            return makeRating(core, item);
-        case StageKind::parallel_rating:
-            return makeParallelRating(core, item);
-        case StageKind::pairwise:
-            return makePairwise(core, item);
-        case StageKind::game:
-            return makeGame(core, item);
-    }
-    throw std::invalid_argument(
-        fmt::format("trial {} of the plan is of a kind that is not answered", item.trial->index));
+    return item.trial == nullptr ? makePage(core, item) : unitOf(item.trial->kind).make(core, item);
 }
 
 }  // namespace deixis::studies

@@ -1,5 +1,5 @@
 // One thing that a session goes through, while it is under way: a page, or a trial of one of the kinds. Each
-// kind stands in a file of its own; the conductor (session.cpp) knows only what is declared here.
+// kind stands in a folder of studies/trials; the conductor (session.cpp) knows only what is declared here.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "session_checks.hpp"
 #include "session_core.hpp"
 #include "session_course.hpp"
 
@@ -76,13 +77,20 @@ class TrialUnit : public Unit {
     void complete();
 };
 
+/// A page that is only read.
 [[nodiscard]] std::unique_ptr<Unit> makePage(SessionCore& core, const CourseItem& item);
-[[nodiscard]] std::unique_ptr<Unit> makeConsent(SessionCore& core, const CourseItem& item);
-[[nodiscard]] std::unique_ptr<Unit> makeQuestionnaire(SessionCore& core, const CourseItem& item);
-[[nodiscard]] std::unique_ptr<Unit> makeRating(SessionCore& core, const CourseItem& item);
-[[nodiscard]] std::unique_ptr<Unit> makeGame(SessionCore& core, const CourseItem& item);
-[[nodiscard]] std::unique_ptr<Unit> makeParallelRating(SessionCore& core, const CourseItem& item);
-[[nodiscard]] std::unique_ptr<Unit> makePairwise(SessionCore& core, const CourseItem& item);
+
+/// How a kind is presented and answered; each declares it in studies/trials/KIND/unit.cpp.
+struct UnitDeclaration {
+    std::unique_ptr<Unit> (*make)(SessionCore& core, const CourseItem& item);
+    /// Whether the answer to a repeated trial is that of the first time, for kinds that may be repeated.
+    CheckResult (*compare)(const GivenAnswer& first, const GivenAnswer& now, double tolerance) = nullptr;
+};
+template <typename UnitOfKind>
+[[nodiscard]] std::unique_ptr<Unit> makeUnitOf(SessionCore& core, const CourseItem& item) {
+    return std::make_unique<UnitOfKind>(core, item);
+}
+[[nodiscard]] const UnitDeclaration& unitOf(StageKind kind);
 /// The one that the item asks for.
 [[nodiscard]] std::unique_ptr<Unit> makeUnit(SessionCore& core, const CourseItem& item);
 

@@ -145,18 +145,17 @@ AssumedAnswers::AssumedAnswers(const Study& study, const AssumedEffects& effects
                                  : AnswerCurve::scale(asked.low, asked.high)});
         planned_.push_back({participant, place, &trial, stimulus});
     };
+    std::map<const Stage*, std::vector<AskedMeasure>> asked_in;
+    for (const Stage& stage : study.stages) asked_in[&stage] = measuresOf(study, stage);
     for (std::size_t p = 0; p < plans.size(); ++p)
         for (const Trial& trial : plans[p].trials) {
             const Stage* stage = study.findStage(trial.stage);
             if (stage == nullptr || trial.stimuli.empty()) continue;
-            if (trial.kind == StageKind::game && trial.scored()) {
-                add(p, "accuracy", trial, 0);
-                if (stage->confidence) add(p, "confidence", trial, 0);
-            } else if (trial.kind == StageKind::pairwise && trial.scored()) {
-                add(p, "preference", trial, 0);
-            } else if (trial.kind == StageKind::rating || trial.kind == StageKind::parallel_rating) {
-                for (std::size_t i = 0; i < trial.stimuli.size(); ++i)
-                    if (trial.scored(static_cast<int>(i))) add(p, stage->measure, trial, i);
+            const std::size_t answered =
+                declarationOf(trial.kind).answersEach() ? trial.stimuli.size() : std::size_t{1};
+            for (std::size_t i = 0; i < answered; ++i) {
+                if (!trial.scored(static_cast<int>(i))) continue;
+                for (const AskedMeasure& asked : asked_in.at(stage)) add(p, asked.name, trial, i);
             }
         }
     items_ = items.size();

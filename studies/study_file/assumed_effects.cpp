@@ -34,13 +34,11 @@ std::vector<std::string_view> namesUsed(const Study& study, AskedKind kind, cons
     std::set<std::string_view> used;
     for (const Stage& stage : study.stages) {
         if (!stage.scored()) continue;
-        const bool game = stage.kind == StageKind::game;
-        const bool rating = stage.kind == StageKind::rating || stage.kind == StageKind::parallel_rating;
-        const bool of_kind = kind == AskedKind::accuracy ? game
-                             : kind == AskedKind::preference
-                                 ? stage.kind == StageKind::pairwise
-                                 : (rating && stage.measure == measure) || (game && measure == "confidence");
-        if (!of_kind) continue;
+        const std::vector<AskedMeasure> asked = measuresOf(study, stage);
+        if (std::none_of(asked.begin(), asked.end(), [&](const AskedMeasure& one) {
+                return one.kind == kind && (kind != AskedKind::rating || one.name == measure);
+            }))
+            continue;
         const auto& names = factor == NamedFactor::system   ? stage.design.systems
                             : factor == NamedFactor::layout ? stage.design.layouts
                                                             : stage.design.distances;
@@ -155,6 +153,32 @@ std::string spreadToml(const AssumedSpread& spread) {
 
 }  // namespace
 
+std::vector<AskedMeasure> measuresOf(const Study& study, const Stage& stage) {
+    const StageDeclaration& kind = declarationOf(stage.kind);
+    std::vector<AskedMeasure> out;
+    const auto questions =
+        kind.questions != nullptr ? kind.questions(stage, LanguageTable::english()) : std::vector<Question>{};
+    for (const DeclaredMeasure& measure : kind.measures) {
+        AskedMeasure asked{std::string(measure.name.empty() ? stage.measure : measure.name), measure.kind};
+        if (measure.question.empty()) {
+            asked.balls = 1;
+            for (const std::string& name : stage.design.distances)
+                if (const DistanceBand* band = study.findDistance(name))
+                    asked.balls = std::max(asked.balls, band->distractors + 1);
+            out.push_back(std::move(asked));
+            continue;
+        }
+        const auto question = std::find_if(questions.begin(), questions.end(),
+                                           [&](const Question& one) { return one.id == measure.question; });
+        if (question == questions.end()) continue;
+        const bool scale = question->kind == QuestionKind::scale;
+        asked.low = scale ? question->scale.low : static_cast<int>(question->low);
+        asked.high = scale ? question->scale.high : static_cast<int>(question->high);
+        out.push_back(std::move(asked));
+    }
+    return out;
+}
+
 std::vector<AskedMeasure> askedMeasures(const Study& study) {
     std::vector<AskedMeasure> out;
     const auto add = [&](const AskedMeasure& measure) {
@@ -168,23 +192,11 @@ std::vector<AskedMeasure> askedMeasures(const Study& study) {
         same->high = std::max(same->high, measure.high);
         same->balls = std::max(same->balls, measure.balls);
     };
-    for (const Stage& stage : study.stages) {
-        if (!stage.scored() || stage.kind != StageKind::game) continue;
-        int balls = 1;
-        for (const std::string& name : stage.design.distances)
-            if (const DistanceBand* band = study.findDistance(name))
-                balls = std::max(balls, band->distractors + 1);
-        add({"accuracy", AskedKind::accuracy, 0, 1, balls});
-    }
-    for (const Stage& stage : study.stages) {
-        if (!stage.scored()) continue;
-        if (stage.kind == StageKind::pairwise)
-            add({"preference", AskedKind::preference, -2, 2});
-        else if (stage.kind != StageKind::game)
-            add({stage.measure, AskedKind::rating, stage.scale.low, stage.scale.high});
-        else if (stage.confidence)
-            add({"confidence", AskedKind::rating, stage.confidence->scale.low, stage.confidence->scale.high});
-    }
+    for (const bool choices : {true, false})
+        for (const Stage& stage : study.stages)
+            if (stage.scored())
+                for (const AskedMeasure& measure : measuresOf(study, stage))
+                    if ((measure.kind == AskedKind::accuracy) == choices) add(measure);
     return out;
 }
 

@@ -144,9 +144,10 @@ void foresee(StudyReader& reader) {
         const toml::table* table = node.as_table();
         const std::optional<std::string_view> name =
             table != nullptr ? (*table)["kind"].value<std::string_view>() : std::nullopt;
-        const std::optional<StageKind> kind = stageKindFromName(name.value_or(""));
-        reader.shows_clips = reader.shows_clips || (kind && showsClips(*kind));
-        reader.has_game = reader.has_game || kind == StageKind::game;
+        const StageDeclaration* kind = findDeclaration(name.value_or(""));
+        if (kind == nullptr) continue;
+        reader.shows_clips = reader.shows_clips || kind->showsClips();
+        reader.shows_balls = reader.shows_balls || kind->balls;
     }
 }
 
@@ -191,21 +192,6 @@ const SystemSource* Study::findSystem(std::string_view wanted) const {
 }
 const Stage* Study::findStage(std::string_view wanted) const {
     return findNamed(stages, wanted);
-}
-
-std::string_view stageKindName(StageKind kind) {
-    return kind_names[static_cast<std::size_t>(kind)];
-}
-
-std::optional<StageKind> stageKindFromName(std::string_view name) {
-    for (std::size_t i = 0; i < practice_kind; ++i)
-        if (kind_names[i] == name) return static_cast<StageKind>(i);
-    return {};
-}
-
-bool showsClips(StageKind kind) {
-    return kind == StageKind::rating || kind == StageKind::parallel_rating || kind == StageKind::pairwise ||
-           kind == StageKind::game;
 }
 
 std::string_view checkKindName(CheckKind kind) {

@@ -10,7 +10,7 @@ namespace deixis::studies {
 namespace {
 
 bool hasTrials(const StageEntry& entry) {
-    return entry.kind < practice_kind && showsClips(static_cast<StageKind>(entry.kind));
+    return entry.kind != nullptr && entry.kind->showsClips();
 }
 
 /// A practice stage is as the one that it practises, but for what its own table says.
@@ -25,7 +25,7 @@ Stage practiceOf(const Stage& of, const Stage& own, TomlTable& table) {
     stage.break_every = 0;
     stage.break_text.clear();
     stage.break_minimum_s = 0.0;
-    if (of.kind == StageKind::game) stage.feedback = table.flag("feedback", of.feedback);
+    if (declarationOf(of.kind).has("feedback")) stage.feedback = table.flag("feedback", of.feedback);
     return stage;
 }
 
@@ -54,12 +54,12 @@ void finishPractice(StageEntry& entry, const std::deque<StageEntry>& stages) {
                       known.empty() ? "" : proposeName(entry.stage.practice->of, known));
         return;
     }
-    if (of->stage.kind != StageKind::game) {
+    if (!of->kind->right_or_wrong) {
         for (const std::string_view key : {"criterion", "max_attempts", "end_if_failed", "again_text"})
             table.refuse(key,
                          fmt::format("in practice of a stage of kind \"{}\", whose answers are neither right "
                                      "nor wrong",
-                                     kind_names[of->kind]));
+                                     of->kind->name));
         table.refuse("feedback", "in practice of a stage that is no game");
     }
     if (table.sound("when"))
@@ -157,7 +157,7 @@ void checkEnoughTargets(StudyReader& reader, const std::deque<StageEntry>& stage
 
 void finishStages(StudyReader& reader, std::deque<StageEntry>& stages) {
     for (StageEntry& entry : stages)
-        if (entry.kind == practice_kind) finishPractice(entry, stages);
+        if (entry.stage.practice) finishPractice(entry, stages);
     checkFields(stages);
     checkEnoughTargets(reader, stages);
 }

@@ -131,7 +131,7 @@ void checkLevels(std::vector<TomlTable>& tables, const std::vector<SystemSource>
 
 void readDistances(StudyReader& reader) {
     const double ball_m = reader.study.targets.ball_diameter_m;
-    readNamed(reader, "distances", reader.has_game, keys::distances, reader.study.distances,
+    readNamed(reader, "distances", reader.shows_balls, keys::distances, reader.study.distances,
               [&](TomlTable& table, const std::string& name) {
                   const Range range = asRange(table.range("distance_m", 0.01, 10.0));
                   if (table.sound("distance_m") && range.low < ball_m)
@@ -251,20 +251,20 @@ void readTargets(StudyReader& reader) {
     if (!table.faulty("ball_diameter_m")) space.ball_diameter_m = ball_m;
     constexpr std::string_view visibilities[] = {"clear", "any"};
     space.clear_view = table.choice("visibility", visibilities, false).value_or(0) == 0;
-    if (!reader.has_game) table.refuse("visibility", "since no game shows balls");
+    if (!reader.shows_balls) table.refuse("visibility", "since no game shows balls");
     if (table.has("from_manifest")) {
         space.count = 0;
         space.from_manifest = readPath(table, "from_manifest", reader.folder);
         reader.keepPlace("targets.from_manifest", table, "from_manifest");
         table.refuse("count", "together with from_manifest, which gives the items");
-        if (!reader.has_game)
+        if (!reader.shows_balls)
             for (const std::string_view key : {"height_m", "arc_deg", "radius_m", "fit_manifest"})
                 table.refuse(key, "together with from_manifest, since no game draws distractors");
     } else {
         space.count = table.count("count", 1, 10000);
         if (table.faulty("count")) space.count = 0;  // asks no more of it
     }
-    if (reader.has_game || !table.has("from_manifest")) readRanges(table, reader);
+    if (reader.shows_balls || !table.has("from_manifest")) readRanges(table, reader);
 }
 
 void readHeadset(StudyReader& reader) {

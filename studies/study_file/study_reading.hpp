@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/study_file/study.hpp"
+#include "studies/study_file/stage_kind.hpp"
 #include "studies/texts/study_texts.hpp"
 #include "studies/texts/toml_table.hpp"
 #include "study_vocabulary.hpp"
@@ -36,7 +36,7 @@ struct StudyReader {
     Problems& problems;
     Study& study;
     bool shows_clips = false;  ///< any stage of the file
-    bool has_game = false;
+    bool shows_balls = false;
     std::string questionnaire_bytes{};  ///< of the files named, each once, in order
 
     /// Keeps where the study file has `key` of `table`, for Study::places.
@@ -58,15 +58,25 @@ void readAnalysis(StudyReader& reader);
 /// A stage as read so far, with its table for what can be checked only when all are read.
 struct StageEntry {
     TomlTable table;
-    std::size_t kind;  ///< place in kind_names, or their number where the kind is wrong
+    const StageDeclaration* kind;  ///< null: practice, or a kind that there is not
+    bool known;                    ///< the kind
     Stage stage{};
+};
+
+/// What a kind reads its stages from, beside their own tables.
+struct StageReading {
+    StudyReader& reader;
+    std::map<std::string, Questionnaire> questionnaires{};  ///< that were read, by name
 };
 
 // study_stages.cpp
 /// Fills in all that a stage's own table tells.
 [[nodiscard]] std::deque<StageEntry> readStages(StudyReader& reader);
 // study_trials.cpp
-void readTrials(TomlTable& table, const Study& study, Stage& stage);
+/// What all kinds have that show clips: those keys that the stage's kind has.
+void readTrials(TomlTable& table, StageReading& reading, Stage& stage);
+/// Trials of one stimulus: each system is a level.
+[[nodiscard]] std::vector<std::vector<int>> eachByItself(int systems);
 /// How many trials a participant has in a stage that is no practice, checks left aside.
 [[nodiscard]] long long trialsOf(const Stage& stage);
 

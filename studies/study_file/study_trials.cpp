@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <glm/geometric.hpp>
 
-#include "studies/study_file/standing.hpp"
+#include "studies/study_file/assumed_effects.hpp"
 #include "study_reading.hpp"
 
 namespace deixis::studies {
@@ -24,34 +23,6 @@ void readSystemsOf(TomlTable& table, const Study& study, Stage& stage) {
     std::vector<std::string>& systems = stage.design.systems;
     systems = table.namesOf("systems", known, "[[systems]]", false);
     if (!table.has("systems")) systems.assign(known.begin(), known.end());
-    if (table.faulty("systems") || systems.empty()) return;
-    if (stage.kind == StageKind::pairwise && systems.size() < 2)
-        table.problem("systems", "found 1 system, expected 2 or more: a pair has two");
-    constexpr std::size_t most = 6;
-    if (stage.kind == StageKind::parallel_rating && (systems.size() < 2 || systems.size() > most))
-        table.problem("systems", fmt::format("found {} system{}, expected 2 to {}: they stand on one page",
-                                             systems.size(), systems.size() == 1 ? "" : "s", most));
-}
-
-/// A pair stands to either side of the line of sight: none of the two on the participant's place.
-void checkRoomForPair(TomlTable& table, const Study& study, const std::vector<std::string>& layouts) {
-    constexpr double least_m = 1.0;
-    for (const std::string& name : layouts) {
-        const Layout* layout = study.findLayout(name);
-        if (layout == nullptr || table.faulty("layouts")) continue;
-        for (const Standing standing : {Standing::headset, Standing::desktop}) {
-            const Pose viewer = viewerPose(viewerPlace(*layout, standing));
-            for (const Vec3& place : pairPlaces(viewer))
-                if (const double away_m = glm::length(place - viewer.position); away_m < least_m) {
-                    table.problem(
-                        "layouts",
-                        fmt::format("found \"{}\", where one avatar of a pair would stand {:.2f} m from the "
-                                    "participant; expected a layout with at least {} m",
-                                    name, away_m, least_m));
-                    return;
-                }
-        }
-    }
 }
 
 std::size_t levelsOf(const TrialDesign& design, std::string_view factor) {
@@ -61,9 +32,9 @@ std::size_t levelsOf(const TrialDesign& design, std::string_view factor) {
 
 void readBlocks(TomlTable& table, Stage& stage) {
     std::vector<std::string_view> factors{"layout"};
-    if (stageHasKey(static_cast<std::size_t>(stage.kind), "max_run_of_system"))
-        factors.insert(factors.begin(), "system");
-    if (stage.kind == StageKind::game) factors.push_back("distance");
+    const StageDeclaration& kind = declarationOf(stage.kind);
+    if (kind.has("max_run_of_system")) factors.insert(factors.begin(), "system");
+    if (kind.balls) factors.push_back("distance");
     TrialDesign& design = stage.design;
     if (const std::optional<std::size_t> found = table.choice("block_by", factors, false)) {
         design.block_by = factors[*found];
@@ -110,11 +81,11 @@ void readDesign(TomlTable& table, const Study& study, Stage& stage) {
     design.items = table.count("items", 1, 10000);
     readSystemsOf(table, study, stage);
     design.layouts = table.namesOf("layouts", namesIn(study.layouts), "[[layouts]]", true);
-    if (stage.kind == StageKind::pairwise) checkRoomForPair(table, study, design.layouts);
+    const StageDeclaration& kind = declarationOf(stage.kind);
+    if (kind.checkLevels != nullptr) kind.checkLevels(table, study, stage);
     design.layout_meets = readMeeting(table, "layout_meets", Meeting::nested);
-    if (stage.kind != StageKind::parallel_rating)
-        design.system_meets = readMeeting(table, "system_meets", Meeting::crossed);
-    if (stage.kind == StageKind::game) {
+    if (kind.has("system_meets")) design.system_meets = readMeeting(table, "system_meets", Meeting::crossed);
+    if (kind.balls) {
         design.distances = table.namesOf("distances", namesIn(study.distances), "[[distances]]", true);
         design.distance_meets = readMeeting(table, "distance_meets", Meeting::nested);
     }
@@ -133,22 +104,14 @@ void readBreaks(TomlTable& table, Stage& stage) {
     }
 }
 
-/// The kinds of checks that a stage may have.
-std::vector<std::string_view> checksOf(StageKind kind) {
-    switch (kind) {
-        case StageKind::rating:
-        case StageKind::parallel_rating:
-            return {"number", "repeat"};
-        case StageKind::pairwise:
-            return {"repeat"};
-        default:
-            return {"catch"};
-    }
+/// How far two answers to a trial can be apart.
+double widestDifference(const Study& study, const Stage& stage) {
+    const std::vector<AskedMeasure> asked = measuresOf(study, stage);
+    return asked.empty() ? 0.0 : std::abs(asked.front().high - asked.front().low);
 }
 
 AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& stage, long long trials) {
     AttentionChecks checks;
-    constexpr std::string_view all[] = {"number", "catch", "repeat"};
     checks.count = table.count("count", 1, 100, checks.count);
     constexpr std::string_view rules[] = {"note", "warn", "exclude", "end"};
     checks.rule = static_cast<CheckRule>(table.choice("rule", rules, false).value_or(0));
@@ -161,10 +124,11 @@ AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& sta
                       fmt::format("found {}, expected at most count ({}): the rule would never hold",
                                   checks.after_failures, checks.count));
 
-    const std::vector<std::string_view> possible = checksOf(stage.kind);
+    std::vector<std::string_view> possible;
+    for (const CheckKind kind : declarationOf(stage.kind).checks) possible.push_back(checkKindName(kind));
     const std::optional<std::size_t> kind = table.choice("kind", possible, true);
     if (!kind) return checks;
-    checks.kind = static_cast<CheckKind>(std::find(std::begin(all), std::end(all), possible[*kind]) - all);
+    checks.kind = declarationOf(stage.kind).checks[*kind];
     if (checks.kind == CheckKind::catch_trial) {
         table.refuse("tolerance", "with a catch trial");
         checks.distance = table.name("distance");
@@ -173,9 +137,7 @@ AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& sta
         return checks;
     }
     table.refuse("distance", "with a check that is no catch trial");
-    const double widest =
-        stage.kind == StageKind::pairwise ? 4.0 : std::abs(stage.scale.high - stage.scale.low);
-    checks.tolerance = table.number("tolerance", 0.0, widest, 0.0);
+    checks.tolerance = table.number("tolerance", 0.0, widestDifference(study, stage), 0.0);
     if (trials > 0 && !table.faulty("count") && checks.count > trials)
         table.problem("count", fmt::format("found {}, expected at most {}, the trials of the stage",
                                            checks.count, trials));
@@ -207,70 +169,44 @@ void readChecks(TomlTable& table, const Study& study, Stage& stage) {
                                   taken, trials));
 }
 
-Question readConfidence(TomlTable& parent) {
-    TomlTable table = parent.below("confidence", parent.section("confidence", true), keys::confidence);
-    Question question;
-    question.id = "confidence";
-    question.text = table.text("text");
-    question.scale = readScale(table, "scale");
-    return question;
-}
-
-Question readReasons(TomlTable& parent) {
-    TomlTable table = parent.below("reasons", parent.section("reasons", true), keys::reasons);
-    Question question;
-    question.id = "reasons";
-    question.text = table.text("text");
-    question.required = table.flag("required", true);
-    constexpr std::string_view kinds[] = {"choice", "choices", "text"};
-    constexpr QuestionKind values[] = {QuestionKind::choice, QuestionKind::choices, QuestionKind::text};
-    question.kind = values[table.choice("kind", kinds, false).value_or(1)];
-    if (question.kind != QuestionKind::text)
-        question.options = readOptions(table);
-    else
-        table.refuse("options", "in a question of kind \"text\"");
-    return question;
-}
-
 }  // namespace
+
+std::vector<std::vector<int>> eachByItself(int systems) {
+    std::vector<std::vector<int>> out;
+    for (int i = 0; i < systems; ++i) out.push_back({i});
+    return out;
+}
 
 long long trialsOf(const Stage& stage) {
     const TrialDesign& design = stage.design;
     const auto crossed = [](Meeting meeting, std::size_t levels) {
         return meeting == Meeting::crossed ? static_cast<long long>(levels) : 1;
     };
-    const std::size_t n = design.systems.size();
-    long long trials = design.items;
-    if (stage.kind != StageKind::parallel_rating)
-        trials *= crossed(design.system_meets, stage.kind == StageKind::pairwise ? n * (n - 1) / 2 : n);
+    const StageDeclaration& kind = declarationOf(stage.kind);
+    const std::size_t shown = kind.shown(static_cast<int>(design.systems.size())).size();
+    long long trials = design.items * crossed(design.system_meets, shown);
     trials *= crossed(design.layout_meets, design.layouts.size());
-    if (stage.kind == StageKind::game) trials *= crossed(design.distance_meets, design.distances.size());
+    if (kind.balls) trials *= crossed(design.distance_meets, design.distances.size());
     return trials;
 }
 
-void readTrials(TomlTable& table, const Study& study, Stage& stage) {
+void readTrials(TomlTable& table, StageReading& reading, Stage& stage) {
+    const StageDeclaration& kind = declarationOf(stage.kind);
+    const Study& study = reading.reader.study;
     readDesign(table, study, stage);
     stage.question = table.text("question");
     stage.plays = table.count("plays", 1, 10, stage.plays);
-    const bool rating = stage.kind == StageKind::rating || stage.kind == StageKind::parallel_rating;
-    if (rating) stage.scale = readScale(table, "scale");
-    if (stage.kind != StageKind::game) stage.measure = table.name("measure", stage.name);
+    if (kind.has("scale")) stage.scale = readScale(table, "scale");
+    if (kind.has("measure")) stage.measure = table.name("measure", stage.name);
     // The report has one table of each name.
-    if (rating && (stage.measure == "accuracy" || stage.measure == "preference"))
+    if (kind.has("scale") && (stage.measure == "accuracy" || stage.measure == "preference"))
         table.problem(
             "measure",
             fmt::format("found \"{}\", which the report calls {} so; expected another name", stage.measure,
                         stage.measure == "accuracy" ? "right choices of the game" : "answers to pairs"));
-    if (stage.kind == StageKind::rating || stage.kind == StageKind::game)
-        stage.max_replays = table.count("max_replays", 0, 100, 0);
+    if (kind.has("max_replays")) stage.max_replays = table.count("max_replays", 0, 100, 0);
     readBreaks(table, stage);
     readChecks(table, study, stage);
-    if (stage.kind == StageKind::game) {
-        stage.feedback = table.flag("feedback", false);
-        stage.time_limit_s = table.number("time_limit_s", 0.0, 600.0, 0.0);
-        if (table.has("confidence")) stage.confidence = readConfidence(table);
-    }
-    if (stage.kind == StageKind::pairwise && table.has("reasons")) stage.reasons = readReasons(table);
 }
 
 }  // namespace deixis::studies

@@ -3,83 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
 
 namespace deixis::studies {
 
 namespace {
 
-using Mask = unsigned;
+constexpr std::string_view any_stage_keys[] = {"name", "kind", "session", "when"};
+constexpr std::string_view trials_keys[] = {"items",
+                                            "systems",
+                                            "layouts",
+                                            "layout_meets",
+                                            "block_by",
+                                            "block_order",
+                                            "no_target_twice_running",
+                                            "question",
+                                            "plays",
+                                            "break_every",
+                                            "break_text",
+                                            "break_minimum_s",
+                                            "checks"};
+constexpr std::string_view practice_keys[] = {"items",        "feedback",      "of",        "criterion",
+                                              "max_attempts", "end_if_failed", "again_text"};
 
-constexpr Mask bit(StageKind kind) {
-    return 1U << static_cast<unsigned>(kind);
+bool among(std::span<const std::string_view> keys, std::string_view key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
-constexpr Mask instructions = bit(StageKind::instructions);
-constexpr Mask questionnaire = bit(StageKind::questionnaire);
-constexpr Mask rest = bit(StageKind::rest);
-constexpr Mask pages = instructions | bit(StageKind::consent) | rest;
-constexpr Mask rating = bit(StageKind::rating);
-constexpr Mask parallel = bit(StageKind::parallel_rating);
-constexpr Mask pairwise = bit(StageKind::pairwise);
-constexpr Mask game = bit(StageKind::game);
-constexpr Mask trials = rating | parallel | pairwise | game;
-constexpr Mask practice = 1U << practice_kind;
-constexpr Mask all = pages | questionnaire | trials | practice;
-
-struct StageKey {
-    std::string_view key;
-    Mask kinds;
-};
-
-constexpr StageKey stage_keys[] = {
-    {"name", all},
-    {"kind", all},
-    {"session", all},
-    {"when", all},
-    {"text", pages | questionnaire},
-    {"emphasis", instructions},
-    {"minimum_s", instructions | rest},
-    {"file", questionnaire},
-    {"questions", questionnaire},
-    {"title", questionnaire},
-    {"per_page", questionnaire},
-    {"about_participant", questionnaire},
-    {"items", trials | practice},
-    {"systems", trials},
-    {"layouts", trials},
-    {"distances", game},
-    {"system_meets", rating | pairwise | game},
-    {"layout_meets", trials},
-    {"distance_meets", game},
-    {"block_by", trials},
-    {"block_order", trials},
-    {"max_run_of_system", rating | game},
-    {"no_target_twice_running", trials},
-    {"measure", rating | parallel | pairwise},
-    {"question", trials},
-    {"scale", rating | parallel | questionnaire},
-    {"plays", trials},
-    {"max_replays", rating | game},
-    {"break_every", trials},
-    {"break_text", trials},
-    {"break_minimum_s", trials},
-    {"checks", trials},
-    {"feedback", game | practice},
-    {"time_limit_s", game},
-    {"confidence", game},
-    {"reasons", pairwise},
-    {"of", practice},
-    {"criterion", practice},
-    {"max_attempts", practice},
-    {"end_if_failed", practice},
-    {"again_text", practice},
-};
-
-constexpr auto stage_key_names = [] {
-    std::array<std::string_view, std::size(stage_keys)> names{};
-    for (std::size_t i = 0; i < names.size(); ++i) names[i] = stage_keys[i].key;
-    return names;
-}();
 
 constexpr std::string_view root_keys[] = {"study",   "texts",   "words",  "targets", "distances", "layouts",
                                           "systems", "between", "stages", "headset", "analysis"};
@@ -123,7 +72,9 @@ constinit const Keys distances = distances_keys;
 constinit const Keys layouts = layouts_keys;
 constinit const Keys systems = systems_keys;
 constinit const Keys between = between_keys;
-constinit const Keys stages = stage_key_names;
+constinit const Keys any_stage = any_stage_keys;
+constinit const Keys trials = trials_keys;
+constinit const Keys practice = practice_keys;
 constinit const Keys checks = checks_keys;
 constinit const Keys confidence = confidence_keys;
 constinit const Keys reasons = reasons_keys;
@@ -137,10 +88,30 @@ constinit const Keys questionnaire = questionnaire_keys;
 constinit const Keys scores = scores_keys;
 }  // namespace keys
 
-bool stageHasKey(std::size_t kind, std::string_view key) {
-    const auto* found = std::find_if(std::begin(stage_keys), std::end(stage_keys),
-                                     [&](const StageKey& entry) { return entry.key == key; });
-    return found != std::end(stage_keys) && (found->kinds & (1U << kind)) != 0;
+bool StageDeclaration::has(std::string_view key) const {
+    return among(keys::any_stage, key) || (showsClips() && among(keys::trials, key)) || among(keys, key);
+}
+
+bool practiceHas(std::string_view key) {
+    return among(keys::any_stage, key) || among(keys::practice, key);
+}
+
+Keys stageKeys() {
+    static const std::vector<std::string_view> all = [] {
+        std::vector<std::string_view> out;
+        const auto add = [&out](Keys keys) {
+            for (const std::string_view key : keys)
+                if (!among(out, key)) out.push_back(key);
+        };
+        add(keys::any_stage);
+        for (const StageDeclaration* kind : allDeclarations())
+            if (!kind->showsClips()) add(kind->keys);
+        add(keys::trials);
+        for (const StageDeclaration* kind : allDeclarations()) add(kind->keys);
+        add(keys::practice);
+        return out;
+    }();
+    return all;
 }
 
 std::vector<std::string> studyKeys() {
@@ -155,7 +126,7 @@ std::vector<std::string> studyKeys() {
         {"layouts", keys::layouts},
         {"systems", keys::systems},
         {"between", keys::between},
-        {"stages", keys::stages},
+        {"stages", stageKeys()},
         {"stages.checks", keys::checks},
         {"stages.confidence", keys::confidence},
         {"stages.reasons", keys::reasons},

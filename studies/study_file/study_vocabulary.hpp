@@ -1,29 +1,30 @@
-// Every key that a study file and a questionnaire file may have, and which kinds of stages have which;
-// private to studies.
+// Every key that a study file and a questionnaire file may have, but for those of one kind of stage, which
+// its declaration has; private to studies.
 #pragma once
 
 #include <span>
 #include <string_view>
 
-#include "studies/study_file/study.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
 
 using Keys = std::span<const std::string_view>;
 
 namespace keys {
-extern const Keys root, study, targets, distances, layouts, systems, between, stages, checks, confidence,
-    reasons, scale, questions, options, headset, analysis, leave_out;
+extern const Keys root, study, targets, distances, layouts, systems, between, checks, confidence, reasons,
+    scale, questions, options, headset, analysis, leave_out;
+extern const Keys any_stage;  ///< every stage has these,
+extern const Keys trials;     ///< every one that shows clips these, too,
+extern const Keys practice;   ///< and practice these; what a kind has beside them it declares
 extern const Keys questionnaire, scores;
 }  // namespace keys
 
-/// The kinds as the file names them: those of StageKind in its order, and practice.
-inline constexpr std::string_view kind_names[] = {"instructions",     "consent",         "questionnaire",
-                                                  "rating",           "parallel-rating", "pairwise",
-                                                  "referential-game", "break",           "practice"};
-inline constexpr std::size_t practice_kind = 8;
+/// As the file names practice of another stage, which is no kind of its own.
+inline constexpr std::string_view practice_name = "practice";
+[[nodiscard]] bool practiceHas(std::string_view key);
 
-/// Whether stages of a kind (its place in kind_names) may have a key.
-[[nodiscard]] bool stageHasKey(std::size_t kind, std::string_view key);
+/// Of stages of any kind, each once.
+[[nodiscard]] Keys stageKeys();
 
 }  // namespace deixis::studies

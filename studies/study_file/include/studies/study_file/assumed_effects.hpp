@@ -9,11 +9,9 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "studies/study_file/study.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
-
-enum class AskedKind : unsigned char { accuracy, rating, preference };
 
 /// What a study measures of its systems, over the scored stages for it.
 struct AskedMeasure {
@@ -24,6 +22,8 @@ struct AskedMeasure {
     int balls = 0;  ///< accuracy: shown in a trial, the most there are
 };
 
+/// What one stage measures, as its kind declares it.
+[[nodiscard]] std::vector<AskedMeasure> measuresOf(const Study& study, const Stage& stage);
 /// Accuracy first, then in the order of the stages.
 [[nodiscard]] std::vector<AskedMeasure> askedMeasures(const Study& study);
 

@@ -16,6 +16,7 @@
 #include "studies/study_file/questionnaire.hpp"
 #include "studies/study_file/scale.hpp"
 #include "studies/texts/language.hpp"
+#include "studies/trials/registry.hpp"
 
 namespace deixis::studies {
 
@@ -91,18 +92,7 @@ struct BetweenFactor {
     std::vector<std::string> levels;
 };
 
-enum class StageKind : unsigned char {
-    instructions,
-    consent,
-    questionnaire,
-    rating,           ///< single stimulus
-    parallel_rating,  ///< 2 to 6 stimuli of one item on one page
-    pairwise,         ///< two stimuli of one item, which is better
-    game,             ///< the referential game
-    rest              ///< a break
-};
-/// As in the file: "instructions", "consent", "questionnaire", "rating", "parallel-rating", "pairwise",
-/// "referential-game", "break".
+/// As in the file: "instructions", "parallel-rating", "referential-game", "break", ...
 [[nodiscard]] std::string_view stageKindName(StageKind kind);
 [[nodiscard]] std::optional<StageKind> stageKindFromName(std::string_view name);
 /// Whether its units are trials that show clips.

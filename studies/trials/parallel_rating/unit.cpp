@@ -12,6 +12,11 @@ class ParallelTrial : public ComparePage {
     ParallelTrial(SessionCore& core, const CourseItem& item)
         : ComparePage(core, item), values_(trial_.stimuli.size()) {}
 
+    void enter(const InputFrame& input, bool moved) override {
+        core_.standAlone();
+        ComparePage::enter(input, moved);
+    }
+
   private:
     std::vector<std::optional<int>> values_;
 
@@ -73,10 +78,12 @@ class ParallelTrial : public ComparePage {
     }
 };
 
+CheckResult compareRatings(const GivenAnswer& first, const GivenAnswer& now, double tolerance) {
+    return compareEach("rating", first, now, tolerance);
+}
+
 }  // namespace
 
-std::unique_ptr<Unit> makeParallelRating(SessionCore& core, const CourseItem& item) {
-    return std::make_unique<ParallelTrial>(core, item);
-}
+extern const UnitDeclaration parallel_rating_unit{makeUnitOf<ParallelTrial>, compareRatings};
 
 }  // namespace deixis::studies

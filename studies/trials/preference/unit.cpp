@@ -17,6 +17,11 @@ class PairwiseTrial : public ComparePage {
         if (asks) reasons_.emplace(core, std::vector<const Question*>{&*task_.reasons}, FormSetting{});
     }
 
+    void enter(const InputFrame& input, bool moved) override {
+        core_.standAsPair();
+        ComparePage::enter(input, moved);
+    }
+
   private:
     std::optional<int> preference_{};
     std::optional<QuestionForm> reasons_{};
@@ -87,10 +92,15 @@ class PairwiseTrial : public ComparePage {
     void resumeBeyond(const InputFrame& input) override { openReasons(input); }
 };
 
+/// The movements may have changed sides.
+CheckResult comparePreference(const GivenAnswer& first, const GivenAnswer& now, double tolerance) {
+    const bool swapped = now.trial.stimuli != first.trial.stimuli;
+    const double before = first.value("preference").value_or(0.0);
+    return compareNumbers(swapped ? -before : before, now.value("preference").value_or(0.0), tolerance);
+}
+
 }  // namespace
 
-std::unique_ptr<Unit> makePairwise(SessionCore& core, const CourseItem& item) {
-    return std::make_unique<PairwiseTrial>(core, item);
-}
+extern const UnitDeclaration pairwise_unit{makeUnitOf<PairwiseTrial>, comparePreference};
 
 }  // namespace deixis::studies

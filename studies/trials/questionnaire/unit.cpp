@@ -95,8 +95,6 @@ class QuestionnaireUnit : public TrialUnit {
 
 }  // namespace
 
-std::unique_ptr<Unit> makeQuestionnaire(SessionCore& core, const CourseItem& item) {
-    return std::make_unique<QuestionnaireUnit>(core, item);
-}
+extern const UnitDeclaration questionnaire_unit{makeUnitOf<QuestionnaireUnit>};
 
 }  // namespace deixis::studies

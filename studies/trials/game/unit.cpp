@@ -206,10 +206,20 @@ class GameTrial : public ClipTrial {
     }
 };
 
+/// Which ball was chosen, whatever its place.
+int ballOf(const GivenAnswer& given) {
+    const int place = given.response.chosen_place;
+    return place < 0 ? -1 : given.trial.ball_order.at(static_cast<std::size_t>(place));
+}
+
+CheckResult compareChoice(const GivenAnswer& first, const GivenAnswer& now, double /*tolerance*/) {
+    const int before = ballOf(first);
+    const int again = ballOf(now);
+    return {before == again, fmt::format("repeat: ball {} first, {} now", before, again)};
+}
+
 }  // namespace
 
-std::unique_ptr<Unit> makeGame(SessionCore& core, const CourseItem& item) {
-    return std::make_unique<GameTrial>(core, item);
-}
+extern const UnitDeclaration game_unit{makeUnitOf<GameTrial>, compareChoice};
 
 }  // namespace deixis::studies

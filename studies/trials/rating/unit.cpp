@@ -45,10 +45,12 @@ class RatingTrial : public ClipTrial {
     }
 };
 
+CheckResult compareRating(const GivenAnswer& first, const GivenAnswer& now, double tolerance) {
+    return compareEach("rating", first, now, tolerance);
+}
+
 }  // namespace
 
-std::unique_ptr<Unit> makeRating(SessionCore& core, const CourseItem& item) {
-    return std::make_unique<RatingTrial>(core, item);
-}
+extern const UnitDeclaration rating_unit{makeUnitOf<RatingTrial>, compareRating};
 
 }  // namespace deixis::studies

@@ -1,0 +1,80 @@
+// What the kinds of stages declare of themselves: all that reader, planner, store, export, power and analysis
+// ask of a kind. Declarations stand in studies/trials/KIND/declaration.cpp.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "studies/study_file/study.hpp"
+
+namespace deixis::studies {
+
+class TomlTable;
+struct StageReading;
+
+/// How what is measured is analysed.
+enum class AskedKind : unsigned char {
+    accuracy,   ///< right or wrong, among so many balls
+    rating,     ///< a number of one stimulus
+    preference  ///< -2 clearly the left stimulus .. 2 clearly the right one
+};
+
+struct DeclaredMeasure {
+    std::string_view
+        question;  ///< whose answers they are (Answer::question); empty: whether the choice was right
+    AskedKind kind = AskedKind::rating;
+    std::string_view name;  ///< in tables and report; empty: Stage::measure
+};
+
+/// In which order a trial shows its stimuli.
+enum class Arrangement : unsigned char {
+    listed,
+    shuffled,
+    sides  ///< left and right, evenly over the trials of a pair
+};
+
+struct StageDeclaration {
+    std::string_view name;  ///< in study files, plans and databases
+    /// Beside those that every stage has, and every stage with trials.
+    std::span<const std::string_view> keys{};
+    /// Reads the stage's own table.
+    void (*read)(TomlTable& table, StageReading& reading, Stage& stage) = nullptr;
+
+    bool answered = true;       ///< else it is a page that is only read
+    bool is_break = false;      ///< a page that is not read again
+    bool asks_consent = false;  ///< a no ends the session, and is asked anew before all else
+    bool in_pages = false;      ///< Trial::page counts up, see `pages`
+    /// How many units a stage without clips has; null: none.
+    int (*pages)(const Stage& stage) = nullptr;
+
+    // Stages that show clips.
+    int min_stimuli = 0;  ///< of a trial; 0: no clips
+    int max_stimuli = 0;
+    /// What a trial shows of so many systems (indices): the levels of the factor "system".
+    std::vector<std::vector<int>> (*shown)(int systems) = nullptr;
+    Arrangement arrangement = Arrangement::listed;
+    bool placed = false;          ///< the target of an item must have a place in the room
+    bool balls = false;           ///< the target is shown among distractors: there is a factor "distance"
+    bool right_or_wrong = false;  ///< there are wrong answers, so that practice may have a criterion
+    std::span<const CheckKind> checks{};  ///< attention checks that it may have
+    /// What a stage's systems and layouts must be beside known; null: nothing.
+    void (*checkLevels)(TomlTable& table, const Study& study, const Stage& stage) = nullptr;
+
+    /// All that is asked, under the names that the answers have.
+    std::vector<Question> (*questions)(const Stage& stage, const LanguageTable& words) = nullptr;
+    std::span<const DeclaredMeasure> measures{};
+
+    [[nodiscard]] bool showsClips() const { return max_stimuli > 0; }
+    [[nodiscard]] bool has(std::string_view key) const;
+    /// Each stimulus is answered by itself; else the trial is answered once.
+    [[nodiscard]] bool answersEach() const { return arrangement != Arrangement::sides; }
+};
+
+[[nodiscard]] const StageDeclaration& declarationOf(StageKind kind);
+/// By its name; null where there is no such kind.
+[[nodiscard]] const StageDeclaration* findDeclaration(std::string_view name);
+/// All, in the order of the registry.
+[[nodiscard]] std::span<const StageDeclaration* const> allDeclarations();
+
+}  // namespace deixis::studies

@@ -1,0 +1,49 @@
+#include "studies/study_file/stage_kind.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace deixis::studies {
+
+#define DEIXIS_KIND(name) extern const StageDeclaration name##_declaration;
+DEIXIS_STAGE_KINDS(DEIXIS_KIND)
+#undef DEIXIS_KIND
+
+namespace {
+
+#define DEIXIS_KIND(name) &name##_declaration,
+constexpr const StageDeclaration* declarations[] = {DEIXIS_STAGE_KINDS(DEIXIS_KIND)};
+#undef DEIXIS_KIND
+
+}  // namespace
+
+const StageDeclaration& declarationOf(StageKind kind) {
+    return *declarations[static_cast<std::size_t>(kind)];
+}
+
+std::span<const StageDeclaration* const> allDeclarations() {
+    return declarations;
+}
+
+const StageDeclaration* findDeclaration(std::string_view name) {
+    const auto* const found =
+        std::find_if(std::begin(declarations), std::end(declarations),
+                     [&](const StageDeclaration* declaration) { return declaration->name == name; });
+    return found == std::end(declarations) ? nullptr : *found;
+}
+
+std::string_view stageKindName(StageKind kind) {
+    return declarationOf(kind).name;
+}
+
+std::optional<StageKind> stageKindFromName(std::string_view name) {
+    for (std::size_t i = 0; i < stage_kinds; ++i)
+        if (declarations[i]->name == name) return static_cast<StageKind>(i);
+    return {};
+}
+
+bool showsClips(StageKind kind) {
+    return declarationOf(kind).showsClips();
+}
+
+}  // namespace deixis::studies

@@ -1,0 +1,55 @@
+// The referential game: which ball does the avatar point at? (Deichler et al. 2023, section 2.4.2.)
+#include "study_reading.hpp"
+
+namespace deixis::studies {
+
+namespace game {
+namespace {
+
+constexpr std::string_view keys_of_kind[] = {"system_meets", "max_run_of_system", "max_replays",
+                                             "distances",    "distance_meets",    "feedback",
+                                             "time_limit_s", "confidence"};
+constexpr CheckKind checks[] = {CheckKind::catch_trial};
+constexpr DeclaredMeasure measures[] = {{"", AskedKind::accuracy, "accuracy"},
+                                        {"confidence", AskedKind::rating, "confidence"}};
+
+Question readConfidence(TomlTable& parent) {
+    TomlTable table = parent.below("confidence", parent.section("confidence", true), keys::confidence);
+    Question question;
+    question.id = "confidence";
+    question.text = table.text("text");
+    question.scale = readScale(table, "scale");
+    return question;
+}
+
+void read(TomlTable& table, StageReading& reading, Stage& stage) {
+    readTrials(table, reading, stage);
+    stage.feedback = table.flag("feedback", false);
+    stage.time_limit_s = table.number("time_limit_s", 0.0, 600.0, 0.0);
+    if (table.has("confidence")) stage.confidence = readConfidence(table);
+}
+
+std::vector<Question> questions(const Stage& stage, const LanguageTable& /*words*/) {
+    if (!stage.confidence) return {};
+    std::vector<Question> out{*stage.confidence};
+    out.back().id = "confidence";
+    return out;
+}
+
+}  // namespace
+}  // namespace game
+
+extern const StageDeclaration game_declaration{.name = "referential-game",
+                                               .keys = game::keys_of_kind,
+                                               .read = game::read,
+                                               .min_stimuli = 1,
+                                               .max_stimuli = 1,
+                                               .shown = eachByItself,
+                                               .placed = true,
+                                               .balls = true,
+                                               .right_or_wrong = true,
+                                               .checks = game::checks,
+                                               .questions = game::questions,
+                                               .measures = game::measures};
+
+}  // namespace deixis::studies

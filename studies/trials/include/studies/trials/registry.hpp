@@ -1,0 +1,37 @@
+// The kinds of stages that a study may have. Each stands in a folder of studies/trials, and nowhere else:
+//
+// - declaration.cpp (compiled with studies/study_file): its keys and how they are read, its stimuli, its
+// questions
+//   with types and scales, its measures (stage_kind.hpp);
+// - plan.cpp (studies/design), where more is planned than the declaration says;
+// - unit.cpp (studies/session): how it is presented and answered (session_unit.hpp).
+//
+// A new kind is a folder, and a line here. What a study may have in the lists and messages follows this
+// order.
+#pragma once
+
+#include <cstddef>
+
+#define DEIXIS_STAGE_KINDS(KIND)                                                      \
+    KIND(instructions)    /* page: to be read */                                      \
+    KIND(consent)         /* consent */                                               \
+    KIND(questionnaire)   /* questionnaire */                                         \
+    KIND(rating)          /* rating: a single stimulus */                             \
+    KIND(parallel_rating) /* parallel_rating: 2 to 6 stimuli of one item on a page */ \
+    KIND(pairwise)        /* preference: two stimuli of one item, which is better */  \
+    KIND(game)            /* game: the referential game */                            \
+    KIND(rest)            /* page: a break */
+
+namespace deixis::studies {
+
+enum class StageKind : unsigned char {
+#define DEIXIS_KIND(name) name,
+    DEIXIS_STAGE_KINDS(DEIXIS_KIND)
+#undef DEIXIS_KIND
+};
+
+#define DEIXIS_KIND(name) +1
+inline constexpr std::size_t stage_kinds = 0 DEIXIS_STAGE_KINDS(DEIXIS_KIND);
+#undef DEIXIS_KIND
+
+}  // namespace deixis::studies

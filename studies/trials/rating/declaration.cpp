@@ -1,0 +1,30 @@
+// A single movement, rated on a scale.
+#include "study_reading.hpp"
+
+namespace deixis::studies {
+
+namespace rating {
+namespace {
+
+constexpr std::string_view keys[] = {"system_meets", "max_run_of_system", "measure", "scale", "max_replays"};
+constexpr CheckKind checks[] = {CheckKind::number, CheckKind::repeat};
+constexpr DeclaredMeasure measures[] = {{"rating", AskedKind::rating, ""}};
+
+std::vector<Question> questions(const Stage& stage, const LanguageTable& /*words*/) {
+    return {{"rating", QuestionKind::scale, stage.question, stage.scale}};
+}
+
+}  // namespace
+}  // namespace rating
+
+extern const StageDeclaration rating_declaration{.name = "rating",
+                                                 .keys = rating::keys,
+                                                 .read = readTrials,
+                                                 .min_stimuli = 1,
+                                                 .max_stimuli = 1,
+                                                 .shown = eachByItself,
+                                                 .checks = rating::checks,
+                                                 .questions = rating::questions,
+                                                 .measures = rating::measures};
+
+}  // namespace deixis::studies
