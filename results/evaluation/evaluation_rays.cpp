@@ -7,7 +7,6 @@
 
 #include "results/page/report_tables.hpp"
 #include "results/statistics/descriptive.hpp"
-#include "results/tables/csv_table.hpp"
 
 namespace deixis::results {
 
@@ -89,31 +88,6 @@ std::string raysHtml(const Evaluation& evaluation, Numbering& tables) {
                "open question that this table does not answer.",
                head, tables, TableWidth::dense) +
            rows + close_table;
-}
-
-std::string raysTable(const Evaluation& evaluation) {
-    using enum ColumnType;
-    CsvTable table({{"system", text, ""},
-                    {"ray", text, ""},
-                    {"clips", whole, ""},
-                    {"error_mean", number, "", "deg"},
-                    {"error_sd", number, "", "deg"},
-                    {"error_q25", number, "", "deg"},
-                    {"error_median", number, "", "deg"},
-                    {"error_q75", number, "", "deg"}});
-    for (const SystemEvaluation& system : evaluation.systems)
-        for (const motion::PointingRay ray : compared_rays) {
-            const auto errors = rayErrors_deg(system, ray);
-            if (errors.empty()) continue;
-            table.text(system.system);
-            table.text(std::string(motion::pointingRayName(ray)));
-            table.whole(static_cast<long long>(errors.size()));
-            table.number(mean(errors));
-            errors.size() > 1 ? table.number(sampleSd(errors)) : table.empty();
-            for (const double q : {0.25, 0.5, 0.75}) table.number(quantile(errors, q));
-            table.endRow();
-        }
-    return table.take();
 }
 
 }  // namespace deixis::results

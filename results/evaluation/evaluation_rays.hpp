@@ -27,7 +27,4 @@ inline constexpr std::array compared_rays{motion::PointingRay::forearm,
 
 [[nodiscard]] std::string raysHtml(const Evaluation& evaluation, Numbering& tables);
 
-/// rays.csv.
-[[nodiscard]] std::string raysTable(const Evaluation& evaluation);
-
 }  // namespace deixis::results

@@ -1,17 +1,13 @@
 // The evaluation's numbers: JSON, and CSV tables.
-#include <nlohmann/json.hpp>
-
-#include "evaluation_rays.hpp"
+#include "evaluation_tables.hpp"
 #include "results/evaluation/evaluation.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "results/outputs/observers_tables.hpp"
 #include "results/statistics/descriptive.hpp"
-#include "results/tables/csv_table.hpp"
 
 namespace deixis::results {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json orNull(bool known, double value) {
     return known ? Json(value) : Json();
@@ -32,16 +28,34 @@ Json summaryJson(const std::vector<double>& values) {
             {"greatest", orNull(any, quantile(values, 1.0))}};
 }
 
+/// A system's hand at one step of time.
+struct ProfileStep {
+    std::string system;
+    const char* hand = "";
+    const ProfilePoint* of = nullptr;
+};
+
+const Fields<ProfileStep>& profileFields() {
+    static const Fields<ProfileStep> fields{
+        {"system", &ProfileStep::system, {.in = in_csv}},
+        {"hand", &ProfileStep::hand, {.in = in_csv}},
+        {"time_s", [](auto& one) { return one.of->time_s; }},
+        {"n", [](auto& one) { return one.of->n; }},
+        {"accuracy_mean", [](auto& one) { return one.of->reward_mean; }},
+        {"accuracy_sd", [](auto& one) { return known(one.of->n > 1, one.of->reward_sd); }},
+        {"speed_mean_m_s", [](auto& one) { return one.of->speed_mean; }},
+        {"speed_sd_m_s", [](auto& one) { return known(one.of->n > 1, one.of->speed_sd); }}};
+    return fields;
+}
+
+Table profilesTable(const std::string& system, const char* hand, const HandProfile& profile) {
+    std::vector<ProfileStep> steps;
+    for (const ProfilePoint& point : profile.points) steps.push_back({system, hand, &point});
+    return tableOf("profiles", units::clips, "", profileFields(), steps);
+}
+
 Json profileJson(const HandProfile& profile) {
-    Json points = Json::array();
-    for (const ProfilePoint& p : profile.points)
-        points.push_back({{"time_s", p.time_s},
-                          {"n", p.n},
-                          {"accuracy_mean", p.reward_mean},
-                          {"accuracy_sd", orNull(p.n > 1, p.reward_sd)},
-                          {"speed_mean_m_s", p.speed_mean},
-                          {"speed_sd_m_s", orNull(p.n > 1, p.speed_sd)}});
-    return {{"clips", profile.clips}, {"points", std::move(points)}};
+    return {{"clips", profile.clips}, {"points", tableJson(profilesTable("", "", profile))}};
 }
 
 Json correlationJson(const SpearmanTest& test) {
@@ -79,30 +93,6 @@ Json systemJson(const SystemEvaluation& system) {
             {"profiles", {{"left", profileJson(system.left)}, {"right", profileJson(system.right)}}}};
 }
 
-Json optionalJson(const std::optional<double>& value) {
-    return value ? Json(*value) : Json();
-}
-
-Json comparisonJson(const Evaluation& evaluation, const SystemComparison& pair) {
-    const SignedRankTest& test = pair.test;
-    const bool any = test.n_pairs > 0;
-    return {{"a", evaluation.systems[pair.a].system},
-            {"b", evaluation.systems[pair.b].system},
-            {"targets", test.n_pairs},
-            {"mean_difference", orNull(any, pair.mean_difference)},
-            {"sd", orNull(test.n_pairs > 1, pair.sd)},
-            {"mean_difference_deg", orNull(any, pair.mean_difference_deg)},
-            {"typical_difference", optionalJson(test.hodges_lehmann.estimate)},
-            {"interval", {optionalJson(test.hodges_lehmann.lower), optionalJson(test.hodges_lehmann.upper)}},
-            {"interval_level", optionalJson(test.hodges_lehmann.level)},
-            {"n_zero", test.n_zero},
-            {"w_plus", orNull(any, test.w_plus)},
-            {"rank_biserial", optionalJson(test.rank_biserial)},
-            {"p", orNull(any, test.p_two_sided)},
-            {"p_holm", optionalJson(pair.p_holm)},
-            {"method", any ? test.method : "no targets"}};
-}
-
 Json settingsJson(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     return {{"window_s", input.rule.window_s},
@@ -114,6 +104,188 @@ Json settingsJson(const Evaluation& evaluation) {
 }
 
 }  // namespace
+
+Table clipsTable(const Evaluation& evaluation) {
+    using Row = MeasuredClip;
+    const auto measured = [](auto read) {
+        return [=](const Row& one) { return one.accuracy ? Cell(read(*one.accuracy)) : Cell(); };
+    };
+    return tableOf<Row>("clips", units::clips, "",
+                        {{"system", &Row::system},
+                         {"clip", &Row::clip},
+                         {"target_id", &Row::target_id},
+                         {"target_x", [](auto& one) { return one.target.x; }},
+                         {"target_y", [](auto& one) { return one.target.y; }},
+                         {"target_z", [](auto& one) { return one.target.z; }},
+                         {"hand", [](auto& one) { return motion::sideName(one.hand); }},
+                         {"pointing_frame", &Row::pointing_frame},
+                         {"phases", [](auto& one) { return one.phases_given ? "given" : "found"; }},
+                         {"placed", &Row::placed},
+                         {"accuracy", measured([](auto& of) { return of.reward; })},
+                         {"error_deg", measured([](auto& of) { return degreesFromRadians(of.error_rad); })},
+                         {"accuracy_frame", measured([](auto& of) { return of.frame; })}},
+                        evaluation.input.clips);
+}
+
+Table systemsTable(const Evaluation& evaluation) {
+    using Row = SystemEvaluation;
+    const auto correlated = [](auto member) {
+        return [=](const Row& one) {
+            return known(one.correlation.method != "undefined", one.correlation.*member);
+        };
+    };
+    Fields<Row> fields{{"system", &Row::system},
+                       {"synthetic", &Row::synthetic},
+                       {"clips", [](auto& one) { return one.clips.size(); }},
+                       {"n", [](auto& one) { return one.rewards.size(); }},
+                       {"missing", &Row::missing},
+                       {"left_hand", &Row::left_hand, {.label = "left hand"}}};
+    const auto add = [&](const char* mean_of, const char* sd_of, const char* median_of,
+                         std::vector<double> Row::*of, const char* unit, Format format) {
+        const std::string names[]{std::string("Mean") + unit, std::string("SD") + unit,
+                                  std::string("Median") + unit};
+        fields.push_back({mean_of,
+                          [=](const Row& one) { return known(!(one.*of).empty(), mean(one.*of)); },
+                          {.label = names[0].c_str(), .format = format}});
+        fields.push_back({sd_of,
+                          [=](const Row& one) { return known((one.*of).size() > 1, sampleSd(one.*of)); },
+                          {.label = names[1].c_str(), .format = format}});
+        fields.push_back({median_of,
+                          [=](const Row& one) { return known(!(one.*of).empty(), quantile(one.*of, 0.5)); },
+                          {.label = names[2].c_str(), .format = format}});
+    };
+    add("accuracy_mean", "accuracy_sd", "accuracy_median", &Row::rewards, "", Format::three_decimals);
+    add("error_deg_mean", "error_deg_sd", "error_deg_median", &Row::errors_deg, " (\u00b0)",
+        Format::one_decimal);
+    const Fields<Row> correlation{
+        {"density_rho",
+         correlated(&SpearmanTest::rho),
+         {.label = "\u03c1", .format = Format::three_decimals}},
+        {"density_p", correlated(&SpearmanTest::p), {.label = "p", .format = Format::p_value}},
+        {"density_test", [](auto& one) { return one.correlation.method; }}};
+    return tableOf("systems", units::clips, "", joined(std::move(fields), correlation), evaluation.systems);
+}
+
+Table comparisonsTable(const Evaluation& evaluation) {
+    using Row = SystemComparison;
+    const auto name = [&](std::size_t Row::*of) {
+        return [&evaluation, of](const Row& one) { return evaluation.systems[one.*of].system; };
+    };
+    const auto of = [](auto member) { return [=](const Row& one) { return one.test.*member; }; };
+    const auto any = [](auto member) {
+        return [=](const Row& one) { return known(one.test.n_pairs > 0, one.test.*member); };
+    };
+    const auto shift = [](auto member) {
+        return [=](const Row& one) { return one.test.hodges_lehmann.*member; };
+    };
+    const Fields<Row> fields{
+        {"a", name(&Row::a)},
+        {"b", name(&Row::b)},
+        {"pair",
+         [&](auto& one) { return name(&Row::a)(one) + " \u2013 " + name(&Row::b)(one); },
+         {.label = "Systems", .in = page_only}},
+        {"targets", of(&SignedRankTest::n_pairs)},
+        {"mean_difference",
+         [](auto& one) { return known(one.test.n_pairs > 0, one.mean_difference); },
+         {.label = "Mean", .format = Format::three_decimals}},
+        {"sd",
+         [](auto& one) { return known(one.test.n_pairs > 1, one.sd); },
+         {.format = Format::three_decimals}},
+        {"mean_difference_deg",
+         [](auto& one) { return known(one.test.n_pairs > 0, one.mean_difference_deg); },
+         {.label = "Mean (\u00b0)", .format = Format::one_decimal}},
+        {"typical_difference", shift(&HodgesLehmann::estimate)},
+        {"typical",
+         [](auto& one) { return intervalOf(one.test.hodges_lehmann); },
+         {.label = "Typical [interval]",
+          .format = Format::three_decimals,
+          .in = page_only,
+          .estimate = true}},
+        {"interval_low", shift(&HodgesLehmann::lower), {.in = in_csv}},
+        {"interval_high", shift(&HodgesLehmann::upper), {.in = in_csv}},
+        {"interval",
+         [](auto& one) {
+             return Json{jsonOf(one.test.hodges_lehmann.lower), jsonOf(one.test.hodges_lehmann.upper)};
+         },
+         {.in = in_json}},
+        {"interval_level", shift(&HodgesLehmann::level), {.in = in_json}},
+        {"n_zero", of(&SignedRankTest::n_zero)},
+        {"w_plus", any(&SignedRankTest::w_plus)},
+        {"rank_biserial", of(&SignedRankTest::rank_biserial)},
+        {"p", any(&SignedRankTest::p_two_sided)},
+        {"p_holm", &Row::p_holm},
+        {"test",
+         [](auto& one) { return one.test.n_pairs > 0 ? one.test.method : "no targets"; },
+         {.json = "method"}}};
+    return tableOf("comparisons", units::targets, "", fields, evaluation.comparisons);
+}
+
+Table profilesTable(const Evaluation& evaluation) {
+    Table out{"profiles", units::clips, "", columnsOf(profileFields())};
+    for (const SystemEvaluation& system : evaluation.systems)
+        for (const auto& [hand, profile] :
+             {std::pair{"left", &system.left}, std::pair{"right", &system.right}})
+            for (Table::Row& row : profilesTable(system.system, hand, *profile).rows)
+                out.rows.push_back(std::move(row));
+    return out;
+}
+
+Table targetsTable(const Evaluation& evaluation) {
+    return tableOf<TestPoint>("targets", units::targets, "",
+                              {{"target_id", &TestPoint::target_id},
+                               {"target", [](auto& one) { return vectorJson(one.target); }, {.in = in_json}},
+                               {"x", [](auto& one) { return one.target.x; }, {.in = in_csv}},
+                               {"y", [](auto& one) { return one.target.y; }, {.in = in_csv}},
+                               {"z", [](auto& one) { return one.target.z; }, {.in = in_csv}},
+                               {"density_per_m3", &TestPoint::density, {.json = "density"}},
+                               {"cluster", [](auto& one) { return one.cluster + 1; }}},
+                              evaluation.points);
+}
+
+Table clustersTable(const Evaluation& evaluation) {
+    using Row = TargetCluster;
+    const auto place = [&evaluation](const Row& one) {
+        return static_cast<std::size_t>(&one - evaluation.clusters.data());
+    };
+    Fields<Row> fields{
+        {"cluster", [=](auto& one) { return place(one) + 1; }, {.label = "Cluster", .in = in_csv}},
+        {"centre", [](auto& one) { return vectorJson(one.centre); }, {.in = in_json}},
+        {"x", [](auto& one) { return one.centre.x; }, {.label = "x (m)", .in = in_csv}},
+        {"y", [](auto& one) { return one.centre.y; }, {.label = "y (m)", .in = in_csv}},
+        {"z", [](auto& one) { return one.centre.z; }, {.label = "z (m)", .in = in_csv}},
+        {"training_targets", &Row::training_targets},
+        {"test_points", &Row::test_points}};
+    for (const SystemEvaluation& system : evaluation.systems)
+        fields.push_back({("accuracy_" + system.system).c_str(),
+                          [=, &system](const Row& one) { return system.cluster_means[place(one)]; },
+                          {.label = system.system.c_str(), .format = Format::three_decimals, .in = in_csv}});
+    return tableOf("clusters", units::clips, "", fields, evaluation.clusters);
+}
+
+Table raysTable(const Evaluation& evaluation) {
+    struct Row {
+        std::string system;
+        motion::PointingRay ray;
+        std::vector<double> errors;
+    };
+    std::vector<Row> rows;
+    for (const SystemEvaluation& system : evaluation.systems)
+        for (const motion::PointingRay ray : compared_rays)
+            if (auto errors = rayErrors_deg(system, ray); !errors.empty())
+                rows.push_back({system.system, ray, std::move(errors)});
+    const auto at = [](double q) { return [=](const Row& one) { return quantile(one.errors, q); }; };
+    return tableOf<Row>(
+        "rays", units::clips, "",
+        {{"system", &Row::system},
+         {"ray", [](auto& one) { return motion::pointingRayName(one.ray); }},
+         {"clips", [](auto& one) { return one.errors.size(); }},
+         {"error_mean", [](auto& one) { return mean(one.errors); }},
+         {"error_sd", [](auto& one) { return known(one.errors.size() > 1, sampleSd(one.errors)); }},
+         {"error_q25", at(0.25)},
+         {"error_median", at(0.5)},
+         {"error_q75", at(0.75)}},
+        rows);
+}
 
 std::string evaluationJson(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
@@ -133,27 +305,13 @@ std::string evaluationJson(const Evaluation& evaluation) {
     out["training"] = {{"source", input.training_source},
                        {"synthetic", input.training_synthetic},
                        {"targets", std::move(training)}};
-    Json clusters = Json::array();
-    for (const TargetCluster& cluster : evaluation.clusters)
-        clusters.push_back({{"centre", vectorJson(cluster.centre)},
-                            {"training_targets", cluster.training_targets},
-                            {"test_points", cluster.test_points}});
-    out["clusters"] = std::move(clusters);
+    out["clusters"] = tableJson(clustersTable(evaluation));
     out["clips_without_target"] = input.without_target;
     Json systems = Json::array();
     for (const SystemEvaluation& system : evaluation.systems) systems.push_back(systemJson(system));
     out["systems"] = std::move(systems);
-    Json comparisons = Json::array();
-    for (const SystemComparison& pair : evaluation.comparisons)
-        comparisons.push_back(comparisonJson(evaluation, pair));
-    out["comparisons"] = std::move(comparisons);
-    Json points = Json::array();
-    for (const TestPoint& point : evaluation.points)
-        points.push_back({{"target_id", point.target_id},
-                          {"target", vectorJson(point.target)},
-                          {"density", point.density},
-                          {"cluster", point.cluster + 1}});
-    out["targets"] = std::move(points);
+    out["comparisons"] = tableJson(comparisonsTable(evaluation));
+    out["targets"] = tableJson(targetsTable(evaluation));
     if (evaluation.nearest)
         out["observers"] = {{"study", input.study->name},
                             {"readings", readingsJson(evaluation.observers)},
@@ -166,181 +324,17 @@ std::string evaluationJson(const Evaluation& evaluation) {
     return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-namespace {
-
-ColumnSpec column(const char* name, ColumnType type = ColumnType::number) {
-    return {name, type, ""};
-}
-
-void position(CsvTable& table, const Vec3& at) {
-    table.number(at.x);
-    table.number(at.y);
-    table.number(at.z);
-}
-
-void orEmpty(CsvTable& table, bool known, double value) {
-    if (known)
-        table.number(value);
-    else
-        table.empty();
-}
-
-std::string clipsTable(const Evaluation& evaluation) {
-    using enum ColumnType;
-    CsvTable table({column("system", text), column("clip", text), column("target_id", text),
-                    column("target_x"), column("target_y"), column("target_z"), column("hand", text),
-                    column("pointing_frame", whole), column("phases", text), column("placed", truth),
-                    column("accuracy"), column("error_deg"), column("accuracy_frame", whole)});
-    for (const MeasuredClip& clip : evaluation.input.clips) {
-        table.text(clip.system);
-        table.text(clip.clip);
-        table.text(clip.target_id);
-        position(table, clip.target);
-        table.text(motion::sideName(clip.hand));
-        table.whole(clip.pointing_frame);
-        table.text(clip.phases_given ? "given" : "found");
-        table.whole(clip.placed ? 1 : 0);
-        if (clip.accuracy) {
-            table.number(clip.accuracy->reward);
-            table.number(degreesFromRadians(clip.accuracy->error_rad));
-            table.whole(clip.accuracy->frame);
-        } else {
-            for (int i = 0; i < 3; ++i) table.empty();
-        }
-        table.endRow();
-    }
-    return table.take();
-}
-
-std::string systemsCsv(const Evaluation& evaluation) {
-    using enum ColumnType;
-    CsvTable table({column("system", text), column("synthetic", truth), column("clips", whole),
-                    column("n", whole), column("missing", whole), column("left_hand", whole),
-                    column("accuracy_mean"), column("accuracy_sd"), column("accuracy_median"),
-                    column("error_deg_mean"), column("error_deg_sd"), column("error_deg_median"),
-                    column("density_rho"), column("density_p"), column("density_test", text)});
-    for (const SystemEvaluation& system : evaluation.systems) {
-        table.text(system.system);
-        table.whole(system.synthetic ? 1 : 0);
-        table.whole(static_cast<long long>(system.clips.size()));
-        table.whole(static_cast<long long>(system.rewards.size()));
-        table.whole(system.missing);
-        table.whole(system.left_hand);
-        for (const auto* values : {&system.rewards, &system.errors_deg}) {
-            orEmpty(table, !values->empty(), mean(*values));
-            orEmpty(table, values->size() > 1, sampleSd(*values));
-            orEmpty(table, !values->empty(), quantile(*values, 0.5));
-        }
-        const bool known = system.correlation.method != "undefined";
-        orEmpty(table, known, system.correlation.rho);
-        orEmpty(table, known, system.correlation.p);
-        table.text(system.correlation.method);
-        table.endRow();
-    }
-    return table.take();
-}
-
-std::string comparisonsTable(const Evaluation& evaluation) {
-    using enum ColumnType;
-    CsvTable table({column("a", text), column("b", text), column("targets", whole), column("mean_difference"),
-                    column("sd"), column("mean_difference_deg"), column("typical_difference"),
-                    column("interval_low"), column("interval_high"), column("n_zero", whole),
-                    column("w_plus"), column("rank_biserial"), column("p"), column("p_holm"),
-                    column("test", text)});
-    const auto optional = [&](const std::optional<double>& value) {
-        orEmpty(table, value.has_value(), value.value_or(0.0));
-    };
-    for (const SystemComparison& pair : evaluation.comparisons) {
-        const SignedRankTest& test = pair.test;
-        const bool any = test.n_pairs > 0;
-        table.text(evaluation.systems[pair.a].system);
-        table.text(evaluation.systems[pair.b].system);
-        table.whole(test.n_pairs);
-        orEmpty(table, any, pair.mean_difference);
-        orEmpty(table, test.n_pairs > 1, pair.sd);
-        orEmpty(table, any, pair.mean_difference_deg);
-        optional(test.hodges_lehmann.estimate);
-        optional(test.hodges_lehmann.lower);
-        optional(test.hodges_lehmann.upper);
-        table.whole(test.n_zero);
-        orEmpty(table, any, test.w_plus);
-        optional(test.rank_biserial);
-        orEmpty(table, any, test.p_two_sided);
-        optional(pair.p_holm);
-        table.text(any ? test.method : "no targets");
-        table.endRow();
-    }
-    return table.take();
-}
-
-std::string profilesTable(const Evaluation& evaluation) {
-    using enum ColumnType;
-    CsvTable table({column("system", text), column("hand", text), column("time_s"), column("n", whole),
-                    column("accuracy_mean"), column("accuracy_sd"), column("speed_mean_m_s"),
-                    column("speed_sd_m_s")});
-    for (const SystemEvaluation& system : evaluation.systems)
-        for (const auto& [hand, profile] :
-             {std::pair{"left", &system.left}, std::pair{"right", &system.right}})
-            for (const ProfilePoint& point : profile->points) {
-                table.text(system.system);
-                table.text(hand);
-                table.number(point.time_s);
-                table.whole(point.n);
-                table.number(point.reward_mean);
-                orEmpty(table, point.n > 1, point.reward_sd);
-                table.number(point.speed_mean);
-                orEmpty(table, point.n > 1, point.speed_sd);
-                table.endRow();
-            }
-    return table.take();
-}
-
-std::string targetsTable(const Evaluation& evaluation) {
-    using enum ColumnType;
-    CsvTable table({column("target_id", text), column("x"), column("y"), column("z"),
-                    column("density_per_m3"), column("cluster", whole)});
-    for (const TestPoint& point : evaluation.points) {
-        table.text(point.target_id);
-        position(table, point.target);
-        table.number(point.density);
-        table.whole(point.cluster + 1);
-        table.endRow();
-    }
-    return table.take();
-}
-
-std::string clustersCsv(const Evaluation& evaluation) {
-    using enum ColumnType;
-    std::vector<ColumnSpec> columns{
-        column("cluster", whole),    column("x"), column("y"), column("z"), column("training_targets", whole),
-        column("test_points", whole)};
-    for (const SystemEvaluation& system : evaluation.systems)
-        columns.push_back(column(("accuracy_" + system.system).c_str()));
-    CsvTable table(std::move(columns));
-    for (std::size_t c = 0; c < evaluation.clusters.size(); ++c) {
-        const TargetCluster& cluster = evaluation.clusters[c];
-        table.whole(static_cast<long long>(c) + 1);
-        position(table, cluster.centre);
-        table.whole(cluster.training_targets);
-        table.whole(cluster.test_points);
-        for (const SystemEvaluation& system : evaluation.systems)
-            orEmpty(table, system.cluster_means[c].has_value(), system.cluster_means[c].value_or(0.0));
-        table.endRow();
-    }
-    return table.take();
-}
-
-}  // namespace
-
 std::vector<std::pair<std::string, std::string>> evaluationTables(const Evaluation& evaluation) {
-    std::vector<std::pair<std::string, std::string>> out{{"clips.csv", clipsTable(evaluation)},
-                                                         {"systems.csv", systemsCsv(evaluation)},
-                                                         {"comparisons.csv", comparisonsTable(evaluation)},
-                                                         {"profiles.csv", profilesTable(evaluation)},
-                                                         {"targets.csv", targetsTable(evaluation)},
-                                                         {"clusters.csv", clustersCsv(evaluation)},
-                                                         {"rays.csv", raysTable(evaluation)}};
-    if (!evaluation.observers.empty()) out.emplace_back("observers.csv", readingsCsv(evaluation.observers));
+    std::vector<std::pair<std::string, std::string>> out;
+    const auto add = [&](const Table& table) { out.emplace_back(table.name + ".csv", csvText(table)); };
+    add(clipsTable(evaluation));
+    add(systemsTable(evaluation));
+    add(comparisonsTable(evaluation));
+    add(profilesTable(evaluation));
+    add(targetsTable(evaluation));
+    add(clustersTable(evaluation));
+    add(raysTable(evaluation));
+    if (!evaluation.observers.empty()) add(tables::observers(evaluation.observers, "trials"));
     return out;
 }
 

@@ -3,75 +3,8 @@
 #include <fmt/format.h>
 
 #include "results/page/report_tables.hpp"
-#include "results/tables/json_values.hpp"
 
 namespace deixis::results {
-
-namespace {
-
-using AbilityJson = nlohmann::ordered_json;
-
-AbilityJson endsJson(const std::optional<BootstrapInterval>& interval) {
-    return interval ? AbilityJson{{"lower", interval->lower}, {"upper", interval->upper}} : AbilityJson();
-}
-
-PlainCell lowerCell(const std::optional<BootstrapInterval>& interval) {
-    return interval ? PlainCell(interval->lower) : PlainCell();
-}
-
-PlainCell upperCell(const std::optional<BootstrapInterval>& interval) {
-    return interval ? PlainCell(interval->upper) : PlainCell();
-}
-
-}  // namespace
-
-AbilityJson bradleyTerryJson(const AnalysisResult& result) {
-    const BradleyTerry& fit = result.bradley_terry;
-    if (fit.abilities.empty()) return {};
-    AbilityJson out;
-    out["ties"] = "half a win for each";
-    out["participants"] = fit.participants;
-    out["abilities"] = AbilityJson::array();
-    for (const Ability& one : fit.abilities)
-        out["abilities"].push_back({{"system", one.system},
-                                    {"ability", numberOrNull(one.estimate)},
-                                    {"bca", endsJson(one.bca)},
-                                    {"percentile", endsJson(one.percentile)},
-                                    {"wins", one.wins},
-                                    {"ties", one.ties},
-                                    {"losses", one.losses}});
-    out["pairs"] = AbilityJson::array();
-    for (const PairCount& pair : fit.pairs)
-        out["pairs"].push_back({{"a", pair.a},
-                                {"b", pair.b},
-                                {"prefers_a", pair.prefers_a},
-                                {"ties", pair.ties},
-                                {"prefers_b", pair.prefers_b}});
-    out["resamples_left_out"] = fit.resamples_left_out;
-    out["note"] = fit.note.empty() ? AbilityJson() : AbilityJson(fit.note);
-    return out;
-}
-
-PlainTable bradleyTerryTable(const AnalysisResult& result) {
-    PlainTable out{"bradley_terry",
-                   units::single_preferences,
-                   "Abilities from preferences (Bradley and Terry); log odds, mean 0",
-                   {{"system", ColumnType::text, Print::plain},
-                    {"ability", ColumnType::number, Print::plain},
-                    {"bca_lower", ColumnType::number, Print::plain, "BCa from"},
-                    {"bca_upper", ColumnType::number, Print::plain, "to"},
-                    {"percentile_lower", ColumnType::number, Print::plain, "percentile from"},
-                    {"percentile_upper", ColumnType::number, Print::plain, "to"},
-                    {"wins", ColumnType::whole, Print::plain},
-                    {"ties", ColumnType::whole, Print::plain},
-                    {"losses", ColumnType::whole, Print::plain}}};
-    const auto whole = [](int count) { return PlainCell(static_cast<long long>(count)); };
-    for (const Ability& one : result.bradley_terry.abilities)
-        out.rows.push_back({one.system, plainCell(one.estimate), lowerCell(one.bca), upperCell(one.bca),
-                            lowerCell(one.percentile), upperCell(one.percentile), whole(one.wins),
-                            whole(one.ties), whole(one.losses)});
-    return out;
-}
 
 std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering) {
     const BradleyTerry& fit = result.bradley_terry;

@@ -3,33 +3,14 @@
 #include <algorithm>
 
 #include "results/analysis/analysis.hpp"
+#include "results/outputs/standing_out.hpp"
 #include "results/page/report_tables.hpp"
-#include "results/tables/json_values.hpp"
 
 namespace deixis::results {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using studies::LeaveOutRule;
-
-// From where on the page names a participant; nobody is left out for it.
-constexpr double mostly_one_rating = 0.9;
-constexpr double side_p = 0.01;
-constexpr double many_odd_times = 0.1;
-
-bool mostlyOneRating(const ParticipantQuality& one) {
-    return one.same_of >= LeaveOutRule::least_answers && one.same_share >= mostly_one_rating;
-}
-
-bool oddTimes(const ParticipantQuality& one) {
-    return one.times >= LeaveOutRule::least_answers && one.fast + one.slow > many_odd_times * one.times;
-}
-
-bool standsOut(const ParticipantQuality& one) {
-    return one.failed_check.value_or(false) || mostlyOneRating(one) ||
-           (one.p_side && *one.p_side <= side_p) || oddTimes(one) || (one.agreement && *one.agreement < 0.0);
-}
 
 std::string optionalText(const std::optional<double>& value, int decimals) {
     return value ? fixedText(*value, decimals) : std::string(dash);
@@ -159,100 +140,6 @@ std::string qualityHtml(const AnalysisResult& result, Numbering& numbering) {
     std::string out = "<h2>Quality of the data</h2>" + ruleHtml(result);
     out += reliabilityHtml(quality.reliability, numbering);  // tables number themselves in this order
     return out + participantsHtml(result, numbering);
-}
-
-Json qualityJson(const AnalysisResult& result) {
-    const LeaveOutRule& rule = result.table.leave_out;
-    Json out;
-    out["rule"] = {{"same_rating_share", numberOrNull(rule.same_rating_share)},
-                   {"one_side_share", numberOrNull(rule.one_side_share)},
-                   {"median_time_below_s", numberOrNull(rule.median_time_below_s)},
-                   {"least_answers", LeaveOutRule::least_answers}};
-    out["reliability"] = Json::array();
-    for (const Reliability& one : result.quality.reliability)
-        out["reliability"].push_back({{"measure", one.measure},
-                                      {"participants", one.raters},
-                                      {"clips", one.units},
-                                      {"ratings", one.ratings},
-                                      {"krippendorff_alpha", numberOrNull(one.alpha)},
-                                      {"icc_1_1", numberOrNull(one.icc_single)},
-                                      {"icc_1_k", numberOrNull(one.icc_mean)},
-                                      {"k", numberOrNull(one.k > 0.0, one.k)}});
-    out["participants"] = Json::array();
-    for (const ParticipantQuality& one : result.quality.participants)
-        out["participants"].push_back({{"participant", one.participant},
-                                       {"left_out", one.left_out},
-                                       {"stands_out", standsOut(one)},
-                                       {"failed_check", one.failed_check ? Json(*one.failed_check) : Json()},
-                                       {"ratings", one.ratings},
-                                       {"same_rating", numberOrNull(one.ratings > 0, one.same_rating)},
-                                       {"same_share", numberOrNull(one.ratings > 0, one.same_share)},
-                                       {"same_of", one.same_of},
-                                       {"same_measure", one.same_measure},
-                                       {"longest_run", one.longest_run},
-                                       {"pairs_decided", one.decided},
-                                       {"pairs_left", one.left},
-                                       {"p_side", numberOrNull(one.p_side)},
-                                       {"times", one.times},
-                                       {"median_time_s", numberOrNull(one.median_s)},
-                                       {"fast", one.fast},
-                                       {"slow", one.slow},
-                                       {"agreement", numberOrNull(one.agreement)}});
-    return out;
-}
-
-PlainTable reliabilityTable(const AnalysisResult& result) {
-    using enum ColumnType;
-    PlainTable out{"reliability",
-                   units::ratings,
-                   "Agreement of participants in rating the same clips",
-                   {{"measure", text, Print::plain},
-                    {"participants", whole, Print::plain},
-                    {"clips", whole, Print::plain},
-                    {"ratings", whole, Print::plain},
-                    {"krippendorff_alpha", number, Print::plain, "$\\alpha$"},
-                    {"icc_1_1", number, Print::plain, "ICC(1,1)"},
-                    {"icc_1_k", number, Print::plain, "ICC(1,$k$)"},
-                    {"k", number, Print::plain, "$k$"}}};
-    for (const Reliability& one : result.quality.reliability)
-        out.rows.push_back({one.measure, wholeCell(one.raters), wholeCell(one.units), wholeCell(one.ratings),
-                            plainCell(one.alpha), plainCell(one.icc_single), plainCell(one.icc_mean),
-                            knownCell(one.k > 0.0, one.k)});
-    return out;
-}
-
-PlainTable qualityTable(const AnalysisResult& result) {
-    using enum ColumnType;
-    PlainTable out{"quality",
-                   units::participants,
-                   "How participants answered",
-                   {{"participant", text},
-                    {"left_out", truth},
-                    {"stands_out", truth},
-                    {"failed_check", truth},
-                    {"ratings", whole},
-                    {"same_rating", number},
-                    {"same_share", number},
-                    {"same_of", whole},
-                    {"same_measure", text},
-                    {"longest_run", whole},
-                    {"pairs_decided", whole},
-                    {"pairs_left", whole},
-                    {"p_side", number},
-                    {"times", whole},
-                    {"median_time_s", number},
-                    {"fast", whole},
-                    {"slow", whole},
-                    {"agreement", number}}};
-    for (const ParticipantQuality& one : result.quality.participants)
-        out.rows.push_back(
-            {one.participant, one.left_out, standsOut(one),
-             one.failed_check ? PlainCell(*one.failed_check) : PlainCell(), wholeCell(one.ratings),
-             knownCell(one.ratings > 0, one.same_rating), knownCell(one.ratings > 0, one.same_share),
-             wholeCell(one.same_of), one.same_measure, wholeCell(one.longest_run), wholeCell(one.decided),
-             wholeCell(one.left), plainCell(one.p_side), wholeCell(one.times), plainCell(one.median_s),
-             wholeCell(one.fast), wholeCell(one.slow), plainCell(one.agreement)});
-    return out;
 }
 
 }  // namespace deixis::results

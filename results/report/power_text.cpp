@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results/analysis/power.hpp"
-#include "results/tables/plain_table.hpp"
+#include "results/tables/table.hpp"
 
 namespace deixis::results {
 
@@ -122,30 +122,18 @@ std::string powerJson(const PowerResult& result, std::optional<double> goal) {
 }
 
 std::string powerCsv(const PowerResult& result) {
-    PlainTable table{"power",
-                     units::none,
-                     "",
-                     {{"family", ColumnType::text},
-                      {"measure", ColumnType::text},
-                      {"system", ColumnType::text},
-                      {"a", ColumnType::text},
-                      {"b", ColumnType::text},
-                      {"participants", ColumnType::whole},
-                      {"studies", ColumnType::whole},
-                      {"significant", ColumnType::whole},
-                      {"a_higher", ColumnType::whole},
-                      {"b_higher", ColumnType::whole},
-                      {"power", ColumnType::number},
-                      {"lower", ColumnType::number},
-                      {"upper", ColumnType::number}}};
-    const auto whole = [](int count) { return PlainCell(static_cast<long long>(count)); };
+    Table table{"power", units::none};
+    for (const char* name : {"family", "measure", "system", "a", "b"})
+        table.columns.emplace_back(name, ColumnKind::text);
+    for (const char* name :
+         {"participants", "studies", "significant", "a_higher", "b_higher", "power", "lower", "upper"})
+        table.columns.emplace_back(name, ColumnKind::number);
     for (const ContrastPower& contrast : result.contrasts)
         for (const auto& [participants, found] : contrast.found) {
             const Proportion share = result.share(found.either());
-            table.rows.push_back({contrast.family, contrast.measure, contrast.system, contrast.a, contrast.b,
-                                  whole(participants), whole(result.options.studies), whole(found.either()),
-                                  whole(found.a_higher), whole(found.b_higher), *share.estimate, *share.lower,
-                                  *share.upper});
+            table.rows.push_back({{contrast.family, contrast.measure, contrast.system, contrast.a, contrast.b,
+                                   participants, result.options.studies, found.either(), found.a_higher,
+                                   found.b_higher, share.estimate, share.lower, share.upper}});
         }
     return csvText(table);
 }

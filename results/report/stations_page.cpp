@@ -7,7 +7,7 @@
 
 #include "report_details.hpp"
 #include "results/answers/stations.hpp"
-#include "results/outputs/analysis_json_groups.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "results/page/page.hpp"
 #include "results/page/report_tables.hpp"
 
@@ -58,8 +58,8 @@ std::string stationsJson(const AnalysisResult& between, const std::vector<Statio
     for (const StationReport& one : reports)
         out["stations"].push_back(
             {{"station", one.kind}, {"participants", one.participants}, {"answers", one.answers}});
-    out["between"] = betweenJson(stations);
-    out["preferences_between"] = preferencesBetweenJson(stations);
+    out["between"] = tableJson(tables::between(stations));
+    out["preferences_between"] = tableJson(tables::preferencesBetween(stations));
     return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "results/tables/plain_table.hpp"
+#include "results/tables/table.hpp"
 
 namespace deixis::results {
 
@@ -60,33 +60,45 @@ std::string signedLatex(std::string text) {
     return text.starts_with('-') ? "$-$" + text.substr(1) : text;
 }
 
-std::string latexNumber(double value, Print print) {
-    if (print == Print::p_value && value < 0.001) return "$<$ 0.001";
-    if (print == Print::rank) return signedLatex(fmt::format("{:.10g}", value));
+std::string latexNumber(double value, Format format) {
+    if (format == Format::p_value && value < 0.001) return "$<$ 0.001";
+    if (format == Format::rank) return signedLatex(fmt::format("{:.10g}", value));
     return signedLatex(fmt::format("{:.3f}", value));
 }
 
 struct LatexCell {
-    Print print;
+    Format format;
     std::string operator()(std::monostate) const { return "--"; }
-    std::string operator()(const std::string& text) const { return escapeLatex(text); }
-    std::string operator()(double value) const { return latexNumber(value, print); }
+    std::string operator()(const std::string& text) const {
+        return escapeLatex(format == Format::key ? inWords(text) : text);
+    }
+    std::string operator()(double value) const { return latexNumber(value, format); }
     std::string operator()(long long value) const { return fmt::format("{}", value); }
     std::string operator()(bool value) const { return value ? "yes" : "no"; }
+    std::string operator()(const Interval& of) const {
+        if (!of.lower) return "--";
+        return fmt::format("{}{}, {}{}", of.lower_included ? '[' : '(', latexNumber(*of.lower, Format::plain),
+                           of.upper ? latexNumber(*of.upper, Format::plain) : "--",
+                           of.upper_included ? ']' : ')');
+    }
+    std::string operator()(const Json&) const { return "--"; }
 };
 
-bool inColumn(Print print) {
-    return print != Print::no && print != Print::heading;
+bool hasEnds(const Column& column) {
+    return column.kind == ColumnKind::estimate && column.ends_in_print;
 }
 
-std::string inWords(std::string key) {
-    std::replace(key.begin(), key.end(), '_', ' ');
-    return escapeLatex(key);
+std::string headingOf(const Column& column) {
+    return column.latex.empty() ? escapeLatex(inWords(column.name)) : column.latex;
 }
 
-std::string headingOf(const PlainColumn& column) {
-    if (!column.heading.empty()) return column.heading;
-    return inWords(column.name);
+/// The cells of one column: of an estimate it and its interval.
+std::vector<std::string> cellsOfColumn(const Column& column, const Cell& cell) {
+    const auto text = [&](const Cell& of) { return std::visit(LatexCell{column.format}, of.value()); };
+    const auto* interval = cell.as<Interval>();
+    if (column.kind != ColumnKind::estimate || interval == nullptr) return {text(cell)};
+    if (!hasEnds(column)) return {text(interval->estimate)};
+    return {text(interval->estimate), text(cell)};
 }
 
 /// About how wide a cell is, in letters: commands and braces take no room.
@@ -115,48 +127,37 @@ struct Body {
     std::size_t letters = 0;  ///< of the widest cells of all columns
 };
 
-std::string cellOf(const PlainTable& table, const std::vector<PlainCell>& row, std::size_t i) {
-    const Print print = table.columns[i].print;
-    if (print == Print::key)
-        if (const auto* key = std::get_if<std::string>(&row[i])) return inWords(*key);
-    if (print != Print::range) return std::visit(LatexCell{print}, row[i]);
-    if (std::holds_alternative<std::monostate>(row[i])) return "--";
-    // An interval that says so, in the two columns behind its ends, is open there.
-    const auto open = [&](std::size_t column) {
-        const bool* included = column < row.size() ? std::get_if<bool>(&row[column]) : nullptr;
-        return included != nullptr && !*included;
-    };
-    return (open(i + 2) ? "(" : "[") + std::visit(LatexCell{Print::plain}, row[i]) + ", " +
-           std::visit(LatexCell{Print::plain}, row[i + 1]) + (open(i + 3) ? ")" : "]");
-}
-
-Body bodyOf(const PlainTable& table) {
+Body bodyOf(const Table& table) {
     Body body;
     std::vector<std::size_t> widths;
-    for (const PlainColumn& column : table.columns) {
-        if (!inColumn(column.print)) continue;
+    const auto add = [&](const std::string& heading, bool text) {
         ++body.columns;
-        body.format += column.type == ColumnType::text ? 'l' : 'r';
-        body.head += (body.head.empty() ? "" : " & ") + headingOf(column);
-        widths.push_back(lettersOf(headingOf(column)));
+        body.format += text ? 'l' : 'r';
+        body.head += (body.head.empty() ? "" : " & ") + heading;
+        widths.push_back(lettersOf(heading));
+    };
+    for (const Column& column : table.columns) {
+        if ((column.in & in_print) == 0 || column.heading) continue;
+        add(headingOf(column), column.kind == ColumnKind::text);
+        if (hasEnds(column)) add("interval", false);
     }
-    for (const auto& row : table.rows) {
+    for (const Table::Row& row : table.rows) {
         std::string heading;
         std::string line;
         std::size_t place = 0;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const Print print = table.columns[i].print;
-            if (print == Print::no) continue;
-            const std::string cell = cellOf(table, row, i);
-            if (print == Print::heading) {
-                heading += (heading.empty() ? "" : ", ") + cell;
-                continue;
+        for (std::size_t i = 0; i < row.cells.size(); ++i) {
+            if ((table.columns[i].in & in_print) == 0) continue;
+            for (const std::string& cell : cellsOfColumn(table.columns[i], row.cells[i])) {
+                if (table.columns[i].heading) {
+                    heading += (heading.empty() ? "" : ", ") + cell;
+                    continue;
+                }
+                // After the end of a row a bracket or a star would be its argument.
+                if (place == 0 && (cell.starts_with('[') || cell.starts_with('*'))) line += "{}";
+                line += (place == 0 ? "" : " & ") + cell;
+                widths[place] = std::max(widths[place], lettersOf(cell));
+                ++place;
             }
-            // After the end of a row a bracket or a star would be its argument.
-            if (place == 0 && (cell.starts_with('[') || cell.starts_with('*'))) line += "{}";
-            line += (place == 0 ? "" : " & ") + cell;
-            widths[place] = std::max(widths[place], lettersOf(cell));
-            ++place;
         }
         body.headings.push_back(heading);
         body.rows.push_back(line + " \\\\\n");
@@ -177,12 +178,12 @@ std::string rowsOf(const Body& body, std::size_t from, std::size_t to) {
     return out;
 }
 
-std::string captionOf(const PlainTable& table) {
+std::string captionOf(const Table& table) {
     const std::string unit = table.unit.words;
     return escapeLatex(table.caption + (unit.empty() ? "" : ". Unit: " + unit));
 }
 
-std::string scaledTable(const PlainTable& table, const Body& body, const std::string& size) {
+std::string scaledTable(const Table& table, const Body& body, const std::string& size) {
     std::string out;
     const std::size_t parts = (body.rows.size() + most_rows - 1) / most_rows;
     for (std::size_t part = 0; part < parts; ++part) {
@@ -201,7 +202,7 @@ std::string scaledTable(const PlainTable& table, const Body& body, const std::st
 
 }  // namespace
 
-std::string latexText(const PlainTable& table) {
+std::string latexText(const Table& table) {
     constexpr double letter_pt = 5.3;  // a digit has 5, "m" has 8, "i" has 3
     const Body body = bodyOf(table);
     const auto width = [&](double size, double gap_pt) {

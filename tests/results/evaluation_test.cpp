@@ -192,6 +192,9 @@ TEST_SUITE("results/evaluation") {
             const auto records = parseCsv(tables[i].second, tables[i].first);
             REQUIRE(records);
             CHECK(records->size() == rows[i]);
+            CHECK(records->front().fields.back() == "unit");
+            for (std::size_t r = 1; r < records->size(); ++r)
+                CHECK_FALSE((*records)[r].fields.back().empty());
             for (const auto& record : *records) CHECK(record.fields.size() == records->front().fields.size());
         }
         const auto clips = *parseCsv(tables[0].second, "clips.csv");

@@ -1,4 +1,4 @@
-// What simulated observers read, as JSON and CSV; private to results.
+// What simulated observers read, as JSON; private to results.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,8 +11,5 @@ namespace deixis::results {
 
 /// One object for each reading: system, layout, trials, and by observer "accuracy" and "without_error".
 [[nodiscard]] nlohmann::ordered_json readingsJson(const std::vector<ObserverReading>& readings);
-
-/// A line for each reading and observer.
-[[nodiscard]] std::string readingsCsv(const std::vector<ObserverReading>& readings);
 
 }  // namespace deixis::results
