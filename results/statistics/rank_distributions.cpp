@@ -10,29 +10,9 @@ namespace deixis::results {
 
 namespace {
 
-/// A fixed inner loop becomes vector code at any level of optimisation.
-template <std::int64_t lanes>
-[[gnu::always_inline]] inline void addInLanes(double* __restrict out, const double* __restrict in,
-                                              std::int64_t count) {
-    std::int64_t i = 0;
-    for (; i + lanes <= count; i += lanes)
-        for (std::int64_t lane = 0; lane < lanes; ++lane) out[i + lane] += in[i + lane];
-    for (; i < count; ++i) out[i] += in[i];
-}
-
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void addWide(double* out, const double* in, std::int64_t count) {
-    addInLanes<16>(out, in, count);
-}
-#endif
-
-/// out[i] += in[i]; the two do not overlap. Sums are the same bit for bit, however many are made at once.
-void addTo(double* out, const double* in, std::int64_t count) {
-#if defined(__x86_64__)
-    static const bool has_wide = __builtin_cpu_supports("avx2");
-    if (has_wide) return addWide(out, in, count);
-#endif
-    addInLanes<8>(out, in, count);
+/// out[i] += in[i]; the two do not overlap.
+void addTo(double* __restrict out, const double* __restrict in, std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i) out[i] += in[i];
 }
 
 /// counts[k] += counts[k - shift] for k from `first` to `last`, all at once: from above, in blocks that do
