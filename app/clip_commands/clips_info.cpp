@@ -85,7 +85,7 @@ void printJson(const std::string& file, const assets::ImportedClip& imported,
         {"humanoid",
          {{"origin", origins[static_cast<std::size_t>(bonesBy(imported, mapping))]},
           {"bones", bones},
-          {"missing", missingRequiredBones(map)}}},
+          {"missing", motion::missingBones(map)}}},
         {"remarks", imported.remarks}};
     // Names that are not UTF-8 get a replacement character.
     fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
@@ -107,7 +107,7 @@ void printText(const std::string& file, const assets::ImportedClip& imported,
     fmt::print("  up       {} ({})\n", assets::upAxisName(imported.up.axis),
                assets::originName(imported.up.origin));
     fmt::print("  height   {:.2f} m in the first frame\n", heightOf(clip));
-    const auto missing = missingRequiredBones(map);
+    const auto missing = motion::missingBones(map);
     fmt::print("  bones    {} of {} ({}){}\n", bones.size(), motion::bone_count,
                origins[static_cast<std::size_t>(bonesBy(imported, mapping))],
                missing.empty() ? "" : fmt::format("; required but missing: {}", fmt::join(missing, ", ")));

@@ -119,12 +119,14 @@ Entries entries(const NamedClip& clip, const motion::PointingMeasures& m) {
                 {"hold_s", m.hold_s},
                 {"time_to_peak_s", m.time_to_peak_s},
                 {"time_to_peak_speed_s", m.time_to_peak_speed_s},
-                {"peak_speed_mps", p.peak_speed_mps}};
+                {"peak_speed_mps", m.peak_speed_m_s}};
     // What only the detection tells.
-    const bool detected = p.strokes > 0;
-    out.push_back(detected ? Entry{"clear_hold", p.clear_hold} : Entry{"clear_hold", {}});
-    out.push_back(detected ? Entry{"returns", p.returns} : Entry{"returns", {}});
-    out.push_back(detected ? Entry{"strokes", p.strokes} : Entry{"strokes", {}});
+    const auto detected = [&](const char* name, auto motion::DetectedGesture::*field) {
+        out.push_back(optionalEntry(name, m.detected, [&](const auto& d) { return d.*field; }));
+    };
+    detected("clear_hold", &motion::DetectedGesture::clear_hold);
+    detected("returns", &motion::DetectedGesture::returns);
+    detected("strokes", &motion::DetectedGesture::strokes);
     out.push_back(optionalEntry("fingertip_drift_cmps", m.fingertip,
                                 [](const auto& s) { return 100.0 * s.drift_per_s; }));
     out.push_back(optionalEntry("fingertip_jitter_cm", m.fingertip,
@@ -216,10 +218,13 @@ struct Measured {
 
 Result<Measured> measured(const NamedClip& clip, const ClipsMeasureArguments& options,
                           const assets::BallList& list) {
-    const auto read = readMappedClip(clip.file);
+    auto read = readMappedClip(clip.file);
     if (!read) return tl::unexpected(read.error());
     std::optional<Vec3> target = clip.target;
-    if (!options.target.empty()) target = Vec3(options.target[0], options.target[1], options.target[2]);
+    if (!options.target.empty())
+        target = Vec3(options.target[0], options.target[1], options.target[2]);
+    else
+        standByTarget(read->clip, read->map, clip.target_frame);
     auto balls = ballsFor(clip, target, list, options.balls);
     if (!balls) return tl::unexpected(balls.error());
     if (!target && !balls->empty()) target = balls->front().balls.front();

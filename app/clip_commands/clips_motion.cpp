@@ -15,19 +15,6 @@ bool isManifest(const std::string& text) {
     return header.find(",clip,") != std::string::npos;
 }
 
-NamedClip named(const assets::ManifestRow& row, const fs::path& folder) {
-    NamedClip out{folder / row.clip, row.system, row.target_id, row.target, {}};
-    if (row.phases) {
-        out.phases.emplace();
-        out.phases->hand = row.phases->hand;
-        out.phases->onset_frame = row.phases->onset_frame;
-        out.phases->peak_frame = row.phases->peak_frame;
-        out.phases->hold_frame = row.phases->hold_frame;
-        out.phases->end_frame = row.phases->end_frame;
-    }
-    return out;
-}
-
 }  // namespace
 
 Result<std::vector<NamedClip>> namedClips(const std::vector<std::string>& files) {
@@ -41,11 +28,12 @@ Result<std::vector<NamedClip>> namedClips(const std::vector<std::string>& files)
                 const auto manifest = assets::readManifest(file);
                 if (!manifest) return tl::unexpected(manifest.error());
                 for (const assets::ManifestRow& row : manifest->rows)
-                    out.push_back(named(row, file.parent_path()));
+                    out.push_back({file.parent_path() / row.clip, row.system, row.target_id, row.target,
+                                   row.target_frame, row.phases});
                 continue;
             }
         }
-        out.push_back({file, "", "", {}, {}});
+        out.push_back({file, "", "", {}, {}, {}});
     }
     return out;
 }

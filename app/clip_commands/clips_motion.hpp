@@ -7,7 +7,6 @@
 
 #include "assets/tables/manifest.hpp"
 #include "core/error.hpp"
-#include "motion/pointing/pointing_phases.hpp"
 
 namespace deixis::app {
 
@@ -17,6 +16,7 @@ struct NamedClip {
     std::string system;     ///< empty without a manifest
     std::string target_id;  ///< likewise
     std::optional<Vec3> target{};
+    assets::TargetFrame target_frame = assets::TargetFrame::clip;
     std::optional<motion::GesturePhases> phases{};
 };
 /// The clips of files and manifests, in the order given. A .csv file is a manifest where its first line has

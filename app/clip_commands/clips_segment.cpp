@@ -17,6 +17,7 @@
 #include "clips_commands.hpp"
 #include "import_options.hpp"
 #include "motion/gestures/segmentation.hpp"
+#include "motion/pointing/placement.hpp"
 #include "motion/skeleton/clip_edit.hpp"
 
 namespace deixis::app {
@@ -68,11 +69,13 @@ std::vector<PointingClip> clipsOf(const motion::Segmentation& segmentation, cons
     for (const motion::Gesture& g : segmentation.gestures) {
         PointingClip clip;
         clip.gesture = g;
-        clip.person_from_recording = motion::personFromRecording(source.clip, source.map, g.first);
+        clip.person_from_recording = motion::figureFromClip(source.clip, source.map, g.first);
         clip.row.system = options.system;
         clip.row.target_id = fmt::format("G{:03}", out.size() + 1);
-        clip.row.phases = assets::PointingPhases{g.onset - g.first, g.peak - g.first, g.hold - g.first,
-                                                 g.end - g.first, g.hand};
+        clip.row.phases = g.phases;
+        for (int* frame : {&clip.row.phases->onset_frame, &clip.row.phases->peak_frame,
+                           &clip.row.phases->hold_frame, &clip.row.phases->end_frame})
+            *frame -= g.first;
         clip.row.fps = source.clip.framesPerSecond();
         out.push_back(std::move(clip));
     }
@@ -82,7 +85,8 @@ std::vector<PointingClip> clipsOf(const motion::Segmentation& segmentation, cons
 void attach(std::vector<PointingClip>& clips, const MarkerTrack& marker, double frame_time_s) {
     for (PointingClip& clip : clips) {
         motion::Gesture& g = clip.gesture;
-        const auto seen = marker.median((g.peak - 0.5) * frame_time_s, (g.hold + 0.5) * frame_time_s);
+        const auto seen = marker.median((g.phases.peak_frame - 0.5) * frame_time_s,
+                                        (g.phases.hold_frame + 0.5) * frame_time_s);
         if (seen)
             clip.row.target = transformPoint(clip.person_from_recording, *seen);
         else
@@ -135,9 +139,10 @@ void print(const motion::Segmentation& segmentation, const std::vector<PointingC
                 ? fmt::format("{:.1f}",
                               degreesFromRadians(std::atan2(clip.row.target->x, clip.row.target->z)))
                 : "-";
+        const motion::GesturePhases& p = g.phases;
         fmt::print("{:<12} {:<5} {:>6} {:>6} {:>6} {:>6} {:>6} {:>6} {:>7.2f} {:>8}", clip.row.target_id,
-                   motion::sideName(g.hand), g.first, g.onset, g.peak, g.hold, g.end, g.last,
-                   (g.hold - g.peak) * frame_time_s, azimuth);
+                   motion::sideName(p.hand), g.first, p.onset_frame, p.peak_frame, p.hold_frame, p.end_frame,
+                   g.last, (p.hold_frame - p.peak_frame) * frame_time_s, azimuth);
         fmt::print("{}{}\n", g.remarks.empty() ? "" : "  ", fmt::join(g.remarks, "; "));
     }
     for (const motion::LeftOut& left : segmentation.left_out)

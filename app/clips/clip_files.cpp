@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "assets/tables/humanoid_file.hpp"
+#include "motion/pointing/placement.hpp"
 #include "motion/retarget/retarget.hpp"
+#include "motion/skeleton/clip_edit.hpp"
 
 namespace deixis::app {
 
@@ -50,6 +52,11 @@ bool isOnAvatar(const motion::Clip& clip, const assets::Avatar& avatar) {
     return !sameSkeletonOrder(clip.skeleton, avatar.skeleton).empty();
 }
 
+void standByTarget(motion::Clip& clip, const motion::HumanoidMap& map, assets::TargetFrame frame) {
+    if (frame == assets::TargetFrame::figure)
+        clip = motion::moved(clip, motion::figureOnFloorFromClip(clip, map));
+}
+
 Result<motion::Clip> clipOnAvatar(const assets::ImportedClip& imported, const std::string& file,
                                   const assets::Avatar& avatar, const motion::RetargetOptions& options,
                                   motion::RetargetReport* report) {
@@ -64,7 +71,7 @@ Result<motion::Clip> clipOnAvatar(const assets::ImportedClip& imported, const st
         return retargeted;
     }
     if (options.gesture)
-        if (const auto checked = motion::checkGesture(*options.gesture, clip.frameCount()); !checked)
+        if (const auto checked = motion::checkPhases(*options.gesture, clip.frameCount()); !checked)
             return tl::unexpected(inFile(checked.error(), file));
     motion::Clip out;
     out.skeleton = avatar.skeleton;

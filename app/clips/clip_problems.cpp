@@ -16,10 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using enum motion::Bone;
 
-constexpr std::array required{hips,          head,          leftUpperArm,  leftLowerArm, leftHand,
-                              rightUpperArm, rightLowerArm, rightHand,     leftUpperLeg, leftLowerLeg,
-                              leftFoot,      rightUpperLeg, rightLowerLeg, rightFoot};
-
 constexpr std::array<std::pair<motion::Bone, motion::Bone>, 9> limbs{{{leftUpperArm, leftLowerArm},
                                                                       {leftLowerArm, leftHand},
                                                                       {rightUpperArm, rightLowerArm},
@@ -58,7 +54,7 @@ class Inspection {
     }
 
     void findMissingBones(const fs::path& file) {
-        if (const auto missing = missingRequiredBones(map_); !missing.empty())
+        if (const auto missing = motion::missingBones(map_); !missing.empty())
             fatal(fmt::format(
                 "has no joint for {}. If it has one by another name, say so in {} beside it, with "
                 "a line such as {} = \"NAME OF THE JOINT\"; 'deixis clips joints' lists them",
@@ -143,13 +139,6 @@ class Inspection {
 };
 
 }  // namespace
-
-std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map) {
-    std::vector<std::string> names;
-    for (const motion::Bone bone : required)
-        if (!map.has(bone)) names.emplace_back(motion::boneName(bone));
-    return names;
-}
 
 std::vector<ClipProblem> clipProblems(const assets::ImportedClip& imported, const fs::path& file,
                                       const motion::HumanoidMap& map) {

@@ -7,6 +7,7 @@
 #include "app/clips/clip_files.hpp"
 #include "app/clips/clip_output.hpp"
 #include "assets/joints/bvh.hpp"
+#include "motion/pointing/placement.hpp"
 
 namespace deixis::app {
 
@@ -31,13 +32,25 @@ std::string newName(const std::string& clip, std::set<std::string>& taken) {
 
 std::optional<motion::PointingGesture> gestureOf(const assets::ManifestRow& row) {
     if (!row.phases) return std::nullopt;
-    return motion::PointingGesture{row.phases->hand,       row.phases->onset_frame, row.phases->peak_frame,
-                                   row.phases->hold_frame, row.phases->end_frame,   row.target};
+    return motion::PointingGesture{*row.phases, row.target};
 }
 
-Result<motion::Clip> retargetRow(const assets::ImportedClip& clip, const std::string& file,
+Result<motion::Clip> retargetRow(assets::ImportedClip clip, const std::string& file,
                                  const assets::Avatar& avatar, const RetargetManner& manner,
                                  assets::ManifestRow& row, motion::RetargetReport* report) {
+    if (row.target) {
+        const auto mapping = mapImported(clip, file);
+        if (!mapping) return tl::unexpected(mapping.error());
+        standByTarget(clip.clip, mapping->map, row.target_frame);
+        row.target_frame = assets::TargetFrame::clip;
+        if (motion::standsAway(clip.clip, mapping->map))
+            return fail(
+                file,
+                "begins half a metre or more from the origin, or faces away from +z, and its target is "
+                "given in its coordinates: an avatar points from the origin",
+                "Where the target is given from the figure, as it stands in the first frame, say so in "
+                "the manifest: target_frame is figure");
+    }
     motion::RetargetOptions options;
     options.keep = manner.keep;
     options.close_hand = manner.close_hand;

@@ -23,8 +23,7 @@ Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& 
         row.system = std::string(generator.name());
         row.target_id = id;
         row.target = position;
-        row.phases = assets::PointingPhases{made.onset_frame, made.peak_frame, made.hold_frame,
-                                            made.end_frame, made.hand};
+        row.phases = made;
         row.fps = made.clip.framesPerSecond();
         row.seed = clip_seed;
         if (auto added = output.add(row.clip, assets::writeBvh(made.clip)); !added)

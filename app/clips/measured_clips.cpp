@@ -16,8 +16,9 @@
 
 #include "app/clips/clip_files.hpp"
 #include "core/hash.hpp"
+#include "motion/pointing/placement.hpp"
 #include "motion/pointing/pointing.hpp"
-#include "motion/retarget/retarget.hpp"
+#include "motion/pointing/pointing_phases.hpp"
 
 namespace deixis::app {
 
@@ -26,16 +27,13 @@ namespace {
 using motion::ArmTrack;
 using motion::Side;
 
-/// The arm's lines over the hold; without phases at the time of pointing.
+/// The arm's lines over the hold.
 studies::ArmLines linesOf(const motion::Clip& clip, const motion::HumanoidMap& map, Side side,
-                          const motion::Placement& placement, int first, int last) {
+                          const std::vector<std::vector<Pose>>& world, int first, int last) {
     std::vector<studies::ArmLines> frames;
-    for (int frame = first; frame <= last; ++frame) {
-        std::vector<Pose> world =
-            motion::worldPose(clip.skeleton, clip.frames[static_cast<std::size_t>(frame)]);
-        for (Pose& joint : world) joint = placement.stage_from_clip * joint;
-        frames.push_back(studies::armLines(clip.skeleton, map, world, side, {}));
-    }
+    for (int frame = first; frame <= last; ++frame)
+        frames.push_back(
+            studies::armLines(clip.skeleton, map, world[static_cast<std::size_t>(frame)], side, {}));
     return studies::meanOf(frames);
 }
 
@@ -43,15 +41,6 @@ struct OneClip {
     results::MeasuredClip measured;
     std::string digest;
 };
-
-/// The arm that points where nobody says which: that whose hand goes farther.
-Result<ArmTrack> fartherArm(const motion::Clip& clip, const motion::HumanoidMap& map,
-                            const motion::Placement& placement) {
-    auto right = motion::armTrack(clip, map, Side::right, placement);
-    auto left = motion::armTrack(clip, map, Side::left, placement);
-    if (!left || !right) return left ? left : right;
-    return motion::peakDisplacement_m(*left) > motion::peakDisplacement_m(*right) ? left : right;
-}
 
 std::string digestOf(const ArmTrack& arm) {
     std::string bytes;
@@ -61,40 +50,20 @@ std::string digestOf(const ArmTrack& arm) {
     return sha256Hex(bytes);
 }
 
-/// Whether the figure has what a ray goes through.
+/// Whether the figure has what a ray goes through; where it looks is none.
 bool hasRay(const motion::HumanoidMap& map, Side side, motion::PointingRay ray) {
     using enum motion::PointingRay;
-    const motion::ArmBones arm = motion::armBones(side);
-    switch (ray) {
-        case forearm:
-            return true;
-        case index_finger:
-            return map.has(arm.index_proximal);
-        case shoulder_hand:
-            return map.has(arm.upper_arm);
-        case shoulder_fingertip:
-            return map.has(arm.upper_arm) && map.has(arm.index_proximal);
-        case elbow_fingertip:
-            return map.has(arm.index_proximal);
-        case eye_fingertip:
-            return map.has(motion::Bone::head);
-        case head:
-            return false;  // where it looks, not where it points
-    }
-    return false;
+    const bool finger = ray == index_finger || ray == shoulder_fingertip || ray == elbow_fingertip;
+    return ray != head && (!finger || map.has(motion::armBones(side).index_proximal));
 }
 
-/// `target` in the clip's coordinates.
-std::array<std::optional<double>, motion::all_pointing_rays.size()> rayErrors(const motion::Clip& clip,
-                                                                              const motion::HumanoidMap& map,
-                                                                              Side side, int frame,
-                                                                              const Vec3& target) {
+std::array<std::optional<double>, motion::all_pointing_rays.size()> rayErrors(
+    const motion::Skeleton& skeleton, const motion::HumanoidMap& map, Side side,
+    const std::vector<Pose>& world, const Vec3& target) {
     std::array<std::optional<double>, motion::all_pointing_rays.size()> out{};
-    const std::vector<Pose> world =
-        motion::worldPose(clip.skeleton, clip.frames[static_cast<std::size_t>(frame)]);
     for (const motion::PointingRay kind : motion::all_pointing_rays) {
         if (!hasRay(map, side, kind)) continue;
-        const Ray ray = motion::pointingRay(clip.skeleton, map, world, side, kind);
+        const Ray ray = motion::pointingRay(skeleton, map, world, side, kind);
         if (glm::length(ray.direction) > 0.5)
             out.at(static_cast<std::size_t>(kind)) = degreesFromRadians(motion::angularError(ray, target));
     }
@@ -103,11 +72,16 @@ std::array<std::optional<double>, motion::all_pointing_rays.size()> rayErrors(co
 
 Result<OneClip> measure(const ClipToMeasure& job, const motion::AccuracyRule& rule) {
     const std::string name = job.file.string();
-    const auto file = readMappedClip(job.file);
+    auto file = readMappedClip(job.file);
     if (!file) return tl::unexpected(file.error());
-    const motion::Clip& clip = file->clip;
     const motion::HumanoidMap& map = file->map;
-    const motion::Placement placement = motion::placementOf(clip, map);
+    if (const auto missing = motion::missingBones(map, motion::pointingBones()); !missing.empty())
+        return fail(name,
+                    fmt::format("no joint was found for {}, which pointing is measured by",
+                                fmt::join(missing, " and ")),
+                    "Name the joints as one of the known schemes does");
+    standByTarget(file->clip, map, job.row.target_frame);
+    const motion::Clip& clip = file->clip;
     const auto& phases = job.row.phases;
     if (phases && phases->end_frame >= clip.frameCount())
         return fail(name,
@@ -119,34 +93,38 @@ Result<OneClip> measure(const ClipToMeasure& job, const motion::AccuracyRule& ru
                     fmt::format("has {:.4g} frames per second, but its manifest says {:g}",
                                 clip.framesPerSecond(), job.row.fps),
                     "Phases are given in frames: both must count the same");
-    auto arm =
-        phases ? motion::armTrack(clip, map, phases->hand, placement) : fartherArm(clip, map, placement);
-    if (!arm) {
-        Error error = arm.error();
-        error.where = name;
-        return tl::unexpected(std::move(error));
-    }
+    const auto world = motion::worldPoses(clip);
+    const Side side = phases ? phases->hand : motion::recognisedHand(world, map).hand;
+    const auto arm = motion::armTrack(world, map, side, clip.frame_time_s);
+    if (!arm) return fail(name, arm.error().message, arm.error().mend);
     const Vec3& target = *job.row.target;
     OneClip one;
-    one.measured.system = job.row.system;
-    one.measured.clip = job.row.clip;
-    one.measured.target_id = job.row.target_id;
-    one.measured.target = target;
-    one.measured.hand = arm->side;
-    one.measured.pointing_frame = phases ? phases->peak_frame : motion::displacementPeak(*arm);
-    one.measured.phases_given = phases.has_value();
-    one.measured.placed = placement.moved;
-    one.measured.accuracy = motion::pointingAccuracy(*arm, target, one.measured.pointing_frame, rule);
-    one.measured.profile =
-        motion::pointingProfile(*arm, target, one.measured.pointing_frame, results::profile_from_s,
-                                results::profile_to_s, results::profile_step_s);
-    if (map.has(motion::Bone::head))
-        one.measured.lines = linesOf(clip, map, arm->side, placement, one.measured.pointing_frame,
-                                     phases ? phases->hold_frame : one.measured.pointing_frame);
-    const int frame = one.measured.accuracy ? one.measured.accuracy->frame : one.measured.pointing_frame;
-    one.measured.ray_errors_deg =
-        rayErrors(clip, map, arm->side, frame, transformPoint(inverse(placement.stage_from_clip), target));
     one.digest = digestOf(*arm);
+    results::MeasuredClip& measured = one.measured;
+    measured.system = job.row.system;
+    measured.clip = job.row.clip;
+    measured.target_id = job.row.target_id;
+    measured.target = target;
+    measured.hand = side;
+    measured.phases_given = phases.has_value();
+    measured.placed = job.row.target_frame == assets::TargetFrame::figure;
+    measured.away = motion::standsAway(clip, map);
+    motion::GesturePhases gesture;
+    if (phases) {
+        gesture = *phases;
+    } else if (const auto found = motion::detectPhases(arm->hand, side, clip.frame_time_s)) {
+        gesture = found->phases;
+    } else {
+        return one;  // a hand that does not move points at nothing
+    }
+    measured.pointing_frame = gesture.peak_frame;
+    measured.accuracy = motion::pointingAccuracy(*arm, target, gesture.peak_frame, rule);
+    measured.profile = motion::pointingProfile(*arm, target, gesture.peak_frame, results::profile_from_s,
+                                               results::profile_to_s, results::profile_step_s);
+    measured.lines = linesOf(clip, map, side, world, gesture.peak_frame, gesture.hold_frame);
+    const int frame = measured.accuracy ? measured.accuracy->frame : gesture.peak_frame;
+    measured.ray_errors_deg =
+        rayErrors(clip.skeleton, map, side, world[static_cast<std::size_t>(frame)], target);
     return one;
 }
 

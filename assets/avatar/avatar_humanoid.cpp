@@ -13,10 +13,6 @@ namespace {
 using motion::Bone;
 using enum motion::Bone;
 
-constexpr Bone needed[] = {hips,          head,          leftUpperLeg,  leftLowerLeg, leftFoot,
-                           rightUpperLeg, rightLowerLeg, rightFoot,     leftUpperArm, leftLowerArm,
-                           leftHand,      rightUpperArm, rightLowerArm, rightHand};
-
 /// VRM 0.x calls the thumb's bones proximal, intermediate and distal (VRM 1.0: metacarpal, proximal, distal).
 std::optional<Bone> boneOfVrm0(std::string_view name) {
     if (name == "leftThumbProximal") return leftThumbMetacarpal;
@@ -90,14 +86,7 @@ Result<std::optional<BoneNodes>> vrmHumanoid(const tinygltf::Model& model, const
 
 motion::HumanoidMap humanoidByNames(const motion::Skeleton& skeleton) {
     const motion::HumanoidMap exact = motion::mapByVrmNames(skeleton);
-    return missingBones(exact).empty() ? exact : motion::detectHumanoid(skeleton);
-}
-
-std::string missingBones(const motion::HumanoidMap& map) {
-    std::string names;
-    for (const Bone bone : needed)
-        if (!map.has(bone)) names += (names.empty() ? "" : ", ") + std::string(motion::boneName(bone));
-    return names;
+    return motion::missingBones(exact).empty() ? exact : motion::detectHumanoid(skeleton);
 }
 
 }  // namespace deixis::assets

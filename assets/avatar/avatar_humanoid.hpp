@@ -22,7 +22,4 @@ using BoneNodes = std::array<int, motion::bone_count>;
 /// The map by the joints' own names.
 [[nodiscard]] motion::HumanoidMap humanoidByNames(const motion::Skeleton& skeleton);
 
-/// "leftHand, head": the bones that an avatar needs and the map lacks.
-[[nodiscard]] std::string missingBones(const motion::HumanoidMap& map);
-
 }  // namespace deixis::assets

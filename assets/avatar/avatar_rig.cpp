@@ -37,7 +37,7 @@ class RigReader {
                 if (node >= 0) nodes->push_back(node);
         if (auto made = makeJoints(*nodes); !made) return tl::unexpected(made.error());
         auto found = findHumanoid(*vrm);
-        if ((!found || !missingBones(rig_.humanoid).empty()) && (!*vrm || said_ != nullptr)) {
+        if ((!found || !motion::missingBones(rig_.humanoid).empty()) && (!*vrm || said_ != nullptr)) {
             // Figures of rigid parts have no skin, and some skins leave bones out that nothing hangs on.
             std::vector<int> all = *nodes;
             for (std::size_t i = 0; i < model_.nodes.size(); ++i)
@@ -46,9 +46,10 @@ class RigReader {
             found = findHumanoid(*vrm);
         }
         if (!found) return tl::unexpected(found.error());
-        if (const auto missing = missingBones(rig_.humanoid); !missing.empty())
+        if (const auto missing = motion::missingBones(rig_.humanoid); !missing.empty())
             return fail(file_,
-                        fmt::format("no joint was found for {}, expected the bones of a humanoid", missing),
+                        fmt::format("no joint was found for {}, expected the bones of a humanoid",
+                                    fmt::join(missing, ", ")),
                         "Name the joints as VRM, Mixamo or another common rig does, save the figure as VRM, "
                         "or " +
                             wordFile());

@@ -36,9 +36,10 @@ enum Column {
     source_error_deg,
     avatar_error_deg,
     author,
-    trial
+    trial,
+    target_frame
 };
-constexpr std::array<std::string_view, 17> manifest_columns{"clip",
+constexpr std::array<std::string_view, 18> manifest_columns{"clip",
                                                             "system",
                                                             "target_id",
                                                             "target_x",
@@ -54,7 +55,8 @@ constexpr std::array<std::string_view, 17> manifest_columns{"clip",
                                                             "source_error_deg",
                                                             "avatar_error_deg",
                                                             "author",
-                                                            "trial"};
+                                                            "trial",
+                                                            "target_frame"};
 constexpr std::size_t required_columns = 13;  // the first ones
 constexpr std::size_t absent = ~std::size_t{0};
 
@@ -128,8 +130,8 @@ class RowReader {
     std::optional<Error> first_;
 };
 
-PointingPhases readPhases(RowReader& reader) {
-    PointingPhases phases;
+motion::GesturePhases readPhases(RowReader& reader) {
+    motion::GesturePhases phases;
     const std::string side = reader.text(hand);
     if (side != "left" && side != "right")
         reader.problem(hand, fmt::format("found '{}', expected left or right", side));
@@ -173,6 +175,12 @@ Result<ManifestRow> readRow(RowReader reader) {
     if (reader.has(trial)) {
         row.trial = reader.number<int>(trial, "a whole number from 1");
         if (*row.trial < 1) reader.problem(trial, fmt::format("found {}, expected 1 or more", *row.trial));
+    }
+    if (reader.has(target_frame)) {
+        const std::string found = reader.text(target_frame);
+        if (found != "clip" && found != "figure")
+            reader.problem(target_frame, fmt::format("found '{}', expected clip or figure", found));
+        row.target_frame = found == "figure" ? TargetFrame::figure : TargetFrame::clip;
     }
     if (reader.first()) return tl::unexpected(*reader.first());
     return row;
@@ -257,10 +265,12 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
     const bool errors = any([](const auto& row) { return row.source_error_deg || row.avatar_error_deg; });
     const bool authors = any([](const auto& row) { return !row.author.empty(); });
     const bool trials = any([](const auto& row) { return row.trial.has_value(); });
+    const bool frames = any([](const auto& row) { return row.target_frame == TargetFrame::figure; });
     std::string out = header();
     if (errors) out += ",source_error_deg,avatar_error_deg";
     if (authors) out += ",author";
     if (trials) out += ",trial";
+    if (frames) out += ",target_frame";
     out += "\n";
     for (const ManifestRow& row : rows) {
         out += fmt::format("{},{},{},", csvField(row.clip), csvField(row.system), csvField(row.target_id));
@@ -276,6 +286,7 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
                 out += error ? fmt::format(",{}", *error) : ",";
         if (authors) out += "," + csvField(row.author);
         if (trials) out += row.trial ? fmt::format(",{}", *row.trial) : ",";
+        if (frames) out += row.target_frame == TargetFrame::figure ? ",figure" : ",clip";
         out += "\n";
     }
     return out;

@@ -4,38 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "motion/skeleton/kinematics.hpp"
+
 namespace deixis::motion {
-
-namespace {
-
-/// Frames in a time, at least one.
-int framesIn(double time_s, double frame_time_s) {
-    return std::max(1, static_cast<int>(std::lround(time_s / frame_time_s)));
-}
-
-/// Least-squares slope over `half` frames to each side, fewer at the ends; units a second.
-std::vector<double> slopeLengths(const std::vector<Vec3>& values, int half, double frame_time_s) {
-    const int count = static_cast<int>(values.size());
-    std::vector<double> out;
-    out.reserve(values.size());
-    for (int f = 0; f < count; ++f) {
-        const int w = std::min({half, f, count - 1 - f});
-        // At an end itself, from its one neighbour.
-        const int low = w > 0 ? f - w : std::max(0, f - 1);
-        const int high = w > 0 ? f + w : std::min(count - 1, f + 1);
-        const double middle = 0.5 * (low + high);
-        Vec3 sum(0.0);
-        double weights = 0.0;
-        for (int i = low; i <= high; ++i) {
-            sum += (i - middle) * values[static_cast<std::size_t>(i)];
-            weights += (i - middle) * (i - middle);
-        }
-        out.push_back(weights > 0.0 ? glm::length(sum) / (weights * frame_time_s) : 0.0);
-    }
-    return out;
-}
-
-}  // namespace
 
 std::vector<HandTrack> trackHands(const Clip& recording, const HumanoidMap& map) {
     std::vector<HandTrack> tracks(2);
@@ -61,20 +32,19 @@ std::vector<HandTrack> trackHands(const Clip& recording, const HumanoidMap& map)
             hands[static_cast<std::size_t>(side)].push_back(hand);
         }
     }
-    const double dt = recording.frame_time_s;
     for (std::size_t side = 0; side < 2; ++side) {
         HandTrack& track = tracks[side];
         track.arm_length_m /= static_cast<double>(recording.frames.size());
-        constexpr double half_window_s = 1.0 / 15.0;
-        track.speed_m_s = slopeLengths(track.reach, framesIn(half_window_s, dt), dt);
-        for (Vec3& reach : track.reach) reach /= track.arm_length_m;
-        const int step = framesIn(1.0 / 30.0, dt);
-        for (int f = 0; f < recording.frameCount(); ++f) {
-            const int before = std::max(0, f - step);
-            const Vec3 way =
-                hands[side][static_cast<std::size_t>(f)] - hands[side][static_cast<std::size_t>(before)];
-            track.step_speed_m_s.push_back(f > before ? glm::length(way) / ((f - before) * dt) : 0.0);
+        track.course.speed_m_s = speeds(track.reach, recording.frame_time_s);
+        const auto& hand = hands[side];
+        const std::size_t step = static_cast<std::size_t>(
+            std::max(1L, std::lround(difference_half_span_s / recording.frame_time_s)));
+        for (std::size_t f = 0; f < hand.size(); ++f) {
+            const std::size_t before = f - std::min(f, step);
+            const double time_s = static_cast<double>(f - before) * recording.frame_time_s;
+            track.step_speed_m_s.push_back(f > 0 ? glm::length(hand[f] - hand[before]) / time_s : 0.0);
         }
+        for (Vec3& reach : track.reach) reach /= track.arm_length_m;
     }
     return tracks;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "motion/skeleton/clip.hpp"
+#include "motion/pointing/pointing_phases.hpp"
 
 namespace deixis::motion {
 
@@ -12,12 +12,9 @@ struct HandTrack {
     double arm_length_m = 0.0;  ///< shoulder to elbow to wrist, mean over the frames
     /// Hand from the shoulder in the person's axes (x left along the shoulders, y up, z ahead), arm lengths.
     std::vector<Vec3> reach;
-    /// Speed of `reach`, metres a second: its slope over about an eighth of a second.
-    std::vector<double> speed_m_s;
+    HandCourse course;  ///< of `reach`, metres a second; displacement is still empty
     /// Speed of the hand in the recording over the last thirtieth of a second, metres a second.
     std::vector<double> step_speed_m_s;
-
-    [[nodiscard]] int frameCount() const { return static_cast<int>(reach.size()); }
 };
 
 /// Both hands' tracks, by Side.

@@ -1,13 +1,16 @@
 #include "motion/gestures/segmentation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "gesture_phases.hpp"
 #include "hand_track.hpp"
+#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/pointing/pointing_phases.hpp"
 
 namespace deixis::motion {
 
@@ -16,26 +19,6 @@ namespace {
 using std::to_string;
 
 constexpr std::array sides{Side::left, Side::right};
-
-/// Frames, both ends in.
-struct Run {
-    int begin;
-    int end;
-};
-
-/// The longest runs of frames from `first` on for which `holds` is true.
-template <typename Holds>
-std::vector<Run> runsOf(int first, int count, Holds holds) {
-    std::vector<Run> runs;
-    for (int f = first; f < count; ++f) {
-        if (!holds(f)) continue;
-        if (!runs.empty() && runs.back().end == f - 1)
-            runs.back().end = f;
-        else
-            runs.push_back({f, f});
-    }
-    return runs;
-}
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -51,12 +34,8 @@ std::string handText(Side side) {
     return "the " + std::string(sideName(side)) + " hand";
 }
 
-/// A stretch in which a hand is out of rest.
-struct Excursion {
-    Run frames;
-    Run around;  ///< reaching to the hand's excursions before and after
-    Side hand;
-    double farthest;
+struct HandExcursion : Excursion {
+    Side hand = Side::right;
 };
 
 class Cutter {
@@ -71,13 +50,9 @@ class Cutter {
         for (const Side side : sides) {
             const auto rest = restOf(side);
             if (!rest) return tl::unexpected(rest.error());
-            auto& displacement = displacement_[static_cast<std::size_t>(side)];
-            auto& sagittal = sagittal_[static_cast<std::size_t>(side)];
-            for (const Vec3& reach : track(side).reach) {
-                const Vec3 d = reach - *rest;
-                displacement.push_back(glm::length(d));
-                sagittal.push_back(std::hypot(d.y, d.z));
-            }
+            HandTrack& track = tracks_[static_cast<std::size_t>(side)];
+            for (const Vec3& reach : track.reach)
+                track.course.displacement.push_back(glm::length(reach - *rest));
         }
         for (const Side side : sides) holds_[static_cast<std::size_t>(side)] = holdsOf(side);
         if (options_.by == CutBy::returns)
@@ -92,17 +67,11 @@ class Cutter {
   private:
     [[nodiscard]] const HandTrack& track(Side side) const { return tracks_[static_cast<std::size_t>(side)]; }
     [[nodiscard]] double displacement(Side side, int frame) const {
-        return displacement_[static_cast<std::size_t>(side)][static_cast<std::size_t>(frame)];
-    }
-    [[nodiscard]] double sagittal(Side side, int frame) const {
-        return sagittal_[static_cast<std::size_t>(side)][static_cast<std::size_t>(frame)];
+        return track(side).course.displacement[static_cast<std::size_t>(frame)];
     }
     [[nodiscard]] double speed(Side side, int frame) const {
-        return track(side).speed_m_s[static_cast<std::size_t>(frame)];
+        return track(side).course.speed_m_s[static_cast<std::size_t>(frame)];
     }
-    [[nodiscard]] double seconds(Run run) const { return (run.end - run.begin + 1) * dt_; }
-    /// Durations that fall short by rounding alone count as reached.
-    [[nodiscard]] bool lasts(Run run, double least_s) const { return seconds(run) >= least_s - 1e-4; }
 
     /// Where the hand rests, from the shoulder, arm lengths.
     Result<Vec3> restOf(Side side) {
@@ -136,48 +105,41 @@ class Cutter {
     /// Slow, straight and raised.
     [[nodiscard]] std::vector<Run> holdsOf(Side side) const {
         const HandTrack& t = track(side);
-        auto runs = runsOf(1, count_, [&](int f) {
+        auto runs = runsOf(1, count_ - 1, [&](int f) {
             const auto i = static_cast<std::size_t>(f);
             return t.step_speed_m_s[i] < options_.hold_speed_m_s &&
                    glm::length(t.reach[i]) > options_.hold_reach && displacement(side, f) > options_.out;
         });
-        runs.erase(std::remove_if(runs.begin(), runs.end(),
-                                  [&](const Run& run) { return !lasts(run, options_.least_hold_s); }),
-                   runs.end());
+        runs.erase(
+            std::remove_if(runs.begin(), runs.end(),
+                           [&](const Run& run) { return run.frames() < framesFor(options_.least_hold_s); }),
+            runs.end());
         return runs;
     }
 
-    [[nodiscard]] std::vector<Excursion> excursionsOf(Side side) const {
-        std::vector<Run> runs;
-        for (const Run& run :
-             runsOf(0, count_, [&](int f) { return displacement(side, f) > options_.back; })) {
-            if (!runs.empty() && !lasts({runs.back().end + 1, run.begin - 1}, options_.least_rest_s))
-                runs.back().end = run.end;
-            else
-                runs.push_back(run);
-        }
-        std::vector<Excursion> out;
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            const Run& run = runs[i];
-            double farthest = 0.0;
-            for (int f = run.begin; f <= run.end; ++f) farthest = std::max(farthest, displacement(side, f));
-            if (farthest < options_.out || !lasts(run, options_.least_gesture_s)) continue;
-            const Run around{i > 0 ? runs[i - 1].end + 1 : 0,
-                             i + 1 < runs.size() ? runs[i + 1].begin - 1 : count_ - 1};
-            out.push_back({run, around, side, farthest});
-        }
+    /// Durations that fall short by rounding alone count as reached.
+    [[nodiscard]] int framesFor(double time_s) const {
+        return static_cast<int>(std::ceil((time_s - 1e-4) / dt_));
+    }
+
+    [[nodiscard]] std::vector<HandExcursion> excursionsOf(Side side) const {
+        std::vector<HandExcursion> out;
+        for (const Excursion& e : motion::excursionsOf(track(side).course.displacement, options_.back,
+                                                       options_.out, framesFor(options_.least_rest_s)))
+            if (e.frames.frames() >= framesFor(options_.least_gesture_s)) out.push_back({e, side});
         return out;
     }
 
     void cutByReturns() {
-        std::vector<Excursion> excursions = excursionsOf(Side::left);
-        for (const Excursion& e : excursionsOf(Side::right)) excursions.push_back(e);
+        std::vector<HandExcursion> excursions = excursionsOf(Side::left);
+        for (const HandExcursion& e : excursionsOf(Side::right)) excursions.push_back(e);
         // Of what the two hands do together, the one that goes farther leads.
-        std::stable_sort(excursions.begin(), excursions.end(),
-                         [](const Excursion& a, const Excursion& b) { return a.farthest > b.farthest; });
-        std::vector<const Excursion*> leading;
-        for (const Excursion& e : excursions) {
-            const auto leader = std::find_if(leading.begin(), leading.end(), [&](const Excursion* other) {
+        std::stable_sort(
+            excursions.begin(), excursions.end(),
+            [](const HandExcursion& a, const HandExcursion& b) { return a.farthest > b.farthest; });
+        std::vector<const HandExcursion*> leading;
+        for (const HandExcursion& e : excursions) {
+            const auto leader = std::find_if(leading.begin(), leading.end(), [&](const HandExcursion* other) {
                 return other->hand != e.hand && together(e.frames, other->frames);
             });
             if (leader == leading.end())
@@ -186,7 +148,7 @@ class Cutter {
                 leaveOut(e.frames, e.hand,
                          "goes along with " + handText((*leader)->hand) + ", which goes farther");
         }
-        for (const Excursion* e : leading) {
+        for (const HandExcursion* e : leading) {
             if (e->frames.begin == 0)
                 leaveOut(e->frames, e->hand, "the recording begins when the hand is out of rest");
             else if (e->frames.end == count_ - 1)
@@ -198,11 +160,11 @@ class Cutter {
         shareMargins();
     }
 
-    [[nodiscard]] static std::vector<std::string> remarksOnOther(const Excursion& e,
-                                                                 const std::vector<Excursion>& excursions) {
+    [[nodiscard]] static std::vector<std::string> remarksOnOther(
+        const HandExcursion& e, const std::vector<HandExcursion>& excursions) {
         std::vector<std::string> remarks;
         constexpr double nearly = 0.9;
-        for (const Excursion& other : excursions)
+        for (const HandExcursion& other : excursions)
             if (other.hand != e.hand && together(e.frames, other.frames))
                 remarks.push_back(handText(other.hand) + " is out of rest too (frames " +
                                   framesText(other.frames) + ")" +
@@ -216,45 +178,29 @@ class Cutter {
         return 2 * common > std::min(a.end - a.begin, b.end - b.begin) + 1;
     }
 
-    Gesture gestureOf(const Excursion& e, std::vector<std::string> remarks) const {
-        // The peak of displacement in the sagittal plane (section 2.1): of the frames nearly as far, the
-        // stillest.
-        double farthest = 0.0;
-        for (int f = e.frames.begin; f <= e.frames.end; ++f)
-            farthest = std::max(farthest, sagittal(e.hand, f));
-        int middle = -1;
-        for (int f = e.frames.begin; f <= e.frames.end; ++f)
-            if (sagittal(e.hand, f) >= 0.9 * farthest &&
-                (middle < 0 || speed(e.hand, f) < speed(e.hand, middle)))
-                middle = f;
-        const GestureFrames phases = gesturePhases(track(e.hand).speed_m_s, e.around.begin, e.frames.begin,
-                                                   middle, e.frames.end, e.around.end);
+    Gesture gestureOf(const HandExcursion& e, std::vector<std::string> remarks) const {
+        const GesturePhases phases = phasesOf(e, track(e.hand).course, e.hand);
         double reach = 0.0;
-        for (int f = phases.peak; f <= phases.hold; ++f)
+        for (int f = phases.peak_frame; f <= phases.hold_frame; ++f)
             reach = std::max(reach, glm::length(track(e.hand).reach[static_cast<std::size_t>(f)]));
         constexpr double bent = 0.8;
         if (reach < bent) remarks.emplace_back("the arm stays bent");
         constexpr double least_stop_s = 0.1;
-        if ((phases.hold - phases.peak) * dt_ < least_stop_s) remarks.emplace_back("the hand does not stop");
+        if ((phases.hold_frame - phases.peak_frame) * dt_ < least_stop_s)
+            remarks.emplace_back("the hand does not stop");
         const auto& holds = holds_[static_cast<std::size_t>(e.hand)];
         const auto several = std::count_if(holds.begin(), holds.end(), [&](const Run& hold) {
             return hold.begin >= e.frames.begin && hold.end <= e.frames.end;
         });
         if (several > 1) remarks.push_back("holds " + to_string(several) + " times before the hand is back");
-        return gesture(phases, e.around, e.hand, std::move(remarks));
+        return gesture(phases, e.around, std::move(remarks));
     }
 
-    [[nodiscard]] Gesture gesture(const GestureFrames& phases, Run around, Side hand,
+    [[nodiscard]] Gesture gesture(const GesturePhases& phases, Run around,
                                   std::vector<std::string> remarks) const {
         const int margin = static_cast<int>(std::lround(options_.margin_s / dt_));
-        return {std::max(around.begin, phases.onset - margin),
-                std::min(around.end, phases.end + margin),
-                phases.onset,
-                phases.peak,
-                phases.hold,
-                phases.end,
-                hand,
-                std::move(remarks)};
+        return {std::max(around.begin, phases.onset_frame - margin),
+                std::min(around.end, phases.end_frame + margin), phases, std::move(remarks)};
     }
 
     void cutByHolds() {
@@ -274,9 +220,8 @@ class Cutter {
                     if (std::min(hold.end, other.end) >= std::max(hold.begin, other.begin))
                         remarks.push_back(handText(opposite(side)) + " holds too (frames " +
                                           framesText(other) + ")");
-                out_.gestures.push_back(gesture(
-                    phasesAroundHold(track(side).speed_m_s, around.begin, hold.begin, hold.end, around.end),
-                    around, side, std::move(remarks)));
+                out_.gestures.push_back(gesture(phasesAroundHold(hold, around, track(side).course, side),
+                                                around, std::move(remarks)));
             }
         }
         sortGestures();
@@ -287,8 +232,9 @@ class Cutter {
     }
 
     void sortGestures() {
-        std::stable_sort(out_.gestures.begin(), out_.gestures.end(),
-                         [](const Gesture& a, const Gesture& b) { return a.onset < b.onset; });
+        std::stable_sort(out_.gestures.begin(), out_.gestures.end(), [](const Gesture& a, const Gesture& b) {
+            return a.phases.onset_frame < b.phases.onset_frame;
+        });
     }
 
     /// The rest between two gestures is shared where it is short.
@@ -296,13 +242,15 @@ class Cutter {
         for (std::size_t i = 1; i < out_.gestures.size(); ++i) {
             Gesture& before = out_.gestures[i - 1];
             Gesture& after = out_.gestures[i];
-            if (before.end >= after.onset) {
-                before.last = before.end;
-                after.first = after.onset;
-                after.remarks.push_back("sets out before " + handText(before.hand) + " is back");
+            const int end = before.phases.end_frame;
+            const int onset = after.phases.onset_frame;
+            if (end >= onset) {
+                before.last = end;
+                after.first = onset;
+                after.remarks.push_back("sets out before " + handText(before.phases.hand) + " is back");
                 continue;
             }
-            const int middle = (before.end + after.onset) / 2;
+            const int middle = (end + onset) / 2;
             before.last = std::min(before.last, middle);
             after.first = std::max(after.first, middle + 1);
         }
@@ -312,20 +260,19 @@ class Cutter {
     double dt_;
     int count_;
     std::vector<HandTrack> tracks_;  // by Side, as all below
-    std::array<std::vector<double>, 2> displacement_;
-    std::array<std::vector<double>, 2> sagittal_;
     std::array<std::vector<Run>, 2> holds_;
     Segmentation out_;
 };
 
 Result<void> checkFigure(const Clip& recording, const HumanoidMap& map) {
     using enum Bone;
-    std::string missing;
-    for (const Bone bone : {hips, leftUpperLeg, rightUpperLeg, leftUpperArm, leftLowerArm, leftHand,
-                            rightUpperArm, rightLowerArm, rightHand})
-        if (!map.has(bone)) missing += (missing.empty() ? "" : ", ") + std::string(boneName(bone));
+    auto missing = missingBones(map, pointingBones());
+    for (const Bone bone : {leftUpperLeg, rightUpperLeg})
+        if (!map.has(bone)) missing.emplace_back(boneName(bone));
     if (!missing.empty())
-        return fail("", "no joint was found for " + missing + ", expected a figure with hips and two arms",
+        return fail("",
+                    fmt::format("no joint was found for {}, expected a figure with hips and two arms",
+                                fmt::join(missing, ", ")),
                     "Name the joints as VRM, Mixamo, CMU or another common rig does");
     Vec3 trunk(0.0);
     double arms = 0.0;
@@ -351,14 +298,6 @@ Result<Segmentation> segment(const Clip& recording, const HumanoidMap& map,
                              const SegmentationOptions& options) {
     if (const auto checked = checkFigure(recording, map); !checked) return tl::unexpected(checked.error());
     return Cutter(recording, map, options).cut();
-}
-
-Pose personFromRecording(const Clip& recording, const HumanoidMap& map, int frame) {
-    const auto world = worldPose(recording.skeleton, recording.frames[static_cast<std::size_t>(frame)]);
-    const auto at = [&](Bone bone) { return world[static_cast<std::size_t>(map[bone])].position; };
-    const Vec3 ahead = glm::cross(at(Bone::leftUpperLeg) - at(Bone::rightUpperLeg), up);
-    const Vec3 hips = at(Bone::hips);
-    return inverse(Pose{{hips.x, 0.0, hips.z}, yawRotation(std::atan2(ahead.x, ahead.z))});
 }
 
 }  // namespace deixis::motion

@@ -29,10 +29,6 @@ bool mapSpine(const FigureTree& tree, HumanoidMap& map) {
     return true;
 }
 
-bool hasAll(const HumanoidMap& map, const std::vector<Bone>& bones) {
-    return std::all_of(bones.begin(), bones.end(), [&](Bone bone) { return map.has(bone); });
-}
-
 /// Takes bones out that do not hang where such a bone must, so that a joint whose name misleads is looked for
 /// anew.
 void dropMisplaced(const FigureTree& tree, HumanoidMap& map, std::vector<std::string>& remarks) {
@@ -60,7 +56,7 @@ class Mapper {
             map = *given;
             note(map, FoundBy::file);
             out_.scheme = "VRM";
-            if (hasAll(map, requiredBones())) return finish(map);
+            if (missingBones(map).empty()) return finish(map);
         }
         const auto scheme = matchScheme(skeleton_);
         if (scheme) {
@@ -73,7 +69,7 @@ class Mapper {
         forgetDropped(map);
         note(map, FoundBy::name);
         addByPlace(tree_, map);
-        if (!hasAll(map, requiredBones())) mapShape(map);
+        if (!missingBones(map).empty()) mapShape(map);
         if (!keepsOwnSpine(scheme, given)) {
             const HumanoidMap before = map;
             if (mapSpine(tree_, map))
@@ -118,7 +114,7 @@ class Mapper {
         if (!shape) return;
         addByPlace(tree_, *shape);
         // Where names tell less than half of a humanoid, they are no help; else they fill the shape's gaps.
-        const auto& required = requiredBones();
+        const auto required = requiredBones();
         const auto named =
             std::count_if(required.begin(), required.end(), [&](Bone bone) { return map.has(bone); });
         if (static_cast<std::size_t>(2 * named) > required.size()) {
@@ -180,11 +176,22 @@ std::vector<Bone> HumanoidMapping::missing() const {
     return out;
 }
 
-const std::vector<Bone>& requiredBones() {
-    static const std::vector<Bone> bones{
-        hips,      head,         leftUpperLeg, leftLowerLeg, leftFoot,      rightUpperLeg, rightLowerLeg,
-        rightFoot, leftUpperArm, leftLowerArm, leftHand,     rightUpperArm, rightLowerArm, rightHand};
+std::span<const Bone> requiredBones() {
+    static constexpr std::array bones{hips,          head,          leftUpperArm,  leftLowerArm, leftHand,
+                                      rightUpperArm, rightLowerArm, rightHand,     leftUpperLeg, leftLowerLeg,
+                                      leftFoot,      rightUpperLeg, rightLowerLeg, rightFoot};
     return bones;
+}
+
+std::span<const Bone> pointingBones() {
+    return requiredBones().first(8);
+}
+
+std::vector<std::string> missingBones(const HumanoidMap& map, std::span<const Bone> bones) {
+    std::vector<std::string> names;
+    for (const Bone bone : bones)
+        if (!map.has(bone)) names.emplace_back(boneName(bone));
+    return names;
 }
 
 HumanoidMapping mapHumanoid(const Skeleton& skeleton, const HumanoidMap* given) {

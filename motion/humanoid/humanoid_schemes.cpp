@@ -203,10 +203,8 @@ std::optional<SchemeMatch> matchScheme(const Skeleton& skeleton) {
             if (!name.ends_with(root)) continue;
             if (++tried > most_prefixes) break;
             auto match = matchWith(schemes[s], tables[s], name.substr(0, name.size() - root.size()), joints);
-            const auto& required = requiredBones();
-            const bool whole =
-                std::all_of(required.begin(), required.end(), [&](Bone bone) { return match.map.has(bone); });
-            if (whole && (!best || match.bones > best->bones)) best = std::move(match);
+            if (missingBones(match.map).empty() && (!best || match.bones > best->bones))
+                best = std::move(match);
         }
     }
     return best;

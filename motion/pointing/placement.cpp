@@ -1,12 +1,12 @@
-// Where a clip's figure stands in its first frame, and how it comes to the origin.
+#include "motion/pointing/placement.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <utility>
-
-#include "motion/pointing/pointing_accuracy.hpp"
+#include <vector>
 
 namespace deixis::motion {
 
@@ -14,75 +14,48 @@ namespace {
 
 using enum Bone;
 
-constexpr double near_origin_m = 0.25;
-constexpr double near_floor_m = 0.2;
-constexpr double facing_rad = radiansFromDegrees(20.0);
-
-struct Figure {
-    const HumanoidMap& map;
-    std::vector<Pose> world;
-
-    [[nodiscard]] std::optional<Vec3> at(Bone bone) const {
-        if (!map.has(bone)) return std::nullopt;
-        return world[static_cast<std::size_t>(map[bone])].position;
-    }
-
-    /// From right to left, where the figure tells.
-    [[nodiscard]] std::optional<Vec3> lateral() const {
-        for (const auto& [left, right] :
-             {std::pair{leftUpperLeg, rightUpperLeg}, std::pair{leftUpperArm, rightUpperArm}})
-            if (at(left) && at(right)) return *at(left) - *at(right);
-        return std::nullopt;
-    }
-};
-
-/// The axis of the coordinates that a direction is nearest to.
-Vec3 nearestAxis(const Vec3& direction) {
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-        if (std::abs(direction[i]) > std::abs(direction[axis])) axis = i;
-    Vec3 nearest(0.0);
-    nearest[axis] = direction[axis] < 0.0 ? -1.0 : 1.0;
-    return nearest;
+std::vector<Pose> worldOf(const Clip& clip, int frame) {
+    return worldPose(clip.skeleton, clip.frames[static_cast<std::size_t>(frame)]);
 }
 
 }  // namespace
 
-Placement placementOf(const Clip& clip, const HumanoidMap& map) {
-    const Figure figure{map, worldPose(clip.skeleton, clip.frames.front())};
-    const auto hips_at = figure.at(hips);
-    const auto head_at = figure.at(head) ? figure.at(head) : figure.at(neck);
-    const auto lateral = figure.lateral();
-    Placement placement;
-    if (!hips_at || !head_at || !lateral || glm::length(*head_at - *hips_at) < 1e-6) return placement;
+Pose figureFromClip(const Clip& clip, const HumanoidMap& map, int frame) {
+    const auto world = worldOf(clip, frame);
+    const auto at = [&](Bone bone) { return world[static_cast<std::size_t>(map[bone])].position; };
+    if (!map.has(hips)) return {};
+    for (const auto& [left, right] :
+         {std::pair{leftUpperLeg, rightUpperLeg}, std::pair{leftUpperArm, rightUpperArm}}) {
+        if (!map.has(left) || !map.has(right)) continue;
+        const Vec3 ahead = glm::cross(at(left) - at(right), up);
+        return inverse(Pose{{at(hips).x, 0.0, at(hips).z}, yawRotation(std::atan2(ahead.x, ahead.z))});
+    }
+    return {};
+}
 
-    Pose& pose = placement.stage_from_clip;
-    if (const Vec3 axis = nearestAxis(*head_at - *hips_at); axis.y < 0.5) {
-        pose.orientation = rotationBetween(axis, up);
-        placement.moved = true;
+Pose figureOnFloorFromClip(const Clip& clip, const HumanoidMap& map) {
+    constexpr double ankle_of_leg = 0.104;  // as in the reference humanoid
+    Pose pose = figureFromClip(clip, map, 0);
+    const auto world = worldOf(clip, 0);
+    const auto at = [&](Bone bone) { return world[static_cast<std::size_t>(map[bone])].position; };
+    std::optional<double> floor;
+    for (const auto& [thigh, shin, foot] : {std::array{leftUpperLeg, leftLowerLeg, leftFoot},
+                                            std::array{rightUpperLeg, rightLowerLeg, rightFoot}}) {
+        if (!map.has(thigh) || !map.has(shin) || !map.has(foot)) continue;
+        const double leg_m = glm::length(at(shin) - at(thigh)) + glm::length(at(foot) - at(shin));
+        const double below = at(foot).y - ankle_of_leg * leg_m;
+        floor = std::min(floor.value_or(below), below);
     }
-    const Vec3 forward = glm::cross(pose.orientation * *lateral, up);
-    if (const double yaw = std::atan2(forward.x, forward.z);
-        glm::length(forward) > 1e-6 && std::abs(yaw) > facing_rad) {
-        pose.orientation = yawRotation(-yaw) * pose.orientation;
-        placement.moved = true;
-    }
-    const Vec3 turned_hips = pose.orientation * *hips_at;
-    if (std::hypot(turned_hips.x, turned_hips.z) > near_origin_m) {
-        pose.position -= Vec3(turned_hips.x, 0.0, turned_hips.z);
-        placement.moved = true;
-    }
-    std::optional<double> lowest;
-    for (const Bone bone : {leftFoot, rightFoot, leftToes, rightToes})
-        if (const auto foot = figure.at(bone)) {
-            const double height = (pose.orientation * *foot).y;
-            lowest = std::min(lowest.value_or(height), height);
-        }
-    if (lowest && std::abs(*lowest) > near_floor_m) {
-        pose.position.y -= *lowest;
-        placement.moved = true;
-    }
-    return placement;
+    pose.position.y -= floor.value_or(0.0);
+    return pose;
+}
+
+bool standsAway(const Clip& clip, const HumanoidMap& map) {
+    constexpr double near_m = 0.5;
+    constexpr double facing_rad = radiansFromDegrees(30.0);
+    const Pose clip_from_figure = inverse(figureFromClip(clip, map, 0));
+    return glm::length(clip_from_figure.position) >= near_m ||
+           glm::angle(clip_from_figure.orientation) >= facing_rad;
 }
 
 }  // namespace deixis::motion

@@ -6,22 +6,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "motion/humanoid/humanoid_mapping.hpp"
+
 namespace deixis::motion {
 
 namespace {
 
 using World = std::vector<Pose>;
-
-Result<void> checkBones(const HumanoidMap& map) {
-    const ArmBones left = armBones(Side::left);
-    const ArmBones right = armBones(Side::right);
-    for (const Bone bone : {Bone::hips, Bone::head, left.upper_arm, left.lower_arm, left.hand,
-                            right.upper_arm, right.lower_arm, right.hand})
-        if (!map.has(bone))
-            return fail("", fmt::format("found no bone '{}' in the clip's skeleton", boneName(bone)),
-                        "Pointing is measured on a figure with hips, head and both arms");
-    return {};
-}
 
 Result<void> checkNumbers(const std::vector<World>& world) {
     for (std::size_t f = 0; f < world.size(); ++f)
@@ -66,7 +57,9 @@ std::optional<RayMeasures> measureRay(const Clip& clip, const HumanoidMap& map,
 Result<PointingMeasures> measurePointing(const Clip& clip, const HumanoidMap& map,
                                          const std::optional<Vec3>& target,
                                          const std::optional<GesturePhases>& phases) {
-    if (auto checked = checkBones(map); !checked) return tl::unexpected(checked.error());
+    if (const auto missing = missingBones(map, pointingBones()); !missing.empty())
+        return fail("", fmt::format("found no bone '{}' in the clip's skeleton", fmt::join(missing, "', '")),
+                    "Pointing is measured on a figure with hips, head and both arms");
     const std::vector<World> world = worldPoses(clip);
     if (auto checked = checkNumbers(world); !checked) return tl::unexpected(checked.error());
 
@@ -75,29 +68,23 @@ Result<PointingMeasures> measurePointing(const Clip& clip, const HumanoidMap& ma
     const ArmBones arm = armBones(side);
     const std::vector<Vec3> hand = jointCourse(world, map[arm.hand]);
     if (phases) {
+        if (auto checked = checkPhases(*phases, clip.frameCount()); !checked)
+            return tl::unexpected(checked.error());
         out.phases = *phases;
-        if (phases->onset_frame < 0 || phases->onset_frame >= phases->peak_frame ||
-            phases->peak_frame > phases->hold_frame || phases->hold_frame > phases->end_frame ||
-            phases->end_frame >= clip.frameCount())
-            return fail(
-                "",
-                fmt::format("found phases at frames {}, {}, {}, {} of {}", phases->onset_frame,
-                            phases->peak_frame, phases->hold_frame, phases->end_frame, clip.frameCount()),
-                "Expected 0 <= onset < peak <= hold <= end, all within the clip");
-        const auto speed = speeds(hand, clip.frame_time_s);
-        const auto fastest =
-            std::max_element(speed.begin() + phases->onset_frame, speed.begin() + phases->peak_frame + 1);
-        out.phases.peak_speed_mps = *fastest;
-        out.phases.peak_speed_frame = static_cast<int>(fastest - speed.begin());
     } else {
         const auto detected = detectPhases(hand, side, clip.frame_time_s);
         if (!detected) return tl::unexpected(detected.error());
-        out.phases = *detected;
+        out.detected = *detected;
+        out.phases = detected->phases;
     }
     const GesturePhases& p = out.phases;
     out.hold_s = clip.frame_time_s * (p.hold_frame - p.peak_frame);
     out.time_to_peak_s = clip.frame_time_s * (p.peak_frame - p.onset_frame);
-    out.time_to_peak_speed_s = clip.frame_time_s * (p.peak_speed_frame - p.onset_frame);
+    const auto speed = speeds(hand, clip.frame_time_s);
+    const auto onset = speed.begin() + p.onset_frame;
+    const auto fastest = std::max_element(onset, speed.begin() + p.peak_frame + 1);
+    out.peak_speed_m_s = *fastest;
+    out.time_to_peak_speed_s = clip.frame_time_s * static_cast<double>(fastest - onset);
     std::vector<Vec3> fingertip;
     for (int f = p.peak_frame; f <= p.hold_frame; ++f)
         fingertip.push_back(fingertipPosition(clip.skeleton, map, world[static_cast<std::size_t>(f)], side));

@@ -1,8 +1,7 @@
 #include "motion/pointing/pointing_phases.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -12,11 +11,120 @@ namespace deixis::motion {
 
 namespace {
 
-struct Span {
-    int first = 0;
-    int last = 0;
-    [[nodiscard]] int length() const { return last - first; }
+/// Shares of the greatest speed at which a hand counts as moving, and as well on its way.
+constexpr double moving_share = 0.2;
+constexpr double under_way_share = 0.5;
+/// Share of the greatest speed that makes a stroke of a movement.
+constexpr double stroke_share = 0.3;
+/// Frames that a gesture takes: one each at rest before and after, and in the hold.
+constexpr int least_gesture = 3;
+
+/// The time in which a minimum-jerk movement comes from rest to moving, over that from moving to under way:
+/// its speed is (4 u (1 - u))^2 of the greatest, so it reaches the share p where u (1 - u) = sqrt(p) / 4.
+double slowPart() {
+    const auto reached = [](double share) { return 0.5 * (1.0 - std::sqrt(1.0 - std::sqrt(share))); };
+    return reached(moving_share) / (reached(under_way_share) - reached(moving_share));
+}
+
+/// The speed in one direction of time; 0 is where one looks from.
+class View {
+  public:
+    View(const std::vector<double>& speed, int origin, int step)
+        : speed_(speed), origin_(origin), step_(step) {}
+    [[nodiscard]] double operator[](int i) const {
+        return speed_[static_cast<std::size_t>(origin_ + step_ * i)];
+    }
+
+  private:
+    const std::vector<double>& speed_;
+    int origin_;
+    int step_;
 };
+
+/// Steps from the middle of the hold.
+struct Way {
+    int reached;   ///< at which the hand comes to its hold
+    int departed;  ///< at which it sets out
+};
+
+/// Where between two steps the speed passes a value, as a number of steps.
+double crossing(const View& v, int slower, int faster, double value) {
+    const double rise = v[faster] - v[slower];
+    return rise > 0.0 ? slower + (faster - slower) * (value - v[slower]) / rise : slower;
+}
+
+/// Where a movement begins whose first moving step, seen from its slow side, is `first`; it is looked at up
+/// to `last`, and `first - towards` is slow. `towards`: 1 or -1. One that never gets under way begins there.
+double beginOf(const View& v, int first, int last, int towards, double greatest) {
+    const double moving = crossing(v, first - towards, first, moving_share * greatest);
+    for (int i = first; i != last + towards && v[i] >= moving_share * greatest; i += towards)
+        if (v[i] >= under_way_share * greatest) {
+            const double under_way = crossing(v, i - towards, i, under_way_share * greatest);
+            return moving - slowPart() * (under_way - moving);
+        }
+    return moving;
+}
+
+/// The way between rest and hold, seen from the hold: `v[0]` is in its midst, `still` its last step, `out`
+/// the last step out of rest, `limit` the farthest one to look at. Both ways are alike, one looked at against
+/// time.
+Way wayFrom(const View& v, int still, int out, int limit) {
+    double greatest = 0.0;
+    for (int i = 0; i <= out; ++i) greatest = std::max(greatest, v[i]);
+    const auto moves = [&](int i) { return v[i] >= moving_share * greatest; };
+    const auto rounded = [&](double step) {
+        return std::clamp(static_cast<int>(std::lround(step)), 0, limit);
+    };
+    Way way{0, out};
+    int first = std::min(still + 1, out);
+    while (first > 0 && moves(first - 1)) --first;
+    if (first > 0) way.reached = rounded(beginOf(v, first, out, 1, greatest));
+    int last = out;
+    while (last < limit && moves(last + 1)) ++last;
+    while (last > 1 && !moves(last)) --last;
+    way.departed = last < limit ? rounded(beginOf(v, last, 0, -1, greatest)) : limit;
+    return way;
+}
+
+/// How many steps from the hold the hand's next movement reaches: to where it all but stops, or turns, that
+/// is falls below half its greatest speed and then doubles its speed again.
+int nearestStop(const View& v, int limit) {
+    double greatest = 0.0;
+    int slowest = 0;  // the slowest step since the movement was fastest
+    for (int i = 1; i <= limit; ++i) {
+        greatest = std::max(greatest, v[i]);
+        if (v[i] < under_way_share * greatest && (slowest == 0 || v[i] < v[slowest])) slowest = i;
+        if (slowest > 0 && (v[slowest] < moving_share * greatest || v[i] > 2.0 * v[slowest])) return slowest;
+    }
+    return limit;
+}
+
+double greatestOf(const std::vector<double>& values, Run run) {
+    return *std::max_element(values.begin() + run.begin, values.begin() + run.end + 1);
+}
+
+/// The longest stretch in which a raised hand makes no stroke, and in it the slowest frame.
+struct Held {
+    Run still;
+    int middle = -1;
+};
+Held holdOf(const Excursion& excursion, const HandCourse& course) {
+    const Run& run = excursion.frames;
+    const auto speed = [&](int f) { return course.speed_m_s[static_cast<std::size_t>(f)]; };
+    const auto raised = [&](int f) {
+        return course.displacement[static_cast<std::size_t>(f)] >= 0.5 * excursion.farthest;
+    };
+    const double stroke = stroke_share * greatestOf(course.speed_m_s, run);
+    Run longest{0, -1};
+    for (const Run& still : runsOf(run.begin, run.end, [&](int f) { return raised(f) && speed(f) < stroke; }))
+        if (still.frames() > longest.frames()) longest = still;
+    const Run& among = longest.frames() > 0 ? longest : run;
+    Held held{longest};
+    for (int f = among.begin; f <= among.end; ++f)
+        if (raised(f) && (held.middle < 0 || speed(f) < speed(held.middle))) held.middle = f;
+    if (longest.frames() == 0) held.still = {held.middle, held.middle};
+    return held;
+}
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -24,214 +132,138 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-Vec3 restingPlace(const std::vector<Vec3>& positions, double frame_time_s) {
+std::vector<double> displacements(const std::vector<Vec3>& positions, double frame_time_s) {
     constexpr double looked_at_s = 0.1;
     const auto wanted = static_cast<std::size_t>(std::max(1.0, std::min(looked_at_s / frame_time_s, 1e6)));
-    const std::size_t count = std::min(positions.size(), wanted);
-    Vec3 out{0.0};
+    Vec3 rest{0.0};
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
-        for (std::size_t i = 0; i < count; ++i) values.push_back(positions[i][axis]);
-        out[axis] = median(std::move(values));
+        for (std::size_t i = 0; i < std::min(positions.size(), wanted); ++i)
+            values.push_back(positions[i][axis]);
+        rest[axis] = median(std::move(values));
     }
-    return out;
-}
-
-std::vector<double> displacements(const std::vector<Vec3>& positions, double frame_time_s) {
-    const Vec3 rest = restingPlace(positions, frame_time_s);
     std::vector<double> out;
     out.reserve(positions.size());
     for (const Vec3& p : positions) out.push_back(glm::length(p - rest));
     return out;
 }
 
-class Detector {
-  public:
-    Detector(const std::vector<Vec3>& positions, double frame_time_s, const PhaseThresholds& thresholds)
-        : speed_(speeds(positions, frame_time_s)),
-          displacement_(displacements(positions, frame_time_s)),
-          least_hold_frames_(
-              static_cast<int>(std::lround(std::min(thresholds.least_hold_s / frame_time_s, 1e9)))),
-          run_out_frames_(static_cast<int>(std::lround(std::min(thresholds.run_out_s / frame_time_s, 1e9)))) {
-        const double fastest = *std::max_element(speed_.begin(), speed_.end());
-        still_ = std::max(thresholds.still_share * fastest, thresholds.still_mps);
-        moving_ = std::max(thresholds.stroke_share * fastest, still_);
-        raised_ = thresholds.raised_share * *std::max_element(displacement_.begin(), displacement_.end());
-        findStrokes();
-    }
+int framesIn(double time_s, double frame_time_s) {
+    return static_cast<int>(std::lround(std::min(time_s / frame_time_s, 1e6)));
+}
 
-    GesturePhases phases(Side hand) {
-        GesturePhases out;
-        out.hand = hand;
-        const int stroke = strokeBeforeHold();
-        const auto held = stroke >= 0 ? holdAfter(stroke) : slowestRaised();
-        out.peak_frame = held.first;
-        out.hold_frame = held.last;
-        out.clear_hold = longestStill(held) >= least_hold_frames_ && held.length() > 0;
-        bracket(out);
-        return out;
+/// Movements that become a stroke, each until it falls below half of that speed.
+int strokesOf(const std::vector<double>& speed, Run run) {
+    const double stroke = stroke_share * greatestOf(speed, run);
+    int strokes = 0;
+    bool moving = false;
+    for (int f = run.begin; f <= run.end; ++f) {
+        const double v = speed[static_cast<std::size_t>(f)];
+        if (!moving && v >= stroke) ++strokes;
+        moving = v >= (moving ? 0.5 * stroke : stroke);
     }
-
-  private:
-    [[nodiscard]] int lastFrame() const { return static_cast<int>(speed_.size()) - 1; }
-    [[nodiscard]] double speed(int frame) const { return speed_[static_cast<std::size_t>(frame)]; }
-    [[nodiscard]] double displacement(int frame) const {
-        return displacement_[static_cast<std::size_t>(frame)];
-    }
-    [[nodiscard]] bool raised(int frame) const { return displacement(frame) >= raised_; }
-
-    /// Runs of frames at or above `moving_`; runs between which the hand is never slower than `still_`
-    /// belong to one stroke.
-    void findStrokes() {
-        bool still_since = true;
-        for (int f = 0; f <= lastFrame(); ++f) {
-            if (speed(f) < still_) still_since = true;
-            if (speed(f) < moving_) continue;
-            const bool joins = !strokes_.empty() && (strokes_.back().last == f - 1 || !still_since) &&
-                               !turnsRaised(strokes_.back().last, f);
-            if (joins)
-                strokes_.back().last = f;
-            else
-                strokes_.push_back({f, f});
-            still_since = false;
-        }
-    }
-
-    /// Whether the hand, raised between two frames, slows down to less than half of what makes a stroke.
-    [[nodiscard]] bool turnsRaised(int from, int to) const {
-        for (int f = from + 1; f < to; ++f)
-            if (raised(f) && speed(f) < 0.5 * moving_) return true;
-        return false;
-    }
-
-    /// Index of the stroke after which the longest raised pause follows, or -1.
-    [[nodiscard]] int strokeBeforeHold() const {
-        int best = -1;
-        int longest = -1;
-        for (std::size_t i = 0; i < strokes_.size(); ++i) {
-            const int from = strokes_[i].last;
-            const int to = i + 1 < strokes_.size() ? strokes_[i + 1].first : lastFrame();
-            int raised_frames = 0;
-            for (int f = from; f <= to; ++f) raised_frames += raised(f) ? 1 : 0;
-            if (2 * raised_frames <= to - from + 1 || !raised(slowest(from, to))) continue;
-            if (to - from > longest) {
-                longest = to - from;
-                best = static_cast<int>(i);
-            }
-        }
-        return best;
-    }
-
-    [[nodiscard]] int slowest(int from, int to) const {
-        int best = from;
-        for (int f = from; f <= to; ++f)
-            if (speed(f) < speed(best)) best = f;
-        return best;
-    }
-
-    /// From the stroke's end on to where the hand is still, and back from the next one's beginning.
-    [[nodiscard]] Span holdAfter(int stroke) const {
-        const auto index = static_cast<std::size_t>(stroke);
-        const int from = strokes_[index].last;
-        const int to = index + 1 < strokes_.size() ? strokes_[index + 1].first : lastFrame();
-        Span span{from, to};
-        while (span.first < to && speed(span.first) >= still_ && !slowestNearby(span.first, to)) ++span.first;
-        while (span.last > span.first && speed(span.last) >= still_ && !slowestNearby(span.last, from))
-            --span.last;
-        span.first = ranOut(span.first, span.last);
-        span.last = ranOut(span.last, span.first);
-        return span;
-    }
-
-    /// A movement slows down to nothing: on from the frame in which it falls below the threshold, as long as
-    /// the speed goes on falling to a tenth of it, for at most run_out_s.
-    [[nodiscard]] int ranOut(int frame, int towards) const {
-        const int step = towards > frame ? 1 : -1;
-        for (int i = 0; i < run_out_frames_ && frame != towards; ++i) {
-            if (speed(frame) < 0.1 * still_ || speed(frame + step) >= speed(frame)) break;
-            frame += step;
-        }
-        return frame;
-    }
-
-    /// A frame from which on the hand gets no slower: the end of a stroke that runs into another movement.
-    [[nodiscard]] bool slowestNearby(int frame, int towards) const {
-        const int step = towards > frame ? 1 : -1;
-        constexpr int looked_at = 3;
-        for (int i = 1; i <= looked_at; ++i) {
-            const int f = frame + step * i;
-            if (f < 0 || f > lastFrame()) break;
-            if (speed(f) < speed(frame)) return false;
-        }
-        return true;
-    }
-
-    [[nodiscard]] Span slowestRaised() const {
-        int best = -1;
-        for (int f = 0; f <= lastFrame(); ++f)
-            if (raised(f) && (best < 0 || speed(f) < speed(best))) best = f;
-        return {best, best};
-    }
-
-    [[nodiscard]] int longestStill(const Span& span) const {
-        int longest = 0;
-        int run = 0;
-        for (int f = span.first; f <= span.last; ++f) {
-            run = speed(f) < still_ ? run + 1 : 0;
-            longest = std::max(longest, run);
-        }
-        return longest;
-    }
-
-    /// Onset and end: where the hand was and is at rest, not raised and still.
-    void bracket(GesturePhases& out) const {
-        const auto resting = [&](int f) { return !raised(f) && speed(f) < still_; };
-        int onset = out.peak_frame;
-        while (onset > 0 && !resting(onset)) --onset;
-        int end = out.hold_frame;
-        while (end < lastFrame() && !resting(end)) ++end;
-        out.returns = end > out.hold_frame && resting(end);
-        out.onset_frame = ranOut(std::min(onset, std::max(0, out.peak_frame - 1)), 0);
-        out.end_frame = ranOut(end, lastFrame());
-        for (const Span& stroke : strokes_)
-            if (stroke.last >= onset && stroke.first <= end) ++out.strokes;
-        out.peak_speed_frame = out.onset_frame;
-        for (int f = out.onset_frame; f <= out.peak_frame; ++f)
-            if (speed(f) > speed(out.peak_speed_frame)) out.peak_speed_frame = f;
-        out.peak_speed_mps = speed(out.peak_speed_frame);
-    }
-
-    std::vector<double> speed_;
-    std::vector<double> displacement_;
-    int least_hold_frames_;
-    int run_out_frames_;
-    double still_ = 0.0;
-    double moving_ = 0.0;
-    double raised_ = 0.0;
-    std::vector<Span> strokes_;
-};
+    return strokes;
+}
 
 }  // namespace
 
-Result<GesturePhases> detectPhases(const std::vector<Vec3>& hand_positions, Side hand, double frame_time_s,
-                                   const PhaseThresholds& thresholds) {
+std::vector<Excursion> excursionsOf(const std::vector<double>& displacement, double back, double out,
+                                    int least_rest) {
+    const int last = static_cast<int>(displacement.size()) - 1;
+    std::vector<Run> runs;
+    for (const Run& run :
+         runsOf(0, last, [&](int f) { return displacement[static_cast<std::size_t>(f)] > back; })) {
+        if (!runs.empty() && run.begin - runs.back().end - 1 < least_rest)
+            runs.back().end = run.end;
+        else
+            runs.push_back(run);
+    }
+    std::vector<Excursion> found;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const double farthest = greatestOf(displacement, runs[i]);
+        const Run around{i > 0 ? runs[i - 1].end + 1 : 0, i + 1 < runs.size() ? runs[i + 1].begin - 1 : last};
+        if (farthest >= out && around.frames() >= least_gesture) found.push_back({runs[i], around, farthest});
+    }
+    return found;
+}
+
+GesturePhases phasesOf(const Excursion& excursion, const HandCourse& course, Side hand) {
+    const auto& [frames, around, farthest] = excursion;
+    const auto& speed = course.speed_m_s;
+    const bool returns = frames.end + 1 < static_cast<int>(speed.size());
+    const Held held = holdOf(excursion, course);
+    const int middle = std::clamp(held.middle, around.begin + 1, around.end - 1);
+    const Way raise = wayFrom(View(speed, middle, -1), std::max(0, middle - held.still.begin),
+                              std::max(0, middle - frames.begin), middle - around.begin);
+    const Way lower = wayFrom(View(speed, middle, 1), std::max(0, held.still.end - middle),
+                              std::max(0, frames.end - middle), around.end - middle);
+    GesturePhases out{hand};
+    out.onset_frame = std::min(middle - raise.departed, middle - 1);
+    out.peak_frame = std::max(middle - raise.reached, out.onset_frame + 1);
+    if (returns) {
+        out.end_frame = std::max(middle + lower.departed, middle + 1);
+        out.hold_frame = std::min(middle + lower.reached, out.end_frame - 1);
+    } else {
+        out.hold_frame = std::clamp(held.still.end, middle, around.end - 1);
+        out.end_frame =
+            out.hold_frame + nearestStop(View(speed, out.hold_frame, 1), around.end - out.hold_frame);
+    }
+    return out;
+}
+
+GesturePhases phasesAroundHold(Run hold, Run around, const HandCourse& course, Side hand) {
+    const auto& speed = course.speed_m_s;
+    return {hand, hold.begin - nearestStop(View(speed, hold.begin, -1), hold.begin - around.begin),
+            hold.begin, hold.end, hold.end + nearestStop(View(speed, hold.end, 1), around.end - hold.end)};
+}
+
+Result<DetectedGesture> detectPhases(const std::vector<Vec3>& hand_positions, Side hand,
+                                     double frame_time_s) {
+    constexpr double least_displacement_m = 0.10;
+    constexpr double back_share = 0.2;
+    constexpr double out_share = 0.5;
+    constexpr double least_rest_s = 0.1;
+    constexpr double still_share = 0.05;
+    constexpr double still_m_s = 0.05;
+    constexpr double least_hold_s = 0.1;
     for (std::size_t i = 0; i < hand_positions.size(); ++i)
         if (!std::isfinite(hand_positions[i].x + hand_positions[i].y + hand_positions[i].z))
             return fail(
                 "", fmt::format("the position of the {} hand in frame {} is no number", sideName(hand), i),
                 "Repair the clip");
-    if (hand_positions.size() < 3)
+    if (hand_positions.size() < least_gesture)
         return fail("", fmt::format("found {} frames, too few for a gesture", hand_positions.size()),
                     "A gesture has at least 3");
-    const auto away = displacements(hand_positions, frame_time_s);
-    const double farthest = *std::max_element(away.begin(), away.end());
-    if (farthest < thresholds.least_displacement_m)
-        return fail(
-            "",
-            fmt::format("the {} hand stays within {:.3f} m of where it rests: no gesture", sideName(hand),
-                        farthest),
-            fmt::format("A gesture takes the hand at least {:.2f} m away", thresholds.least_displacement_m));
-    return Detector(hand_positions, frame_time_s, thresholds).phases(hand);
+    const HandCourse course{displacements(hand_positions, frame_time_s),
+                            speeds(hand_positions, frame_time_s)};
+    const double farthest = *std::max_element(course.displacement.begin(), course.displacement.end());
+    if (farthest < least_displacement_m)
+        return fail("",
+                    fmt::format("the {} hand stays within {:.3f} m of where it rests: no gesture",
+                                sideName(hand), farthest),
+                    fmt::format("A gesture takes the hand at least {:.2f} m away", least_displacement_m));
+    DetectedGesture out;
+    Run whole;
+    for (const Excursion& excursion :
+         excursionsOf(course.displacement, back_share * farthest, out_share * farthest,
+                      framesIn(least_rest_s, frame_time_s))) {
+        const GesturePhases found = phasesOf(excursion, course, hand);
+        if (whole.end > 0 &&
+            found.hold_frame - found.peak_frame <= out.phases.hold_frame - out.phases.peak_frame)
+            continue;
+        out.phases = found;
+        out.returns = excursion.frames.end + 1 < static_cast<int>(hand_positions.size());
+        whole = {found.onset_frame, found.end_frame};
+    }
+    if (whole.end == 0)
+        return fail("", fmt::format("the {} hand moves between too few frames: no gesture", sideName(hand)));
+    const auto& speed = course.speed_m_s;
+    const double still = std::max(still_share * greatestOf(speed, whole), still_m_s);
+    for (const Run& run : runsOf(out.phases.peak_frame, out.phases.hold_frame,
+                                 [&](int f) { return speed[static_cast<std::size_t>(f)] < still; }))
+        out.clear_hold = out.clear_hold || run.frames() >= framesIn(least_hold_s, frame_time_s);
+    out.strokes = strokesOf(speed, whole);
+    return out;
 }
 
 PointingHand recognisedHand(const std::vector<std::vector<Pose>>& world, const HumanoidMap& map) {

@@ -1,5 +1,7 @@
 #include "motion/retarget/retarget.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -140,41 +142,28 @@ class Mover {
           const Quat& upright)
         : source_(source), retargeter_(retargeter), avatar_(avatar), scale_(scale), turn_(upright) {}
 
-    /// `first`: the frame that stands at the start, also for those before it. Says in `remarks` where a
-    /// target was taken to be given from another place than the clip's own.
-    Moved move(std::size_t first, const PointingGesture* gesture, std::vector<std::string>& remarks) {
-        constexpr double near_m = 0.5;
-        constexpr double facing_rad = 0.52;
-        constexpr double floor_m = 0.15;
-        const bool has_target = gesture != nullptr && gesture->target.has_value();
+    /// `first`: the frame that stands at the start, also for those before it. With a target, which is given
+    /// in the clip's coordinates, the figure stays where it stands; else it begins at the origin, facing +z.
+    Moved move(std::size_t first, const PointingGesture* gesture) {
+        const bool stays = gesture != nullptr && gesture->target.has_value();
         BodyFrame start;
         std::vector<Pose> world;
         read(first, start, world);
         const Quat to_front = turnToFront(start);
         const Vec3 begin = hipsPosition(avatar_, start);
-        const bool stays =
-            has_target && std::hypot(begin.x, begin.z) / scale_ < near_m && glm::angle(to_front) < facing_rad;
         if (!stays) turn_ = to_front * turn_;
 
         Moved out = frames(gesture);
         for (std::size_t f = 0; f < first; ++f) out.frames[f] = out.frames[first];
         const auto [floor, lowest] = floorHeight(avatar_, out.frames);
         out.lowest_m = lowest - floor;
-        // The target is given over the floor that the source stands on, whatever soles the avatar has.
-        const double source_floor = sourceFloor();
-        const bool floor_stays = has_target && std::abs(source_floor) < floor_m;
         const Vec3 from = stays ? begin : to_front * begin;
         // A clip that stays begins where the source does, and its way is scaled from there.
         const Vec3 there = stays ? Vec3(begin.x, 0.0, begin.z) / scale_ : Vec3(0.0);
-        const Vec3 shift = there - Vec3(from.x, floor, from.z);
-        for (BodyFrame& frame : out.frames) frame.hip_centre += shift;
-        const Vec3 line_shift = (stays ? Vec3(0.0) : Vec3(from.x, 0.0, from.z) / scale_) +
-                                Vec3(0.0, floor_stays ? 0.0 : source_floor, 0.0);
+        for (BodyFrame& frame : out.frames) frame.hip_centre += there - Vec3(from.x, floor, from.z);
+        if (stays) return out;
+        const Vec3 line_shift = Vec3(from.x, 0.0, from.z) / scale_ + Vec3(0.0, sourceFloor(), 0.0);
         for (SightLine& line : out.lines) line = {line.eye - line_shift, line.fingertip - line_shift};
-        if (has_target && !(stays && floor_stays))
-            remarks.emplace_back(
-                "the figure does not stand near the origin, facing +z: it was placed there, and its target "
-                "is taken to be given from there");
         return out;
     }
 
@@ -272,36 +261,26 @@ std::optional<Keep> keepFromName(std::string_view name) {
     return std::nullopt;
 }
 
-Result<void> checkGesture(const PointingGesture& gesture, int frame_count) {
-    const bool ordered = 0 <= gesture.onset_frame && gesture.onset_frame < gesture.peak_frame &&
-                         gesture.peak_frame <= gesture.hold_frame && gesture.hold_frame < gesture.end_frame;
-    if (!ordered || gesture.end_frame >= frame_count)
-        return fail("", "found a gesture with onset " + std::to_string(gesture.onset_frame) + ", peak " +
-                            std::to_string(gesture.peak_frame) + ", hold " +
-                            std::to_string(gesture.hold_frame) + " and end " +
-                            std::to_string(gesture.end_frame) + " in a clip of " +
-                            std::to_string(frame_count) +
-                            " frames, expected onset < peak <= hold < end within the clip");
-    return {};
-}
-
 std::optional<PointingError> pointingError(const Clip& clip, const HumanoidMap& map,
                                            const PointingGesture& gesture) {
-    if (!gesture.target || !checkGesture(gesture, clip.frameCount())) return std::nullopt;
+    if (!gesture.target || !checkPhases(gesture, clip.frameCount())) return std::nullopt;
     return pointingError(linesOfClip(clip, map, gesture), *gesture.target);
 }
 
 Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, const Skeleton& avatar_skeleton,
                       const HumanoidMap& avatar_map, const RetargetOptions& options, RetargetReport* report) {
     BoneSet given = givenBones(source_map);
-    if (const auto missing = missingBones(given); !missing.empty())
-        return fail("", "no joint was found for " + missing + ", expected the bones of a humanoid",
+    if (const auto missing = missingBones(source_map); !missing.empty())
+        return fail("",
+                    fmt::format("no joint was found for {}, expected the bones of a humanoid",
+                                fmt::join(missing, ", ")),
                     name_the_joints);
-    if (const auto missing = missingBones(givenBones(avatar_map)); !missing.empty())
-        return fail("", "the avatar has no " + missing + ", expected the bones of a humanoid");
+    if (const auto missing = missingBones(avatar_map); !missing.empty())
+        return fail("", fmt::format("the avatar has no {}, expected the bones of a humanoid",
+                                    fmt::join(missing, ", ")));
     const PointingGesture* gesture = options.gesture ? &*options.gesture : nullptr;
     if (gesture != nullptr)
-        if (const auto checked = checkGesture(*gesture, source_clip.frameCount()); !checked)
+        if (const auto checked = checkPhases(*gesture, source_clip.frameCount()); !checked)
             return tl::unexpected(checked.error());
 
     const Source source(source_clip, source_map);
@@ -325,8 +304,8 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     if (up_axis != up) made.remarks.emplace_back("turned so that the figure's up axis is y");
     const bool added = source.startsWithAddedPose();
     if (added) made.remarks.emplace_back("frame 0 is an added pose: frame 1 stands in for it");
-    Moved moved = Mover(source, retargeter, avatar, scale, rotationBetween(up_axis, up))
-                      .move(added ? 1 : 0, gesture, made.remarks);
+    Moved moved =
+        Mover(source, retargeter, avatar, scale, rotationBetween(up_axis, up)).move(added ? 1 : 0, gesture);
     const Side pointing = gesture != nullptr ? gesture->hand : Side::right;
     const bool fingers = given[indexOf(armBones(pointing).index_proximal)];
     const bool closes = options.close_hand && gesture != nullptr && !fingers;

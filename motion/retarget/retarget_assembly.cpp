@@ -240,11 +240,4 @@ Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const Bon
     return clip;
 }
 
-std::string missingBones(const BoneSet& has) {
-    std::string names;
-    for (const Bone bone : requiredBones())
-        if (!has[indexOf(bone)]) names += (names.empty() ? "" : ", ") + std::string(boneName(bone));
-    return names;
-}
-
 }  // namespace deixis::motion

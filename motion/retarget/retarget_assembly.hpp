@@ -110,7 +110,4 @@ enum class Ground : unsigned char { clip, frame };
 [[nodiscard]] Clip assemble(const AvatarRest& avatar, std::vector<BodyFrame> frames, const BoneSet& driven,
                             Ground ground, double frame_time_s);
 
-/// "leftHand, head": names of required bones that `has` lacks; empty where none is missing.
-[[nodiscard]] std::string missingBones(const BoneSet& has);
-
 }  // namespace deixis::motion

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -58,15 +60,12 @@ bool spanPlane(const Vec3& a, const Vec3& b) {
 
 /// What is wrong with a frame; empty where it can be solved.
 std::string fault(const BonePositions& positions, Part part) {
-    BoneSet known{};
-    for (std::size_t b = 0; b < bone_count; ++b) known[b] = positions.at[b].has_value();
-    if (part == Part::upper_body) {
-        for (const Bone bone : leg_bones) known[indexOf(bone)] = true;
-        known[indexOf(hips)] = known[indexOf(hips)] || known[indexOf(spine)];
-    }
-    auto missing = missingBones(known);
-    if (!positions[neck]) missing += missing.empty() ? "neck" : ", neck";
-    if (!missing.empty()) return "has no position for " + missing;
+    HumanoidMap known;
+    for (std::size_t b = 0; b < bone_count; ++b) known.joint[b] = positions.at[b] ? 0 : -1;
+    if (part == Part::upper_body && known.has(spine)) known[hips] = 0;
+    auto missing = missingBones(known, part == Part::upper_body ? pointingBones() : requiredBones());
+    if (!positions[neck]) missing.emplace_back("neck");
+    if (!missing.empty()) return fmt::format("has no position for {}", fmt::join(missing, ", "));
     const BodyShape shape = shapeOf(positions, no_rotation);
     const TrunkAxes axes = trunkAxes(shape, part);
     const bool thin = !hasLength(axes.hip_line) || !hasLength(axes.shoulder_line) ||

@@ -108,6 +108,7 @@ void addClip(SystemEvaluation& system, const MeasuredClip& clip, double density)
     system.left_hand += clip.hand == motion::Side::left;
     system.phases_found += !clip.phases_given;
     system.placed += clip.placed;
+    system.away += clip.away;
     if (!clip.accuracy) {
         ++system.missing;
         return;
@@ -138,19 +139,26 @@ void addRemarks(Evaluation& evaluation) {
     for (const SystemEvaluation& system : evaluation.systems) {
         if (system.missing > 0)
             remarks.push_back(
-                fmt::format("{}: {} of {} ha{} no accuracy: the hand moves at {:g} m/s or faster in every "
-                            "frame of the window.",
+                fmt::format("{}: {} of {} ha{} no accuracy: no gesture is found, or the hand moves at "
+                            "{:g} m/s or faster in every frame of the window.",
                             system.system, clips(system.missing), system.clips.size(),
                             system.missing == 1 ? "s" : "ve", evaluation.input.rule.slower_than_m_s));
         if (system.phases_found > 0)
             remarks.push_back(fmt::format(
-                "{}: the manifest gives no phases for {}; hand and time of pointing were taken from the "
-                "greatest displacement of a hand in the sagittal plane.",
+                "{}: the manifest gives no phases for {}; hand and time of pointing were found from "
+                "the hands' movement.",
                 system.system, clips(system.phases_found)));
         if (system.placed > 0)
             remarks.push_back(fmt::format(
-                "{}: {} did not stand at the origin facing ahead and {} moved there by the first frame.",
+                "{}: {} {} placed at the origin, facing ahead, by the first frame, from where the target is "
+                "given.",
                 system.system, clips(system.placed), system.placed == 1 ? "was" : "were"));
+        if (system.away > 0)
+            remarks.push_back(fmt::format(
+                "{}: {} begin{} half a metre or more from the origin, or {} away from it; the targets are "
+                "taken to be given in the clips' coordinates.",
+                system.system, clips(system.away), system.away == 1 ? "s" : "",
+                system.away == 1 ? "faces" : "face"));
     }
     std::set<std::set<Place>> sets;
     for (const SystemEvaluation& system : evaluation.systems) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
 
 #include "app/program/progress_line.hpp"
 #include "program.hpp"
@@ -182,7 +184,7 @@ TEST_SUITE("app/evaluate") {
             "genea-pairwise", "plays no referential game");
     }
 
-    TEST_CASE("A clip without phases is measured where its hand is farthest out") {
+    TEST_CASE("A clip without phases is measured at the peak of the gesture that is found") {
         const Scratch scratch;
         const auto grid = slurp(corpus() / "grid.csv");
         const auto line = grid.substr(grid.find("G0001,") + 6);
@@ -195,6 +197,47 @@ TEST_SUITE("app/evaluate") {
         CHECK(found["synthetic"] == false);
         CHECK(found["n"] == 1);
         CHECK(found["accuracy"]["mean"].get<double>() > 0.4);
+    }
+
+    TEST_CASE(
+        "A figure and its target moved together by 2 cm have the same accuracy, however near the origin") {
+        const Scratch scratch;
+        const auto grid = slurp(corpus() / "grid.csv");
+        std::istringstream line(grid.substr(grid.find("G0001,") + 6));
+        double x = 0.0, y = 0.0, z = 0.0;
+        char comma = 0;
+        line >> x >> comma >> y >> comma >> z;
+        const auto accuracyAt = [&](double shift_x, const std::string& frame) {
+            std::string bvh = slurp(corpus() / "direct/direct_G0001.bvh");
+            // Each line of the motion begins with the hips' x, metres.
+            const auto from = bvh.find('\n', bvh.find("Frame Time")) + 1;
+            std::istringstream motion(bvh.substr(from));
+            std::string out = bvh.substr(0, from);
+            for (std::string pose; std::getline(motion, pose);) {
+                std::size_t end = 0;
+                const double hips_x = std::stod(pose, &end);
+                out += std::to_string(hips_x + shift_x) + pose.substr(end) + "\n";
+            }
+            spill(scratch / "clip.bvh", out);
+            spill(scratch / "manifest.csv",
+                  "clip,system,target_id,target_x,target_y,target_z,hand,onset,peak,hold,end,fps,seed,"
+                  "target_frame\nclip.bvh,mine,G0001," +
+                      std::to_string(x + (frame == "figure" ? 0.0 : shift_x)) + "," + std::to_string(y) +
+                      "," + std::to_string(z) + ",,,,,,30,0," + frame + "\n");
+            const auto done = program("evaluate " + (scratch / "manifest.csv") + " -o " +
+                                      (scratch / "e.html") + " --force --json " + (scratch / "e.json"));
+            REQUIRE_MESSAGE(done.status == 0, done.err);
+            const auto system = nlohmann::json::parse(slurp(scratch / "e.json"))["systems"][0];
+            CHECK(system["placed"] == (frame == "figure" ? 1 : 0));
+            return system["accuracy"]["mean"].get<double>();
+        };
+        const double here = accuracyAt(0.0, "clip");
+        for (const double shift_x : {0.24, 0.26, 3.0})
+            CHECK(accuracyAt(shift_x, "") == doctest::Approx(here).epsilon(1e-4));
+        // Given from the figure, a target needs no moving.
+        const double own = accuracyAt(0.0, "figure");
+        for (const double shift_x : {0.24, 0.26, 3.0})
+            CHECK(accuracyAt(shift_x, "figure") == doctest::Approx(own).epsilon(1e-4));
     }
 
     TEST_CASE("Every clip that is missing or cannot be measured is told at once, and nothing is written") {

@@ -38,7 +38,8 @@ bool sameBits(const motion::Clip& a, const motion::Clip& b) {
 const motion::Gesture* gestureHolding(const motion::Segmentation& made, motion::Side hand, int first,
                                       int last, int slack) {
     for (const motion::Gesture& g : made.gestures)
-        if (g.hand == hand && std::abs(g.peak - first) <= slack && std::abs(g.hold - last) <= slack)
+        if (g.phases.hand == hand && std::abs(g.phases.peak_frame - first) <= slack &&
+            std::abs(g.phases.hold_frame - last) <= slack)
             return &g;
     return nullptr;
 }

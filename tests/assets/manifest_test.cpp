@@ -152,7 +152,7 @@ TEST_SUITE("assets/manifest") {
             row.target_id = "T,1";
             if (i % 5 > 0) row.target = {random.normal(), random.normal() * 1e-9, random.normal() * 100.0};
             if (i % 7 > 0) {
-                PointingPhases& phases = row.phases.emplace();
+                motion::GesturePhases& phases = row.phases.emplace();
                 phases.hand = i % 2 == 0 ? motion::Side::left : motion::Side::right;
                 phases.onset_frame = static_cast<int>(random.below(100));
                 phases.peak_frame = phases.onset_frame + 1 + static_cast<int>(random.below(100));

@@ -266,8 +266,7 @@ TEST_SUITE("motion/retarget_pointing") {
                 CAPTURE(target);
                 CAPTURE(factor);
                 auto made = (*generator)->generate({"T", target, 3});
-                const motion::PointingGesture gesture{made.hand,       made.onset_frame, made.peak_frame,
-                                                      made.hold_frame, made.end_frame,   target};
+                const motion::PointingGesture gesture{made, target};
                 const Clip source = withArms(std::move(made.clip), factor);
                 motion::RetargetReport report;
                 const Clip clip = onAvatar(source, keeping(Keep::pointing_ray, gesture), &report);
@@ -315,8 +314,7 @@ TEST_SUITE("motion/retarget_pointing") {
         const auto late = motion::retarget(made.clip, avatarMap(), avatar(), avatarMap(),
                                            keeping(Keep::joint_angles, gesture));
         REQUIRE_FALSE(late.has_value());
-        CHECK(late.error().message.find("expected onset < peak <= hold < end within the clip") !=
-              std::string::npos);
+        CHECK(late.error().message.find("in a clip of") != std::string::npos);
         gesture = made.gesture;
         gesture.peak_frame = gesture.onset_frame;
         CHECK_FALSE(motion::retarget(made.clip, avatarMap(), avatar(), avatarMap(),

@@ -307,7 +307,7 @@ TEST_SUITE("motion/retarget") {
         map[Bone::rightFoot] = -1;
         const auto clip = motion::retarget(exercise(), map, avatar(), avatarMap());
         REQUIRE_FALSE(clip.has_value());
-        CHECK(clip.error().message.find("rightFoot, leftHand") != std::string::npos);
+        CHECK(clip.error().message.find("leftHand, rightFoot") != std::string::npos);
 
         Clip flat = exercise();  // all joints in one place
         for (auto& joint : flat.skeleton.joints) joint.rest.position = Vec3(0.0);

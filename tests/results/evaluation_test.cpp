@@ -248,7 +248,7 @@ TEST_SUITE("results/evaluation") {
         for (const auto& remark : evaluation.remarks) all += remark + "\n";
         CHECK(contains(all, "3 clips of the manifests point at nothing"));
         CHECK(contains(all, "gives no phases for 1 clip;"));
-        CHECK(contains(all, "1 clip did not stand at the origin"));
+        CHECK(contains(all, "1 clip was placed at the origin"));
         CHECK(contains(all, "not made for the same targets"));
     }
 }

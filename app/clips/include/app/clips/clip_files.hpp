@@ -6,6 +6,7 @@
 
 #include "assets/avatar/avatar.hpp"
 #include "assets/joints/clip_import.hpp"
+#include "assets/tables/manifest.hpp"
 #include "core/error.hpp"
 #include "motion/humanoid/humanoid_mapping.hpp"
 #include "motion/retarget/retarget.hpp"
@@ -27,6 +28,10 @@ struct MappedClip {
 /// (assets/humanoid_file.hpp), else the file itself, else those that are found.
 [[nodiscard]] Result<MappedClip> readMappedClip(const std::filesystem::path& file,
                                                 const assets::ImportOptions& options = {});
+
+/// Moves a clip to the coordinates that a target is given in: where these are its figure's, so that it begins
+/// at their origin.
+void standByTarget(motion::Clip& clip, const motion::HumanoidMap& map, assets::TargetFrame frame);
 
 /// The clip on the avatar's skeleton: its joints put in the avatar's order where it was made for this avatar
 /// (same names and bone lengths), else retargeted, its bones as the file beside it says where there is one

@@ -14,9 +14,6 @@ struct ClipProblem {
     std::string text;
 };
 
-/// Names of the bones without which no clip plays on an avatar and that the map lacks.
-[[nodiscard]] std::vector<std::string> missingRequiredBones(const motion::HumanoidMap& map);
-
 /// All at once: missing bones, limbs without length, jumps, feet below the floor, an unlikely size or
 /// mapping, a single frame, and the importer's remarks. `file`: the clip's, beside which a word on its bones
 /// would lie; `map`: which joint plays which bone (clip_files.hpp).

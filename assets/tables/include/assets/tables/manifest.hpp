@@ -12,26 +12,22 @@
 
 #include "core/error.hpp"
 #include "core/pose.hpp"
-#include "motion/skeleton/humanoid.hpp"
+#include "motion/skeleton/gesture_phases.hpp"
 
 namespace deixis::assets {
 
-/// When a pointing hand does what. Frames count from 0; 0 <= onset < peak <= hold < end < frame count.
-struct PointingPhases {
-    int onset_frame = 0;  ///< the hand leaves its rest
-    int peak_frame = 0;   ///< the pointing posture is reached
-    int hold_frame = 0;   ///< last frame of the pointing posture; the hand starts back
-    int end_frame = 0;    ///< the hand is back at rest
-    motion::Side hand = motion::Side::right;
-};
+/// Of what a target's coordinates are: the clip's, or the figure's as it stands in the clip's first frame
+/// (motion/pointing/placement.hpp).
+enum class TargetFrame : unsigned char { clip, figure };
 
 /// One clip. Gestures that point at nothing have no target, and none of the phases.
 struct ManifestRow {
     std::string clip;  ///< file, relative to the manifest
     std::string system;
     std::string target_id;
-    std::optional<Vec3> target{};  ///< metres, in the avatar's frame
-    std::optional<PointingPhases> phases{};
+    std::optional<Vec3> target{};  ///< metres
+    TargetFrame target_frame = TargetFrame::clip;
+    std::optional<motion::GesturePhases> phases{};
     double fps = 30.0;
     std::uint64_t seed = 0;
     /// Where the clip was retargeted: the error of its pointing ray as recorded, and on the avatar; degrees.

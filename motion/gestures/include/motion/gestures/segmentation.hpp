@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "motion/skeleton/clip.hpp"
+#include "motion/skeleton/gesture_phases.hpp"
 
 namespace deixis::motion {
 
@@ -42,17 +43,12 @@ struct SegmentationOptions {
     double margin_s = 0.3;  ///< of rest kept before and after a gesture, where there is so much
 };
 
-/// Frames of the recording; 0 <= first <= onset < peak <= hold < end <= last. Meanings of onset, peak, hold
-/// and end as in assets/manifest.hpp. By holds, onset and end are where the hand sets out for the hold and
-/// stops after it.
+/// Frames of the recording; 0 <= first <= onset, end <= last. By holds, onset and end are where the hand sets
+/// out for the hold and stops after it.
 struct Gesture {
     int first = 0;
     int last = 0;
-    int onset = 0;
-    int peak = 0;
-    int hold = 0;
-    int end = 0;
-    Side hand = Side::right;
+    GesturePhases phases;
     std::vector<std::string> remarks{};  ///< what makes it doubtful; empty for a plain gesture
 };
 
@@ -77,11 +73,6 @@ struct Segmentation {
 /// the figure does not stand upright, or the rest frame is not in the recording.
 [[nodiscard]] Result<Segmentation> segment(const Clip& recording, const HumanoidMap& map,
                                            const SegmentationOptions& options = {});
-
-/// Where the person stands in a frame: person_from_recording takes points to the person's own axes, which are
-/// the avatar's (x to the left, y up, z ahead as the hips face, origin on the recording's floor y = 0 below
-/// the hips). A clip that is `moved` by it begins as one that the avatar plays.
-[[nodiscard]] Pose personFromRecording(const Clip& recording, const HumanoidMap& map, int frame);
 
 /// Whether a target, in the avatar's axes, lies behind: more than 90 degrees from straight ahead.
 [[nodiscard]] constexpr bool liesBehind(const Vec3& target) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,8 +35,13 @@ struct HumanoidMapping {
     [[nodiscard]] std::vector<Bone> missing() const;
 };
 
-/// The bones that retargeting cannot do without: hips, head, upper and lower arms and legs, hands, feet.
-[[nodiscard]] const std::vector<Bone>& requiredBones();
+/// The bones that retargeting cannot do without: hips, head, upper and lower arms, hands; legs and feet.
+[[nodiscard]] std::span<const Bone> requiredBones();
+/// Those of them that pointing is measured by: all but the legs.
+[[nodiscard]] std::span<const Bone> pointingBones();
+/// Names of those that a map lacks.
+[[nodiscard]] std::vector<std::string> missingBones(const HumanoidMap& map,
+                                                    std::span<const Bone> bones = requiredBones());
 
 /// Maps a skeleton. `given`, where it is not null, is a map that the file brings: its bones stand, and others
 /// are looked for only where it lacks required ones. Sides come from names, else from the rest pose, in which

@@ -12,19 +12,7 @@
 
 namespace deixis::motion {
 
-/// What takes a clip's coordinates to those of the targets: the figure at the origin, on the floor, facing
-/// +z, y up.
-struct Placement {
-    Pose stage_from_clip{};
-    bool moved = false;  ///< false: the clip stood there already, and stage_from_clip is the identity
-};
-
-/// By the first frame: where hips, legs (or upper arms), head and feet are known. A clip stays untouched
-/// where its hips are within 0.25 m of the origin's vertical, it faces +z within 20 degrees, its lowest foot
-/// joint is within 0.2 m of the floor, and y is up; else it is turned, moved or lifted as far as that asks.
-[[nodiscard]] Placement placementOf(const Clip& clip, const HumanoidMap& map);
-
-/// One arm through a clip, metres in the targets' coordinates; one entry a frame.
+/// One arm through a clip, metres in the clip's coordinates; one entry a frame.
 struct ArmTrack {
     Side side = Side::right;
     double frame_time_s = 1.0 / 30.0;
@@ -32,19 +20,9 @@ struct ArmTrack {
     std::vector<Vec3> hand;
 };
 
-/// Fails where the figure has no elbow (lowerArm) or hand of that side, naming them, or a forearm without
-/// length.
-[[nodiscard]] Result<ArmTrack> armTrack(const Clip& clip, const HumanoidMap& map, Side side,
-                                        const Placement& placement);
-
-/// Frame in which the hand is farthest, in the sagittal plane (y and z), from where it was in the first
-/// frame: the paper's peak of displacement (section 2.1), for clips whose phases nobody gave.
-[[nodiscard]] int displacementPeak(const ArmTrack& arm);
-/// How far that is, metres.
-[[nodiscard]] double peakDisplacement_m(const ArmTrack& arm);
-
-/// The hand's speed in each frame, m/s: central differences, one-sided at the ends; 0 for a single frame.
-[[nodiscard]] std::vector<double> handSpeeds(const ArmTrack& arm);
+/// `world`: the clip's poses (worldPoses()). Fails where the forearm has no length in a frame.
+[[nodiscard]] Result<ArmTrack> armTrack(const std::vector<std::vector<Pose>>& world, const HumanoidMap& map,
+                                        Side side, double frame_time_s);
 
 /// Equation 2 in each frame.
 [[nodiscard]] std::vector<double> pointingRewards(const ArmTrack& arm, const Vec3& target);

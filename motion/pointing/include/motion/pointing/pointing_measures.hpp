@@ -25,9 +25,11 @@ struct RayMeasures {
 
 struct PointingMeasures {
     GesturePhases phases;
-    double hold_s = 0.0;                ///< from peak to hold
-    double time_to_peak_s = 0.0;        ///< from onset to peak
-    double time_to_peak_speed_s = 0.0;  ///< from onset to the raise's greatest speed
+    std::optional<DetectedGesture> detected{};  ///< where the phases were not given
+    double peak_speed_m_s = 0.0;                ///< of the hand, onset to peak
+    double hold_s = 0.0;                        ///< from peak to hold
+    double time_to_peak_s = 0.0;                ///< from onset to peak
+    double time_to_peak_speed_s = 0.0;          ///< from onset to the raise's greatest speed
     /// Of the fingertip over the hold, metres; none where the hold has fewer than 3 frames.
     std::optional<Steadiness> fingertip{};
     /// Of the hand from onset to peak.

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "motion/humanoid/humanoid_mapping.hpp"
 #include "motion/skeleton/clip.hpp"
+#include "motion/skeleton/gesture_phases.hpp"
 
 namespace deixis::motion {
 
@@ -22,21 +23,11 @@ enum class Keep : unsigned char {
 [[nodiscard]] std::string_view keepName(Keep keep);  ///< "joint-angles" or "pointing-ray"
 [[nodiscard]] std::optional<Keep> keepFromName(std::string_view name);
 
-/// When a clip's hand points, and at what. Frames count from 0; onset < peak <= hold < end.
-struct PointingGesture {
-    Side hand = Side::right;
-    int onset_frame = 0;
-    int peak_frame = 0;
-    int hold_frame = 0;
-    int end_frame = 0;
-    /// In the frame of the figure that points: metres, origin on the floor below its hips, facing +z. None:
-    /// not known.
+/// When a clip's hand points, and at what.
+struct PointingGesture : GesturePhases {
+    /// In the clip's coordinates, metres. None: not known.
     std::optional<Vec3> target{};
 };
-
-/// Fails, with the frames found and expected, where a gesture's frames are out of order or not in a clip of
-/// so many.
-[[nodiscard]] Result<void> checkGesture(const PointingGesture& gesture, int frame_count);
 
 struct RetargetOptions {
     Keep keep = Keep::joint_angles;  ///< a pointing ray is kept only where there is a gesture
@@ -74,7 +65,7 @@ struct RetargetReport {
 
 /// The clip played by the avatar: upright, facing its own way round, feet planted on the floor; rest poses
 /// are corrected (T, A, arms down, z up) by aligning bone directions. A clip with a target stays where it
-/// stands, since the target does, if it stands near the origin and faces about +z. `avatar` is a T-pose
+/// stands, since the target does. `avatar` is a T-pose
 /// skeleton without rest rotations. Fails where the source lacks the bones that a humanoid needs, naming
 /// them, and where a gesture ends after the clip.
 [[nodiscard]] Result<Clip> retarget(const Clip& source, const HumanoidMap& source_map, const Skeleton& avatar,

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "motion/skeleton/clip.hpp"
+#include "motion/skeleton/gesture_phases.hpp"
 #include "motion/synthesis/demonstration_parameters.hpp"
 
 namespace deixis::motion {
@@ -29,14 +30,9 @@ struct GenerationRequest {
     HoldManner manner{};
 };
 
-/// Frames count from 0; 0 <= onset < peak <= hold < end < frame count. Meanings as in assets/manifest.hpp.
-struct GeneratedClip {
-    Clip clip;
-    Side hand = Side::right;
-    int onset_frame = 0;
-    int peak_frame = 0;
-    int hold_frame = 0;
-    int end_frame = 0;
+/// A clip, and the phases as its generator planned them.
+struct GeneratedClip : GesturePhases {
+    Clip clip{};
 };
 
 /// A system: the same request gives the same clip, bit for bit. Safe to use from one thread at a time.

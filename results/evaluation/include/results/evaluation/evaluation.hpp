@@ -33,17 +33,18 @@ struct MeasuredClip {
     std::string system;
     std::string clip;  ///< file, as its manifest names it
     std::string target_id;
-    Vec3 target{0.0};  ///< metres, in the avatar's frame
+    Vec3 target{0.0};  ///< metres
     motion::Side hand = motion::Side::right;
-    int pointing_frame = 0;
-    bool phases_given = true;  ///< false: hand and time of pointing were found from the hand's displacement
-    bool placed = false;       ///< the figure was brought to the origin (motion::placementOf)
+    std::optional<int> pointing_frame{};  ///< the peak; none: no hand makes a gesture
+    bool phases_given = true;             ///< false: hand and phases were found (motion::detectPhases)
+    bool placed = false;                  ///< the target is given from the figure, which was placed so
+    bool away = false;                    ///< the figure does not stand at the target's origin
     std::optional<motion::PointingAccuracy> accuracy{};  ///< none: the hand was never slow enough
     motion::PointingProfile profile{};
     /// By PointingRay, the angle between ray and target in the frame of the accuracy, or else of pointing;
     /// none where the figure lacks a joint of it.
     std::array<std::optional<double>, motion::all_pointing_rays.size()> ray_errors_deg{};
-    studies::ArmLines lines{};  ///< over the hold, or at the time of pointing where no phases were given
+    studies::ArmLines lines{};  ///< over the hold
 };
 
 /// The games of a study, for whose targets clips may have been made.
@@ -111,6 +112,7 @@ struct SystemEvaluation {
     int left_hand = 0;
     int phases_found = 0;
     int placed = 0;
+    int away = 0;
     SpearmanTest correlation{};  ///< of accuracy with density
     HandProfile left{};
     HandProfile right{};
