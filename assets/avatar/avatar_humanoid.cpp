@@ -4,6 +4,7 @@
 
 #include <string_view>
 
+#include "assets/gltf/vrm_bones.hpp"
 #include "motion/retarget/retarget.hpp"
 
 namespace deixis::assets {
@@ -13,27 +14,16 @@ namespace {
 using motion::Bone;
 using enum motion::Bone;
 
-/// VRM 0.x calls the thumb's bones proximal, intermediate and distal (VRM 1.0: metacarpal, proximal, distal).
-std::optional<Bone> boneOfVrm0(std::string_view name) {
-    if (name == "leftThumbProximal") return leftThumbMetacarpal;
-    if (name == "leftThumbIntermediate") return leftThumbProximal;
-    if (name == "rightThumbProximal") return rightThumbMetacarpal;
-    if (name == "rightThumbIntermediate") return rightThumbProximal;
-    return motion::boneFromName(name);
-}
-
 class VrmMap {
   public:
-    /// `lists_absent`: exporters of VRM 0.x list the bones that a figure lacks, with node -1.
-    VrmMap(const tinygltf::Model& model, const std::string& file, bool lists_absent)
-        : model_(model), file_(file), lists_absent_(lists_absent) {
+    VrmMap(const tinygltf::Model& model, const std::string& file) : model_(model), file_(file) {
         nodes_.fill(-1);
     }
 
     Result<void> add(std::string_view name, std::optional<Bone> bone, const tinygltf::Value& node) {
         if (!bone) return {};  // a bone of a later version
         const int index = node.IsInt() ? node.GetNumberAsInt() : -2;
-        if (index == -1 && lists_absent_) return {};
+        if (index == vrm_absent_node) return {};
         if (index < 0 || static_cast<std::size_t>(index) >= model_.nodes.size())
             return fail(file_, fmt::format("VRM's bone {} is no node of the file", name),
                         "Export the file anew");
@@ -45,7 +35,6 @@ class VrmMap {
   private:
     const tinygltf::Model& model_;
     const std::string& file_;
-    bool lists_absent_;
     BoneNodes nodes_{};
 };
 
@@ -61,7 +50,7 @@ const tinygltf::Value* humanBones(const tinygltf::Model& model, const char* exte
 
 Result<std::optional<BoneNodes>> vrmHumanoid(const tinygltf::Model& model, const std::string& file) {
     if (const auto* bones = humanBones(model, "VRMC_vrm"); bones != nullptr && bones->IsObject()) {
-        VrmMap map(model, file, false);
+        VrmMap map(model, file);
         for (const std::string& name : bones->Keys()) {
             const tinygltf::Value& bone = bones->Get(name);
             if (!bone.IsObject()) continue;
@@ -71,7 +60,7 @@ Result<std::optional<BoneNodes>> vrmHumanoid(const tinygltf::Model& model, const
         return map.nodes();
     }
     if (const auto* bones = humanBones(model, "VRM"); bones != nullptr && bones->IsArray()) {
-        VrmMap map(model, file, true);
+        VrmMap map(model, file);
         for (int i = 0; i < static_cast<int>(bones->ArrayLen()); ++i) {
             const tinygltf::Value& bone = bones->Get(i);
             if (!bone.IsObject() || !bone.Get("bone").IsString()) continue;

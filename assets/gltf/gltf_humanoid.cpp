@@ -3,20 +3,12 @@
 
 #include <algorithm>
 
+#include "assets/gltf/vrm_bones.hpp"
 #include "gltf_document.hpp"
 
 namespace deixis::assets::gltf {
 
 namespace {
-
-/// VRM 0.x counts the thumb's bones from the proximal one; VRM 1.0 begins with the metacarpal.
-std::string renamedThumb(const std::string& name) {
-    for (const char* side : {"left", "right"}) {
-        if (name == std::string(side) + "ThumbProximal") return std::string(side) + "ThumbMetacarpal";
-        if (name == std::string(side) + "ThumbIntermediate") return std::string(side) + "ThumbProximal";
-    }
-    return name;
-}
 
 class HumanoidReader {
   public:
@@ -30,9 +22,7 @@ class HumanoidReader {
         const Cursor bones = extension.at("humanoid").at("humanBones");
         for (std::size_t i = 0; i < bones.size(); ++i) {
             const Cursor bone = bones.at(i);
-            // Some exporters list the bones that a model lacks, with node -1.
-            if (bone.at("node").json() == -1) continue;
-            add(renamedThumb(bone.at("bone").text()), bone.at("node"));
+            add(boneOfVrm0(bone.at("bone").text()), bone.at("node"));
         }
         return found_;
     }
@@ -42,7 +32,8 @@ class HumanoidReader {
         if (!extension.has("humanoid") || !extension.at("humanoid").has("humanBones")) return found_;
         const Cursor bones = extension.at("humanoid").at("humanBones");
         if (!bones.json().is_object()) bones.expected("an object");
-        for (const auto& [name, value] : bones.json().items()) add(name, bones.at(name.c_str()).at("node"));
+        for (const auto& [name, value] : bones.json().items())
+            add(motion::boneFromName(name), bones.at(name.c_str()).at("node"));
         return found_;
     }
 
@@ -61,9 +52,9 @@ class HumanoidReader {
     }
 
   private:
-    void add(const std::string& name, const Cursor& node) {
+    void add(const std::optional<motion::Bone>& bone, const Cursor& node) {
+        if (node.json() == vrm_absent_node) return;
         const int index = node.index(node_count_, "node");
-        const auto bone = motion::boneFromName(name);
         if (!bone) {
             remarks_.push_back(fmt::format("{} is no humanoid bone's name; it is passed over", node.path()));
             return;

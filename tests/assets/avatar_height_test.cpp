@@ -152,7 +152,14 @@ TEST_SUITE("assets/avatar_height") {
         bones.push_back(R"({"bone":"jaw","node":-2})");
         file.more = vrm0();
         CHECK(contains(refusal(figure("vrm0", file.glb())), "VRM's bone jaw is no node of the file"));
-        file.more = R"(,"extensions":{"VRMC_vrm":{"humanoid":{"humanBones":{"jaw":{"node":-1}}}}})";
+        // VRM 1.0 forbids it, and exporters do it all the same.
+        std::string vrm1;
+        for (std::size_t b = 0; b < rig.names.size(); ++b)
+            vrm1 += fmt::format(R"({}"{}":{{"node":{}}})", b > 0 ? "," : "", rig.names[b],
+                                rig.names[b] == "jaw" ? -1 : static_cast<int>(b) + 1);
+        file.more = R"(,"extensions":{"VRMC_vrm":{"humanoid":{"humanBones":{)" + vrm1 + "}}}}";
+        CHECK_FALSE(loaded(figure("vrm1", file.glb())).humanoid.has(Bone::jaw));
+        file.more = R"(,"extensions":{"VRMC_vrm":{"humanoid":{"humanBones":{"jaw":{"node":-2}}}}})";
         CHECK(contains(refusal(figure("vrm1", file.glb())), "VRM's bone jaw is no node of the file"));
     }
 

@@ -419,8 +419,9 @@ TEST_SUITE("assets/gltf_clip") {
 
     TEST_CASE("VRM 1.0 and VRM animations: bones by name, unknown ones told, expressions left out") {
         const auto vrm = parse(TinyGltf().json(
-            R"("nodes":[{"name":"Hips"}],"extensions":{"VRMC_vrm":{"specVersion":"1.0","humanoid":{"humanBones":{"hips":{"node":0},"tail":{"node":0}}}}})"));
+            R"("nodes":[{"name":"Hips"}],"extensions":{"VRMC_vrm":{"specVersion":"1.0","humanoid":{"humanBones":{"hips":{"node":0},"tail":{"node":0},"jaw":{"node":-1}}}}})"));
         CHECK((*vrm.humanoid)[motion::Bone::hips] == 0);
+        CHECK_FALSE(vrm.humanoid->has(motion::Bone::jaw));
         CHECK(has(vrm, "tail"));
         TinyGltf gltf;
         gltf.animate(0, "translation", gltf.times({0, 0.5F}), gltf.vectors({0, 1, 0, 0, 2, 0}));
