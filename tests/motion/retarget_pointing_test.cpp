@@ -33,7 +33,7 @@ Recorded recorded(std::uint64_t seed) {
     const Vec3 target = tests::drawTargets(1, seed).front();
     auto made = (*generator)->generate({"T", target, seed});
     return {std::move(made.clip),
-            {made.hand, made.onset_frame, made.peak_frame, made.hold_frame, made.end_frame, target}};
+            {{made.hand, made.onset_frame, made.peak_frame, made.hold_frame, made.end_frame}, target}};
 }
 
 /// The same joint angles with arms (upper arm, forearm, hand) of another length.
