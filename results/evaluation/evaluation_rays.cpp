@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "results/page/report_tables.hpp"
+#include "results/page/html_table.hpp"
 #include "results/statistics/descriptive.hpp"
 
 namespace deixis::results {
@@ -65,29 +65,27 @@ std::string raysFinding(const Evaluation& evaluation) {
 }
 
 std::string raysHtml(const Evaluation& evaluation, Numbering& tables) {
-    std::string head = "<th>System</th>";
-    for (const motion::PointingRay ray : compared_rays)
-        head += fmt::format("<th>{}</th>", motion::pointingRayName(ray));
-    std::string rows;
+    Table table{"rays", units::clips, "", {{"system", ColumnKind::text}}};
+    for (const motion::PointingRay ray : compared_rays) {
+        table.columns.emplace_back(std::string(motion::pointingRayName(ray)), ColumnKind::number);
+        table.columns.back().label = table.columns.back().name;
+    }
     for (const SystemEvaluation& system : evaluation.systems) {
-        rows += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(system.system));
+        Table::Row& row = table.rows.emplace_back(Table::Row{{system.system}});
         for (const motion::PointingRay ray : compared_rays) {
             const auto errors = rayErrors_deg(system, ray);
-            rows += errors.empty() ? fmt::format("<td>{}</td>", dash)
-                                   : fmt::format("<td>{:.1f} [{:.1f}, {:.1f}]</td>", mean(errors),
-                                                 quantile(errors, 0.25), quantile(errors, 0.75));
+            row.cells.push_back(errors.empty() ? Cell()
+                                               : fmt::format("{:.1f} [{:.1f}, {:.1f}]", mean(errors),
+                                                             quantile(errors, 0.25), quantile(errors, 0.75)));
         }
-        rows += "</tr>";
     }
-    return openTable(
-               units::clips,
-               "Every ray side by side: angle between it and the target, degrees, in the frame of the "
-               "accuracy; "
-               "mean and quartiles over clips. Equation&#160;2 takes the forearm. Which of them people read "
-               "is an "
-               "open question that this table does not answer.",
-               head, tables, TableWidth::dense) +
-           rows + close_table;
+    return tableHtml(
+        table,
+        "Every ray side by side: angle between it and the target, degrees, in the frame of the accuracy; "
+        "mean "
+        "and quartiles over clips. Equation\u00a02 takes the forearm. Which of them people read is an open "
+        "question that this table does not answer.",
+        tables, dense_table);
 }
 
 }  // namespace deixis::results

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 
-#include "results/page/report_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/page/html_table.hpp"
 
 namespace deixis::results {
 
 namespace {
 
 std::string percent(double share) {
-    return fixedText(100.0 * share, 1) + "&#160;%";
+    return fixedText(100.0 * share, 1) + "\u00a0%";
 }
 
 std::string ranked(const ObserverRanking& ranking) {
@@ -62,29 +63,30 @@ std::string observersFinding(const std::vector<ObserverReading>& readings) {
 }
 
 std::string observersTable(const std::vector<ObserverReading>& readings, const char* trials,
-                           Numbering& tables) {
+                           Numbering& numbering) {
     if (readings.empty()) return "";
-    std::string columns = fmt::format("<th>System</th><th class=\"text\">layout</th><th>{}</th>", trials);
-    for (const char* const observer : observer_names)
-        columns += fmt::format("<th>{}</th><th>without error</th>", observer);
-    std::string out = openTable(
-        units::trials,
+    Table all = tables::observers(readings, trials);
+    const auto cell = [&](const char* column) {
+        return [place = all.at(column)](const Table::Row& row) -> Cell {
+            return percent(*row.cells[place].as<double>());
+        };
+    };
+    const std::size_t of = all.at(trials);
+    for (Table::Row& row : all.rows) row.cells[of] = fmt::format("{:.0f}", *row.cells[of].as<double>());
+    return tableHtml(
+        wide(all, {"system", "layout", trials}, "observer", {observer_names.begin(), observer_names.end()},
+             {{[](const std::string& observer) { return observer; }, cell("accuracy")},
+              {[](const std::string&) { return "without error"; }, cell("without_error")}}),
         "Correct choices that simulated observers are expected to make of the same arms and balls, with the "
-        "noise and lapses of the parameters that ship; &#8220;without error&#8221;: with neither, the share "
-        "in which the target is "
-        "what is read. two-cue: the lines of eye and arm and the finger&#8217;s place in the own view, each "
-        "a "
-        "reading; arm-finger: the line from the elbow through the fingertip; eye-fingertip: the line from "
-        "the pointer&#8217;s eye. No evidence about people.",
-        columns, tables, TableWidth::dense);
-    for (const ObserverReading& one : readings) {
-        out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{:.0f}</td>",
-                           escapeHtml(one.system), escapeHtml(one.layout), one.trials);
-        for (std::size_t i = 0; i < observer_names.size(); ++i)
-            out += "<td>" + percent(one.accuracy[i]) + "</td><td>" + percent(one.without_error[i]) + "</td>";
-        out += "</tr>";
-    }
-    return out + close_table;
+        "noise and "
+        "lapses of the parameters that ship; \u201cwithout error\u201d: with neither, the share in which the "
+        "target is "
+        "what is read. two-cue: the lines of eye and arm and the finger\u2019s place in the own view, each a "
+        "reading; "
+        "arm-finger: the line from the elbow through the fingertip; eye-fingertip: the line from the "
+        "pointer\u2019s eye. "
+        "No evidence about people.",
+        numbering, dense_table);
 }
 
 std::string nearestText(const NearestCeiling& ceiling) {

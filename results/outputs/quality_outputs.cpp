@@ -1,10 +1,13 @@
 #include "results/outputs/quality_outputs.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "results/analysis/analysis.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "results/outputs/standing_out.hpp"
-#include "results/page/report_tables.hpp"
+#include "results/page/html_table.hpp"
 
 namespace deixis::results {
 
@@ -12,32 +15,19 @@ namespace {
 
 using studies::LeaveOutRule;
 
-std::string optionalText(const std::optional<double>& value, int decimals) {
-    return value ? fixedText(*value, decimals) : std::string(dash);
-}
-
-std::string reliabilityHtml(const std::vector<Reliability>& all, Numbering& numbering) {
+std::string reliabilityHtml(const AnalysisResult& result, Numbering& numbering) {
+    const std::vector<Reliability>& all = result.quality.reliability;
     if (std::none_of(all.begin(), all.end(), [](const Reliability& one) { return one.alpha.has_value(); }))
         return "";
-    std::string out = openTable(
-        units::ratings,
-        "How far participants agree in rating the same clips. Krippendorff&#8217;s &#945; (2011) for "
-        "interval "
-        "scales: 1 where all agree, 0 as by chance. ICC of one-way analysis of variance (Shrout &amp; Fleiss "
-        "1979), in which a participant who rates everything higher disagrees: ICC(1,1) of one rating, "
-        "ICC(1,k) "
-        "of the mean of k, the clips&#8217; mean number of ratings.",
-        "<th>Measure</th><th>participants</th><th>clips</th><th>ratings</th><th>&#945;</th><th>ICC(1,1)</th>"
-        "<th>ICC(1,k)</th><th>k</th>",
-        numbering);
-    for (const Reliability& one : all)
-        out += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-            "<td>{}</td></tr>",
-            escapeHtml(one.measure), one.raters, one.units, one.ratings, optionalText(one.alpha, 2),
-            optionalText(one.icc_single, 2), optionalText(one.icc_mean, 2),
-            one.k > 0.0 ? fixedText(one.k, 1) : dash);
-    return out + close_table;
+    return tableHtml(tables::reliability(result),
+                     "How far participants agree in rating the same clips. Krippendorff\u2019s \u03b1 (2011) "
+                     "for interval scales: 1 where "
+                     "all agree, 0 as by chance. ICC of one-way analysis of variance (Shrout & Fleiss 1979), "
+                     "in which a participant who "
+                     "rates everything higher disagrees: ICC(1,1) of one rating, ICC(1,k) of the mean of k, "
+                     "the clips\u2019 mean number of "
+                     "ratings.",
+                     numbering);
 }
 
 std::string ruleHtml(const AnalysisResult& result) {
@@ -62,10 +52,6 @@ std::string ruleHtml(const AnalysisResult& result) {
         "is left out, and named among the exclusions below{}.</p>",
         LeaveOutRule::least_answers, out,
         result.table.left_out_rows.empty() ? "" : "; the section on other choices shows both results");
-}
-
-std::string sideText(const ParticipantQuality& one) {
-    return one.decided == 0 ? dash : fmt::format("{} of {}", one.left, one.decided);
 }
 
 /// What nobody did, of what could be judged.
@@ -98,38 +84,45 @@ std::string participantsHtml(const AnalysisResult& result, Numbering& numbering)
     const std::vector<ParticipantQuality>& people = result.quality.participants;
     const auto n = std::count_if(people.begin(), people.end(), standsOut);
     if (n == 0) return nobodyText(result);
-    std::string out = openTable(
-        units::participants,
-        fmt::format(
-            "Whose answers stand out, {} of {}: a failed check; one rating in {:g}&#160;% of a "
-            "measure&#8217;s; one side of pairs more often than chance (exact binomial test, "
-            "p&#160;&#8804;&#160;{:g}); response times more than 3 MAD from the median of all "
-            "participants&#8217; logarithms (Leys et al. 2013) in more than {:g}&#160;% of the trials; "
-            "ratings "
-            "that go against the others&#8217; means of the same clips (r&#160;&lt;&#160;0). The tables have "
-            "everybody.",
-            n, people.size(), 100.0 * mostly_one_rating, side_p, 100.0 * many_odd_times),
-        "<th>Participant</th><th>check</th><th>most frequent rating</th><th>longest run</th><th>left</th>"
-        "<th>p</th><th>median time</th><th>fast</th><th>slow</th><th>r with others</th>",
-        numbering, TableWidth::dense);
-    for (const ParticipantQuality& one : people) {
-        if (!standsOut(one)) continue;
-        const std::string same =
-            one.ratings == 0
-                ? dash
-                : fmt::format("{} in {}&#160;% of {}", signedText(fmt::format("{:g}", one.same_rating)),
-                              fixedText(100.0 * one.same_share, 0), one.same_of);
-        out += fmt::format(
-            "<tr><th "
-            "scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-            "<td>{}</td><td>{}</td><td>{}</td></tr>",
-            escapeHtml(one.participant), one.left_out ? " (left out)" : "",
-            one.failed_check.value_or(false) ? "failed" : dash, same,
-            one.ratings > 0 ? fmt::format("{}", one.longest_run) : std::string(dash), sideText(one),
-            pText(one.p_side), one.median_s ? fixedText(*one.median_s, 2) + "&#160;s" : dash, one.fast,
-            one.slow, optionalText(one.agreement, 2));
-    }
-    return out + close_table;
+    using Row = ParticipantQuality;
+    std::vector<Row> shown;
+    std::copy_if(people.begin(), people.end(), std::back_inserter(shown), standsOut);
+    const Show right{.right = true};
+    const auto same = [](const Row& one) {
+        if (one.ratings == 0) return std::string("\u2013");
+        return fmt::format("{}{:g} in {}\u00a0% of {}", one.same_rating < 0.0 ? "\u2212" : "",
+                           std::abs(one.same_rating), fixedText(100.0 * one.same_share, 0), one.same_of);
+    };
+    const Fields<Row> fields{
+        {"participant",
+         [](auto& one) { return one.participant + (one.left_out ? " (left out)" : ""); },
+         {.label = "Participant"}},
+        {"check", [](auto& one) { return one.failed_check.value_or(false) ? "failed" : "\u2013"; }, right},
+        {"most_frequent_rating", same, right},
+        {"longest_run", [](auto& one) { return known(one.ratings > 0, one.longest_run); }},
+        {"left",
+         [](auto& one) {
+             return one.decided == 0 ? "\u2013" : fmt::format("{} of {}", one.left, one.decided);
+         },
+         right},
+        {"p", &Row::p_side},
+        {"median_time",
+         [](auto& one) { return one.median_s ? fixedText(*one.median_s, 2) + "\u00a0s" : "\u2013"; }, right},
+        {"fast", &Row::fast},
+        {"slow", &Row::slow},
+        {"agreement", &Row::agreement, {.label = "r with others"}}};
+    return tableHtml(tableOf("standing_out", units::participants, "", fields, shown),
+                     fmt::format("Whose answers stand out, {} of {}: a failed check; one rating in "
+                                 "{:g}\u00a0% of a measure\u2019s; one side "
+                                 "of pairs more often than chance (exact binomial test, "
+                                 "p\u00a0\u2264\u00a0{:g}); response times more than 3 "
+                                 "MAD from the median of all participants\u2019 logarithms (Leys et al. "
+                                 "2013) in more than {:g}\u00a0% of the "
+                                 "trials; ratings that go against the others\u2019 means of the same clips "
+                                 "(r\u00a0<\u00a00). The tables have "
+                                 "everybody.",
+                                 n, people.size(), 100.0 * mostly_one_rating, side_p, 100.0 * many_odd_times),
+                     numbering, dense_table);
 }
 
 }  // namespace
@@ -138,7 +131,7 @@ std::string qualityHtml(const AnalysisResult& result, Numbering& numbering) {
     const DataQuality& quality = result.quality;
     if (quality.participants.empty()) return "";
     std::string out = "<h2>Quality of the data</h2>" + ruleHtml(result);
-    out += reliabilityHtml(quality.reliability, numbering);  // tables number themselves in this order
+    out += reliabilityHtml(result, numbering);  // tables number themselves in this order
     return out + participantsHtml(result, numbering);
 }
 

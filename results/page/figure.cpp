@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-#include "results/page/report_text.hpp"
+#include "results/page/templates.hpp"
 
 namespace deixis::results {
 
@@ -34,20 +34,11 @@ std::string figureHtml(const Figure& figure) {
                     {"description", figure.label},
                     {"width", "container"}};
     spec.update(figure.spec);
-    return fmt::format(
-        "\n<figure id=\"{0}\"{1} aria-label=\"{2}\"><figcaption>{3}</figcaption><div class=\"drawing\"></div>"
-        "<script type=\"application/json\">{4}</script></figure>",
-        figure.name, figure.wide ? " class=\"wide\"" : "", escapeHtml(figure.label), figure.caption,
-        scriptJson(spec));
-}
-
-std::string figuresEnd(const std::string& elsewhere) {
-    std::string out = fmt::format(
-        "\n<noscript><p class=\"small\">The figures are drawn with JavaScript, which is off here. {}</p>"
-        "</noscript>\n<script>/*<![CDATA[*/\n",
-        elsewhere);
-    out += figureScript();
-    return out + "/*]]>*/</script>";
+    return filled("figure.mustache", {{"name", figure.name},
+                                      {"wide", figure.wide},
+                                      {"label", figure.label},
+                                      {"caption", figure.caption},
+                                      {"spec", scriptJson(spec)}});
 }
 
 std::string systemColour(std::size_t index) {
@@ -145,56 +136,5 @@ FigureJson layerOf(FigureJson values, FigureJson mark, FigureJson encoding) {
             {"mark", std::move(mark)},
             {"encoding", std::move(encoding)}};
 }
-
-const char* const figure_css = R"css(
-.plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(100%, 25rem), 1fr));
-  gap: 2rem 1.6rem; margin: 1.2rem 0; }
-.plots .wide { grid-column: 1 / -1; }
-.single { max-width: 38rem; margin: 1.2rem 0; }
-figure { margin: 0; min-width: 0; position: relative; break-inside: avoid; }
-figcaption { margin: 0 0 .5rem; padding-right: 2.4rem; overflow-wrap: anywhere; }
-figcaption b { color: var(--ink); font-size: 1rem; }
-.drawing { min-height: 4rem; }
-.drawing svg { display: block; max-width: 100%; height: auto; }
-.drawing .failed { color: var(--warn); }
-.drawing details { position: absolute; top: 0; right: 0; margin: 0; font-size: .875rem; }
-.drawing summary { list-style: none; display: flex; align-items: center; justify-content: center; width: 1.9rem;
-  height: 1.6rem; border: 1px solid var(--rule); border-radius: .3rem; background: var(--paper); color: var(--soft); }
-.drawing summary::-webkit-details-marker { display: none; }
-.drawing summary:hover { color: var(--ink); border-color: var(--soft); }
-.drawing summary svg { width: .9rem; height: .9rem; fill: none; stroke: currentColor; stroke-width: 2; }
-.drawing summary circle { fill: currentColor; stroke: none; }
-.vega-actions { position: absolute; right: 0; top: 1.9rem; z-index: 2; min-width: 9rem; border: 1px solid var(--rule);
-  border-radius: .3rem; background: var(--paper); box-shadow: 0 .2rem .6rem rgb(0 0 0 / .18); }
-.vega-actions a { display: block; padding: .4rem .8rem; color: var(--ink); text-decoration: none; white-space: nowrap; }
-.vega-actions a:hover, .vega-actions a:focus { background: var(--shade); }
-#vg-tooltip-element { position: fixed; z-index: 3; visibility: hidden; padding: .3rem .6rem; max-width: 20rem;
-  font-size: .875rem; border: 1px solid var(--rule); border-radius: .3rem; background: var(--paper); color: var(--ink);
-  pointer-events: none; }
-#vg-tooltip-element.visible { visibility: visible; }
-/* Figures are drawn, saved and printed in light colours; a dark screen shows each by its counterpart. */
-@media screen and (prefers-color-scheme: dark) {
-  .drawing svg { background: none !important; }
-  .drawing [fill="#1c1c1a"] { fill: var(--ink); } .drawing [stroke="#1c1c1a"] { stroke: var(--ink); }
-  .drawing [fill="#4c4c48"] { fill: var(--soft); } .drawing [stroke="#4c4c48"] { stroke: var(--soft); }
-  .drawing [fill="#8a8a85"] { fill: #a3a39d; } .drawing [stroke="#8a8a85"] { stroke: #a3a39d; }
-  .drawing [fill="#e3e3e0"] { fill: var(--thin); } .drawing [stroke="#e3e3e0"] { stroke: var(--thin); }
-  .drawing [fill="#ffffff"] { fill: var(--paper); } .drawing [stroke="#ffffff"] { stroke: var(--paper); }
-  .drawing [fill="#0072b2"] { fill: #62b5ec; } .drawing [stroke="#0072b2"] { stroke: #62b5ec; }
-  .drawing [fill="#e69f00"] { fill: #f0b33c; } .drawing [stroke="#e69f00"] { stroke: #f0b33c; }
-  .drawing [fill="#009e73"] { fill: #3cc79d; } .drawing [stroke="#009e73"] { stroke: #3cc79d; }
-  .drawing [fill="#cc79a7"] { fill: #e29cc4; } .drawing [stroke="#cc79a7"] { stroke: #e29cc4; }
-  .drawing [fill="#56b4e9"] { fill: #a6d8f7; } .drawing [stroke="#56b4e9"] { stroke: #a6d8f7; }
-  .drawing [fill="#d55e00"] { fill: #f28a3d; } .drawing [stroke="#d55e00"] { stroke: #f28a3d; }
-}
-@media print {
-  /* At the size at which they were drawn, so that their words can be read. */
-  .plots { grid-template-columns: 1fr; gap: 1rem; }
-  .single { max-width: none; }
-  .drawing > details { display: none; }
-  .drawing svg { width: auto; }
-  * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-}
-)css";
 
 }  // namespace deixis::results

@@ -7,32 +7,12 @@
 
 namespace deixis::results {
 
-std::string escapeHtml(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                // Control characters are not allowed in XML.
-                if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') out += c;
-        }
-    }
-    return out;
+std::string pWords(double p) {
+    return p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p);
 }
 
 std::string pText(double p) {
-    return p < 0.001 ? "&lt;0.001" : fmt::format("{:.3f}", p);
+    return escapeHtml(pWords(p));
 }
 
 std::string starsText(double p) {
@@ -63,10 +43,6 @@ std::string shiftText(const HodgesLehmann& shift, const std::function<std::strin
     if (!shift.lower || !shift.upper) return text(*shift.estimate);
     return fmt::format("{} {}{}, {}{}", text(*shift.estimate), shift.lower_included ? "[" : "(",
                        text(*shift.lower), text(*shift.upper), shift.upper_included ? "]" : ")");
-}
-
-std::string signedText(std::string_view number) {
-    return number.starts_with('-') ? "&#8722;" + std::string(number.substr(1)) : std::string(number);
 }
 
 std::string ballsText(const Measure& measure) {

@@ -11,10 +11,11 @@
 #include "report_paper.hpp"
 #include "report_studies.hpp"
 #include "report_tests.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "results/outputs/bradley_terry_outputs.hpp"
 #include "results/outputs/quality_outputs.hpp"
+#include "results/page/html_table.hpp"
 #include "results/page/page.hpp"
-#include "results/page/report_tables.hpp"
 #include "results/page/report_text.hpp"
 #include "results/report/report.hpp"
 
@@ -22,95 +23,68 @@ namespace deixis::results {
 
 namespace {
 
-std::string cells(const Summary& summary, const Measure& measure, bool with_median) {
-    const auto number = [&](bool known, double value) {
-        return known ? scoreText(measure, value) : std::string(dash);
-    };
-    const std::string interval =
-        summary.interval ? intervalText(measure, summary.interval->lower, summary.interval->upper) +
-                               (summary.interval_falls_short ? " &#8225;" : "")
-                         : std::string(dash);
-    return fmt::format(
-        "<td>{}</td>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td>", number(summary.n > 0, summary.mean),
-        with_median
-            ? fmt::format("<td>{}</td>", number(summary.n > 0 && hasManySteps(measure), summary.median))
-            : std::string(),
-        interval, number(summary.by_participant.size() > 1, summary.sd_participants),
-        number(summary.n > 1, summary.sd_trials), summary.n);
-}
-
 std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.measures.empty()) return "";
     const bool with_median = std::any_of(result.measures.begin(), result.measures.end(), hasManySteps);
-    std::string out = openTable(
-        units::means,
-        fmt::format("Means of each system, over participants{}. Interval: {:g}&#160;%, bootstrap over "
+    std::vector<Shown> shown{"measure", "system", "mean"};
+    if (with_median) shown.emplace_back("median_of_many_steps");
+    shown.insert(shown.end(), {"interval", "sd_participants", "sd_trials", "answers"});
+    const std::string out = tableHtml(
+        tables::means(result),
+        fmt::format("Means of each system, over participants{}. Interval: {:g}\u00a0%, bootstrap over "
                     "participants. SD trials and n are of single answers.",
                     with_median ? ", and medians" : "", 100.0 * result.level),
-        fmt::format("<th>Measure</th><th class=\"text\">System</th><th>Mean</th>{}<th>Interval</th>"
-                    "<th>SD participants</th><th>SD trials</th><th>n</th>",
-                    with_median ? "<th>Median</th>" : ""),
-        numbering);
-    for (std::size_t i = 0; i < result.measures.size(); ++i)
-        for (const auto& system : result.systems)
-            out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}</tr>",
-                               escapeHtml(capitalised(result.measures[i].name)), escapeHtml(system.system),
-                               cells(system.measures[i], result.measures[i], with_median));
+        shown, numbering);
     const bool falls_short =
         std::any_of(result.systems.begin(), result.systems.end(), [](const auto& system) {
             return std::any_of(system.measures.begin(), system.measures.end(),
                                [](const Summary& one) { return one.interval_falls_short; });
         });
-    return out + close_table +
-           (falls_short
-                ? "<p class=\"small\">&#8225; Of so few participants no interval within the range of their "
-                  "means covers so often; read it as too narrow.</p>"
-                : "");
+    return out + (falls_short
+                      ? noteHtml("\u2021 Of so few participants no interval within the range of their "
+                                 "means covers so often; read it as too narrow.")
+                      : "");
 }
 
 /// A row for each system, and one for all; only that one where each system has one level. Empty without
 /// answers.
 std::string levelTable(const AnalysisResult& result, const Measure& measure, const std::string& factor,
                        Numbering& numbering) {
+    Table rows = tables::levels(result, factor).where("measure", measure.name);
     std::vector<std::string> levels;
-    std::map<std::string, std::vector<const LevelResult*>> by_system;
-    bool crossed = false;
-    for (const LevelResult& row : result.levels) {
-        if (row.factor != factor || row.measure != measure.name) continue;
-        if (row.system == "all") levels.push_back(row.level);
-        by_system[row.system].push_back(&row);
-    }
+    for (const Table::Row& row : rows.where("system", "all").rows)
+        levels.push_back(row.cells[rows.at("level")].text());
     if (levels.empty()) return "";
-    std::vector<std::string> systems{"all"};
-    for (const auto& system : result.table.systems) {
-        systems.push_back(system);
-        const auto& rows = by_system[system];
-        crossed = crossed || levels.size() == 1 ||
-                  std::count_if(rows.begin(), rows.end(), [](const auto* row) { return row->n > 0; }) > 1;
+    bool crossed = levels.size() == 1;
+    for (const std::string& system : result.table.systems) {
+        const Table of = rows.where("system", system);
+        crossed = crossed || std::count_if(of.rows.begin(), of.rows.end(), [&](const Table::Row& row) {
+                                 return !row.cells[of.at("mean")].empty();
+                             }) > 1;
     }
-    if (!crossed) systems.resize(1);
+    if (!crossed) rows = rows.where("system", "all");
+    const std::size_t mean = rows.at("mean");
+    const std::size_t sd = rows.at("sd_trials");
+    const auto meanAndSd = [=](const Table::Row& row) -> Cell {
+        const auto* of = row.cells[mean].as<double>();
+        if (of == nullptr) return {};
+        const auto* spread = row.cells[sd].as<double>();
+        return fmt::format("{} \u00b1 {}", fixedText(*of, 2), spread ? fixedText(*spread, 2) : "\u2013");
+    };
+    const auto n = [place = rows.at("answers")](const Table::Row& row) { return row.cells[place]; };
+    Table table = wide(rows, {"system"}, "level", levels,
+                       {{[](const std::string& level) { return level; }, meanAndSd},
+                        {[](const std::string&) { return "n"; }, n}});
+    for (Table::Row& row : table.rows) row.all = row.cells.front().text() == "all";
     const bool accuracy = measure.kind == MeasureKind::accuracy;
-    std::string columns = "<th>System</th>";
-    for (const auto& level : levels) columns += fmt::format("<th>{}</th><th>n</th>", escapeHtml(level));
-    std::string out = openTable(
-        accuracy ? units::choices : units::ratings,
+    table.unit = accuracy ? units::choices : units::ratings;
+    return tableHtml(
+        table,
         fmt::format(
-            "{} by {}: {}mean &#177; standard deviation over trials{}.",
-            escapeHtml(capitalised(measure.name)), escapeHtml(factor), accuracy ? "proportion correct, " : "",
+            "{} by {}: {}mean \u00b1 standard deviation over trials{}.", capitalised(measure.name), factor,
+            accuracy ? "proportion correct, " : "",
             accuracy && factor == "layout" && isPointing2023(result.table) ? " (the paper's Table 1)" : ""),
-        columns, numbering);
-    for (const auto& system : systems) {
-        out += fmt::format("<tr{}><th scope=\"row\">{}</th>", system == "all" ? " class=\"all\"" : "",
-                           escapeHtml(system));
-        for (const LevelResult* row : by_system[system]) {
-            const std::string sd = row->n > 1 ? fmt::format("{:.2f}", row->sd_trials) : std::string(dash);
-            out += row->n == 0 ? fmt::format("<td>{}</td><td>0</td>", dash)
-                               : fmt::format("<td>{} &#177; {}</td><td>{}</td>",
-                                             signedText(fmt::format("{:.2f}", row->mean)), sd, row->n);
-        }
-        out += "</tr>";
-    }
-    return out + close_table;
+        numbering);
 }
 
 std::string joined(const std::vector<std::string>& items) {
@@ -142,16 +116,9 @@ std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering)
     const std::string kept = doubtfulButKept(table);
     if (table.checks.empty() && table.left_out.empty() && table.withdrawn == 0 && kept.empty()) return "";
     std::string out = "<h2>Attention checks and exclusions</h2>";
-    if (!table.checks.empty()) {
-        out +=
-            openTable(units::checks, "Attention checks of all participants, the excluded ones too.",
-                      "<th>Stage</th><th class=\"text\">Kind</th><th>passed</th><th>failed</th>", numbering);
-        for (const auto& check : table.checks)
-            out += fmt::format(
-                "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td>{}</td><td>{}</td></tr>",
-                escapeHtml(check.stage), escapeHtml(check.kind), check.passed, check.failed);
-        out += close_table;
-    }
+    if (!table.checks.empty())
+        out += tableHtml(tables::checks(result),
+                         "Attention checks of all participants, the excluded ones too.", numbering);
     out += kept;
     if (table.withdrawn > 0)
         out += fmt::format(

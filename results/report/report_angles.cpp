@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "results/answers/accuracy_by_angle.hpp"
+#include "results/outputs/analysis_tables.hpp"
 #include "results/page/figure.hpp"
-#include "results/page/report_tables.hpp"
+#include "results/page/html_table.hpp"
 
 namespace deixis::results {
 
@@ -15,8 +16,8 @@ namespace {
 using Rows = std::vector<AngleResult>;
 
 std::string whoLooks(const std::string& eyes) {
-    return eyes == "avatar" ? std::string("as the avatar&#8217;s eyes see it")
-                            : fmt::format("as the participant sees it, {}", escapeHtml(eyes));
+    return eyes == "avatar" ? std::string("as the avatar\u2019s eyes see it")
+                            : fmt::format("as the participant sees it, {}", eyes);
 }
 
 std::vector<std::string> eyesOf(const Rows& rows) {
@@ -69,42 +70,46 @@ FigureJson specOf(const AnalysisResult& result, const Rows& rows, const std::str
     return {{"height", 220}, {"layer", std::move(layers)}};
 }
 
-std::string tableOf(const AnalysisResult& result, const Rows& rows, Numbering& tables) {
+std::string angleTable(const AnalysisResult& result, const Rows& rows, Numbering& numbering) {
     std::vector<std::string> systems{"all"};
     systems.insert(systems.end(), result.table.systems.begin(), result.table.systems.end());
-    std::string columns = "<th>Angle</th><th class=\"text\">degrees</th>";
-    for (const std::string& system : systems) columns += fmt::format("<th>{}</th>", escapeHtml(system));
-    std::string out = openTable(
-        units::choices,
-        "Correct choices by the angle from the target to the distractor that looks nearest to it: how many, "
-        "of "
-        "how "
-        "many choices. The participant&#8217;s eyes stand where the layout puts them, at the study&#8217;s "
-        "eye "
-        "height. Nothing is tested here.",
-        columns, tables, TableWidth::dense);
-    for (std::size_t first = 0; first < rows.size(); ++first) {
-        if (rows[first].system != "all" || rows[first].choices == 0) continue;
-        out += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>",
-                           whoLooks(rows[first].eyes), angleBandText(rows[first]));
-        for (const std::string& system : systems) {
-            const auto cell = std::find_if(rows.begin(), rows.end(), [&](const AngleResult& row) {
-                return row.eyes == rows[first].eyes && row.system == system &&
-                       row.from_deg == rows[first].from_deg;
-            });
-            out += cell->choices == 0
-                       ? fmt::format("<td>{}</td>", dash)
-                       : fmt::format("<td>{:.0f}&#160;% ({} of {})</td>", 100.0 * cell->right / cell->choices,
-                                     cell->right, cell->choices);
-        }
-        out += "</tr>";
+    Table angles = tables::angles(result);
+    angles.columns.push_back({"looks", ColumnKind::text, {.label = "Angle"}});
+    angles.columns.push_back({"degrees", ColumnKind::text});
+    std::vector<std::string> bands;  // in which somebody chose
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        angles.rows[i].cells.insert(angles.rows[i].cells.end(),
+                                    {whoLooks(rows[i].eyes), angleBandText(rows[i])});
+        if (rows[i].system == "all" && rows[i].choices > 0)
+            bands.push_back(rows[i].eyes + angleBandText(rows[i]));
     }
-    return out + close_table;
+    std::size_t place = 0;
+    std::erase_if(angles.rows, [&](const Table::Row&) {
+        const AngleResult& row = rows[place++];
+        return std::find(bands.begin(), bands.end(), row.eyes + angleBandText(row)) == bands.end();
+    });
+    const auto share = [right = angles.at("right"),
+                        of = angles.at("choices")](const Table::Row& row) -> Cell {
+        const auto chosen = *row.cells[right].as<long long>();
+        const auto choices = *row.cells[of].as<long long>();
+        if (choices == 0) return {};
+        return fmt::format("{:.0f}\u00a0% ({} of {})",
+                           100.0 * static_cast<double>(chosen) / static_cast<double>(choices), chosen,
+                           choices);
+    };
+    return tableHtml(wide(angles, {"looks", "degrees"}, "system", systems,
+                          {{[](const std::string& system) { return system; }, share}}),
+                     "Correct choices by the angle from the target to the distractor that looks nearest to "
+                     "it: how many, of how many "
+                     "choices. The participant\u2019s eyes stand where the layout puts them, at the "
+                     "study\u2019s eye height. "
+                     "Nothing is tested here.",
+                     numbering, dense_table);
 }
 
 }  // namespace
 
-std::string anglesHtml(const AnalysisResult& result, Numbering& figures, Numbering& tables) {
+std::string anglesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
     const Rows rows = accuracyByAngle(result.table);
     if (rows.empty()) return "";
     std::string out = "<div class=\"plots\">";
@@ -114,13 +119,13 @@ std::string anglesHtml(const AnalysisResult& result, Numbering& figures, Numberi
             {fmt::format("angles-{}", ++number),
              fmt::format("{} Correct choices by how near the nearest distractor looks to the target, "
                          "{}; larger points stand for more choices.",
-                         figures.next(), whoLooks(eyes)),
+                         figures.next(), escapeHtml(whoLooks(eyes))),
              fmt::format("Share of correct choices by the angle from the target to its nearest "
                          "distractor ({}), a line for each system; the numbers stand in a table of "
                          "this page.",
                          eyes),
              specOf(result, rows, eyes)});
-    return out + "</div>" + tableOf(result, rows, tables);
+    return out + "</div>" + angleTable(result, rows, numbering);
 }
 
 }  // namespace deixis::results

@@ -3,9 +3,12 @@
 
 #include <fmt/core.h>
 
+#include <numeric>
+
 #include "report_studies.hpp"
 #include "results/analysis/several_studies.hpp"
-#include "results/page/report_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/page/html_table.hpp"
 #include "results/statistics/descriptive.hpp"
 
 namespace deixis::results {
@@ -27,52 +30,53 @@ std::string figuresHtml(const AnalysisResult& result, Numbering& figures) {
 
 namespace {
 
-std::string boxesTable(const AnalysisResult& result, Numbering& tables) {
-    std::string rows;
+std::string boxesTable(const AnalysisResult& result, Numbering& numbering) {
+    Table table{"boxes",
+                units::means,
+                "",
+                {{"measure", ColumnKind::text}, {"study", ColumnKind::text}, {"system", ColumnKind::text}}};
     const auto add = [&](const AnalysisResult& of, std::size_t i, const std::string& study) {
-        for (const SystemResult& system : of.systems) {
-            const auto box = boxSummary(system.measures[i].by_participant);
-            if (!box) continue;
-            const auto score = [&](double value) { return scoreText(of.measures[i], value); };
-            rows += fmt::format("<tr><th scope=\"row\">{}</th>{}<td class=\"text\">{}</td>{}</tr>",
-                                escapeHtml(capitalised(of.measures[i].name)),
-                                study.empty() ? "" : "<td class=\"text\">" + escapeHtml(study) + "</td>",
-                                escapeHtml(system.system), boxCells(*box, score));
-        }
+        const auto fields = boxFields([&](double value) { return scoreText(of.measures[i], value); });
+        if (table.columns.size() == 3)
+            for (const Column& column : columnsOf(fields)) table.columns.push_back(column);
+        for (const SystemResult& system : of.systems)
+            if (const auto box = boxSummary(system.measures[i].by_participant)) {
+                Table::Row& row =
+                    table.rows.emplace_back(Table::Row{{of.measures[i].name, study, system.system}});
+                for (Cell& cell : cellsOf(fields, *box)) row.cells.push_back(std::move(cell));
+            }
     };
     for (std::size_t i = 0; i < result.measures.size(); ++i) {
         for (const AnalysisResult& one : result.by_study) add(one, i, one.table.study_name);
         add(result, i, result.by_study.empty() ? "" : pooled_studies);
     }
-    if (rows.empty()) return "";
-    return openTable(units::means,
-                     "What the box plots draw: quantiles of the participants' means; no notch where it would "
-                     "reach beyond its box. n counts participants.",
-                     fmt::format("<th>Measure</th>{}<th class=\"text\">System</th>{}",
-                                 result.by_study.empty() ? "" : "<th class=\"text\">Study</th>", box_columns),
-                     tables) +
-           rows + close_table;
+    if (table.rows.empty()) return "";
+    std::vector<Shown> shown{"measure", "system", "q05", "q25", "median", "q75", "q95", "notch", "n"};
+    if (!result.by_study.empty()) shown.insert(shown.begin() + 1, "study");
+    return tableHtml(
+        table,
+        "What the box plots draw: quantiles of the participants' means; no notch where it would reach "
+        "beyond its box. n counts participants.",
+        shown, numbering);
 }
 
 std::string stepsTable(const AnalysisResult& result, std::size_t measure, const StepCounts& counts,
-                       Numbering& tables) {
-    std::string head;
-    for (const int step : counts.steps) head += fmt::format("<th>{}</th>", step);
-    std::string rows;
+                       Numbering& numbering) {
+    Table table{"steps", units::ratings, "", {{"system", ColumnKind::text}}};
+    for (const int step : counts.steps)
+        table.columns.emplace_back(fmt::format("{}", step), ColumnKind::number);
+    table.columns.emplace_back("n", ColumnKind::number);
     for (std::size_t i = 0; i < result.systems.size(); ++i) {
-        rows += fmt::format("<tr><th scope=\"row\">{}</th>", escapeHtml(result.systems[i].system));
-        int all = 0;
-        for (const int count : counts.counts[i]) all += count;
+        Table::Row& row = table.rows.emplace_back(Table::Row{{result.systems[i].system}});
+        const int all = std::accumulate(counts.counts[i].begin(), counts.counts[i].end(), 0);
         for (const int count : counts.counts[i])
-            rows += all > 0 ? fmt::format("<td>{} ({:.0f}&#160;%)</td>", count, 100.0 * count / all)
-                            : fmt::format("<td>{}</td>", dash);
-        rows += fmt::format("<td>{}</td></tr>", all);
+            row.cells.push_back(all > 0 ? Cell(fmt::format("{} ({:.0f}\u00a0%)", count, 100.0 * count / all))
+                                        : Cell());
+        row.cells.emplace_back(all);
     }
-    return openTable(units::ratings,
-                     escapeHtml(capitalised(result.measures[measure].name)) +
-                         ": how often each step of the scale was chosen.",
-                     "<th>System</th>" + head + "<th>n</th>", tables) +
-           rows + close_table;
+    return tableHtml(
+        table, capitalised(result.measures[measure].name) + ": how often each step of the scale was chosen.",
+        numbering);
 }
 
 }  // namespace

@@ -2,96 +2,73 @@
 #include <fmt/core.h>
 
 #include "report_interactions.hpp"
-#include "results/page/report_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/page/html_table.hpp"
 
 namespace deixis::results {
 
 namespace {
 
-/// Of signed-rank and rank-sum tests.
-template <typename Result>
-std::string shiftCells(const Result& one, const Measure& measure, const std::optional<double>& p) {
-    return fmt::format(
-        "<td>{}</td><td>{}</td><td class=\"{}\">{}</td></tr>",
-        shiftText(one.test.hodges_lehmann, [&](double value) { return scoreText(measure, value); }), pText(p),
-        one.significant ? "sig" : "not", pText(one.p_holm));
-}
-
-/// "naive - skilled, across - beside".
-std::string contrast(const std::string& a, const std::string& b, const std::string& c, const std::string& d) {
-    return fmt::format("<td class=\"text\">{} &#8722; {}</td><td class=\"text\">{} &#8722; {}</td>",
-                       escapeHtml(a), escapeHtml(b), escapeHtml(c), escapeHtml(d));
+/// Takes over what both kinds of interactions have; `difference` and `between`: of which the contrast is.
+void addContrasts(Table& out, const Table& from, const char* first_factor, const char* second_factor,
+                  const char* a, const char* b, const char* c, const char* d) {
+    for (const Table::Row& row : from.rows) {
+        const auto text = [&](const char* column) { return row.cells[from.at(column)].text(); };
+        const auto cell = [&](const char* column) { return row.cells[from.at(column)]; };
+        const bool groups = std::string(first_factor) == "other_factor";
+        const auto n = [&](const char* column) { return *cell(column).as<long long>(); };
+        out.rows.push_back(
+            {{cell("measure"), text(first_factor) + " \u00d7 " + text(second_factor),
+              text(a) + " \u2212 " + text(b), text(c) + " \u2212 " + text(d),
+              groups ? fmt::format("{} and {}", n("n_a"), n("n_b")) : fmt::format("{}", n("n")),
+              cell("hodges_lehmann"), cell("p"), cell("p_holm")},
+             row.percent,
+             row.significant});
+    }
 }
 
 }  // namespace
 
 std::string interactionsHtml(const AnalysisResult& result, Numbering& numbering) {
-    std::string rows;
-    for (const InteractionResult& one : result.interactions) {
-        const Measure measure = measureOf(result, one.measure);
-        rows += fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{} &#215; {}</td>{}<td>{}</td>",
-                            escapeHtml(capitalised(one.measure)), escapeHtml(one.factor),
-                            escapeHtml(one.other_factor), contrast(one.a, one.b, one.c, one.d),
-                            one.test.n_pairs) +
-                shiftCells(one, measure, one.test.p_two_sided);
-    }
-    for (const GroupInteractionResult& one : result.group_interactions) {
-        const Measure measure = measureOf(result, one.measure);
-        rows +=
-            fmt::format(
-                "<tr><th scope=\"row\">{}</th><td class=\"text\">{} &#215; {}</td>{}<td>{} and {}</td>",
-                escapeHtml(capitalised(one.measure)), escapeHtml(one.other_factor), escapeHtml(one.factor),
-                contrast(one.c, one.d, one.a, one.b), one.test.n_a, one.test.n_b) +
-            shiftCells(one, measure, one.test.p_two_sided);
-    }
-    if (rows.empty()) return "";
-    return openTable(
-               units::differences,
-               "Interactions: is a difference another one under another level? Each row tests a difference "
-               "of "
-               "differences over participants, within participants by the signed-rank test, between groups "
-               "of "
-               "participants (n of both) by the rank-sum test. Bold: significant after Holm's correction "
-               "over "
-               "the rows of one measure and pair of factors.",
-               "<th>Measure</th><th class=\"text\">Factors</th><th class=\"text\">Difference</th>"
-               "<th class=\"text\">between</th><th>n</th><th>Shift</th><th>p</th><th>p (Holm)</th>",
-               numbering, TableWidth::dense) +
-           rows + close_table +
-           "<p class=\"small\">A test that is not significant does not show that there is no "
-           "interaction.</p>";
+    const Table within = tables::interactions(result);
+    Table table{"interactions",
+                units::differences,
+                "",
+                {{"measure", ColumnKind::text},
+                 {"factors", ColumnKind::text, {.label = "Factors"}},
+                 {"difference", ColumnKind::text, {.label = "Difference"}},
+                 {"between", ColumnKind::text},
+                 {"n", ColumnKind::number},
+                 {"hodges_lehmann", ColumnKind::estimate},
+                 {"p", ColumnKind::number},
+                 {"p_holm", ColumnKind::number, {.marked = true}}}};
+    addContrasts(table, within, "factor", "other_factor", "a", "b", "c", "d");
+    addContrasts(table, tables::groupInteractions(result), "other_factor", "factor", "c", "d", "a", "b");
+    if (table.rows.empty()) return "";
+    return tableHtml(table,
+                     "Interactions: is a difference another one under another level? Each row tests a "
+                     "difference of "
+                     "differences over participants, within participants by the signed-rank test, between "
+                     "groups of "
+                     "participants (n of both) by the rank-sum test. Bold: significant after Holm's "
+                     "correction over "
+                     "the rows of one measure and pair of factors.",
+                     numbering, dense_table) +
+           noteHtml("A test that is not significant does not show that there is no interaction.");
 }
 
 std::string equivalenceHtml(const AnalysisResult& result, Numbering& numbering) {
-    std::string rows;
-    const auto add = [&](const std::string& measure, const std::string& where, const std::string& a,
-                         const std::string& b, const std::optional<Equivalence>& found) {
-        if (!found) return;
-        rows += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>"
-            "<td class=\"text\">{}</td><td>&#177; {}</td><td>{}</td><td>{}</td>"
-            "<td class=\"text {}\">{}</td></tr>",
-            escapeHtml(capitalised(measure)), escapeHtml(where), escapeHtml(a), escapeHtml(b),
-            scoreText(measureOf(result, measure), found->bound), pText(found->p), pText(found->p_holm),
-            found->equivalent ? "sig" : "not", found->equivalent ? "equivalent" : "not shown");
-    };
-    const auto place = [](const std::string& factor, const std::string& system) {
-        return factor.empty() ? std::string("systems") : factor + (system == "all" ? "" : ", " + system);
-    };
-    for (const auto* tests : {&result.pairwise, &result.level_tests})
-        for (const Comparison& one : *tests)
-            add(one.measure, place(one.factor, one.system), one.a, one.b, one.equivalence);
-    for (const BetweenResult& one : result.between)
-        add(one.measure, place(one.factor, one.system), one.a, one.b, one.equivalence);
-    if (rows.empty()) return "";
-    return openTable(
-               units::means,
-               "Equivalence within the bound that was declared before: two one-sided tests, p of the larger "
-               "one, Holm's correction within the families of the tests of difference.",
-               "<th>Measure</th><th class=\"text\">Of</th><th class=\"text\">A</th><th class=\"text\">B</th>"
-               "<th>Bound</th><th>p</th><th>p (Holm)</th><th class=\"text\">Result</th>",
-               numbering, TableWidth::dense) +
-           rows + close_table;
+    Table table = tables::equivalence(result);
+    if (table.rows.empty()) return "";
+    table.columns.push_back({"bounds", ColumnKind::number, {.label = "Bound"}});
+    const std::size_t bound = table.at("bound");
+    for (Table::Row& row : table.rows)
+        row.cells.emplace_back("\u00b1 " + cellText(table.columns[bound], row.cells[bound], row.percent));
+    return tableHtml(
+        table,
+        "Equivalence within the bound that was declared before: two one-sided tests, p of the larger one, "
+        "Holm's correction within the families of the tests of difference.",
+        {"measure", "where", "a", "b", "bounds", "p", "p_holm", "verdict"}, numbering, dense_table);
 }
 
 std::string interactionFindings(const AnalysisResult& result) {

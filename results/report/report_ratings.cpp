@@ -5,25 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "results/page/report_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/page/html_table.hpp"
 
 namespace deixis::results {
 
 namespace {
 
 constexpr const char* pseudo_replicated =
-    "<b>pseudo-replicated</b>: ratings of one participant are not independent, so p is too small";
-
-std::string magnitude(const std::optional<double>& z) {
-    return z ? fmt::format("{:.2f}", std::abs(*z)) : std::string(dash);
-}
+    "pseudo-replicated: ratings of one participant are not independent, so p is too small";
 
 std::string medianText(const Measure& measure, const std::optional<double>& median) {
     return median ? scoreText(measure, *median) : std::string(dash);
-}
-
-std::string cellsOfPair(const std::string& a, const std::string& b) {
-    return fmt::format("<td class=\"text\">{}</td><td class=\"text\">{}</td>", escapeHtml(a), escapeHtml(b));
 }
 
 /// "Medians of all ratings, highest first: x 56.00, y 54.00."
@@ -42,8 +35,7 @@ std::string mediansInOrder(const std::vector<const RatingComparison*>& pairs, co
                      [](const auto& one, const auto& other) { return one.second > other.second; });
     std::string out;
     for (const auto& [system, median] : medians)
-        out +=
-            fmt::format("{}{} {}", out.empty() ? "" : ", ", escapeHtml(system), scoreText(measure, median));
+        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", system, scoreText(measure, median));
     return out;
 }
 
@@ -59,91 +51,69 @@ std::string ratingPairsHtml(const AnalysisResult& result, const Measure& measure
             tested = tested || one.test.n_pairs > 0;
         }
     if (!tested) return "";
-    std::string out = openTable(
-        units::ratings,
-        fmt::format("{}, all pairs of systems{} once more by single ratings, {}. Pairs: a participant's two "
-                    "ratings on one page, or of one item.",
-                    escapeHtml(capitalised(measure.name)), where, pseudo_replicated),
-        "<th class=\"text\">A</th><th class=\"text\">B</th><th>Median A</th><th>Median B</th><th>pairs</th>"
-        "<th>participants</th><th>|Z|</th><th>p</th><th>p (Holm)</th><th class=\"text\">Result</th>",
-        numbering, TableWidth::dense);
-    for (const RatingComparison* one : pairs) {
-        const SignedRankTest& test = one->test;
-        const bool known = test.n_pairs > 0;
-        const char* verdict = !known                       ? "no pairs"
-                              : !one->significant          ? "not significant"
-                              : test.w_plus > test.w_minus ? "A higher"
-                                                           : "B higher";
-        out += fmt::format(
-            "<tr>{}<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-            "<td class=\"text {}\">{}</td></tr>",
-            cellsOfPair(one->a, one->b), medianText(measure, one->median_a),
-            medianText(measure, one->median_b), test.n_pairs, one->participants, magnitude(test.z),
-            known ? pText(test.p_two_sided) : std::string(dash), pText(one->p_holm),
-            one->significant ? "sig" : "not", verdict);
-    }
-    return out + close_table +
-           fmt::format(
-               "<p class=\"small\">Holm's family: {}, &#945;&#160;=&#160;{}. Z: normal approximation. "
-               "Medians of all ratings, highest first: {}.</p>",
+    return tableHtml(tables::ratingPairs(result).where("measure", measure.name),
+                     fmt::format(
+                         "{}, all pairs of systems{} once more by single ratings, {}. Pairs: a participant's "
+                         "two ratings on one page, or of one item.",
+                         capitalised(measure.name), where, pseudo_replicated),
+                     {"a",
+                      "b",
+                      "median_a",
+                      "median_b",
+                      {"n", "pairs"},
+                      "participants",
+                      "z",
+                      "p",
+                      "p_holm",
+                      "rating_verdict"},
+                     numbering, {true, false}) +
+           noteHtml(fmt::format(
+               "Holm's family: {}, \u03b1\u00a0=\u00a0{}. Z: normal approximation. Medians of all "
+               "ratings, highest first: {}.",
                counted(pairs.front()->family_size, "test", "tests"), result.alpha,
-               mediansInOrder(pairs, measure));
+               mediansInOrder(pairs, measure)));
 }
+
+namespace {
+
+/// The trials by their numbers.
+Table namedTrials(Table table) {
+    for (Table::Row& row : table.rows)
+        for (const char* column : {"a", "b"}) {
+            Cell& cell = row.cells[table.at(column)];
+            cell = "trial " + cell.text();
+        }
+    return table;
+}
+
+}  // namespace
 
 std::string authorTrialsHtml(const AnalysisResult& result, const std::string& where, Numbering& numbering) {
     if (result.author_trials.empty()) return "";
-    const std::string first_columns =
-        "<th>Measure</th><th class=\"text\">System</th><th class=\"text\">A</th><th class=\"text\">B</th>";
-    const auto firstCells = [](const auto& one) {
-        return fmt::format("<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td>{}",
-                           escapeHtml(capitalised(one.measure)), escapeHtml(one.system),
-                           cellsOfPair("trial " + one.a, "trial " + one.b));
-    };
-    std::string out = openTable(
-        units::ratings,
+    std::string out = tableHtml(
+        namedTrials(tables::authorTrials(result)),
         fmt::format(
             "Ratings{} of clips that their authors made in an earlier trial (A) against those of a later "
             "one (B), to see whether authors learn: rank-sum test, {}.",
             where, pseudo_replicated),
-        first_columns +
-            "<th>n A</th><th>n B</th><th>Median A</th><th>Median B</th><th>|Z|</th><th>p</th><th>p "
-            "(Holm)</th>",
-        numbering, TableWidth::dense);
-    for (const AuthorTrialResult& one : result.author_trials) {
-        const Measure measure = measureOf(result, one.measure);
-        out += firstCells(one) + fmt::format(
-                                     "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-                                     "<td class=\"{}\">{}</td></tr>",
-                                     one.test.n_a, one.test.n_b, scoreText(measure, one.median_a),
-                                     scoreText(measure, one.median_b), magnitude(one.test.z),
-                                     pText(one.test.p_two_sided), one.significant ? "sig" : "not",
-                                     pText(one.p_holm));
-    }
-    out += close_table;
-    out += openTable(units::means,
-                     fmt::format("The same{} by participants: each one's mean rating of clips from trial A "
-                                 "less that from trial B, "
-                                 "signed-rank test of those who rated both; it speaks about other "
-                                 "participants with these same clips, "
-                                 "not about other authors. Bold: significant.",
-                                 where),
-                     first_columns + "<th>Median A</th><th>Median B</th>" + signed_rank_columns, numbering,
-                     TableWidth::dense);
-    for (const MedianComparison& one : result.author_trials_paired) {
-        const Measure measure = measureOf(result, one.measure);
-        out += firstCells(one) + fmt::format("<td>{}</td><td>{}</td>{}<td class=\"{}\">{}</td></tr>",
-                                             medianText(measure, one.median_a),
-                                             medianText(measure, one.median_b),
-                                             signedRankCells(one, scoreTextOf(measure)),
-                                             one.significant ? "sig" : "not", pText(one.p_holm));
-    }
-    return out + close_table +
-           fmt::format(
-               "<p class=\"small\">Holm's families: {} by ratings, {} by participants, "
-               "&#945;&#160;=&#160;{}. That no difference is significant does not show that there is "
-               "none.</p>",
-               counted(result.author_trials.front().family_size, "test", "tests"),
-               result.author_trials_paired.front().family_size, result.alpha);
+        {"measure", "system", "a", "b", "n_a", "n_b", "median_a", "median_b", "z", "p", "p_holm"}, numbering,
+        dense_table);
+    Table paired = namedTrials(tables::authorTrialsPaired(result));
+    paired.column("p_holm").marked = true;
+    out += tableHtml(
+        paired,
+        fmt::format("The same{} by participants: each one's mean rating of clips from trial A less that "
+                    "from trial B, signed-rank test of those who rated both; it speaks about other "
+                    "participants with these same clips, not about other authors. Bold: significant.",
+                    where),
+        {"measure", "system", "a", "b", "median_a", "median_b", "n", "hodges_lehmann", "rank_biserial", "p",
+         "p_holm"},
+        numbering, dense_table);
+    return out + noteHtml(fmt::format(
+                     "Holm's families: {} by ratings, {} by participants, \u03b1\u00a0=\u00a0{}. That "
+                     "no difference is significant does not show that there is none.",
+                     counted(result.author_trials.front().family_size, "test", "tests"),
+                     result.author_trials_paired.front().family_size, result.alpha));
 }
 
 namespace {

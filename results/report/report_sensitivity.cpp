@@ -2,18 +2,12 @@
 #include <fmt/core.h>
 
 #include "report_details.hpp"
-#include "results/page/report_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/page/html_table.hpp"
 
 namespace deixis::results {
 
 namespace {
-
-std::string decided(const std::optional<double>& p_holm, double alpha, bool changes) {
-    if (!p_holm) return fmt::format("<td>{}</td>", dash);
-    const char* verdict = *p_holm <= alpha ? "yes" : "no";
-    return changes ? fmt::format("<td class=\"sig\">{} ({})</td>", pText(*p_holm), verdict)
-                   : fmt::format("<td>{}</td>", pText(*p_holm));
-}
 
 std::string countsText(const AnswerCounts& counts) {
     return fmt::format("{}, {}", counted(counts.participants, "participant", "participants"),
@@ -46,57 +40,61 @@ std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) 
     std::vector<OtherChoice> choices;
     for (const OtherChoice& one : other_choices)
         if (countsOf(result, one.choice).answers != result.headline_answers.answers) choices.push_back(one);
-    std::string rows;
+    std::vector<std::string> names{"headline", "pratt", "normal"};
+    for (const OtherChoice& one : choices) names.emplace_back(nameOf(one.choice));
+    const Table all = tables::sensitivity(result);
+    const auto label = [&](const std::string& name) {
+        for (const OtherChoice& one : choices)
+            if (name == nameOf(one.choice)) return std::string(one.column);
+        return name == "pratt" ? std::string("Pratt") : name;
+    };
+    const auto decided = [&](const Table::Row& row) -> Cell {
+        const Cell& p_holm = row.cells[all.at("p_holm")];
+        if (p_holm.empty()) return {};
+        std::string out = pWords(*p_holm.as<double>());
+        if (*row.cells[all.at("changes")].as<bool>())
+            out += *row.cells[all.at("significant")].as<bool>() ? " (yes)" : " (no)";
+        return out;
+    };
+    Table table = wide(all, {"measure", "a", "b"}, "choice", names, {{label, decided}});
+    table.columns.push_back({"depends", ColumnKind::text, {.label = "Depends on it"}});
     bool any = false;
-    for (const SensitivityResult& one : result.sensitivity) {
-        const AdjustedTest& head = one.headline;
-        if (head.test.n_pairs == 0 && one.other(AnswerChoice::with_left_out).test.test.n_pairs == 0) continue;
-        const auto cell = [&](const std::optional<double>& p_holm, bool changes) {
-            return decided(p_holm, result.alpha, changes);
-        };
-        bool hangs = head.depends_on_zeros || head.depends_on_approximation;
-        std::string others;
-        for (const OtherChoice& choice : choices) {
-            const SensitivityResult::Other& other = one.other(choice.choice);
-            hangs = hangs || other.changes;
-            others += cell(other.test.p_holm, other.changes);
-        }
+    for (Table::Row& row : table.rows) {
+        bool hangs = false;
+        for (std::size_t i = 3; i < row.cells.size(); ++i)
+            if (row.cells[i].text().ends_with(')')) {
+                hangs = true;
+                row.marks.emplace_back(i, "sig");
+            }
         any = any || hangs;
-        rows += fmt::format(
-            "<tr><th scope=\"row\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td>{}{}{}{}"
-            "<td class=\"text\">{}</td></tr>",
-            escapeHtml(capitalised(one.measure)), escapeHtml(one.a), escapeHtml(one.b),
-            cell(head.p_holm, false), cell(head.p_holm_pratt, head.depends_on_zeros),
-            cell(head.p_holm_normal, head.depends_on_approximation), others, hangs ? "<b>yes</b>" : "no");
+        if (hangs) row.marks.emplace_back(row.cells.size(), "sig");
+        row.cells.emplace_back(hangs ? "yes" : "no");
     }
-    if (rows.empty()) return "";
+    std::size_t place = 0;
+    std::erase_if(table.rows, [&](const Table::Row&) {
+        const SensitivityResult& one = result.sensitivity[place++];
+        return one.headline.test.n_pairs == 0 &&
+               one.other(AnswerChoice::with_left_out).test.test.n_pairs == 0;
+    });
+    if (table.rows.empty()) return "";
     std::string caption = fmt::format(
         "The pairs of systems, p after Holm's correction: as in the headline ({}); with differences of zero "
         "ranked (Pratt); with the normal approximation",
         countsText(result.headline_answers));
-    std::string columns;
-    for (const OtherChoice& one : choices) {
+    for (const OtherChoice& one : choices)
         caption += fmt::format("; {} ({})", one.words, countsText(countsOf(result, one.choice)));
-        columns += fmt::format("<th>{}</th>", one.column);
-    }
     std::string out =
-        "<h2>Decisions under other choices</h2>" +
-        openTable(units::means, caption + ".",
-                  fmt::format("<th>Measure</th><th class=\"text\">A</th><th class=\"text\">B</th>"
-                              "<th>headline</th><th>Pratt</th><th>normal</th>{}<th class=\"text\">Depends "
-                              "on it</th>",
-                              columns),
-                  numbering, TableWidth::dense) +
-        rows + close_table;
-    out += any ? fmt::format(
-                     "<p class=\"small\">Where a decision at &#945;&#160;=&#160;{} would be another, "
-                     "(yes) or (no) tells whether it is significant there.</p>",
-                     result.alpha)
-               : "<p class=\"small\">No decision depends on any of these choices.</p>";
+        "<h2>Decisions under other choices</h2>" + tableHtml(table, caption + ".", numbering, dense_table);
+    out += noteHtml(
+        any ? fmt::format("Where a decision at \u03b1\u00a0=\u00a0{} would be another, (yes) or (no) tells "
+                          "whether it is significant there.",
+                          result.alpha)
+            : "No decision depends on any of these choices.");
     if (choices.empty())
-        out +=
-            "<p class=\"small\">No answers are left out by exclusion, and none are in doubt: no trial was "
-            "marked, no participant failed a check, every choice was made.</p>";
+        out += noteHtml(
+            "No answers are left out by exclusion, and none are in doubt: no trial was marked, no "
+            "participant failed a "
+            "check, every choice was made.");
     return out;
 }
 

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "report_tests.hpp"
 #include "results/analysis/several_studies.hpp"
-#include "results/page/report_tables.hpp"
+#include "results/outputs/analysis_tables.hpp"
+#include "results/page/html_table.hpp"
 
 namespace deixis::results {
 
@@ -24,44 +27,36 @@ const Summary* summaryOf(const AnalysisResult& result, const MedianResult& of) {
 }
 
 std::string mediansTable(const AnalysisResult& result, const Measure& measure, Numbering& numbering) {
-    std::string rows;
-    bool of_ratings = false;
-    for (const MedianResult& one : result.medians) of_ratings = of_ratings || one.answers_median;
-    std::string last;
-    for (const MedianResult& one : result.medians) {
-        if (one.measure != measure.name) continue;
+    const bool of_ratings =
+        std::any_of(result.medians.begin(), result.medians.end(),
+                    [](const MedianResult& one) { return one.answers_median.has_value(); });
+    Table table = tables::studyMedians(result);
+    table.columns.push_back({"mean", ColumnKind::number});
+    table.columns.push_back({"interval", ColumnKind::range});
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const MedianResult& one = result.medians[i];
         const Summary* summary = summaryOf(result, one);
-        const bool interval = summary != nullptr && summary->interval;
-        rows += fmt::format(
-            "<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"text\">{}</td><td>{}</td>{}<td>{}</td>"
-            "<td>{}</td><td>{}</td><td>{}</td></tr>",
-            one.study == pooled_studies ? " class=\"all\"" : "", escapeHtml(one.study), one.place,
-            escapeHtml(one.system), scoreText(measure, one.median),
-            of_ratings
-                ? fmt::format("<td>{}</td>", one.answers_median ? scoreText(measure, *one.answers_median)
-                                                                : std::string(dash))
-                : std::string(),
-            summary == nullptr ? std::string(dash) : scoreText(measure, summary->mean),
-            interval ? intervalText(measure, summary->interval->lower, summary->interval->upper)
-                     : std::string(dash),
-            one.participants, one.answers);
+        Table::Row& row = table.rows[i];
+        row.all = one.study == pooled_studies;
+        row.cells.push_back(summary != nullptr ? Cell(summary->mean) : Cell());
+        row.cells.emplace_back(summary != nullptr ? intervalOf(summary->interval) : Interval{});
     }
-    if (rows.empty()) return "";
-    return openTable(
-               of_ratings ? units::means_beside_ratings : units::means,
-               fmt::format("{}: the systems by their medians, highest first, in each study and pooled.{} "
-                           "Mean with its {:g}&#160;% interval, bootstrap over participants. n counts "
-                           "participants.",
-                           escapeHtml(capitalised(measure.name)),
-                           of_ratings ? " Beside the median of participants' means stands that of single "
-                                        "ratings, which are pseudo-replicated."
-                                      : "",
-                           100.0 * result.level),
-               fmt::format("<th>Study</th><th>Place</th><th class=\"text\">System</th><th>Median</th>{}"
-                           "<th>Mean</th><th>Interval</th><th>n</th><th>Answers</th>",
-                           of_ratings ? "<th>of ratings</th>" : ""),
-               numbering, TableWidth::dense) +
-           rows + close_table;
+    table = table.where("measure", measure.name);
+    if (table.rows.empty()) return "";
+    if (!of_ratings) table.unit = units::means;
+    std::vector<Shown> shown{"study", "place",    "system",       "median",
+                             "mean",  "interval", "participants", "answers"};
+    if (of_ratings) shown.insert(shown.begin() + 4, "median_of_ratings");
+    return tableHtml(
+        table,
+        fmt::format("{}: the systems by their medians, highest first, in each study and pooled.{} Mean with "
+                    "its {:g}\u00a0% interval, bootstrap over participants. n counts participants.",
+                    capitalised(measure.name),
+                    of_ratings ? " Beside the median of participants' means stands that of single ratings, "
+                                 "which are pseudo-replicated."
+                               : "",
+                    100.0 * result.level),
+        shown, numbering, dense_table);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include "report_details.hpp"
 #include "results/answers/stations.hpp"
 #include "results/outputs/analysis_tables.hpp"
+#include "results/page/html_table.hpp"
 #include "results/page/page.hpp"
-#include "results/page/report_tables.hpp"
 
 namespace deixis::results {
 
@@ -32,19 +32,21 @@ std::string renderStations(const AnalysisResult& between, const std::vector<Stat
                       fmt::format("<p class=\"lead\">Answers from {} kinds of station, analysed apart</p>\n",
                                   reports.size());
     Numbering numbering;
-    out += openTable(units::stations,
-                     "A report for each kind of station. Their answers are nowhere one mean; a study may say "
-                     "<code>stations = \"together\"</code> in <code>[analysis]</code>.",
-                     "<th>Station</th><th>participants</th><th>answers</th><th class=\"text\">Report</th>",
-                     numbering);
+    Table table{"stations",
+                units::stations,
+                "",
+                {{"station", ColumnKind::text, {.label = "Station"}},
+                 {"participants", ColumnKind::number},
+                 {"answers", ColumnKind::number},
+                 {"link", ColumnKind::text, {.label = "Report"}}}};
     for (const StationReport& one : reports)
-        out += fmt::format(
-            "<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>",
-            escapeHtml(one.kind), one.kind == simulated_station ? " (no people)" : "", one.participants,
-            one.answers,
-            one.page.empty() ? std::string(dash)
-                             : fmt::format("<a href=\"{0}\">{0}</a>", escapeHtml(one.page)));
-    out += close_table;
+        table.rows.push_back({{one.kind + (one.kind == simulated_station ? " (no people)" : ""),
+                               one.participants, one.answers, known(!one.page.empty(), one.page)}});
+    out += tableHtml(
+        table,
+        "A report for each kind of station. Their answers are nowhere one mean; a study may say stations = "
+        "\"together\" in [analysis].",
+        numbering);
     const std::string tests = betweenHtml(stations, numbering);
     out += tests.empty() ? "<p>No two kinds of station have people's answers to compare.</p>" : tests;
     return out + remarksHtml(between.table.notes) + pageEnd("The tables hold all its numbers.");

@@ -81,7 +81,7 @@ struct LatexCell {
                            of.upper ? latexNumber(*of.upper, Format::plain) : "--",
                            of.upper_included ? ']' : ')');
     }
-    std::string operator()(const Json&) const { return "--"; }
+    std::string operator()(const JsonValue&) const { return "--"; }
 };
 
 bool hasEnds(const Column& column) {

@@ -94,6 +94,7 @@ struct CellJson {
                     {"upper_included", of.upper_included}, {"level", jsonOf(of.level)}};
         return of.lower ? Json{{"lower", *of.lower}, {"upper", *of.upper}} : Json();
     }
+    Json operator()(const JsonValue& value) const { return *value; }
     Json operator()(const auto& value) const { return value; }
 };
 

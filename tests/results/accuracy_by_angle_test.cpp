@@ -7,6 +7,7 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
+#include "page_text.hpp"
 #include "results/copies/data_export.hpp"
 #include "results/outputs/analysis_json.hpp"
 #include "results/outputs/analysis_tables.hpp"
@@ -16,6 +17,7 @@
 using namespace deixis;
 using namespace deixis::results;
 using deixis::tests::contains;
+using deixis::tests::pageText;
 
 namespace {
 
@@ -83,7 +85,7 @@ TEST_SUITE("results/accuracy_by_angle") {
         for (const auto& [name, bytes] : analysisTables(result, TableFormat::csv))
             if (name == "angles.csv") CHECK(contains(bytes, "avatar,x,0,3,1,2"));
         const std::string page = renderReport(result);
-        CHECK(contains(page, "33&#160;% (1 of 3)"));
+        CHECK(contains(pageText(page), "33\u00a0% (1 of 3)|"));
         CHECK(contains(page, "as the participant sees it, beside"));
     }
 

@@ -8,6 +8,7 @@
 #include "core/files.hpp"
 #include "fixtures.hpp"
 #include "oracles.hpp"
+#include "page_text.hpp"
 #include "results/answers/long_table.hpp"
 #include "results/outputs/analysis_json.hpp"
 #include "results/outputs/analysis_tables.hpp"
@@ -18,6 +19,7 @@ using namespace deixis;
 using namespace deixis::results;
 using deixis::tests::close;
 using deixis::tests::contains;
+using deixis::tests::pageText;
 using fixtures::analyseText;
 using nlohmann::json;
 
@@ -164,7 +166,7 @@ TEST_SUITE("results/analysis_answers") {
         CHECK(row["u"] == 9.0);
         const std::string page = renderReport(result);
         CHECK(contains(page, "Preferences by age"));
-        CHECK(contains(page, "25 / 50 / 25&#160;%"));
+        CHECK(contains(pageText(page), "25 / 50 / 25\u00a0%"));
         CHECK_FALSE(contains(page, "Preferences by hand"));
         CHECK(contains(page, "No test of the groups by age is significant in their preferences"));
         bool in_csv = false;

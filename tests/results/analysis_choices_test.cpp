@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fixtures.hpp"
+#include "page_text.hpp"
 #include "results/outputs/analysis_json.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/report/report.hpp"
@@ -12,6 +13,7 @@
 using namespace deixis;
 using namespace deixis::results;
 using deixis::tests::contains;
+using deixis::tests::pageText;
 using nlohmann::json;
 
 namespace {
@@ -75,7 +77,7 @@ TEST_SUITE("results/analysis_choices") {
         for (const auto& [name, bytes] : analysisTables(result, TableFormat::csv))
             if (name == "confusion.csv") csv = bytes;
         CHECK(contains(csv, "x,nearest 1,2,4,0.5"));
-        CHECK(contains(renderReport(result), "50.0&#160;% (2 of 4)"));
+        CHECK(contains(pageText(renderReport(result)), "50.0\u00a0% (2 of 4)|"));
     }
 
     TEST_CASE("The balls come from the database; what was chosen adds up to the accuracy") {

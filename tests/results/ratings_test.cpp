@@ -5,6 +5,7 @@
 
 #include "answers_text.hpp"
 #include "oracles.hpp"
+#include "page_text.hpp"
 #include "results/copies/data_export.hpp"
 #include "results/outputs/analysis_json.hpp"
 #include "results/report/report.hpp"
@@ -14,6 +15,7 @@ using namespace deixis;
 using namespace deixis::results;
 using deixis::tests::contains;
 using deixis::tests::oracles;
+using deixis::tests::pageText;
 using doctest::Approx;
 
 namespace {
@@ -164,7 +166,7 @@ TEST_SUITE("results/ratings") {
         CHECK(contains(page,
                        "once more by single ratings, <b>pseudo-replicated</b>: ratings of one "
                        "participant are not independent, so p is too small"));
-        CHECK(contains(page, "<td>73</td><td>12</td><td>5.74</td><td>&lt;0.001</td>"));
+        CHECK(contains(pageText(page), "|73|12|5.74|<0.001|"));
         CHECK(contains(page, "highest first: sgt 65.00, auto 50.00, manual 45.00."));
         CHECK(contains(page, "<b>Single ratings.</b>"));
         CHECK(page.find("all pairs of systems. n counts") < page.find("once more by single ratings"));
@@ -188,9 +190,7 @@ TEST_SUITE("results/ratings") {
         const std::string page = renderReport(fixtures::analyseText(oracle["csv"]));
         CHECK(contains(page, "to see whether authors learn"));
         CHECK(contains(page, "The same by participants"));
-        CHECK(contains(page,
-                       "<td class=\"text\">trial 1</td><td class=\"text\">trial 2</td><td>44</td>"
-                       "<td>38</td><td>60.00</td><td>65.00</td><td>1.04</td><td>0.301</td>"));
+        CHECK(contains(pageText(page), "|trial 1|trial 2|44|38|60.00|65.00|1.04|0.301|"));
         CHECK(contains(page, "<b>Authors' trials.</b>"));
         const AnalysisResult none = fixtures::analyseText(
             "participant,system,item,author_trial,rating\nP1,a,T1,1,3\nP1,b,T1,1,4\nP2,a,T1,,5\nP2,b,T1,1,"

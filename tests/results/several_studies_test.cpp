@@ -12,6 +12,7 @@
 #include "fixtures.hpp"
 #include "old_databases.hpp"
 #include "oracles.hpp"
+#include "page_text.hpp"
 #include "results/answers/long_table.hpp"
 #include "results/answers/stations.hpp"
 #include "results/outputs/analysis_json.hpp"
@@ -23,6 +24,7 @@ using namespace deixis;
 using namespace deixis::results;
 using deixis::tests::close;
 using deixis::tests::contains;
+using deixis::tests::pageText;
 using nlohmann::json;
 
 namespace {
@@ -177,7 +179,7 @@ TEST_SUITE("results/several_studies") {
         CHECK(result.participants == 5);
         CHECK(result.pairwise[0].test.n_pairs == 5);
         const std::string page = renderReport(result);
-        CHECK(contains(page,
+        CHECK(contains(pageText(page),
                        "2 participants' names stand (P01, P02) in more than one study: they are taken as "
                        "different people"));
         CHECK(contains(page, "The data are of several studies: they are compared by study, as with --by"));

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "fixtures.hpp"
+#include "page_text.hpp"
 #include "results/analysis/analysis.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/report/report.hpp"
@@ -13,6 +14,7 @@
 using namespace deixis;
 using namespace deixis::results;
 using deixis::tests::contains;
+using deixis::tests::pageText;
 
 namespace {
 
@@ -109,9 +111,10 @@ TEST_SUITE("results/table_units") {
             INFO(table.substr(0, 400));
             const auto captions = between(table, "<caption>", "</caption>");
             REQUIRE(captions.size() == 1);
-            const auto at = captions[0].find("Unit:&#160;");
+            const std::string caption = pageText(captions[0]);
+            const auto at = caption.find("Unit:\u00a0");
             REQUIRE(at != std::string::npos);
-            units.insert(captions[0].substr(at + 11, captions[0].rfind('.') - at - 11));
+            units.insert(caption.substr(at + 7, caption.rfind('.') - at - 7));
         }
         for (const std::string unit : {"participants' means", "ratings", "choices", "single answers",
                                        "participants' mean preferences; counts: single preferences"})

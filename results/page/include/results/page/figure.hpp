@@ -23,12 +23,7 @@ struct Figure {
 
 /// A figure element with its specification in it.
 [[nodiscard]] std::string figureHtml(const Figure& figure);
-/// The style sheet of figures.
-extern const char* const figure_css;
-/// At the page's end, after all figures: the elements that draw them. `elsewhere`: the sentence that tells
-/// where the numbers are where JavaScript is off.
-[[nodiscard]] std::string figuresEnd(const std::string& elsewhere);
-/// Of figuresEnd(): the libraries, their licences and what calls them.
+/// At the page's end: the libraries, their licences and what calls them.
 [[nodiscard]] std::string_view figureScript();
 
 /// Told apart by people of all colour vision (Okabe & Ito 2008); the pages' style sheet has a brighter one

@@ -18,8 +18,6 @@ namespace deixis::results {
 /// is off.
 [[nodiscard]] std::string pageEnd(const std::string& elsewhere);
 
-/// "not_said" -> "not said".
-[[nodiscard]] std::string spaced(std::string name);
 /// "uncommitted_changes" -> "Uncommitted changes".
 [[nodiscard]] std::string propertyLabel(std::string name);
 

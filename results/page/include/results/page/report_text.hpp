@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "results/answers/response_table.hpp"
+#include "results/page/templates.hpp"
 #include "results/statistics/hodges_lehmann.hpp"
 
 namespace deixis::results {
@@ -30,13 +31,11 @@ class Numbering {
     int last_ = 0;
 };
 
-/// Safe as text and as an attribute's value, in HTML and XML.
-[[nodiscard]] std::string escapeHtml(std::string_view text);
-
 /// "***" for p up to 0.001, "**" up to 0.01, "*" up to 0.05, else p itself.
 [[nodiscard]] std::string starsText(double p);
 
-/// "<0.001" or three decimals; escaped.
+/// "<0.001" or three decimals; pText() is HTML.
+[[nodiscard]] std::string pWords(double p);
 [[nodiscard]] std::string pText(double p);
 [[nodiscard]] std::string pText(const std::optional<double>& p);  ///< a dash where there is none
 
@@ -54,9 +53,6 @@ class Numbering {
 /// alone, without an estimate a dash. `text` makes the numbers.
 [[nodiscard]] std::string shiftText(const HodgesLehmann& shift,
                                     const std::function<std::string(double)>& text);
-
-/// A formatted number with a proper minus sign.
-[[nodiscard]] std::string signedText(std::string_view number);
 
 /// Of the game: "1 of 3 balls" or "1 of 2 to 5 balls".
 [[nodiscard]] std::string ballsText(const Measure& measure);

@@ -5,7 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -30,12 +30,17 @@ struct Interval {
     std::optional<double> estimate{};
     std::optional<double> level{};
     const char* mark = "";  ///< behind it, on a page
+
+    [[nodiscard]] bool operator==(const Interval&) const = default;
 };
 
-/// A value of a table, made of what a result has; monostate: nothing is known. Json stands in JSON only.
+/// Of JSON alone; behind a pointer, as GCC 12 warns falsely where a variant has it.
+using JsonValue = std::shared_ptr<const Json>;
+
+/// A value of a table, made of what a result has; monostate: nothing is known.
 class Cell {
   public:
-    using Value = std::variant<std::monostate, std::string, double, long long, bool, Interval, Json>;
+    using Value = std::variant<std::monostate, std::string, double, long long, bool, Interval, JsonValue>;
 
     Cell() = default;
     template <typename T>
@@ -60,8 +65,10 @@ class Cell {
     static Value valueOf(const T& value) {
         if constexpr (requires { value.has_value(); })
             return value ? valueOf(*value) : Value();
-        else if constexpr (std::same_as<T, bool> || std::same_as<T, Interval> || std::same_as<T, Json>)
+        else if constexpr (std::same_as<T, bool> || std::same_as<T, Interval>)
             return value;
+        else if constexpr (std::same_as<T, Json>)
+            return std::make_shared<const Json>(value);
         else if constexpr (std::integral<T>)
             return static_cast<long long>(value);
         else if constexpr (std::floating_point<T>)
@@ -138,9 +145,10 @@ struct Column {
 struct Table {
     struct Row {
         std::vector<Cell> cells;
-        bool percent = false;      ///< its scores are shares
-        bool significant = false;  ///< sets off what is marked
-        bool all = false;          ///< stands for several of the others
+        bool percent = false;                                      ///< its scores are shares
+        bool significant = false;                                  ///< sets off what is marked
+        bool all = false;                                          ///< stands for several of the others
+        std::vector<std::pair<std::size_t, const char*>> marks{};  ///< on a page: columns that stand out, how
     };
     std::string name;  ///< of the file, without its ending
     TableUnit unit;    ///< in CSV a column behind the others, in LaTeX the caption's end
