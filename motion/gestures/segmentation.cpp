@@ -11,6 +11,7 @@
 #include "hand_track.hpp"
 #include "motion/humanoid/humanoid_mapping.hpp"
 #include "motion/pointing/pointing_phases.hpp"
+#include "motion/skeleton/kinematics.hpp"
 
 namespace deixis::motion {
 
@@ -19,12 +20,6 @@ namespace {
 using std::to_string;
 
 constexpr std::array sides{Side::left, Side::right};
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 std::string framesText(Run run) {
     return to_string(run.begin) + " to " + to_string(run.end);
@@ -93,7 +88,7 @@ class Cutter {
         }
         constexpr double least_s = 0.2;
         if (static_cast<double>(at_rest[0].size()) * dt_ >= least_s - 1e-4)
-            return Vec3(median(at_rest[0]), median(at_rest[1]), median(at_rest[2]));
+            return Vec3(upperMedian(at_rest[0]), upperMedian(at_rest[1]), upperMedian(at_rest[2]));
         if (options_.by == CutBy::returns)
             return fail("", handText(side) + " never hangs still with the arm down, expected 0.2 s of it",
                         "Name a frame in which both hands are at rest, or cut by holds");

@@ -126,12 +126,6 @@ Held holdOf(const Excursion& excursion, const HandCourse& course) {
     return held;
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 std::vector<double> displacements(const std::vector<Vec3>& positions, double frame_time_s) {
     constexpr double looked_at_s = 0.1;
     const auto wanted = static_cast<std::size_t>(std::max(1.0, std::min(looked_at_s / frame_time_s, 1e6)));
@@ -140,7 +134,7 @@ std::vector<double> displacements(const std::vector<Vec3>& positions, double fra
         std::vector<double> values;
         for (std::size_t i = 0; i < std::min(positions.size(), wanted); ++i)
             values.push_back(positions[i][axis]);
-        rest[axis] = median(std::move(values));
+        rest[axis] = upperMedian(std::move(values));
     }
     std::vector<double> out;
     out.reserve(positions.size());

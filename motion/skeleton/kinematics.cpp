@@ -37,6 +37,12 @@ std::vector<double> speeds(const std::vector<Vec3>& positions, double frame_time
     return out;
 }
 
+double upperMedian(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 std::optional<double> logDimensionlessJerk(const std::vector<Vec3>& positions, double frame_time_s) {
     const std::size_t n = positions.size();
     if (n < 4) return std::nullopt;

@@ -78,18 +78,18 @@ Json countsJson(const AnswerCounts& counts) {
 Json sensitivityJson(const AnalysisResult& result) {
     const Table table = tables::sensitivity(result);
     Json pairs = Json::array();
-    std::size_t row = 0;
-    for (const SensitivityResult& one : result.sensitivity) {
-        Json& pair = pairs.emplace_back(Json{{"measure", one.measure}, {"a", one.a}, {"b", one.b}});
-        Json changes = Json::array();
-        for (const std::size_t end = row + 3 + one.others.size(); row < end; ++row) {
-            const auto& cells = table.rows[row].cells;
-            const std::string choice = cells[table.at("choice")].text();
-            pair[choice] = rowJson(table.columns, cells);
-            if (*cells[table.at("changes")].as<bool>()) changes.push_back(choice);
+    std::vector<Json> changes;
+    for (const Table::Row& row : table.rows) {
+        const auto text = [&](const char* column) { return row.cells[table.at(column)].text(); };
+        const std::string choice = text("choice");
+        if (choice == "headline") {  // the first of each pair
+            pairs.push_back({{"measure", text("measure")}, {"a", text("a")}, {"b", text("b")}});
+            changes.push_back(Json::array());
         }
-        pair["changes"] = changes;
+        pairs.back()[choice] = rowJson(table.columns, row.cells);
+        if (*row.cells[table.at("changes")].as<bool>()) changes.back().push_back(choice);
     }
+    for (std::size_t i = 0; i < changes.size(); ++i) pairs[i]["changes"] = changes[i];
     Json out{{"headline", countsJson(result.headline_answers)}};
     for (const AnswerChoice choice : all_choices)
         out[nameOf(choice)] = countsJson(result.other_answers.at(static_cast<std::size_t>(choice)));

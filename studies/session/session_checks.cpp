@@ -25,14 +25,13 @@ CheckResult compareNumbers(double first, double now, double tolerance) {
             fmt::format("repeat: {} first, {} now", first, now)};
 }
 
-CheckResult compareEach(std::string_view question, const GivenAnswer& first, const GivenAnswer& now,
-                        double tolerance) {
+CheckResult compareRatings(const GivenAnswer& first, const GivenAnswer& now, double tolerance) {
     CheckResult result;
     for (std::size_t i = 0; i < now.trial.stimuli.size(); ++i)
         for (std::size_t j = 0; j < first.trial.stimuli.size(); ++j) {
             if (now.trial.stimuli[i] != first.trial.stimuli[j]) continue;
-            const auto again = now.value(question, static_cast<int>(i));
-            const auto before = first.value(question, static_cast<int>(j));
+            const auto again = now.value("rating", static_cast<int>(i));
+            const auto before = first.value("rating", static_cast<int>(j));
             if (!again || !before) continue;
             CheckResult one = compareNumbers(*before, *again, tolerance);
             if (result.passed) result = std::move(one);

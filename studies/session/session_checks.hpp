@@ -27,10 +27,9 @@ struct GivenAnswer {
 
 /// Two answers with a number, against a tolerance.
 [[nodiscard]] CheckResult compareNumbers(double first, double now, double tolerance);
-/// Every stimulus's answer to a question against that of the first time, wherever the stimulus stood: the
-/// first that differs.
-[[nodiscard]] CheckResult compareEach(std::string_view question, const GivenAnswer& first,
-                                      const GivenAnswer& now, double tolerance);
+/// Every stimulus's rating against that of the first time, wherever the stimulus stood: the first that
+/// differs.
+[[nodiscard]] CheckResult compareRatings(const GivenAnswer& first, const GivenAnswer& now, double tolerance);
 
 class CheckJudge {
   public:

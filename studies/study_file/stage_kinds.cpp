@@ -1,7 +1,6 @@
 #include "studies/study_file/stage_kind.hpp"
 
-#include <algorithm>
-#include <iterator>
+#include <optional>
 
 namespace deixis::studies {
 
@@ -26,10 +25,8 @@ std::span<const StageDeclaration* const> allDeclarations() {
 }
 
 const StageDeclaration* findDeclaration(std::string_view name) {
-    const auto* const found =
-        std::find_if(std::begin(declarations), std::end(declarations),
-                     [&](const StageDeclaration* declaration) { return declaration->name == name; });
-    return found == std::end(declarations) ? nullptr : *found;
+    const std::optional<StageKind> kind = stageKindFromName(name);
+    return kind ? &declarationOf(*kind) : nullptr;
 }
 
 std::string_view stageKindName(StageKind kind) {

@@ -77,6 +77,8 @@ struct StageReading {
 void readTrials(TomlTable& table, StageReading& reading, Stage& stage);
 /// Trials of one stimulus: each system is a level.
 [[nodiscard]] std::vector<std::vector<int>> eachByItself(int systems);
+/// What is asked of each stimulus that is rated: Stage::question, on Stage::scale.
+[[nodiscard]] std::vector<Question> ratingQuestion(const Stage& stage, const LanguageTable& words);
 /// How many trials a participant has in a stage that is no practice, checks left aside.
 [[nodiscard]] long long trialsOf(const Stage& stage);
 

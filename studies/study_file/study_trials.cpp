@@ -177,6 +177,10 @@ std::vector<std::vector<int>> eachByItself(int systems) {
     return out;
 }
 
+std::vector<Question> ratingQuestion(const Stage& stage, const LanguageTable& /*words*/) {
+    return {{"rating", QuestionKind::scale, stage.question, stage.scale}};
+}
+
 long long trialsOf(const Stage& stage) {
     const TrialDesign& design = stage.design;
     const auto crossed = [](Meeting meeting, std::size_t levels) {

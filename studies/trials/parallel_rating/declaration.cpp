@@ -28,10 +28,6 @@ void checkLevels(TomlTable& table, const Study& /*study*/, const Stage& stage) {
                                              n == 1 ? "" : "s", most));
 }
 
-std::vector<Question> questions(const Stage& stage, const LanguageTable& /*words*/) {
-    return {{"rating", QuestionKind::scale, stage.question, stage.scale}};
-}
-
 }  // namespace
 }  // namespace parallel_rating
 
@@ -44,7 +40,7 @@ extern const StageDeclaration parallel_rating_declaration{.name = "parallel-rati
                                                           .arrangement = Arrangement::shuffled,
                                                           .checks = parallel_rating::checks,
                                                           .checkLevels = parallel_rating::checkLevels,
-                                                          .questions = parallel_rating::questions,
+                                                          .questions = ratingQuestion,
                                                           .measures = parallel_rating::measures};
 
 }  // namespace deixis::studies

@@ -78,10 +78,6 @@ class ParallelTrial : public ComparePage {
     }
 };
 
-CheckResult compareRatings(const GivenAnswer& first, const GivenAnswer& now, double tolerance) {
-    return compareEach("rating", first, now, tolerance);
-}
-
 }  // namespace
 
 extern const UnitDeclaration parallel_rating_unit{makeUnitOf<ParallelTrial>, compareRatings};

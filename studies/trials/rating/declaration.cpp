@@ -10,10 +10,6 @@ constexpr std::string_view keys[] = {"system_meets", "max_run_of_system", "measu
 constexpr CheckKind checks[] = {CheckKind::number, CheckKind::repeat};
 constexpr DeclaredMeasure measures[] = {{"rating", AskedKind::rating, ""}};
 
-std::vector<Question> questions(const Stage& stage, const LanguageTable& /*words*/) {
-    return {{"rating", QuestionKind::scale, stage.question, stage.scale}};
-}
-
 }  // namespace
 }  // namespace rating
 
@@ -24,7 +20,7 @@ extern const StageDeclaration rating_declaration{.name = "rating",
                                                  .max_stimuli = 1,
                                                  .shown = eachByItself,
                                                  .checks = rating::checks,
-                                                 .questions = rating::questions,
+                                                 .questions = ratingQuestion,
                                                  .measures = rating::measures};
 
 }  // namespace deixis::studies

@@ -45,12 +45,8 @@ class RatingTrial : public ClipTrial {
     }
 };
 
-CheckResult compareRating(const GivenAnswer& first, const GivenAnswer& now, double tolerance) {
-    return compareEach("rating", first, now, tolerance);
-}
-
 }  // namespace
 
-extern const UnitDeclaration rating_unit{makeUnitOf<RatingTrial>, compareRating};
+extern const UnitDeclaration rating_unit{makeUnitOf<RatingTrial>, compareRatings};
 
 }  // namespace deixis::studies

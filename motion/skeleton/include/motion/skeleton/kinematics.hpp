@@ -19,6 +19,10 @@ constexpr double difference_half_span_s = 1.0 / 30.0;
 [[nodiscard]] std::vector<Vec3> velocities(const std::vector<Vec3>& positions, double frame_time_s);
 [[nodiscard]] std::vector<double> speeds(const std::vector<Vec3>& positions, double frame_time_s);
 
+/// The median, of two in the middle the greater one, so that it is a value that was there. Of one value or
+/// more.
+[[nodiscard]] double upperMedian(std::vector<double> values);
+
 /// Log dimensionless jerk (Balasubramanian, Melendez-Calderon, Roby-Brami & Burdet 2015, "On the analysis of
 /// movement smoothness", J. NeuroEng. Rehabil. 12:112): -ln(T^3 / v_peak^2 * integral of |jerk|^2 dt), with
 /// plain differences from sample to sample. Dimensionless, below 0; nearer to 0 is smoother. A minimum-jerk

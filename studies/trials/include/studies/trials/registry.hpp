@@ -1,13 +1,12 @@
 // The kinds of stages that a study may have. Each stands in a folder of studies/trials, and nowhere else:
 //
-// - declaration.cpp (compiled with studies/study_file): its keys and how they are read, its stimuli, its
+// - declaration.cpp (compiled with studies/study_file): its keys and how they are read, its stimuli,
 // questions
-//   with types and scales, its measures (stage_kind.hpp);
+//   and measures (stage_kind.hpp);
 // - plan.cpp (studies/design), where more is planned than the declaration says;
 // - unit.cpp (studies/session): how it is presented and answered (session_unit.hpp).
 //
-// A new kind is a folder, and a line here. What a study may have in the lists and messages follows this
-// order.
+// A new kind is a folder, and a line here. Lists of kinds, as in messages, keep this order.
 #pragma once
 
 #include <cstddef>
