@@ -1,6 +1,6 @@
 # cmake --install BUILD --prefix P. The program finds what ships from its own place, bin/deixis: P may be moved.
 install(TARGETS deixis DESTINATION bin)
-install(DIRECTORY assets/data/ DESTINATION share/deixis)
+install(DIRECTORY assets/data/ DESTINATION share/deixis PATTERN *.cpp EXCLUDE PATTERN include EXCLUDE)
 install(FILES ${DEIXIS_SHARE}/avatar.glb DESTINATION share/deixis)
 install(DIRECTORY docs/ DESTINATION share/doc/deixis)
 install(FILES LICENSE DESTINATION share/doc/deixis)
