@@ -254,43 +254,42 @@ Result<void> evaluateClips(const EvaluateArguments& options) {
 
 }  // namespace
 
-void addEvaluateCommand(CLI::App& cli, Command& chosen) {
+void addEvaluateCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<EvaluateArguments>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "evaluate", "Measure how accurately systems' clips point: an HTML page, JSON and CSV tables");
     describe(
-        *command,
+        command,
         {.writes =
              "the page (-o; evaluation.html in this folder where it is not given), and what --json and --csv "
              "name. --json without FILE prints the numbers, and no page is written unless -o asks for it.",
          .example = "deixis evaluate clips/mine clips/direct -o evaluation.html --csv tables\ndeixis "
                     "evaluate clips/mine --json",
          .page = "docs/evaluation.md"});
-    command->add_option("MANIFEST", options->manifests, "Manifests of clips, or folders with a manifest.csv")
-        ->required();
-    command->add_option(
+    command.addOption("MANIFEST", options->manifests, "Manifests of clips, or folders with a manifest.csv")
+        .required();
+    command.addOption(
         "--training", options->training,
         "Manifest or CSV of the targets that the systems were trained on [those of the synthetic "
         "demonstrations]");
     command
-        ->add_option(
-            "--bandwidth", options->bandwidth,
-            "Of the kernel density: normal-reference, scott, scott-covariance, or hx,hy,hz in metres")
-        ->capture_default_str();
+        .addOption("--bandwidth", options->bandwidth,
+                   "Of the kernel density: normal-reference, scott, scott-covariance, or hx,hy,hz in metres")
+        .showDefault();
     command
-        ->add_option("--meanshift-bandwidth", options->mean_shift_bandwidth,
-                     "Of the clusters of training targets: metres, or auto")
-        ->capture_default_str();
-    command->add_option("--study", options->study,
-                        "Study whose games the clips were made for: what simulated observers read, and what "
-                        "nobody can exceed");
-    addOutput(*command, options->page, "HTML page to write [evaluation.html]");
-    addForce(*command, options->force);
-    addJsonOrFile(*command, options->json);
-    addCsv(*command, options->tables, "Folder to write every table to, as CSV");
-    command->add_option("--threads", options->threads, "Threads that read clips [one for each core]")
-        ->check(CLI::Range(1, 1024));
-    command->callback([options, &chosen] {
+        .addOption("--meanshift-bandwidth", options->mean_shift_bandwidth,
+                   "Of the clusters of training targets: metres, or auto")
+        .showDefault();
+    command.addOption("--study", options->study,
+                      "Study whose games the clips were made for: what simulated observers read, and what "
+                      "nobody can exceed");
+    addOutput(command, options->page, "HTML page to write [evaluation.html]");
+    addForce(command, options->force);
+    addJsonOrFile(command, options->json);
+    addCsv(command, options->tables, "Folder to write every table to, as CSV");
+    command.addOption("--threads", options->threads, "Threads that read clips [one for each core]")
+        .check(Range(1, 1024));
+    command.callback([options, &chosen] {
         chosen = [options] {
             if (options->page.empty() && options->json != standard_output) options->page = "evaluation.html";
             return evaluateClips(*options);

@@ -75,34 +75,34 @@ Result<void> merge(const MergeRequest& request) {
 
 }  // namespace
 
-void addExportCommand(CLI::App& cli, Command& chosen) {
+void addExportCommand(Parser cli, Command& chosen) {
     auto request = std::make_shared<ExportRequest>();
-    CLI::App* command = cli.add_subcommand("export", "Write a database's tables as CSV, with a codebook");
-    describe(*command, {.writes = "CSV tables, codebook.md and codebook.json to DIR (-o; DATABASE-csv beside "
-                                  "the database where it is not given). An earlier export there is replaced.",
-                        .example = "deixis export study.sqlite -o tables --anonymise",
-                        .page = "docs/data-out.md"});
-    command->add_option("DB", request->database, "Database of a study")->required();
-    command->add_option("--format", request->format, "Format of the tables")
-        ->check(CLI::IsMember({"csv"}))
-        ->capture_default_str();
-    addOutput(*command, request->folder, "Folder to write to [DB without its ending, and -csv]", "DIR");
-    command->add_flag("--anonymise", request->options.anonymise,
-                      "Other ids, no free text, no notes, no dates: to be shared");
-    command->add_flag("!--no-tracking", request->options.tracking, "Leave tracked frames out");
-    command->callback([request, &chosen] { chosen = [request] { return exportTables(*request); }; });
+    Parser command = cli.addCommand("export", "Write a database's tables as CSV, with a codebook");
+    describe(command, {.writes = "CSV tables, codebook.md and codebook.json to DIR (-o; DATABASE-csv beside "
+                                 "the database where it is not given). An earlier export there is replaced.",
+                       .example = "deixis export study.sqlite -o tables --anonymise",
+                       .page = "docs/data-out.md"});
+    command.addOption("DB", request->database, "Database of a study").required();
+    command.addOption("--format", request->format, "Format of the tables")
+        .check(OneOf{{"csv"}})
+        .showDefault();
+    addOutput(command, request->folder, "Folder to write to [DB without its ending, and -csv]", "DIR");
+    command.addFlag("--anonymise", request->options.anonymise,
+                    "Other ids, no free text, no notes, no dates: to be shared");
+    command.addFlag("!--no-tracking", request->options.tracking, "Leave tracked frames out");
+    command.callback([request, &chosen] { chosen = [request] { return exportTables(*request); }; });
 }
 
-void addMergeCommand(CLI::App& cli, Command& chosen) {
+void addMergeCommand(Parser cli, Command& chosen) {
     auto request = std::make_shared<MergeRequest>();
-    CLI::App* command = cli.add_subcommand("merge", "Join the databases of several stations of one study");
-    describe(*command, {.writes = "a new database, and beside it the locked studies. A database that is "
-                                  "there already is never replaced.",
-                        .example = "deixis merge station1.sqlite station2.sqlite -o all.sqlite",
-                        .page = "docs/data-out.md"});
-    command->add_option("DB", request->databases, "Databases to join, two or more")->required()->expected(-2);
-    addOutput(*command, request->output, "Database to make; must not exist")->required();
-    command->callback([request, &chosen] { chosen = [request] { return merge(*request); }; });
+    Parser command = cli.addCommand("merge", "Join the databases of several stations of one study");
+    describe(command, {.writes = "a new database, and beside it the locked studies. A database that is "
+                                 "there already is never replaced.",
+                       .example = "deixis merge station1.sqlite station2.sqlite -o all.sqlite",
+                       .page = "docs/data-out.md"});
+    command.addOption("DB", request->databases, "Databases to join, two or more").required().expected(-2);
+    addOutput(command, request->output, "Database to make; must not exist").required();
+    command.callback([request, &chosen] { chosen = [request] { return merge(*request); }; });
 }
 
 }  // namespace deixis::app

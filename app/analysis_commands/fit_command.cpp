@@ -308,35 +308,34 @@ Result<void> fitDatabase(const FitArguments& options) {
 
 }  // namespace
 
-void addFitCommand(CLI::App& cli, Command& chosen) {
+void addFitCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<FitArguments>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "fit", "Fit the simulated participant's noise, lapses and weights to the choices of a database");
-    describe(*command,
+    describe(command,
              {.writes = "nothing but what it prints, unless -o or --json FILE name a place.",
               .example =
                   "deixis fit study.sqlite -o observer.toml\ndeixis fit study.sqlite --ray arm-finger --json",
               .page = "docs/simulated-participant.md"});
-    command->add_option("DB", options->database, "Database of a study with a referential game")->required();
-    addOutput(*command, options->output, "Parameters file to write, for deixis simulate --parameters");
-    addForce(*command, options->force);
+    command.addOption("DB", options->database, "Database of a study with a referential game").required();
+    addOutput(command, options->output, "Parameters file to write, for deixis simulate --parameters");
+    addForce(command, options->force);
     command
-        ->add_option("--parameters", options->parameters,
-                     "Parameters that are not fitted (TOML) [those that ship]")
-        ->default_val(assets::dataFile("simulated_participant.toml").string())
-        ->default_str("");
-    command->add_option(
+        .addOption("--parameters", options->parameters,
+                   "Parameters that are not fitted (TOML) [those that ship]")
+        .defaultValue(assets::dataFile("simulated_participant.toml").string())
+        .showDefault("");
+    command.addOption(
         "--ray", options->ray,
         "What is read from the arm: two-cue, arm-finger, eye-fingertip, ... [as in the parameters]");
-    command->add_option("--level", options->level, "Level of the intervals")
-        ->check(CLI::Range(0.5, 0.9999))
-        ->capture_default_str();
-    addJsonOrFile(*command, options->json);
-    command->add_option("--stimuli", options->stimuli,
-                        "Folder of the clips that were shown [where they lay]");
-    command->add_option("--avatar", options->avatar,
-                        "The avatar that was shown, glTF or VRM [the study's; else Deixis's own]");
-    command->callback([options, &chosen] { chosen = [options] { return fitDatabase(*options); }; });
+    command.addOption("--level", options->level, "Level of the intervals")
+        .check(Range(0.5, 0.9999))
+        .showDefault();
+    addJsonOrFile(command, options->json);
+    command.addOption("--stimuli", options->stimuli, "Folder of the clips that were shown [where they lay]");
+    command.addOption("--avatar", options->avatar,
+                      "The avatar that was shown, glTF or VRM [the study's; else Deixis's own]");
+    command.callback([options, &chosen] { chosen = [options] { return fitDatabase(*options); }; });
 }
 
 }  // namespace deixis::app

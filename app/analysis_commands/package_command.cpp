@@ -165,19 +165,19 @@ Result<void> makePackage(const PackageRequest& request) {
 
 }  // namespace
 
-void addPackageCommand(CLI::App& cli, Command& chosen) {
+void addPackageCommand(Parser cli, Command& chosen) {
     auto request = std::make_shared<PackageRequest>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "package",
         "Make a replication package: study, clips, avatar, anonymous data and report in one folder");
-    describe(*command, {.writes = "the folder, which must not exist: half a package is never left.",
-                        .example = "deixis package study.sqlite -o replication",
-                        .page = "docs/data-out.md"});
-    command->add_option("DB", request->database, "Database of a study")->required();
-    addOutput(*command, request->folder, "Folder to make; must not exist", "DIR")->required();
-    command->add_flag("--free-text", request->free_text, "Keep what participants typed");
-    command->add_flag("!--no-tracking", request->tracking, "Leave tracked movements out");
-    command->callback([request, &chosen] { chosen = [request] { return makePackage(*request); }; });
+    describe(command, {.writes = "the folder, which must not exist: half a package is never left.",
+                       .example = "deixis package study.sqlite -o replication",
+                       .page = "docs/data-out.md"});
+    command.addOption("DB", request->database, "Database of a study").required();
+    addOutput(command, request->folder, "Folder to make; must not exist", "DIR").required();
+    command.addFlag("--free-text", request->free_text, "Keep what participants typed");
+    command.addFlag("!--no-tracking", request->tracking, "Leave tracked movements out");
+    command.callback([request, &chosen] { chosen = [request] { return makePackage(*request); }; });
 }
 
 }  // namespace deixis::app

@@ -87,59 +87,57 @@ Result<void> analysePower(const PowerArguments& options) {
 
 }  // namespace
 
-void addPowerCommand(CLI::App& cli, Command& chosen) {
+void addPowerCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<PowerArguments>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "power", "How often a study would find assumed effects, and how many participants it needs");
     describe(
-        *command,
+        command,
         {.writes = "nothing but what it prints, unless --json FILE, --csv or --save-effects name a place.",
          .example = "deixis power pointing2023 --effect pointing2023 --participants 20,40 --goal "
                     "0.8\ndeixis power pointing2023 --from pilot.sqlite --json",
          .page = "docs/power.md"});
-    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
-    command->add_option("--participants", options->participants, "Numbers of participants, such as 10,20,39")
-        ->delimiter(',')
-        ->check(CLI::Range(2, 2000))
-        ->capture_default_str();
-    auto* effect = command->add_option(
+    command.addOption("STUDY", options->study, "Study file, or the name of one that ships").required();
+    command.addOption("--participants", options->participants, "Numbers of participants, such as 10,20,39")
+        .delimiter(',')
+        .check(Range(2, 2000))
+        .showDefault();
+    auto effect = command.addOption(
         "--effect", options->effect,
         "Assumed means and spreads (TOML, docs/power.md), or the name of a file that ships");
-    auto* from =
+    auto from =
         command
-            ->add_option("--from", options->from, "Databases or CSV files of the study to estimate them from")
-            ->type_name("DATA...");
-    effect->excludes(from);
-    from->excludes(effect);
-    command->add_option("--save-effects", options->effects_out,
-                        "File to write the effects to that were taken, to be changed and used again");
-    auto* goal = command
-                     ->add_option("--goal", options->goal,
-                                  "Power that is wanted: tell for each contrast how many participants it "
-                                  "needs, of those simulated")
-                     ->check(CLI::Range(0.01, 0.9999));
-    command->add_flag("--search", options->search, "With --goal: simulate numbers between, to the single one")
-        ->needs(goal);
-    command->add_option("--studies", options->options.studies, "Studies drawn for each number")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    addSeed(*command, options->options.seed, "the answers");
-    command
-        ->add_option("--alpha", options->options.alpha, "Level of significance; the study's where not given")
-        ->check(CLI::Range(1e-6, 0.5));
-    command->add_option("--level", options->options.level, "Level of the intervals of the power")
-        ->check(CLI::Range(0.5, 0.9999))
-        ->capture_default_str();
-    addJsonOrFile(*command, options->json);
-    addCsv(*command, options->csv,
-           "Folder for the table power.csv; or the file, by a name that ends in .csv");
-    addForce(*command, options->force);
+            .addOption("--from", options->from, "Databases or CSV files of the study to estimate them from")
+            .valueName("DATA...");
+    effect.excludes(from);
+    from.excludes(effect);
+    command.addOption("--save-effects", options->effects_out,
+                      "File to write the effects to that were taken, to be changed and used again");
+    auto goal = command
+                    .addOption("--goal", options->goal,
+                               "Power that is wanted: tell for each contrast how many participants it "
+                               "needs, of those simulated")
+                    .check(Range(0.01, 0.9999));
+    command.addFlag("--search", options->search, "With --goal: simulate numbers between, to the single one")
+        .needs(goal);
+    command.addOption("--studies", options->options.studies, "Studies drawn for each number")
+        .check(Range(1, 1000000))
+        .showDefault();
+    addSeed(command, options->options.seed, "the answers");
+    command.addOption("--alpha", options->options.alpha, "Level of significance; the study's where not given")
+        .check(Range(1e-6, 0.5));
+    command.addOption("--level", options->options.level, "Level of the intervals of the power")
+        .check(Range(0.5, 0.9999))
+        .showDefault();
+    addJsonOrFile(command, options->json);
+    addCsv(command, options->csv, "Folder for the table power.csv; or the file, by a name that ends in .csv");
+    addForce(command, options->force);
     options->options.threads = 0;
-    command->add_option("--threads", options->options.threads, "Threads that simulate [one for each core]")
-        ->check(CLI::Range(1, 1024));
-    command->callback([options, &chosen] {
+    command.addOption("--threads", options->options.threads, "Threads that simulate [one for each core]")
+        .check(Range(1, 1024));
+    command.callback([options, &chosen] {
         if (options->effect.empty() && options->from.empty())
-            throw CLI::RequiredError("--effect FILE or --from DATABASE");
+            requireUsage("--effect FILE or --from DATABASE");
         chosen = [options] { return analysePower(*options); };
     });
 }

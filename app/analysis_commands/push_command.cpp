@@ -48,20 +48,20 @@ Result<void> push(const PushRequest& request) {
 
 }  // namespace
 
-void addPushCommand(CLI::App& cli, Command& chosen) {
+void addPushCommand(Parser cli, Command& chosen) {
     auto request = std::make_shared<PushRequest>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "push", "Bring a database's results to a PostgreSQL server, where many stations' lie together");
-    describe(*command, {.writes = "to the server: the database's study, participants, sessions and answers. "
-                                  "The database is only read.",
-                        .example = "deixis push study.sqlite postgresql://lab@db.lab/deixis",
-                        .page = "docs/server.md"});
-    command->add_option("DB", request->database, "Database of a study")->required();
+    describe(command, {.writes = "to the server: the database's study, participants, sessions and answers. "
+                                 "The database is only read.",
+                       .example = "deixis push study.sqlite postgresql://lab@db.lab/deixis",
+                       .page = "docs/server.md"});
+    command.addOption("DB", request->database, "Database of a study").required();
     command
-        ->add_option("SERVER", request->server,
-                     "postgresql://USER@HOST:PORT/DATABASE; the password from PGPASSWORD or ~/.pgpass")
-        ->required();
-    command->callback([request, &chosen] { chosen = [request] { return push(*request); }; });
+        .addOption("SERVER", request->server,
+                   "postgresql://USER@HOST:PORT/DATABASE; the password from PGPASSWORD or ~/.pgpass")
+        .required();
+    command.callback([request, &chosen] { chosen = [request] { return push(*request); }; });
 }
 
 }  // namespace deixis::app

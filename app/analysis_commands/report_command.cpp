@@ -296,11 +296,11 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
     return writeByStation(std::move(*table), files, named, choice.stations);
 }
 
-void addReportCommand(CLI::App& cli, Command& chosen) {
+void addReportCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ReportArguments>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "report", "Analyse databases or long tables: an HTML page, and the numbers as JSON, CSV and LaTeX");
-    describe(*command,
+    describe(command,
              {.writes = "the page (-o; report.html in this folder where it is not given), and what --json, "
                         "--csv, --latex and --r name. --json without FILE prints the numbers, and no page is "
                         "written unless -o asks for it.",
@@ -308,80 +308,78 @@ void addReportCommand(CLI::App& cli, Command& chosen) {
                   "deixis report study.sqlite -o report.html --csv tables\ndeixis report study.sqlite --json",
               .page = "docs/analysis.md"});
     command
-        ->add_option("DATA", options->data,
-                     "Databases of one study or of several, CSV files with one line an answer, or a server's "
-                     "address (postgresql://USER@HOST:PORT/DATABASE)")
-        ->required();
+        .addOption("DATA", options->data,
+                   "Databases of one study or of several, CSV files with one line an answer, or a server's "
+                   "address (postgresql://USER@HOST:PORT/DATABASE)")
+        .required();
     command
-        ->add_option("--by", options->by,
-                     "study: compares studies, each a group of participants: the systems within each and "
-                     "pooled. So are databases of studies of different names without it; each CSV file is "
-                     "then one study")
-        ->check(CLI::IsMember({"study"}));
+        .addOption("--by", options->by,
+                   "study: compares studies, each a group of participants: the systems within each and "
+                   "pooled. So are databases of studies of different names without it; each CSV file is "
+                   "then one study")
+        .check(OneOf{{"study"}});
     command
-        ->add_option("--measure", options->choice.join.measures,
-                     "Analyse this measure alone, such as what all of several studies measured; may be "
-                     "repeated")
-        ->allow_extra_args(false);
-    command->add_option("--study", options->choice.study,
-                        "Which study of a server that holds several: its name, or the beginning of its hash");
-    addOutput(*command, options->files.page, "HTML page to write [report.html]");
-    addForce(*command, options->force);
-    addJsonOrFile(*command, options->files.json);
-    addCsv(*command, options->files.csv, "Folder to write every table to, as CSV");
-    command->add_option("--latex", options->files.latex,
-                        "Folder to write every table to, as LaTeX (booktabs)");
-    command->add_option(
-        "--r", options->files.r,
-        "Folder for the tables and analysis.R, which computes them anew and adds mixed models");
-    command->add_option("--stimuli", options->choice.stimuli,
-                        "Folder of the clips that the databases' sessions showed [where they lay]");
-    command->add_flag("--without-clips", options->choice.without_clips,
-                      "Do not look at those clips: the answers alone decide what is written");
+        .addOption("--measure", options->choice.join.measures,
+                   "Analyse this measure alone, such as what all of several studies measured; may be "
+                   "repeated")
+        .oneValueEachTime();
+    command.addOption("--study", options->choice.study,
+                      "Which study of a server that holds several: its name, or the beginning of its hash");
+    addOutput(command, options->files.page, "HTML page to write [report.html]");
+    addForce(command, options->force);
+    addJsonOrFile(command, options->files.json);
+    addCsv(command, options->files.csv, "Folder to write every table to, as CSV");
+    command.addOption("--latex", options->files.latex, "Folder to write every table to, as LaTeX (booktabs)");
+    command.addOption("--r", options->files.r,
+                      "Folder for the tables and analysis.R, which computes them anew and adds mixed models");
+    command.addOption("--stimuli", options->choice.stimuli,
+                      "Folder of the clips that the databases' sessions showed [where they lay]");
+    command.addFlag("--without-clips", options->choice.without_clips,
+                    "Do not look at those clips: the answers alone decide what is written");
     command
-        ->add_option("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
-        ->check(CLI::Range(1e-6, 0.5));
+        .addOption("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
+        .check(Range(1e-6, 0.5));
     command
-        ->add_option("--level", options->analysis.level,
-                     "Level of the intervals; 1 - alpha where not given, so that they and the tests agree")
-        ->check(CLI::Range(0.5, 0.9999));
-    command->add_option("--resamples", options->analysis.resamples, "Resamples of the bootstrap")
-        ->check(CLI::Range(100, 1000000))
-        ->capture_default_str();
+        .addOption("--level", options->analysis.level,
+                   "Level of the intervals; 1 - alpha where not given, so that they and the tests agree")
+        .check(Range(0.5, 0.9999));
+    command.addOption("--resamples", options->analysis.resamples, "Resamples of the bootstrap")
+        .check(Range(100, 1000000))
+        .showDefault();
     command
-        ->add_option("--between", options->choice.csv.between,
-                     "Column of CSV files with the groups of a factor between participants; may be repeated")
-        ->allow_extra_args(false);
+        .addOption("--between", options->choice.csv.between,
+                   "Column of CSV files with the groups of a factor between participants; may be repeated")
+        .oneValueEachTime();
     command
-        ->add_option("--within", options->choice.csv.within,
-                     "Column of CSV files with the levels of a factor within participants; may be repeated")
-        ->allow_extra_args(false);
+        .addOption("--within", options->choice.csv.within,
+                   "Column of CSV files with the levels of a factor within participants; may be repeated")
+        .oneValueEachTime();
     command
-        ->add_option("--column", options->columns,
-                     "What CSV files call a column, such as participant=subject, "
-                     "rating=slider.response or rt_ms=rt; may be repeated")
-        ->allow_extra_args(false);
+        .addOption("--column", options->columns,
+                   "What CSV files call a column, such as participant=subject, "
+                   "rating=slider.response or rt_ms=rt; may be repeated")
+        .oneValueEachTime();
     command
-        ->add_option("--scale", options->scales,
-                     "The scale of ratings in CSV files, beyond which no answer may lie; "
-                     "may be repeated")
-        ->allow_extra_args(false);
-    command->add_option(
+        .addOption("--scale", options->scales,
+                   "The scale of ratings in CSV files, beyond which no answer may lie; "
+                   "may be repeated")
+        .oneValueEachTime();
+    command.addOption(
         "--stations", options->choice.stations,
         "Answers given at a desktop and in a headset: apart (a report each), together (station is "
         "then a factor), or those of one kind; the study's, else apart. Simulated participants "
         "always stand apart");
     command
-        ->add_option("--equivalence", options->equivalence,
-                     "Bound within which two systems, levels or groups count as equivalent; may be repeated")
-        ->allow_extra_args(false);
+        .addOption("--equivalence", options->equivalence,
+                   "Bound within which two systems, levels or groups count as equivalent; may be repeated")
+        .oneValueEachTime();
     command
-        ->add_option("--unit", options->unit,
-                     "ratings: single ratings are tested, too, in tables marked as pseudo-replicated, beside "
-                     "participants' means; participants: these alone. The study's, else participants")
-        ->check(CLI::IsMember({"participants", "ratings"}));
-    addSeed(*command, options->analysis.seed, "the bootstrap");
-    command->callback([options, &chosen] {
+        .addOption("--unit", options->unit,
+                   "ratings: single ratings are tested, too, in tables marked as pseudo-replicated, beside "
+                   "participants' means; participants: these alone. The study's, else participants")
+        .check(OneOf{{"participants", "ratings"}});
+    addSeed(command, options->analysis.seed, "the bootstrap");
+    command.callback([options, &chosen] {
         chosen = [options]() -> Result<void> {
             ReportFiles& files = options->files;
             const bool json_alone = files.json == standard_output;

@@ -34,16 +34,16 @@ Result<void> printSchemas(const std::string& name) {
 
 }  // namespace
 
-void addSchemaCommand(CLI::App& cli, Command& chosen) {
+void addSchemaCommand(Parser cli, Command& chosen) {
     auto name = std::make_shared<std::string>();
-    CLI::App* command =
-        cli.add_subcommand("schema", "Print the JSON Schema of an output, or list those that there are");
-    describe(*command, {.writes = "nothing; it prints the schema.",
-                        .example = "deixis schema analysis",
-                        .page = "docs/data-out.md"});
-    command->add_option("NAME", *name, "analysis, plan, evaluation or trace [lists them, with their files]")
-        ->check(CLI::IsMember(std::vector<std::string>(schema_names.begin(), schema_names.end())));
-    command->callback([name, &chosen] { chosen = [name] { return printSchemas(*name); }; });
+    Parser command =
+        cli.addCommand("schema", "Print the JSON Schema of an output, or list those that there are");
+    describe(command, {.writes = "nothing; it prints the schema.",
+                       .example = "deixis schema analysis",
+                       .page = "docs/data-out.md"});
+    command.addOption("NAME", *name, "analysis, plan, evaluation or trace [lists them, with their files]")
+        .check(OneOf{{schema_names.begin(), schema_names.end()}});
+    command.callback([name, &chosen] { chosen = [name] { return printSchemas(*name); }; });
 }
 
 }  // namespace deixis::app

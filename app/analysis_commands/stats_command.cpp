@@ -118,101 +118,96 @@ Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& o
     return {};
 }
 
-void addTest(CLI::App& stats, Command& chosen, const std::string& name, const std::string& description,
+void addTest(Parser stats, Command& chosen, const std::string& name, const std::string& description,
              StatsTest test, const Takes& takes, const char* columns_of_example = "a,b") {
     auto options = std::make_shared<StatsArguments>();
-    CLI::App* command = stats.add_subcommand(name, description);
+    Parser command = stats.addCommand(name, description);
     const std::string example =
         fmt::format("deixis stats {} answers.csv --columns {}", name, columns_of_example);
-    describe(*command, {.writes = "nothing; it prints the result.",
-                        .example = example.c_str(),
-                        .page = "docs/statistics.md"});
+    describe(command, {.writes = "nothing; it prints the result.",
+                       .example = example.c_str(),
+                       .page = "docs/statistics.md"});
     command
-        ->add_option("FILE", options->choice.file,
-                     "CSV file with the columns' names in its first line; - "
-                     "for standard input")
-        ->required();
-    CLI::Option* columns =
-        command->add_option("--columns", options->columns,
-                            takes.long_form ? "Columns, as in a,b; with --group: its levels, in order [all]"
-                                            : "Columns, as in a,b");
-    if (!takes.long_form) columns->required();
+        .addOption("FILE", options->choice.file,
+                   "CSV file with the columns' names in its first line; - "
+                   "for standard input")
+        .required();
+    Option columns =
+        command.addOption("--columns", options->columns,
+                          takes.long_form ? "Columns, as in a,b; with --group: its levels, in order [all]"
+                                          : "Columns, as in a,b");
+    if (!takes.long_form) columns.required();
     if (takes.paired_by)
-        command->add_option("--paired-by,--cluster", options->choice.paired_by,
-                            "Rows that agree in this column are one participant, who counts with their mean");
+        command.addOption("--paired-by,--cluster", options->choice.paired_by,
+                          "Rows that agree in this column are one participant, who counts with their mean");
     if (takes.long_form) {
-        command->add_option("--group", options->choice.group,
-                            "Long form: the column that tells the conditions apart");
-        command->add_option("--value", options->choice.value, "Long form: the column with the numbers");
+        command.addOption("--group", options->choice.group,
+                          "Long form: the column that tells the conditions apart");
+        command.addOption("--value", options->choice.value, "Long form: the column with the numbers");
     }
     if (takes.level)
-        command->add_option("--level", options->test.level, "Confidence level of intervals")
-            ->capture_default_str();
+        command.addOption("--level", options->test.level, "Confidence level of intervals").showDefault();
     if (takes.chance)
-        command->add_option("--chance", options->chance, "Chance level to test against, as in 1/3");
+        command.addOption("--chance", options->chance, "Chance level to test against, as in 1/3");
     if (takes.resamples) {
-        command->add_option("--resamples", options->test.resamples, "Number of resamples")
-            ->capture_default_str()
-            ->check(CLI::Range(1, 10'000'000));
-        addSeed(*command, options->test.seed, "the resampling")
-            ->check(
-                [](const std::string& text) {
-                    return text.starts_with('-') ? "found " + text + ", expected a whole number from 0" : "";
-                },
-                "");
+        command.addOption("--resamples", options->test.resamples, "Number of resamples")
+            .showDefault()
+            .check(Range(1, 10'000'000));
+        addSeed(command, options->test.seed, "the resampling").check([](const std::string& text) {
+            return text.starts_with('-') ? "found " + text + ", expected a whole number from 0" : "";
+        });
     }
     if (takes.density) {
         command
-            ->add_option(
+            .addOption(
                 "--bandwidth", options->density.bandwidth,
                 "normal-reference, scott, scott-covariance, or one number for each column, as in 0.1,0.2")
-            ->capture_default_str();
-        command->add_option("--at", options->density.at,
-                            "CSV file of the points at which the density is wanted [the rows themselves]");
+            .showDefault();
+        command.addOption("--at", options->density.at,
+                          "CSV file of the points at which the density is wanted [the rows themselves]");
     }
     if (takes.clusters) {
-        command->add_option("--bandwidth", options->clusters.bandwidth, "auto, or a number above 0")
-            ->capture_default_str();
+        command.addOption("--bandwidth", options->clusters.bandwidth, "auto, or a number above 0")
+            .showDefault();
         command
-            ->add_option("--quantile", options->clusters.quantile,
-                         "Of the automatic bandwidth: the share of all points that are neighbours")
-            ->capture_default_str();
+            .addOption("--quantile", options->clusters.quantile,
+                       "Of the automatic bandwidth: the share of all points that are neighbours")
+            .showDefault();
     }
-    addJson(*command, options->json, "Print one JSON object, with all digits");
-    command->callback([options, test, takes, &chosen] {
+    addJson(command, options->json, "Print one JSON object, with all digits");
+    command.callback([options, test, takes, &chosen] {
         chosen = [options, test, takes] { return runTest(test, takes, *options); };
     });
 }
 
 }  // namespace
 
-void addStatsCommand(CLI::App& cli, Command& chosen) {
-    CLI::App* stats = cli.add_subcommand("stats", "Exact statistical tests of the columns of a CSV file");
-    stats->require_subcommand(1);
-    describe(*stats, {.writes = "nothing; the tests print their results.",
-                      .example = "deixis stats signed-rank answers.csv --columns a,b",
-                      .page = "docs/statistics.md"});
-    addTest(*stats, chosen, "signed-rank", "Wilcoxon's signed-rank test of paired columns a and b",
+void addStatsCommand(Parser cli, Command& chosen) {
+    Parser stats = cli.addCommand("stats", "Exact statistical tests of the columns of a CSV file");
+    stats.requireCommand();
+    describe(stats, {.writes = "nothing; the tests print their results.",
+                     .example = "deixis stats signed-rank answers.csv --columns a,b",
+                     .page = "docs/statistics.md"});
+    addTest(stats, chosen, "signed-rank", "Wilcoxon's signed-rank test of paired columns a and b",
             statsSignedRank, {.long_form = true, .paired_by = true, .level = true});
-    addTest(*stats, chosen, "rank-sum", "Rank-sum test (Mann and Whitney's U) of independent samples a and b",
+    addTest(stats, chosen, "rank-sum", "Rank-sum test (Mann and Whitney's U) of independent samples a and b",
             statsRankSum, {.long_form = true, .paired_by = true, .level = true});
-    addTest(*stats, chosen, "friedman", "Friedman's test of two or more columns, with Kendall's W",
+    addTest(stats, chosen, "friedman", "Friedman's test of two or more columns, with Kendall's W",
             statsFriedman, {.long_form = true, .paired_by = true});
-    addTest(*stats, chosen, "shapiro", "Shapiro and Wilk's test of a column, or of the differences of two",
+    addTest(stats, chosen, "shapiro", "Shapiro and Wilk's test of a column, or of the differences of two",
             statsShapiro, {.long_form = true, .paired_by = true});
-    addTest(*stats, chosen, "spearman", "Spearman's rank correlation of two columns", statsSpearman,
+    addTest(stats, chosen, "spearman", "Spearman's rank correlation of two columns", statsSpearman,
             {.long_form = true, .paired_by = true});
-    addTest(*stats, chosen, "holm", "Holm's correction of a column of p values", statsHolm, {}, "p");
-    addTest(*stats, chosen, "bootstrap", "Bootstrap intervals of the columns' means and their differences",
+    addTest(stats, chosen, "holm", "Holm's correction of a column of p values", statsHolm, {}, "p");
+    addTest(stats, chosen, "bootstrap", "Bootstrap intervals of the columns' means and their differences",
             statsBootstrap, {.long_form = true, .paired_by = true, .level = true, .resamples = true});
-    addTest(*stats, chosen, "proportion",
-            "Share of ones in a column of 0 and 1, with exact interval and test", statsProportion,
-            {.level = true, .chance = true}, "correct");
-    addTest(*stats, chosen, "describe", "Mean, spread and quantiles of columns", statsDescribe,
+    addTest(stats, chosen, "proportion", "Share of ones in a column of 0 and 1, with exact interval and test",
+            statsProportion, {.level = true, .chance = true}, "correct");
+    addTest(stats, chosen, "describe", "Mean, spread and quantiles of columns", statsDescribe,
             {.long_form = true, .paired_by = true});
-    addTest(*stats, chosen, "kde", "Gaussian kernel density of points, a column for each dimension", nullptr,
+    addTest(stats, chosen, "kde", "Gaussian kernel density of points, a column for each dimension", nullptr,
             {.density = true}, "x,y,z");
-    addTest(*stats, chosen, "meanshift", "MeanShift clusters of points, a column for each dimension", nullptr,
+    addTest(stats, chosen, "meanshift", "MeanShift clusters of points, a column for each dimension", nullptr,
             {.clusters = true}, "x,y,z");
 }
 

@@ -60,16 +60,16 @@ Result<void> check(const ClipsCheckArguments& options) {
 
 }  // namespace
 
-void addClipsCheckCommand(CLI::App& clips, Command& chosen) {
+void addClipsCheckCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsCheckArguments>();
-    CLI::App* command = clips.add_subcommand(
+    Parser command = clips.addCommand(
         "check", "Name every problem of clip files at once, and tell whether they play on the avatar");
-    describe(*command, {.writes = "nothing; it prints the problems, and exits with 1 where there are any.",
-                        .example = "deixis clips check clips/*.bvh",
-                        .page = "docs/clip-format.md"});
-    command->add_option("FILE", options->files, clip_file_kinds)->required()->expected(1, 1000000);
-    addImportOptions(*command, options->import);
-    command->callback([options, &chosen] { chosen = [options] { return check(*options); }; });
+    describe(command, {.writes = "nothing; it prints the problems, and exits with 1 where there are any.",
+                       .example = "deixis clips check clips/*.bvh",
+                       .page = "docs/clip-format.md"});
+    command.addOption("FILE", options->files, clip_file_kinds).required().expected(1, 1000000);
+    addImportOptions(command, options->import);
+    command.callback([options, &chosen] { chosen = [options] { return check(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -5,24 +5,24 @@
 
 namespace deixis::app {
 
-void addClipsCommand(CLI::App& cli, Command& chosen) {
-    CLI::App* clips = cli.add_subcommand("clips", "Look into clip files, check, convert and cut them");
-    clips->require_subcommand(1);
-    describe(*clips, {.writes = "nothing, or what -o names.",
-                      .example = "deixis clips info clips/T001.bvh",
-                      .page = "docs/clip-format.md"});
-    addClipsInfoCommand(*clips, chosen);
-    addClipsCheckCommand(*clips, chosen);
-    addClipsConvertCommand(*clips, chosen);
-    addClipsJointsCommand(*clips, chosen);
-    addClipsMapCommand(*clips, chosen);
-    addClipsRetargetCommand(*clips, chosen);
-    addClipsMeasureCommand(*clips, chosen);
-    addClipsStatisticsCommand(*clips, chosen);
-    addClipsMirrorCommand(*clips, chosen);
-    addClipsTrimCommand(*clips, chosen);
-    addClipsResampleCommand(*clips, chosen);
-    addClipsSegmentCommand(*clips, chosen);
+void addClipsCommand(Parser cli, Command& chosen) {
+    Parser clips = cli.addCommand("clips", "Look into clip files, check, convert and cut them");
+    clips.requireCommand();
+    describe(clips, {.writes = "nothing, or what -o names.",
+                     .example = "deixis clips info clips/T001.bvh",
+                     .page = "docs/clip-format.md"});
+    addClipsInfoCommand(clips, chosen);
+    addClipsCheckCommand(clips, chosen);
+    addClipsConvertCommand(clips, chosen);
+    addClipsJointsCommand(clips, chosen);
+    addClipsMapCommand(clips, chosen);
+    addClipsRetargetCommand(clips, chosen);
+    addClipsMeasureCommand(clips, chosen);
+    addClipsStatisticsCommand(clips, chosen);
+    addClipsMirrorCommand(clips, chosen);
+    addClipsTrimCommand(clips, chosen);
+    addClipsResampleCommand(clips, chosen);
+    addClipsSegmentCommand(clips, chosen);
 }
 
 }  // namespace deixis::app

@@ -5,17 +5,17 @@
 
 namespace deixis::app {
 
-void addClipsInfoCommand(CLI::App& clips, Command& chosen);
-void addClipsCheckCommand(CLI::App& clips, Command& chosen);
-void addClipsConvertCommand(CLI::App& clips, Command& chosen);
-void addClipsJointsCommand(CLI::App& clips, Command& chosen);
-void addClipsMapCommand(CLI::App& clips, Command& chosen);
-void addClipsRetargetCommand(CLI::App& clips, Command& chosen);
-void addClipsMeasureCommand(CLI::App& clips, Command& chosen);
-void addClipsStatisticsCommand(CLI::App& clips, Command& chosen);
-void addClipsMirrorCommand(CLI::App& clips, Command& chosen);
-void addClipsTrimCommand(CLI::App& clips, Command& chosen);
-void addClipsResampleCommand(CLI::App& clips, Command& chosen);
-void addClipsSegmentCommand(CLI::App& clips, Command& chosen);
+void addClipsInfoCommand(Parser clips, Command& chosen);
+void addClipsCheckCommand(Parser clips, Command& chosen);
+void addClipsConvertCommand(Parser clips, Command& chosen);
+void addClipsJointsCommand(Parser clips, Command& chosen);
+void addClipsMapCommand(Parser clips, Command& chosen);
+void addClipsRetargetCommand(Parser clips, Command& chosen);
+void addClipsMeasureCommand(Parser clips, Command& chosen);
+void addClipsStatisticsCommand(Parser clips, Command& chosen);
+void addClipsMirrorCommand(Parser clips, Command& chosen);
+void addClipsTrimCommand(Parser clips, Command& chosen);
+void addClipsResampleCommand(Parser clips, Command& chosen);
+void addClipsSegmentCommand(Parser clips, Command& chosen);
 
 }  // namespace deixis::app

@@ -32,19 +32,18 @@ Result<void> convert(const ClipsConvertArguments& options) {
 
 }  // namespace
 
-void addClipsConvertCommand(CLI::App& clips, Command& chosen) {
+void addClipsConvertCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsConvertArguments>();
-    CLI::App* command = clips.add_subcommand(
+    Parser command = clips.addCommand(
         "convert", "Write a clip in another format, in metres and y up, on its own skeleton");
-    describe(*command, {.writes = "OUT, in the format that its ending names.",
-                        .example = "deixis clips convert take.csv -o take.bvh",
-                        .page = "docs/clip-format.md"});
-    command->add_option("IN", options->from, clip_file_kinds)->required();
-    addOutputLast(*command, options->to, "File to write: .bvh, .glb, or .csv for joint positions")
-        ->required();
-    addForce(*command, options->force);
-    addImportOptions(*command, options->import);
-    command->callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
+    describe(command, {.writes = "OUT, in the format that its ending names.",
+                       .example = "deixis clips convert take.csv -o take.bvh",
+                       .page = "docs/clip-format.md"});
+    command.addOption("IN", options->from, clip_file_kinds).required();
+    addOutputLast(command, options->to, "File to write: .bvh, .glb, or .csv for joint positions").required();
+    addForce(command, options->force);
+    addImportOptions(command, options->import);
+    command.callback([options, &chosen] { chosen = [options] { return convert(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -129,17 +129,17 @@ Result<void> info(const ClipsInfoArguments& options) {
 
 }  // namespace
 
-void addClipsInfoCommand(CLI::App& clips, Command& chosen) {
+void addClipsInfoCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsInfoArguments>();
-    CLI::App* command = clips.add_subcommand(
+    Parser command = clips.addCommand(
         "info", "Tell a clip's format, frames, rate, unit, up axis and bones, and how each was found out");
-    describe(*command, {.writes = "nothing; it prints what it found.",
-                        .example = "deixis clips info clips/T001.bvh",
-                        .page = "docs/clip-format.md"});
-    command->add_option("FILE", options->file, clip_file_kinds)->required();
-    addJson(*command, options->json, "Print JSON");
-    addImportOptions(*command, options->import);
-    command->callback([options, &chosen] { chosen = [options] { return info(*options); }; });
+    describe(command, {.writes = "nothing; it prints what it found.",
+                       .example = "deixis clips info clips/T001.bvh",
+                       .page = "docs/clip-format.md"});
+    command.addOption("FILE", options->file, clip_file_kinds).required();
+    addJson(command, options->json, "Print JSON");
+    addImportOptions(command, options->import);
+    command.callback([options, &chosen] { chosen = [options] { return info(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -36,18 +36,18 @@ Result<void> printJoints(const ClipsJointsArguments& options) {
 
 }  // namespace
 
-void addClipsJointsCommand(CLI::App& clips, Command& chosen) {
+void addClipsJointsCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsJointsArguments>();
-    CLI::App* joints =
-        clips.add_subcommand("joints", "List the joints of a clip; with --csv print their world positions");
-    describe(*joints, {.writes = "nothing; it prints the joints.",
-                       .example = "deixis clips joints take.bvh --csv > positions.csv",
-                       .page = "docs/clip-format.md"});
-    joints->add_option("FILE", options->file, clip_file_kinds)->required();
-    joints->add_flag("--csv", options->csv,
-                     "Print the world positions of every joint in every frame as CSV, in metres");
-    addImportOptions(*joints, options->import);
-    joints->callback([options, &chosen] { chosen = [options] { return printJoints(*options); }; });
+    Parser joints =
+        clips.addCommand("joints", "List the joints of a clip; with --csv print their world positions");
+    describe(joints, {.writes = "nothing; it prints the joints.",
+                      .example = "deixis clips joints take.bvh --csv > positions.csv",
+                      .page = "docs/clip-format.md"});
+    joints.addOption("FILE", options->file, clip_file_kinds).required();
+    joints.addFlag("--csv", options->csv,
+                   "Print the world positions of every joint in every frame as CSV, in metres");
+    addImportOptions(joints, options->import);
+    joints.callback([options, &chosen] { chosen = [options] { return printJoints(*options); }; });
 }
 
 }  // namespace deixis::app

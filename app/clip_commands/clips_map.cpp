@@ -85,18 +85,18 @@ Result<void> printMap(const ClipsMapArguments& options) {
 
 }  // namespace
 
-void addClipsMapCommand(CLI::App& clips, Command& chosen) {
+void addClipsMapCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsMapArguments>();
-    CLI::App* map = clips.add_subcommand("map", "Tell which joint of a clip plays which humanoid bone");
-    describe(*map, {.writes = "nothing; it prints the mapping.",
-                    .example = "deixis clips map take.bvh --toml > take.humanoid.toml",
-                    .page = "docs/clip-format.md"});
-    map->add_option("FILE", options->file, clip_file_kinds)->required();
-    CLI::Option* json = addJson(*map, options->json, "Print JSON");
-    map->add_flag("--toml", options->toml,
-                  "Print a file NAME.humanoid.toml, to be changed and put beside the clip")
-        ->excludes(json);
-    map->callback([options, &chosen] { chosen = [options] { return printMap(*options); }; });
+    Parser map = clips.addCommand("map", "Tell which joint of a clip plays which humanoid bone");
+    describe(map, {.writes = "nothing; it prints the mapping.",
+                   .example = "deixis clips map take.bvh --toml > take.humanoid.toml",
+                   .page = "docs/clip-format.md"});
+    map.addOption("FILE", options->file, clip_file_kinds).required();
+    Option json = addJson(map, options->json, "Print JSON");
+    map.addFlag("--toml", options->toml,
+                "Print a file NAME.humanoid.toml, to be changed and put beside the clip")
+        .excludes(json);
+    map.callback([options, &chosen] { chosen = [options] { return printMap(*options); }; });
 }
 
 }  // namespace deixis::app

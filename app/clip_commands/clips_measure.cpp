@@ -270,27 +270,26 @@ Result<void> measure(const ClipsMeasureArguments& options) {
 
 }  // namespace
 
-void addClipsMeasureCommand(CLI::App& clips, Command& chosen) {
+void addClipsMeasureCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsMeasureArguments>();
-    CLI::App* command = clips.add_subcommand(
+    Parser command = clips.addCommand(
         "measure", "Measure phases, rays, steadiness, smoothness and faults of pointing clips");
-    describe(*command, {.writes = "nothing; it prints the measures.",
-                        .example = "deixis clips measure clips/manifest.csv --csv > measures.csv",
-                        .page = "docs/measures.md"});
-    command->add_option("FILES", options->files, "Clips, or manifests of clips")->required();
+    describe(command, {.writes = "nothing; it prints the measures.",
+                       .example = "deixis clips measure clips/manifest.csv --csv > measures.csv",
+                       .page = "docs/measures.md"});
+    command.addOption("FILES", options->files, "Clips, or manifests of clips").required();
     command
-        ->add_option("--target", options->target,
-                     "x,y,z of the target in the clips' coordinates, metres [the manifest's]")
-        ->delimiter(',')
-        ->expected(3);
-    command->add_option(
-        "--balls", options->balls,
-        "CSV of targets with distractors, as 'deixis targets STUDY' prints it: which ball each "
-        "ray chooses");
-    command->add_flag("--detect", options->detect, "Find the phases, even where the manifest tells them");
-    CLI::Option* csv = command->add_flag("--csv", options->csv, "Print CSV, a line for each clip");
-    addJson(*command, options->json, "Print JSON, an object for each clip")->excludes(csv);
-    command->callback([options, &chosen] { chosen = [options] { return measure(*options); }; });
+        .addOption("--target", options->target,
+                   "x,y,z of the target in the clips' coordinates, metres [the manifest's]")
+        .delimiter(',')
+        .expected(3);
+    command.addOption("--balls", options->balls,
+                      "CSV of targets with distractors, as 'deixis targets STUDY' prints it: which ball each "
+                      "ray chooses");
+    command.addFlag("--detect", options->detect, "Find the phases, even where the manifest tells them");
+    Option csv = command.addFlag("--csv", options->csv, "Print CSV, a line for each clip");
+    addJson(command, options->json, "Print JSON, an object for each clip").excludes(csv);
+    command.callback([options, &chosen] { chosen = [options] { return measure(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -86,20 +86,20 @@ Result<void> mirror(const ClipsMirrorArguments& options) {
 
 }  // namespace
 
-void addClipsMirrorCommand(CLI::App& clips, Command& chosen) {
+void addClipsMirrorCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsMirrorArguments>();
-    CLI::App* command = clips.add_subcommand("mirror", "Exchange left and right: of a clip, or a manifest");
-    describe(*command, {.writes = "the clip, or to a folder the clips of a manifest and their manifest.csv.",
-                        .example = "deixis clips mirror T001.bvh -o T001-mirrored.bvh\ndeixis clips mirror "
-                                   "clips/manifest.csv -o mirrored",
-                        .page = "docs/segmentation.md"});
-    command->add_option("IN", options->in, "Clip file, or a manifest")->required();
-    addOutputLast(*command, options->out,
+    Parser command = clips.addCommand("mirror", "Exchange left and right: of a clip, or a manifest");
+    describe(command, {.writes = "the clip, or to a folder the clips of a manifest and their manifest.csv.",
+                       .example = "deixis clips mirror T001.bvh -o T001-mirrored.bvh\ndeixis clips mirror "
+                                  "clips/manifest.csv -o mirrored",
+                       .page = "docs/segmentation.md"});
+    command.addOption("IN", options->in, "Clip file, or a manifest").required();
+    addOutputLast(command, options->out,
                   "File for the mirrored clip: .bvh, .glb or .csv; of a manifest the folder for its clips")
-        ->required();
-    addForce(*command, options->force);
-    addImportOptions(*command, options->import);
-    command->callback([options, &chosen] { chosen = [options] { return mirror(*options); }; });
+        .required();
+    addForce(command, options->force);
+    addImportOptions(command, options->import);
+    command.callback([options, &chosen] { chosen = [options] { return mirror(*options); }; });
 }
 
 }  // namespace deixis::app

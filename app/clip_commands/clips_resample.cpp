@@ -30,21 +30,18 @@ Result<void> resample(const ClipsResampleArguments& options) {
 
 }  // namespace
 
-void addClipsResampleCommand(CLI::App& clips, Command& chosen) {
+void addClipsResampleCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsResampleArguments>();
-    CLI::App* command = clips.add_subcommand("resample", "Bring a clip to another frame rate");
-    describe(*command, {.writes = "OUT, in the format that its ending names.",
-                        .example = "deixis clips resample take.bvh -o take30.bvh --fps 30",
-                        .page = "docs/segmentation.md"});
-    command->add_option("IN", options->in, "Clip file")->required();
-    addOutputLast(*command, options->out, "File for the clip at the new rate: .bvh, .glb or .csv")
-        ->required();
-    addForce(*command, options->force);
-    command->add_option("--fps", options->fps, "Frames a second of OUT")
-        ->required()
-        ->check(CLI::Range(1.0, 1000.0));
-    addImportOptionsWithoutRate(*command, options->import);
-    command->callback([options, &chosen] { chosen = [options] { return resample(*options); }; });
+    Parser command = clips.addCommand("resample", "Bring a clip to another frame rate");
+    describe(command, {.writes = "OUT, in the format that its ending names.",
+                       .example = "deixis clips resample take.bvh -o take30.bvh --fps 30",
+                       .page = "docs/segmentation.md"});
+    command.addOption("IN", options->in, "Clip file").required();
+    addOutputLast(command, options->out, "File for the clip at the new rate: .bvh, .glb or .csv").required();
+    addForce(command, options->force);
+    command.addOption("--fps", options->fps, "Frames a second of OUT").required().check(Range(1.0, 1000.0));
+    addImportOptionsWithoutRate(command, options->import);
+    command.callback([options, &chosen] { chosen = [options] { return resample(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -82,28 +82,26 @@ Result<void> retargetAll(const ClipsRetargetArguments& options) {
 
 }  // namespace
 
-void addClipsRetargetCommand(CLI::App& clips, Command& chosen) {
+void addClipsRetargetCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsRetargetArguments>();
-    CLI::App* command =
-        clips.add_subcommand("retarget", "Bring the clips of a manifest to an avatar, as BVH files");
-    describe(*command,
-             {.writes = "to DIR a BVH file for each clip and manifest.csv; all of them or none.",
-              .example = "deixis clips retarget clips/manifest.csv -o on-avatar --keep pointing-ray",
-              .page = "docs/clip-format.md"});
-    command->add_option("MANIFEST", options->manifest, "CSV, see docs/manifest.md")->required();
-    addOutput(*command, options->folder, "Folder for the clips and their manifest", "DIR")->required();
-    addForce(*command, options->force);
-    command->add_option("--keep", options->keep, "What a pointing arm keeps")
-        ->check(CLI::IsMember({"joint-angles", "pointing-ray"}))
-        ->capture_default_str();
-    command->add_option("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
-    command->add_option("--fingers", options->fingers, "Hands of figures without fingers while they point")
-        ->check(CLI::IsMember({"relaxed", "pointing"}))
-        ->capture_default_str();
-    command->add_option("--feet", options->feet, "Whether feet that stand are held")
-        ->check(CLI::IsMember({"planted", "free"}))
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return retargetAll(*options); }; });
+    Parser command = clips.addCommand("retarget", "Bring the clips of a manifest to an avatar, as BVH files");
+    describe(command, {.writes = "to DIR a BVH file for each clip and manifest.csv; all of them or none.",
+                       .example = "deixis clips retarget clips/manifest.csv -o on-avatar --keep pointing-ray",
+                       .page = "docs/clip-format.md"});
+    command.addOption("MANIFEST", options->manifest, "CSV, see docs/manifest.md").required();
+    addOutput(command, options->folder, "Folder for the clips and their manifest", "DIR").required();
+    addForce(command, options->force);
+    command.addOption("--keep", options->keep, "What a pointing arm keeps")
+        .check(OneOf{{"joint-angles", "pointing-ray"}})
+        .showDefault();
+    command.addOption("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
+    command.addOption("--fingers", options->fingers, "Hands of figures without fingers while they point")
+        .check(OneOf{{"relaxed", "pointing"}})
+        .showDefault();
+    command.addOption("--feet", options->feet, "Whether feet that stand are held")
+        .check(OneOf{{"planted", "free"}})
+        .showDefault();
+    command.callback([options, &chosen] { chosen = [options] { return retargetAll(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -206,45 +206,43 @@ Result<void> segment(const ClipsSegmentArguments& options) {
 
 }  // namespace
 
-void addClipsSegmentCommand(CLI::App& clips, Command& chosen) {
+void addClipsSegmentCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsSegmentArguments>();
-    CLI::App* command = clips.add_subcommand("segment", "Cut a recording into pointing clips");
+    Parser command = clips.addCommand("segment", "Cut a recording into pointing clips");
     describe(
-        *command,
+        command,
         {.writes =
              "nothing without -o; to DIR a BVH file for each gesture and manifest.csv, all of them or none.",
          .example = "deixis clips segment take3.bvh -o clips --targets targets.csv",
          .page = "docs/segmentation.md"});
-    command->add_option("RECORDING", options->recording, "Clip file of a person who points, y up")
-        ->required();
-    CLI::Option* out = addOutput(*command, options->folder,
-                                 "Folder for the clips and their manifest [they are only listed]", "DIR");
+    command.addOption("RECORDING", options->recording, "Clip file of a person who points, y up").required();
+    Option out = addOutput(command, options->folder,
+                           "Folder for the clips and their manifest [they are only listed]", "DIR");
     command
-        ->add_option("--by", options->by,
-                     "What ends a gesture: 'returns' of the hand to rest, or straight-arm 'holds' apart")
-        ->check(CLI::IsMember({"returns", "holds"}))
-        ->capture_default_str();
-    CLI::Option* targets =
-        command->add_option("--targets", options->targets,
-                            "CSV: target_id,x,y,z for each gesture in order (the avatar's axes), or a "
-                            "marker's frame,x,y,z or time,x,y,z (the recording's axes)");
+        .addOption("--by", options->by,
+                   "What ends a gesture: 'returns' of the hand to rest, or straight-arm 'holds' apart")
+        .check(OneOf{{"returns", "holds"}})
+        .showDefault();
+    Option targets =
+        command.addOption("--targets", options->targets,
+                          "CSV: target_id,x,y,z for each gesture in order (the avatar's axes), or a "
+                          "marker's frame,x,y,z or time,x,y,z (the recording's axes)");
     command
-        ->add_option("--target-metres-per-unit", options->target_metres_per_unit,
-                     "Length of a unit of a marker in --targets")
-        ->needs(targets)
-        ->check(CLI::PositiveNumber)
-        ->capture_default_str();
-    command->add_option("--marker", options->marker, "Joint of the recording that marks the target")
-        ->excludes(targets);
-    command->add_option("--rest", options->rest_frame, "A frame in which both hands are at rest [found]")
-        ->check(CLI::NonNegativeNumber);
-    command->add_option("--system", options->system, "Name of the system in the manifest")
-        ->capture_default_str();
-    command->add_flag("--split", options->split, "Folders front, back and no-target, each with its manifest")
-        ->needs(out);
-    addImportOptions(*command, options->import);
-    addForce(*command, options->force)->needs(out);
-    command->callback([options, &chosen] { chosen = [options] { return segment(*options); }; });
+        .addOption("--target-metres-per-unit", options->target_metres_per_unit,
+                   "Length of a unit of a marker in --targets")
+        .needs(targets)
+        .check(Above{})
+        .showDefault();
+    command.addOption("--marker", options->marker, "Joint of the recording that marks the target")
+        .excludes(targets);
+    command.addOption("--rest", options->rest_frame, "A frame in which both hands are at rest [found]")
+        .check(FromZero{});
+    command.addOption("--system", options->system, "Name of the system in the manifest").showDefault();
+    command.addFlag("--split", options->split, "Folders front, back and no-target, each with its manifest")
+        .needs(out);
+    addImportOptions(command, options->import);
+    addForce(command, options->force).needs(out);
+    command.callback([options, &chosen] { chosen = [options] { return segment(*options); }; });
 }
 
 }  // namespace deixis::app

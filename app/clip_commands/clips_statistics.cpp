@@ -258,32 +258,32 @@ Result<void> statistics(const ClipsStatisticsArguments& options) {
 
 }  // namespace
 
-void addClipsStatisticsCommand(CLI::App& clips, Command& chosen) {
+void addClipsStatisticsCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsStatisticsArguments>();
-    CLI::App* command = clips.add_subcommand(
+    Parser command = clips.addCommand(
         "statistics",
         "Measure speed, acceleration, jerk and style of clips, distances of two sets, compliance with poses");
-    describe(*command, {.writes = "nothing; it prints the numbers.",
-                        .example = "deixis clips statistics made/*.bvh --against recorded/*.bvh --json",
-                        .page = "docs/measures.md"});
-    command->add_option("FILES", options->files, "Clips, or manifests of clips")->required();
-    command->add_option("--against", options->against,
-                        "Clips or manifests to compare with; style is normalised by them");
-    CLI::Option* asked = command->add_option(
+    describe(command, {.writes = "nothing; it prints the numbers.",
+                       .example = "deixis clips statistics made/*.bvh --against recorded/*.bvh --json",
+                       .page = "docs/measures.md"});
+    command.addOption("FILES", options->files, "Clips, or manifests of clips").required();
+    command.addOption("--against", options->against,
+                      "Clips or manifests to compare with; style is normalised by them");
+    Option asked = command.addOption(
         "--asked", options->asked,
         "Clips or manifests with the poses that were asked for: one for each clip, or one for all");
     command
-        ->add_option("--asked-frames", options->asked_frames,
-                     "FIRST,LAST frames for which they were, from 0, at the clips' own rate [10,14]")
-        ->delimiter(',')
-        ->expected(2)
-        ->check(CLI::Range(0, 10'000'000))
-        ->needs(asked);
-    command->add_option("--fps", options->fps, "Rate at which all clips are compared")
-        ->capture_default_str()
-        ->check(CLI::Range(5.0, 240.0));
-    addJson(*command, options->json, "Print JSON, one object");
-    command->callback([options, &chosen] { chosen = [options] { return statistics(*options); }; });
+        .addOption("--asked-frames", options->asked_frames,
+                   "FIRST,LAST frames for which they were, from 0, at the clips' own rate [10,14]")
+        .delimiter(',')
+        .expected(2)
+        .check(Range(0, 10'000'000))
+        .needs(asked);
+    command.addOption("--fps", options->fps, "Rate at which all clips are compared")
+        .showDefault()
+        .check(Range(5.0, 240.0));
+    addJson(command, options->json, "Print JSON, one object");
+    command.callback([options, &chosen] { chosen = [options] { return statistics(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -57,20 +57,20 @@ Result<void> trim(const ClipsTrimArguments& options) {
 
 }  // namespace
 
-void addClipsTrimCommand(CLI::App& clips, Command& chosen) {
+void addClipsTrimCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsTrimArguments>();
-    CLI::App* command = clips.add_subcommand("trim", "Keep a part of a clip");
-    describe(*command, {.writes = "OUT, in the format that its ending names.",
-                        .example = "deixis clips trim take.bvh -o part.bvh --from 1.5s --to 3s",
-                        .page = "docs/segmentation.md"});
-    command->add_option("IN", options->in, "Clip file")->required();
-    addOutputLast(*command, options->out, "File for the part: .bvh, .glb or .csv")->required();
-    addForce(*command, options->force);
-    command->add_option("--from", options->from, "First frame kept, from 0, or seconds as in 1.5s")
-        ->capture_default_str();
-    command->add_option("--to", options->to, "Last frame kept, or seconds as in 3s [the clip's last]");
-    addImportOptions(*command, options->import);
-    command->callback([options, &chosen] { chosen = [options] { return trim(*options); }; });
+    Parser command = clips.addCommand("trim", "Keep a part of a clip");
+    describe(command, {.writes = "OUT, in the format that its ending names.",
+                       .example = "deixis clips trim take.bvh -o part.bvh --from 1.5s --to 3s",
+                       .page = "docs/segmentation.md"});
+    command.addOption("IN", options->in, "Clip file").required();
+    addOutputLast(command, options->out, "File for the part: .bvh, .glb or .csv").required();
+    addForce(command, options->force);
+    command.addOption("--from", options->from, "First frame kept, from 0, or seconds as in 1.5s")
+        .showDefault();
+    command.addOption("--to", options->to, "Last frame kept, or seconds as in 3s [the clip's last]");
+    addImportOptions(command, options->import);
+    command.callback([options, &chosen] { chosen = [options] { return trim(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -48,33 +48,30 @@ Result<void> generate(const GenerateArguments& options) {
 
 }  // namespace
 
-void addGenerateCommand(CLI::App& cli, Command& chosen) {
+void addGenerateCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<GenerateArguments>();
-    CLI::App* command =
-        cli.add_subcommand("generate", "Make a built-in system's clips for a list of targets");
-    describe(*command, {.writes = "to DIR a BVH file for each target and manifest.csv; all of them or none.",
-                        .example = "deixis targets pointing2023 > targets.csv\ndeixis generate direct "
-                                   "--targets targets.csv -o clips/direct",
-                        .page = "docs/systems.md"});
+    Parser command = cli.addCommand("generate", "Make a built-in system's clips for a list of targets");
+    describe(command, {.writes = "to DIR a BVH file for each target and manifest.csv; all of them or none.",
+                       .example = "deixis targets pointing2023 > targets.csv\ndeixis generate direct "
+                                  "--targets targets.csv -o clips/direct",
+                       .page = "docs/systems.md"});
     command
-        ->add_option("SYSTEM", options->system,
-                     fmt::format("One of {}", fmt::join(motion::generatorNames(), ", ")))
-        ->required();
+        .addOption("SYSTEM", options->system,
+                   fmt::format("One of {}", fmt::join(motion::generatorNames(), ", ")))
+        .required();
     command
-        ->add_option("--targets", options->targets,
-                     "CSV with target_id,x,y,z, such as 'deixis targets' prints")
-        ->required();
-    addOutput(*command, options->folder, "Folder for the clips and their manifest", "DIR")->required();
-    addForce(*command, options->force);
-    addSeed(*command, options->seed, "what varies from clip to clip");
+        .addOption("--targets", options->targets, "CSV with target_id,x,y,z, such as 'deixis targets' prints")
+        .required();
+    addOutput(command, options->folder, "Folder for the clips and their manifest", "DIR").required();
+    addForce(command, options->force);
+    addSeed(command, options->seed, "what varies from clip to clip");
+    command.addOption("--hold", options->manner.hold_s, "Seconds that a gesture is held [as the system does]")
+        .check(Range(0.1, 30.0));
     command
-        ->add_option("--hold", options->manner.hold_s, "Seconds that a gesture is held [as the system does]")
-        ->check(CLI::Range(0.1, 30.0));
-    command
-        ->add_option("--unsteadiness", options->manner.unsteadiness_m,
-                     "Metres that the fingertip wanders during the hold [as the system does]")
-        ->check(CLI::Range(0.0, 0.5));
-    command->callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
+        .addOption("--unsteadiness", options->manner.unsteadiness_m,
+                   "Metres that the fingertip wanders during the hold [as the system does]")
+        .check(Range(0.0, 0.5));
+    command.callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
 }
 
 }  // namespace deixis::app

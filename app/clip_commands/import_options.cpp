@@ -17,9 +17,9 @@ double metresOf(const std::string& unit) {
     constexpr double least = 1e-6, greatest = 1e3;
     const auto metres = finiteNumber(unit);
     if (!metres || *metres < least || *metres > greatest)
-        throw CLI::ValidationError("--unit", "found '" + unit +
-                                                 "', expected m, dm, cm, mm, inch, or a unit's length in "
-                                                 "metres, from 0.000001 to 1000");
+        refuseUsage("--unit", "found '" + unit +
+                                  "', expected m, dm, cm, mm, inch, or a unit's length in "
+                                  "metres, from 0.000001 to 1000");
     return *metres;
 }
 
@@ -29,25 +29,25 @@ const char* const clip_file_kinds =
     "Clip: BVH, glTF or VRM, CSV of joint positions, Kinect v2 CSV, exponential maps or SGToolkit JSON; also "
     "packed (.gz)";
 
-void addImportOptionsWithoutRate(CLI::App& command, assets::ImportOptions& options) {
-    command.add_option_function<std::string>(
+void addImportOptionsWithoutRate(Parser command, assets::ImportOptions& options) {
+    command.addTextOption(
         "--unit", [&options](const std::string& unit) { options.metres_per_unit = metresOf(unit); },
         "Unit of length: m, dm, cm, mm, inch, or its length in metres [as the file says, or detected]");
     command
-        .add_option_function<std::string>(
+        .addTextOption(
             "--up", [&options](const std::string& axis) { options.up_axis = assets::upAxisFromName(axis); },
             "Axis that points up, such as y, z or -y (write --up=-y) [as the file says, or detected]")
-        ->check(CLI::IsMember({"x", "y", "z", "-x", "-y", "-z"}));
-    command.add_option("--animation", options.animation,
-                       "Which animation of a file that holds several: its name, or its number from 0");
+        .check(OneOf{{"x", "y", "z", "-x", "-y", "-z"}});
+    command.addOption("--animation", options.animation,
+                      "Which animation of a file that holds several: its name, or its number from 0");
 }
 
-void addImportOptions(CLI::App& command, assets::ImportOptions& options) {
+void addImportOptions(Parser command, assets::ImportOptions& options) {
     addImportOptionsWithoutRate(command, options);
     command
-        .add_option_function<double>(
+        .addNumberOption(
             "--fps", [&options](double fps) { options.fps = fps; }, "Frames a second [as the file says]")
-        ->check(CLI::Range(1.0, 10000.0));
+        .check(Range(1.0, 10000.0));
 }
 
 }  // namespace deixis::app

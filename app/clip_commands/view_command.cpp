@@ -40,37 +40,37 @@ Result<void> view(const ViewArguments& options) {
 
 }  // namespace
 
-void addViewCommand(CLI::App& cli, Command& chosen) {
+void addViewCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ViewArguments>();
-    CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar");
-    describe(*command, {.writes = "nothing, unless --screenshot names a PNG file.",
-                        .example = "deixis view clips/T001.bvh\ndeixis view clips/T001.bvh --time 0.5 1.0 "
-                                   "1.5 --screenshot strip.png",
-                        .page = "docs/clip-format.md"});
-    command->add_option("FILE", options->file, clip_file_kinds)->required();
-    addImportOptions(*command, options->import);
-    command->add_option("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
-    command->add_option("--size", options->view.size, "Window or picture size")->capture_default_str();
-    command->add_option("--screenshot", options->view.screenshot, "Write a PNG and open no window");
-    command->add_option(
+    Parser command = cli.addCommand("view", "Show a clip on the avatar");
+    describe(command, {.writes = "nothing, unless --screenshot names a PNG file.",
+                       .example = "deixis view clips/T001.bvh\ndeixis view clips/T001.bvh --time 0.5 1.0 "
+                                  "1.5 --screenshot strip.png",
+                       .page = "docs/clip-format.md"});
+    command.addOption("FILE", options->file, clip_file_kinds).required();
+    addImportOptions(command, options->import);
+    command.addOption("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
+    command.addOption("--size", options->view.size, "Window or picture size").showDefault();
+    command.addOption("--screenshot", options->view.screenshot, "Write a PNG and open no window");
+    command.addOption(
         "--time", options->view.times_s,
         "Time in seconds at which the clip starts or the picture is taken; several make a strip");
     command
-        ->add_option("--from", options->view.from,
-                     "Side of the avatar: front, left, right, back or three-quarter")
-        ->type_name("SIDE")
-        ->capture_default_str();
-    command->callback([options, &chosen] { chosen = [options] { return view(*options); }; });
+        .addOption("--from", options->view.from,
+                   "Side of the avatar: front, left, right, back or three-quarter")
+        .valueName("SIDE")
+        .showDefault();
+    command.callback([options, &chosen] { chosen = [options] { return view(*options); }; });
 }
 
 #else
 
-void addViewCommand(CLI::App& cli, Command& chosen) {
-    CLI::App* command = cli.add_subcommand("view", "Show a clip on the avatar (not in this build)");
-    describe(*command,
+void addViewCommand(Parser cli, Command& chosen) {
+    Parser command = cli.addCommand("view", "Show a clip on the avatar (not in this build)");
+    describe(command,
              {.writes = "nothing.", .example = "deixis view clips/T001.bvh", .page = "docs/clip-format.md"});
-    command->prefix_command();
-    command->callback([&chosen] {
+    command.takeAllWords();
+    command.callback([&chosen] {
         chosen = []() -> Result<void> {
             return fail("view", "this program was built without windows (DEIXIS_IMMERSIVE=OFF)");
         };

@@ -9,6 +9,7 @@
 #include "app/analysis_commands/analysis_commands.hpp"
 #include "app/clip_commands/clip_commands.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/help_formatter.hpp"
 #include "app/study_commands/study_commands.hpp"
 #include "core/nearest_name.hpp"
 #include "core/number.hpp"
@@ -53,7 +54,7 @@ void guardNumbers(CLI::App& app) {
     for (CLI::App* command : app.get_subcommands({})) guardNumbers(*command);
 }
 
-using AddCommand = void (*)(CLI::App&, Command&);
+using AddCommand = void (*)(Parser, Command&);
 
 std::vector<CLI::App*> allCommands(CLI::App& app) {
     return app.get_subcommands([](const CLI::App*) { return true; });
@@ -78,14 +79,15 @@ std::vector<std::string> optionsOf(const CLI::App& app) {
 
 void addCommands(CLI::App& cli, Command& chosen) {
     cli.formatter(helpFormatter());
+    const Parser parser(cli);
     describe(
-        cli,
+        parser,
         {.writes = "what each command says below its options.",
          .example = "deixis run pointing2023 --participant P01 --db study.sqlite\ndeixis report study.sqlite",
          .page = "docs/command-line.md"});
-    const auto group = [&cli, &chosen](const char* name, std::initializer_list<AddCommand> commands) {
+    const auto group = [&cli, &chosen, parser](const char* name, std::initializer_list<AddCommand> commands) {
         const std::size_t before = allCommands(cli).size();
-        for (const AddCommand add : commands) add(cli, chosen);
+        for (const AddCommand add : commands) add(parser, chosen);
         const auto all = allCommands(cli);
         for (std::size_t i = before; i < all.size(); ++i) all[i]->group(name);
     };
@@ -96,7 +98,7 @@ void addCommands(CLI::App& cli, Command& chosen) {
     group("Commands for statistics", {addPowerCommand, addFitCommand, addStatsCommand});
     group("Commands for clips and systems",
           {addGenerateCommand, addEvaluateCommand, addClipsCommand, addViewCommand});
-    addDescribeCommand(cli, chosen);
+    addDescribeCommand(parser, chosen);
     nameValues(cli);
     guardNumbers(cli);
 }

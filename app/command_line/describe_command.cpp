@@ -40,13 +40,13 @@ Result<void> printDescription(const CLI::App& cli, const std::string& kind) {
 
 }  // namespace
 
-void addDescribeCommand(CLI::App& cli, Command& chosen) {
+void addDescribeCommand(Parser cli, Command& chosen) {
     auto kind = std::make_shared<std::string>();
-    CLI::App* command =
-        cli.add_subcommand("describe", "Print the manual page, or the completion for bash")->group("");
-    command->add_option("KIND", *kind, "man or bash")->required()->check(CLI::IsMember({"man", "bash"}));
-    command->callback(
-        [kind, &cli, &chosen] { chosen = [kind, &cli] { return printDescription(cli, *kind); }; });
+    Parser command = cli.addCommand("describe", "Print the manual page, or the completion for bash");
+    command.hide();
+    command.addOption("KIND", *kind, "man or bash").required().check(OneOf{{"man", "bash"}});
+    command.callback(
+        [kind, cli, &chosen] { chosen = [kind, cli] { return printDescription(cli.app(), *kind); }; });
 }
 
 }  // namespace deixis::app

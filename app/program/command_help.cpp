@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/program/help_formatter.hpp"
 #include "app/program/option_value.hpp"
 
 namespace deixis::app {
@@ -180,7 +181,7 @@ const std::map<std::string, std::string, std::less<>>& valueNames() {
 
 }  // namespace
 
-void describe(CLI::App& command, const CommandText& text) {
+void describe(Parser command, const CommandText& text) {
     command.footer(fmt::format("Writes: {}\n\nExample:\n  {}\n\nMore: {}", wrapped(text.writes, 8),
                                replacedAll(text.example, "\n", "\n  "), text.page));
 }

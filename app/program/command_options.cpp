@@ -24,41 +24,40 @@ std::string expectNoData(const std::string& file) {
 
 }  // namespace
 
-CLI::Option* addOutput(CLI::App& command, std::string& output, const std::string& what, const char* value) {
-    return command.add_option("-o,--output", output, what)->type_name(value);
+Option addOutput(Parser command, std::string& output, const std::string& what, const char* value) {
+    return command.addOption("-o,--output", output, what).valueName(value);
 }
 
-CLI::Option* addOutputLast(CLI::App& command, std::string& output, const std::string& what) {
-    return command.add_option("OUT,-o,--output", output, what)->type_name("FILE");
+Option addOutputLast(Parser command, std::string& output, const std::string& what) {
+    return command.addOption("OUT,-o,--output", output, what).valueName("FILE");
 }
 
-CLI::Option* addForce(CLI::App& command, bool& force) {
-    return command.add_flag("--force", force, "Replace what is there already");
+Option addForce(Parser command, bool& force) {
+    return command.addFlag("--force", force, "Replace what is there already");
 }
 
-CLI::Option* addJson(CLI::App& command, bool& json, const std::string& what) {
-    return command.add_flag("--json", json, what);
+Option addJson(Parser command, bool& json, const std::string& what) {
+    return command.addFlag("--json", json, what);
 }
 
-CLI::Option* addJsonOrFile(CLI::App& command, std::string& json) {
-    return command
-        .add_option("--json", json, "Print the numbers as JSON; with FILE, write them there instead")
-        ->expected(0, 1)
-        ->default_str(standard_output)
-        ->check(expectNoData);
+Option addJsonOrFile(Parser command, std::string& json) {
+    return command.addOption("--json", json, "Print the numbers as JSON; with FILE, write them there instead")
+        .expected(0, 1)
+        .showDefault(standard_output)
+        .check(expectNoData);
 }
 
-CLI::Option* addCsv(CLI::App& command, std::string& folder, const std::string& what) {
-    return command.add_option("--csv", folder, what);
+Option addCsv(Parser command, std::string& folder, const std::string& what) {
+    return command.addOption("--csv", folder, what);
 }
 
-CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& of_what) {
-    return command.add_option("--seed", seed, "Seed of " + of_what)->capture_default_str();
+Option addSeed(Parser command, std::uint64_t& seed, const std::string& of_what) {
+    return command.addOption("--seed", seed, "Seed of " + of_what).showDefault();
 }
 
-CLI::Option* addLanguage(CLI::App& command, std::string& language) {
-    return command.add_option("--language", language,
-                              "Language of the participant's texts, such as de [the study's first]");
+Option addLanguage(Parser command, std::string& language) {
+    return command.addOption("--language", language,
+                             "Language of the participant's texts, such as de [the study's first]");
 }
 
 }  // namespace deixis::app

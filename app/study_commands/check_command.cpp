@@ -164,14 +164,14 @@ Result<void> check(const std::string& name) {
 
 }  // namespace
 
-void addCheckCommand(CLI::App& cli, Command& chosen) {
+void addCheckCommand(Parser cli, Command& chosen) {
     auto study = std::make_shared<std::string>();
-    CLI::App* command = cli.add_subcommand("check", "Check a study file: every problem, in every language");
-    describe(*command, {.writes = "nothing; it prints what the study holds, or its mistakes.",
-                        .example = "deixis check my-study.toml",
-                        .page = "docs/study-file.md"});
-    command->add_option("STUDY", *study, "Study file, or the name of one that ships")->required();
-    command->callback([study, &chosen] { chosen = [study] { return check(*study); }; });
+    Parser command = cli.addCommand("check", "Check a study file: every problem, in every language");
+    describe(command, {.writes = "nothing; it prints what the study holds, or its mistakes.",
+                       .example = "deixis check my-study.toml",
+                       .page = "docs/study-file.md"});
+    command.addOption("STUDY", *study, "Study file, or the name of one that ships").required();
+    command.callback([study, &chosen] { chosen = [study] { return check(*study); }; });
 }
 
 }  // namespace deixis::app

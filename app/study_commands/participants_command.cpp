@@ -122,20 +122,20 @@ Result<void> withdraw(const ParticipantsArguments& options) {
 
 }  // namespace
 
-void addParticipantsCommand(CLI::App& cli, Command& chosen) {
-    CLI::App* group = cli.add_subcommand("participants", "List, show, exclude or withdraw participants");
-    group->require_subcommand(1);
-    describe(*group, {.writes = "nothing, or to the database what the commands say.",
-                      .example = "deixis participants list study.sqlite",
-                      .page = "docs/running-a-study.md"});
+void addParticipantsCommand(Parser cli, Command& chosen) {
+    Parser group = cli.addCommand("participants", "List, show, exclude or withdraw participants");
+    group.requireCommand();
+    describe(group, {.writes = "nothing, or to the database what the commands say.",
+                     .example = "deixis participants list study.sqlite",
+                     .page = "docs/running-a-study.md"});
     const auto add = [&](const char* name, const char* what, const CommandText& text, bool one,
                          Result<void> (*act)(const ParticipantsArguments&)) {
         auto options = std::make_shared<ParticipantsArguments>();
-        CLI::App* command = group->add_subcommand(name, what);
-        describe(*command, text);
-        command->add_option("DB", options->database, "Database of a study")->required();
-        if (one) command->add_option("PARTICIPANT", options->participant, "Pseudonymous id")->required();
-        command->callback([options, act, &chosen] { chosen = [options, act] { return act(*options); }; });
+        Parser command = group.addCommand(name, what);
+        describe(command, text);
+        command.addOption("DB", options->database, "Database of a study").required();
+        if (one) command.addOption("PARTICIPANT", options->participant, "Pseudonymous id").required();
+        command.callback([options, act, &chosen] { chosen = [options, act] { return act(*options); }; });
         return std::make_pair(command, options);
     };
     add("list", "List everybody who is in a database",
@@ -154,7 +154,7 @@ void addParticipantsCommand(CLI::App& cli, Command& chosen) {
              .example = "deixis participants exclude study.sqlite P07 --reason 'fell asleep'",
              .page = "docs/running-a-study.md"},
             true, exclude);
-    exclude_command->add_option("--reason", excluded->reason, "Why; kept and reported")->required();
+    exclude_command.addOption("--reason", excluded->reason, "Why; kept and reported").required();
     add("include", "Let a participant in again; consent that was declined is asked anew",
         {.writes = "to the database.",
          .example = "deixis participants include study.sqlite P07",
@@ -166,7 +166,7 @@ void addParticipantsCommand(CLI::App& cli, Command& chosen) {
              .example = "deixis participants withdraw study.sqlite P07 --yes",
              .page = "docs/running-a-study.md"},
             true, withdraw);
-    withdraw_command->add_flag("--yes", withdrawn->yes, "Really erase: it cannot be undone");
+    withdraw_command.addFlag("--yes", withdrawn->yes, "Really erase: it cannot be undone");
 }
 
 }  // namespace deixis::app

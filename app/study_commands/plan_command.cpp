@@ -101,34 +101,34 @@ Result<void> printPlan(const PlanArguments& options) {
 
 }  // namespace
 
-void addPlanCommand(CLI::App& cli, Command& chosen) {
+void addPlanCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<PlanArguments>();
-    CLI::App* command = cli.add_subcommand("plan", "Print the exact trials of a participant");
-    describe(*command, {.writes = "nothing; it prints the plan.",
-                        .example = "deixis plan pointing2023 --participant P07\ndeixis plan --db "
-                                   "study.sqlite --participant P07 --json",
-                        .page = "docs/design.md"});
-    auto* study = command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
-    auto* database = command->add_option("--db", options->database,
-                                         "In place of STUDY: a database. The plan that it holds of the "
-                                         "participant, or that the next session would store");
-    database->excludes(study);
-    command->add_option("--participant", options->participant, "Pseudonymous id, such as P07")->required();
+    Parser command = cli.addCommand("plan", "Print the exact trials of a participant");
+    describe(command, {.writes = "nothing; it prints the plan.",
+                       .example = "deixis plan pointing2023 --participant P07\ndeixis plan --db "
+                                  "study.sqlite --participant P07 --json",
+                       .page = "docs/design.md"});
+    auto study = command.addOption("STUDY", options->study, "Study file, or the name of one that ships");
+    auto database = command.addOption("--db", options->database,
+                                      "In place of STUDY: a database. The plan that it holds of the "
+                                      "participant, or that the next session would store");
+    database.excludes(study);
+    command.addOption("--participant", options->participant, "Pseudonymous id, such as P07").required();
     command
-        ->add_option("--number", options->number,
-                     "Number of the participant in the study [the digits that the id ends in, or 1]")
-        ->check(CLI::Range(1, 999999));
-    auto* group =
-        command->add_option("--group", options->groups,
-                            "Level of a factor between participants; may be repeated [as drawn where all "
-                            "before enrolled in "
-                            "the order of their numbers]");
-    group->type_name("FACTOR=LEVEL");
-    database->excludes(group);
-    addJson(*command, options->json, "Print JSON instead of a table");
-    command->callback([options, &chosen] {
+        .addOption("--number", options->number,
+                   "Number of the participant in the study [the digits that the id ends in, or 1]")
+        .check(Range(1, 999999));
+    auto group =
+        command.addOption("--group", options->groups,
+                          "Level of a factor between participants; may be repeated [as drawn where all "
+                          "before enrolled in "
+                          "the order of their numbers]");
+    group.valueName("FACTOR=LEVEL");
+    database.excludes(group);
+    addJson(command, options->json, "Print JSON instead of a table");
+    command.callback([options, &chosen] {
         if (options->study.empty() && options->database.empty())
-            throw CLI::ValidationError("plan", "Give STUDY, or with --db the database of a study under way");
+            refuseUsage("plan", "Give STUDY, or with --db the database of a study under way");
         chosen = [options] { return printPlan(*options); };
     });
 }

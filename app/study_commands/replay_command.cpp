@@ -128,46 +128,44 @@ Result<void> replay(ReplayArguments options) {
 
 }  // namespace
 
-void addReplayCommand(CLI::App& cli, Command& chosen) {
+void addReplayCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ReplayArguments>();
-    CLI::App* command = cli.add_subcommand("replay", "Show again what a participant saw and did");
-    describe(*command, {.writes = "nothing, unless --png or --mp4 name a place.",
-                        .example = "deixis replay study.sqlite --participant P07 --list\ndeixis replay "
-                                   "study.sqlite --participant P07 --trial 12 --mp4 trial.mp4",
-                        .page = "docs/running-a-study.md"});
-    command->add_option("DB", options->database, "Database of a study")->required();
-    command->add_option("--participant", options->participant, "Pseudonymous id")->required();
-    command->add_option("--trial", options->trial, "Only this trial, by its index [all]");
-    command->add_flag("--list", options->list, "Print the trials and what was answered");
-    command->add_flag("--choices", options->choices,
-                      "Print each choice of the game and what the recorded rays give");
-    command->add_option(
+    Parser command = cli.addCommand("replay", "Show again what a participant saw and did");
+    describe(command, {.writes = "nothing, unless --png or --mp4 name a place.",
+                       .example = "deixis replay study.sqlite --participant P07 --list\ndeixis replay "
+                                  "study.sqlite --participant P07 --trial 12 --mp4 trial.mp4",
+                       .page = "docs/running-a-study.md"});
+    command.addOption("DB", options->database, "Database of a study").required();
+    command.addOption("--participant", options->participant, "Pseudonymous id").required();
+    command.addOption("--trial", options->trial, "Only this trial, by its index [all]");
+    command.addFlag("--list", options->list, "Print the trials and what was answered");
+    command.addFlag("--choices", options->choices,
+                    "Print each choice of the game and what the recorded rays give");
+    command.addOption(
         "--stimuli", options->stimuli,
         "Folder of the clips that were shown [what is locked beside the database; else where they lay]");
-    command->add_option(
-        "--avatar", options->avatar,
-        "The avatar that was shown, glTF or VRM [the one locked beside the database; else the "
-        "study's, from the database's folder on, or Deixis's own]");
+    command.addOption("--avatar", options->avatar,
+                      "The avatar that was shown, glTF or VRM [the one locked beside the database; else the "
+                      "study's, from the database's folder on, or Deixis's own]");
 #ifdef DEIXIS_IMMERSIVE
-    command->add_option("--view", options->view.view, "first: by the participant's eyes; third: from outside")
-        ->check(CLI::IsMember({"first", "third"}))
-        ->capture_default_str();
-    command->add_option("--png", options->view.png_folder,
-                        "Write each frame as a PNG into a folder; no window");
-    command->add_option("--mp4", options->view.mp4_file, "Write a film (needs ffmpeg); no window");
-    command->add_option("--fps", options->view.frames_per_s, "Frames a second of what is written")
-        ->check(CLI::Range(1.0, 240.0))
-        ->capture_default_str();
-    command->add_option("--speed", options->view.speed, "1: as it was; 0.25: four times as long")
-        ->check(CLI::Range(0.05, 8.0))
-        ->capture_default_str();
-    command
-        ->add_option("--trail", options->view.trail_s, "Seconds of the way of head and hand that are shown")
-        ->check(CLI::Range(0.0, 60.0))
-        ->capture_default_str();
-    command->add_option("--size", options->view.size, "Window or picture size")->capture_default_str();
+    command.addOption("--view", options->view.view, "first: by the participant's eyes; third: from outside")
+        .check(OneOf{{"first", "third"}})
+        .showDefault();
+    command.addOption("--png", options->view.png_folder,
+                      "Write each frame as a PNG into a folder; no window");
+    command.addOption("--mp4", options->view.mp4_file, "Write a film (needs ffmpeg); no window");
+    command.addOption("--fps", options->view.frames_per_s, "Frames a second of what is written")
+        .check(Range(1.0, 240.0))
+        .showDefault();
+    command.addOption("--speed", options->view.speed, "1: as it was; 0.25: four times as long")
+        .check(Range(0.05, 8.0))
+        .showDefault();
+    command.addOption("--trail", options->view.trail_s, "Seconds of the way of head and hand that are shown")
+        .check(Range(0.0, 60.0))
+        .showDefault();
+    command.addOption("--size", options->view.size, "Window or picture size").showDefault();
 #endif
-    command->callback([options, &chosen] { chosen = [options] { return replay(*options); }; });
+    command.callback([options, &chosen] { chosen = [options] { return replay(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -299,71 +299,69 @@ Result<void> run(RunArguments options) {
 
 }  // namespace
 
-void addRunCommand(CLI::App& cli, Command& chosen) {
+void addRunCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<RunArguments>();
-    CLI::App* command = cli.add_subcommand("run", "Run one participant's session; resumes where it was left");
+    Parser command = cli.addCommand("run", "Run one participant's session; resumes where it was left");
     describe(
-        *command,
+        command,
         {.writes =
              "to DATABASE, every answer as it is given; beside it DATABASE.locked, stimuli and the report "
              "(STUDY.sqlite and STUDY.html in this folder where neither --db nor --report names them).",
          .example = "deixis run pointing2023 --participant P07 --db study.sqlite",
          .page = "docs/running-a-study.md"});
-    command->add_option("STUDY", options->study,
-                        "Study file, or the name of one that ships [with --db: the study that it holds]");
-    command->add_option("--participant", options->participant,
-                        "Pseudonymous id [the next free of P01, P02, ...]");
+    command.addOption("STUDY", options->study,
+                      "Study file, or the name of one that ships [with --db: the study that it holds]");
+    command.addOption("--participant", options->participant,
+                      "Pseudonymous id [the next free of P01, P02, ...]");
     command
-        ->add_option("--number", options->number,
-                     "Number of a new participant, which the order of trials follows [the digits that the id "
-                     "ends in, or the next free one]")
-        ->check(CLI::Range(1, 999999));
-    addLanguage(*command, options->language);
+        .addOption("--number", options->number,
+                   "Number of a new participant, which the order of trials follows [the digits that the id "
+                   "ends in, or the next free one]")
+        .check(Range(1, 999999));
+    addLanguage(command, options->language);
     command
-        ->add_option(
-            "--station", options->station.kind,
-            "desktop: a window and a person; headset: a person in VR (OpenXR); simulated: a simulated "
-            "participant, drawn off screen")
-        ->check(CLI::IsMember({"desktop", "headset", "simulated"}))
-        ->capture_default_str();
-    command->add_option("--db", options->database, "Database to begin or to go on with [STUDY.sqlite]");
+        .addOption("--station", options->station.kind,
+                   "desktop: a window and a person; headset: a person in VR (OpenXR); simulated: a simulated "
+                   "participant, drawn off screen")
+        .check(OneOf{{"desktop", "headset", "simulated"}})
+        .showDefault();
+    command.addOption("--db", options->database, "Database to begin or to go on with [STUDY.sqlite]");
     command
-        ->add_option("--accept-changes", options->accept_changes,
-                     "Why the study's files were changed since it began; the reason is kept, and new "
-                     "participants get the new files")
-        ->check([](const std::string& reason) {
+        .addOption("--accept-changes", options->accept_changes,
+                   "Why the study's files were changed since it began; the reason is kept, and new "
+                   "participants get the new files")
+        .check([](const std::string& reason) {
             return reason.find_first_not_of(" \t") == std::string::npos ? "needs a reason in words"
                                                                         : std::string();
         });
-    command->add_option("--report", options->report, "HTML report to write [beside the database]");
-    command->add_option("--stimuli", options->stimuli,
-                        "Folder for the built-in systems' clips [beside the database]");
-    command->add_option("--size", options->station.size, "Window or picture size, such as 1280x720");
+    command.addOption("--report", options->report, "HTML report to write [beside the database]");
+    command.addOption("--stimuli", options->stimuli,
+                      "Folder for the built-in systems' clips [beside the database]");
+    command.addOption("--size", options->station.size, "Window or picture size, such as 1280x720");
     command
-        ->add_option("--resolution-scale", options->station.resolution_scale,
-                     "Of the picture size that the headset's runtime recommends (headset)")
-        ->check(CLI::Range(0.2, 3.0))
-        ->capture_default_str();
-    command->add_flag(
-        "--operator", options->station.operator_window,
-        "The experimenter's window, on a second monitor or beside the participant's (desktop; a "
-        "headset has it always)");
-    command->add_flag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
+        .addOption("--resolution-scale", options->station.resolution_scale,
+                   "Of the picture size that the headset's runtime recommends (headset)")
+        .check(Range(0.2, 3.0))
+        .showDefault();
+    command.addFlag("--operator", options->station.operator_window,
+                    "The experimenter's window, on a second monitor or beside the participant's (desktop; a "
+                    "headset has it always)");
+    command.addFlag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
     command
-        ->add_option("--parameters", options->station.simulated_parameters,
-                     "Simulated participant's parameters (TOML) [those that ship]")
-        ->default_val(assets::dataFile("simulated_participant.toml").string())
-        ->default_str("");
+        .addOption("--parameters", options->station.simulated_parameters,
+                   "Simulated participant's parameters (TOML) [those that ship]")
+        .defaultValue(assets::dataFile("simulated_participant.toml").string())
+        .showDefault("");
     command
-        ->add_option("--screenshot", options->screenshots,
-                     "A picture of a state of the simulated session; may be repeated")
-        ->type_name("STATE=FILE.png");
-    command->add_option("--trace", options->trace,
-                        "File to which a JSON line is added for each change of what is presented, while the "
-                        "session runs");
-    command->callback([options, &chosen] {
+        .addOption("--screenshot", options->screenshots,
+                   "A picture of a state of the simulated session; may be repeated")
+        .valueName("STATE=FILE.png");
+    command.addOption("--trace", options->trace,
+                      "File to which a JSON line is added for each change of what is presented, while the "
+                      "session runs");
+    command.callback([options, &chosen] {
         if (options->study.empty() && options->database.empty())
-            throw CLI::ValidationError("run", "Give STUDY, or with --db the database of a study under way");
+            refuseUsage("run", "Give STUDY, or with --db the database of a study under way");
         chosen = [options] { return run(*options); };
     });
 }

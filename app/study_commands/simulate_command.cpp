@@ -104,29 +104,29 @@ Result<void> simulate(const SimulateArguments& options) {
 
 }  // namespace
 
-void addSimulateCommand(CLI::App& cli, Command& chosen) {
+void addSimulateCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<SimulateArguments>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "simulate", "Run whole studies with simulated participants, in virtual time, without drawing");
-    describe(*command, {.writes = "a new database, and beside it its locked study and the clips of the "
-                                  "built-in systems. A database that is there already is never replaced.",
-                        .example = "deixis simulate pointing2023 --participants 39 -o simulated.sqlite",
-                        .page = "docs/simulated-participant.md"});
-    command->add_option("STUDY", options->study, "Study file, or the name of one that ships")->required();
+    describe(command, {.writes = "a new database, and beside it its locked study and the clips of the "
+                                 "built-in systems. A database that is there already is never replaced.",
+                       .example = "deixis simulate pointing2023 --participants 39 -o simulated.sqlite",
+                       .page = "docs/simulated-participant.md"});
+    command.addOption("STUDY", options->study, "Study file, or the name of one that ships").required();
     command
-        ->add_option("--participants", options->participants,
-                     "How many simulated participants, S001, S002 and so on")
-        ->check(CLI::Range(1, 9999))
-        ->capture_default_str();
-    addOutput(*command, options->database, "Database to make; must not exist")->required();
-    command->add_option("--stimuli", options->stimuli,
-                        "Folder for the built-in systems' clips [beside the database]");
+        .addOption("--participants", options->participants,
+                   "How many simulated participants, S001, S002 and so on")
+        .check(Range(1, 9999))
+        .showDefault();
+    addOutput(command, options->database, "Database to make; must not exist").required();
+    command.addOption("--stimuli", options->stimuli,
+                      "Folder for the built-in systems' clips [beside the database]");
     command
-        ->add_option("--parameters", options->parameters,
-                     "Simulated participants' parameters (TOML) [those that ship]")
-        ->default_val(assets::dataFile("simulated_participant.toml").string())
-        ->default_str("");
-    command->callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
+        .addOption("--parameters", options->parameters,
+                   "Simulated participants' parameters (TOML) [those that ship]")
+        .defaultValue(assets::dataFile("simulated_participant.toml").string())
+        .showDefault("");
+    command.callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });
 }
 
 }  // namespace deixis::app

@@ -62,31 +62,30 @@ Result<void> printTargets(const TargetsArguments& options) {
 
 }  // namespace
 
-void addTargetsCommand(CLI::App& cli, Command& chosen) {
+void addTargetsCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<TargetsArguments>();
-    CLI::App* command = cli.add_subcommand(
+    Parser command = cli.addCommand(
         "targets", "Print a study's targets and distractors as CSV; with --picture draw them, too");
-    describe(*command, {.writes = "nothing but what it prints, unless --picture names a file.",
-                        .example = "deixis targets pointing2023 > targets.csv\ndeixis targets pointing2023 "
-                                   "--picture targets.svg > targets.csv\ndeixis targets --grid > grid.csv",
-                        .page = "docs/design.md"});
-    command->add_option("STUDY", options->study, "Study file, or the name of one that ships");
-    command->add_option("--picture", options->picture, "SVG picture of them to write");
-    command
-        ->add_option("--grid", options->grid,
-                     "Instead: so many test points (a third power; without a number 1000, as in the paper) "
-                     "within the limits of the training targets")
-        ->expected(0, 1)
-        ->default_str("1000");
-    command->add_option("--training", options->training,
-                        "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
-    command->callback([options, command, &chosen] {
-        const bool grid = command->count("--grid") > 0;
-        if (grid != options->study.empty())
-            throw CLI::ValidationError("targets", "Give either STUDY or --grid");
+    describe(command, {.writes = "nothing but what it prints, unless --picture names a file.",
+                       .example = "deixis targets pointing2023 > targets.csv\ndeixis targets pointing2023 "
+                                  "--picture targets.svg > targets.csv\ndeixis targets --grid > grid.csv",
+                       .page = "docs/design.md"});
+    command.addOption("STUDY", options->study, "Study file, or the name of one that ships");
+    command.addOption("--picture", options->picture, "SVG picture of them to write");
+    Option grid_option =
+        command
+            .addOption("--grid", options->grid,
+                       "Instead: so many test points (a third power; without a number 1000, as in the paper) "
+                       "within the limits of the training targets")
+            .expected(0, 1)
+            .showDefault("1000");
+    command.addOption("--training", options->training,
+                      "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
+    command.callback([options, grid_option, &chosen] {
+        const bool grid = grid_option.given();
+        if (grid != options->study.empty()) refuseUsage("targets", "Give either STUDY or --grid");
         if (!grid && !options->training.empty())
-            throw CLI::ValidationError("--training",
-                                       "Belongs to --grid: a study says itself where its targets lie");
+            refuseUsage("--training", "Belongs to --grid: a study says itself where its targets lie");
         chosen = [options, grid] { return grid ? printGrid(*options) : printTargets(*options); };
     });
 }

@@ -5,15 +5,15 @@
 
 namespace deixis::app {
 
-void addPowerCommand(CLI::App& cli, Command& chosen);
-void addFitCommand(CLI::App& cli, Command& chosen);
-void addReportCommand(CLI::App& cli, Command& chosen);
-void addEvaluateCommand(CLI::App& cli, Command& chosen);
-void addExportCommand(CLI::App& cli, Command& chosen);
-void addMergeCommand(CLI::App& cli, Command& chosen);
-void addPackageCommand(CLI::App& cli, Command& chosen);
-void addPushCommand(CLI::App& cli, Command& chosen);
-void addStatsCommand(CLI::App& cli, Command& chosen);
-void addSchemaCommand(CLI::App& cli, Command& chosen);
+void addPowerCommand(Parser cli, Command& chosen);
+void addFitCommand(Parser cli, Command& chosen);
+void addReportCommand(Parser cli, Command& chosen);
+void addEvaluateCommand(Parser cli, Command& chosen);
+void addExportCommand(Parser cli, Command& chosen);
+void addMergeCommand(Parser cli, Command& chosen);
+void addPackageCommand(Parser cli, Command& chosen);
+void addPushCommand(Parser cli, Command& chosen);
+void addStatsCommand(Parser cli, Command& chosen);
+void addSchemaCommand(Parser cli, Command& chosen);
 
 }  // namespace deixis::app

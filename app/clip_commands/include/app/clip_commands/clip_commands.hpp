@@ -5,8 +5,8 @@
 
 namespace deixis::app {
 
-void addGenerateCommand(CLI::App& cli, Command& chosen);
-void addClipsCommand(CLI::App& cli, Command& chosen);
-void addViewCommand(CLI::App& cli, Command& chosen);
+void addGenerateCommand(Parser cli, Command& chosen);
+void addClipsCommand(Parser cli, Command& chosen);
+void addViewCommand(Parser cli, Command& chosen);
 
 }  // namespace deixis::app

@@ -1,6 +1,7 @@
 // The command line as a whole: every command, what a number is, and what was probably meant.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 

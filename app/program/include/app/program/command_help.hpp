@@ -1,8 +1,7 @@
-// What `--help` says of a command: how it reads, and what every command must tell beside its options.
+// What `--help` says of a command beside its options.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <memory>
+#include "app/program/parser.hpp"
 
 namespace deixis::app {
 
@@ -13,12 +12,6 @@ struct CommandText {
     const char* page;     ///< the page that tells more, such as "docs/analysis.md"
 };
 
-void describe(CLI::App& command, const CommandText& text);
-
-/// Names values and limits in words, and breaks lines at 100 columns. Commands inherit it from the program.
-[[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();
-
-/// Gives the values of options that take text the names that help shows, such as FILE.
-void nameValues(CLI::App& cli);
+void describe(Parser command, const CommandText& text);
 
 }  // namespace deixis::app

@@ -3,15 +3,15 @@
 // it, `chosen` becomes what is to be done.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
+#include "app/program/parser.hpp"
 #include "core/error.hpp"
 
 namespace deixis::app {
 
 using Command = std::function<Result<void>()>;
 
-void addDescribeCommand(CLI::App& cli, Command& chosen);
+void addDescribeCommand(Parser cli, Command& chosen);
 
 }  // namespace deixis::app

@@ -5,12 +5,12 @@
 
 namespace deixis::app {
 
-void addRunCommand(CLI::App& cli, Command& chosen);
-void addSimulateCommand(CLI::App& cli, Command& chosen);
-void addReplayCommand(CLI::App& cli, Command& chosen);
-void addCheckCommand(CLI::App& cli, Command& chosen);
-void addPlanCommand(CLI::App& cli, Command& chosen);
-void addParticipantsCommand(CLI::App& cli, Command& chosen);
-void addTargetsCommand(CLI::App& cli, Command& chosen);
+void addRunCommand(Parser cli, Command& chosen);
+void addSimulateCommand(Parser cli, Command& chosen);
+void addReplayCommand(Parser cli, Command& chosen);
+void addCheckCommand(Parser cli, Command& chosen);
+void addPlanCommand(Parser cli, Command& chosen);
+void addParticipantsCommand(Parser cli, Command& chosen);
+void addTargetsCommand(Parser cli, Command& chosen);
 
 }  // namespace deixis::app
