@@ -20,6 +20,10 @@ if(DEIXIS_SANITIZE)
     target_link_options(deixis_options INTERFACE -fsanitize=${DEIXIS_SANITIZE})
 endif()
 
+# Of the tests' code only time to compile is asked; what they test is compiled as the build type says.
+set(DEIXIS_TEST_OPTIONS -O0)
+include(cmake/building.cmake)
+
 # add_module(NAME [PUBLIC libs...] [PRIVATE libs...])
 # A static library deixis::NAME of every src/*.cpp here, with its own include root NAME/include. Only what is linked
 # can be included: the allowed arrows between modules stand in these calls.
@@ -30,6 +34,7 @@ function(add_module name)
     add_library(deixis::${name} ALIAS deixis_${name})
     target_include_directories(deixis_${name} PUBLIC include PRIVATE src)
     target_link_libraries(deixis_${name} PUBLIC ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
+    use_precompiled(deixis_${name} deixis_precompiled)
 endfunction()
 
 # add_room(NAME [MAIN header.hpp] [ALSO files] [PUBLIC rooms and libs...] [PRIVATE rooms and libs...])
@@ -49,15 +54,13 @@ function(add_room name)
     list(TRANSFORM ARG_PUBLIC REPLACE "^([a-z_]+)/([a-z_]+)$" "deixis::\\1::\\2")
     list(TRANSFORM ARG_PRIVATE REPLACE "^([a-z_]+)/([a-z_]+)$" "deixis::\\1::\\2")
     target_link_libraries(${target} PUBLIC deixis::core ${ARG_PUBLIC} PRIVATE deixis_options ${ARG_PRIVATE})
+    use_precompiled(${target} deixis_precompiled)
     if(NOT TARGET deixis_${module})
         add_library(deixis_${module} INTERFACE)
         add_library(deixis::${module} ALIAS deixis_${module})
     endif()
     target_link_libraries(deixis_${module} INTERFACE ${target})
 endfunction()
-
-# Of the tests' code only time to compile is asked; what they test is compiled as the build type says.
-set(DEIXIS_TEST_OPTIONS -O0)
 
 # add_module_tests(NAME FILES ... LIBS libs... LABELS labels...)
 # One doctest executable NAME; each TEST_SUITE in FILES becomes one CTest test of that name.
@@ -66,6 +69,7 @@ function(add_module_tests name)
     add_executable(${name} ${ARG_FILES} $<TARGET_OBJECTS:deixis_test_main>)
     target_link_libraries(${name} PRIVATE deixis_options doctest::doctest ${ARG_LIBS})
     target_compile_options(${name} PRIVATE ${DEIXIS_TEST_OPTIONS})
+    use_precompiled(${name} deixis_precompiled_tests)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     target_compile_definitions(${name} PRIVATE
         DEIXIS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
