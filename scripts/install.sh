@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing, and says which; does nothing where all are there.
 #   scripts/install.sh          what building and running needs
-#   scripts/install.sh tests    and what the tests and checks need
+#   scripts/install.sh tests    and what the tests need, with a compiler cache and a quick linker
+#   scripts/install.sh all      and what `scripts/test.sh all` needs: Blender, Emscripten, clang-tidy, another Debian
 #   scripts/install.sh list     prints what building and running needs, and installs nothing
 set -euo pipefail
 
@@ -13,10 +14,15 @@ packages=(
     libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev libx11-dev
     libopenxr-dev fonts-open-sans fonts-nanum doctest-dev
 )
-if [ "${1:-}" = tests ]; then
-    packages+=(clang clang-format-14 clang-tidy-14 xvfb xdotool python3 python3-jsonschema sqlite3 libxml2-utils libbenchmark-dev debootstrap
+case ${1:-} in
+tests | all)
+    packages+=(clang clang-format-14 ccache mold xvfb xdotool python3 python3-jsonschema sqlite3 libxml2-utils
         r-base-core r-cran-lme4 r-cran-ordinal postgresql chromium poppler-utils groff-base)
-fi
+    ;;&
+all)
+    packages+=(blender emscripten clang-tidy-14 debootstrap libbenchmark-dev)
+    ;;
+esac
 if [ "${1:-}" = list ]; then
     printf '%s\n' "${packages[@]}"
     exit 0

@@ -1,69 +1,80 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds, runs the tests, and ends with the counts.
 #   scripts/test.sh          style, and every test once, by Clang with address and undefined-behaviour sanitizers
-#   scripts/test.sh all      the same, and: the program by GCC, file by file; by Clang without graphics, compared with
-#                            GCC's; sessions at the desktop in real time; lint; and the program once more on Debian 13,
-#                            where the headset's tests run (needs root)
+#   scripts/test.sh all      the same, and: the program by GCC, compared with Clang's byte for byte, without graphics,
+#                            installed, at the desktop in real time, its pages in a browser; lint; what a browser will
+#                            run, by Emscripten; and the program once more on Debian 13, in a headset's runtime (needs root)
 #   scripts/test.sh dev      one preset's tests only
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-scripts/install.sh tests
+if [ "${1:-}" = all ]; then scripts/install.sh all; else scripts/install.sh tests; fi
 [ -d tests/assets/gltf_validator/node_modules ] || npm ci --silent --prefix tests/assets/gltf_validator
 [ -d tests/browser/node_modules ] || npm ci --silent --prefix tests/browser
 
-mkdir -p build/test-logs
+logs=build/test-logs
+mkdir -p $logs
 counts=()
 status=0
 say() { echo "== $* ($((SECONDS / 60)) min)"; }
+failed() {
+    status=1
+    counts+=("$*: failed")
+}
+# build PRESET [options of cmake ...] [-- options of cmake --build ...]
 build() {
-    say "$1: configure and build"
-    local preset=$1 log=build/test-logs/$1-build.log
+    local preset=$1 log=$logs/$1-build.log options=()
     shift
-    cmake --preset "$preset" -Wno-dev >/dev/null
+    say "$preset: configure and build"
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do options+=("$1") && shift; done
+    [ $# -eq 0 ] || shift
+    cmake --preset "$preset" -Wno-dev "${options[@]}" >/dev/null || return 1
     if ! cmake --build --preset "$preset" "$@" >"$log" 2>&1; then
         tail -n 60 "$log"
-        counts+=("$preset: the build failed")
         return 1
     fi
     tail -n 1 "$log"
 }
-run_preset() {
-    build "$1" || return 1
+# run_tests PRESET [options of ctest ...]
+run_tests() {
+    local log=$logs/$1.log result=0
     say "$1: tests"
-    local log=build/test-logs/$1.log result=0
-    ctest --preset "$1" -j2 --timeout 1200 2>&1 | tee "$log" || result=$?
+    ctest --preset "$@" -j2 --timeout 1200 2>&1 | tee "$log" || result=$?
     counts+=("$1: $(grep -E 'tests passed' "$log" || echo 'no result')")
     return "$result"
 }
+run_preset() { build "$1" && run_tests "$1"; }
+check_installed() {
+    cmake --install build/release --prefix $logs/installed >/dev/null || return 1
+    ! grep -aoE "$PWD/(app|assets|build|core|motion|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
+}
+check_headset() {
+    scripts/test_headset.sh --scenarios-only 2>&1 | tee $logs/headset.log || return 1
+    counts+=("$(grep -E '^headset: [0-9]+ passed' $logs/headset.log || echo 'headset: no result')")
+}
 run_rest() {
-    build dev --target deixis || status=1
-    build offline --target deixis || status=1
+    build release -DDEIXIS_WERROR=ON -- --target deixis || failed "release: the build"
     say "compare"
-    scripts/compare_builds.sh build/dev/deixis build/offline/deixis || status=1
+    scripts/compare_builds.sh build/release/deixis build/asan/deixis || failed "compare"
     say "install"
-    cmake --install build/offline --prefix build/test-logs/installed >/dev/null || status=1
-    if grep -aoE "$PWD/(app|assets|build|core|motion|renderer|results|studies)[ -~]*" build/test-logs/installed/bin/deixis; then
-        echo "install: the installed program names the above"
-        status=1
-    fi
-    say "sessions at the desktop"
-    ctest --preset dev -R '^desktop/' || status=1
+    check_installed || failed "install: the program names folders of its sources, above; that"
+    run_tests release -R '^(desktop|browser)/' || failed "desktop and browser"
+    build offline -DDEIXIS_WERROR=ON -- --target deixis || failed "offline: the build"
+    build/offline/deixis check pointing2023 || failed "offline: check"
     say "lint"
-    scripts/lint.sh || status=1
+    scripts/lint.sh || failed "lint"
     say "headset"
-    scripts/test_headset.sh --scenarios-only 2>&1 | tee build/test-logs/headset.log || status=1
-    counts+=("$(grep -E '^headset: [0-9]+ passed' build/test-logs/headset.log || echo 'headset: no result')")
+    check_headset || failed "headset"
 }
 
 case ${1:-} in
 "" | all)
     scripts/check_style.sh
-    run_preset asan || status=1
+    run_preset asan || failed "asan"
     [ $# -eq 0 ] || run_rest
     ;;
 *)
-    for preset in "$@"; do run_preset "$preset" || status=1; done
+    for preset in "$@"; do run_preset "$preset" || failed "$preset"; done
     ;;
 esac
 
