@@ -10,11 +10,12 @@
 #include <optional>
 #include <set>
 
+#include "assets/gltf/gltf_values.hpp"
 #include "assets/tables/humanoid_file.hpp"
-#include "avatar_file.hpp"
 #include "avatar_mesh.hpp"
 #include "avatar_nodes.hpp"
 #include "avatar_rig.hpp"
+#include "core/files.hpp"
 #include "core/hash.hpp"
 
 namespace deixis::assets {
@@ -26,32 +27,30 @@ using motion::Bone;
 /// The file's figure as an avatar: its rig in the T pose, its mesh bound to it.
 class Assembler {
   public:
-    Assembler(const tinygltf::Model& model, const NodeTree& tree, Rig rig, FigureMesh mesh,
-              const std::string& file, std::optional<double> height_m, std::vector<std::string> remarks)
-        : model_(model),
+    Assembler(const gltf::Document& document, const NodeTree& tree, Rig rig, FigureMesh mesh,
+              std::optional<double> height_m, std::vector<std::string> remarks)
+        : doc_(document),
           tree_(tree),
           rig_(std::move(rig)),
           mesh_(std::move(mesh)),
-          file_(file),
+          file_(document.file),
           height_m_(height_m) {
         avatar_.remarks = std::move(remarks);
     }
 
-    Result<Avatar> run() {
-        if (!isFinite())
-            return fail(file_, "its nodes' scales and places give points that are not finite",
-                        "Export the file anew");
-        if (auto sized = toMetres(); !sized) return tl::unexpected(sized.error());
+    Avatar run() {
+        if (!isFinite()) gltf::refuse(file_, "its nodes' scales and places give points that are not finite");
+        toMetres();
         toFloor();
         chooseJoints();
         makeSkeleton();
         findTips();
         bindSlots();
         if (avatar_.skeleton.joints.size() > most_avatar_joints)
-            return fail(file_,
-                        fmt::format("its skin follows {} joints, at most {} can be drawn",
-                                    avatar_.skeleton.joints.size(), most_avatar_joints),
-                        "Merge joints of hair, clothes and face, then export the file anew");
+            gltf::refuse(file_,
+                         fmt::format("its skin follows {} joints, at most {} can be drawn",
+                                     avatar_.skeleton.joints.size(), most_avatar_joints),
+                         "Merge joints of hair, clothes and face, then export the file anew");
         avatar_.vertices = std::move(mesh_.vertices);
         avatar_.textures = std::move(mesh_.textures);
         joinParts();
@@ -105,37 +104,36 @@ class Assembler {
 
     /// The height that a person asks for. Without: glTF is in metres, but not all exporters know; what is no
     /// figure's height is scaled by a usual unit. Fails where it is then not as tall as people are.
-    Result<void> toMetres() {
+    void toMetres() {
         const auto [low, high] = extent();
         const double height = high - low;
         const std::string mend = fmt::format(
             "Say how tall it is to be: avatar_height_m = 1.7 under [study], or height_m = 1.7 in {}",
             humanoidFileOf(file_).string());
         if (!(height > 1e-9 && height < 1e9))
-            return fail(file_,
-                        fmt::format("stands {:.4g} units tall, expected a figure with a height", height),
-                        "Export the file anew");
+            gltf::refuse(file_,
+                         fmt::format("stands {:.4g} units tall, expected a figure with a height", height),
+                         "Export the file anew");
         const double unit = height_m_ ? *height_m_ / height : likelyUnit(height);
         const double height_m = height * unit;
         if (!height_m_ && !(height_m >= shortest_avatar_m && height_m <= tallest_avatar_m))
-            return fail(file_,
-                        unit == 1.0
-                            ? fmt::format("stands {:.2f} m tall, expected {:g} to {:g} m, as people do",
+            gltf::refuse(
+                file_,
+                unit == 1.0 ? fmt::format("stands {:.2f} m tall, expected {:g} to {:g} m, as people do",
                                           height_m, shortest_avatar_m, tallest_avatar_m)
                             : fmt::format("stands {:.4g} units tall, which in no usual unit are {:g} to {:g} "
                                           "m, as people are",
                                           height, shortest_avatar_m, tallest_avatar_m),
-                        mend);
-        if (unit == 1.0) return {};
+                mend);
+        if (unit == 1.0) return;
         scale(unit);
         constexpr double near_m = 1e-3;
         if (const auto [low_m, high_m] = extent(); !(std::abs(high_m - low_m - height_m) < near_m))
-            return fail(file_, "its mesh is bound so far from its joints that rounding moves it",
-                        "Export the file anew, with its mesh near its armature");
+            gltf::refuse(file_, "its mesh is bound so far from its joints that rounding moves it",
+                         "Export the file anew, with its mesh near its armature");
         avatar_.remarks.push_back(
             height_m_ ? fmt::format("{:.4g} units high: scaled to {:.2f} m, as asked for", height, height_m)
                       : fmt::format("{:.4g} units high: scaled by {:g} to {:.2f} m", height, unit, height_m));
-        return {};
     }
 
     [[nodiscard]] static double likelyUnit(double height) {
@@ -237,7 +235,7 @@ class Assembler {
             joint.rest.position =
                 origin_[index] - (parent < 0 ? Vec3(0.0) : origin_[static_cast<std::size_t>(parent)]);
             joint.rest.position =
-                exactly(joint.rest.position, model_.nodes[static_cast<std::size_t>(from.node)].translation);
+                exactly(joint.rest.position, doc_.nodes[static_cast<std::size_t>(from.node)]);
             skeleton_joint_[index] = avatar_.skeleton.size();
             avatar_.skeleton.joints.push_back(std::move(joint));
         }
@@ -306,14 +304,14 @@ class Assembler {
 
     /// The first node below the joint that carries nothing, from the joint in the T pose.
     [[nodiscard]] std::optional<Vec3> tipByNode(const RigJoint& joint) const {
-        for (const int child : model_.nodes[static_cast<std::size_t>(joint.node)].children) {
-            const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(child)];
+        for (const int child : doc_.nodes[static_cast<std::size_t>(joint.node)].children) {
+            const gltf::Node& node = doc_.nodes[static_cast<std::size_t>(child)];
             if (node.mesh >= 0 || !node.children.empty()) continue;
             const Vec3 rest =
                 unit_ * (rig_.avatar_from_file * Vec3(tree_.world[static_cast<std::size_t>(child)][3]));
             const Vec3 tip = joint.turn * (rest - joint.rest);
             if (glm::length(tip) < 1e-4) continue;
-            return exactly(tip, node.translation);
+            return exactly(tip, node);
         }
         return std::nullopt;
     }
@@ -337,10 +335,8 @@ class Assembler {
     }
 
     /// Sums and differences cost the last digits; a node that is but moved has them.
-    [[nodiscard]] static Vec3 exactly(const Vec3& position, const std::vector<double>& translation) {
-        if (translation.size() != 3) return position;
-        const Vec3 exact(translation[0], translation[1], translation[2]);
-        return glm::length(position - exact) < 1e-12 ? exact : position;
+    [[nodiscard]] static Vec3 exactly(const Vec3& position, const gltf::Node& node) {
+        return glm::length(position - node.translation) < 1e-12 ? node.translation : position;
     }
 
     void joinParts() {
@@ -354,7 +350,7 @@ class Assembler {
         }
     }
 
-    const tinygltf::Model& model_;
+    const gltf::Document& doc_;
     const NodeTree& tree_;
     Rig rig_;
     FigureMesh mesh_;
@@ -368,46 +364,52 @@ class Assembler {
 };
 
 /// `said`: by a person, in the file beside the avatar's; or null.
-Result<Avatar> avatarOf(const AvatarFile& read, const std::string& file, const HumanoidWords* said,
-                        const AvatarOptions& options) {
-    const auto tree = readNodes(read.model, file);
-    if (!tree) return tl::unexpected(tree.error());
+Result<Avatar> avatarOf(std::string_view bytes, const std::string& file,
+                        const std::optional<std::filesystem::path>& folder, const HumanoidWords* said,
+                        const AvatarOptions& options) try {
+    const gltf::Document document = gltf::readDocument(bytes, file, gltf::Content::figure);
+    const gltf::Values values(document, folder);
+    const auto neighbours = values.neighbours();
+    const NodeTree tree = readNodes(document);
     std::vector<std::string> remarks;
-    auto rig = readRig(read.model, *tree, file, said, remarks);
-    if (!rig) return tl::unexpected(rig.error());
-    turnToTPose(*rig, remarks);
-    auto mesh = readFigureMesh(read.model, *tree, *rig, file, remarks);
-    if (!mesh) return tl::unexpected(mesh.error());
+    Rig rig = readRig(document, tree, said, remarks);
+    turnToTPose(rig, remarks);
+    FigureMesh mesh = readFigureMesh(document, values, tree, rig, remarks);
     const auto height_m = options.height_m ? options.height_m : said ? said->height_m : std::nullopt;
-    auto avatar =
-        Assembler(read.model, *tree, std::move(*rig), std::move(*mesh), file, height_m, std::move(remarks))
-            .run();
-    if (!avatar) return avatar;
-    avatar->content_hash = read.content_hash;
-    if (said != nullptr) avatar->content_hash = sha256Hex(avatar->content_hash + sha256Hex(said->text));
-    if (options.height_m)
-        avatar->content_hash =
-            sha256Hex(fmt::format("{}, {:.17g} m", avatar->content_hash, *options.height_m));
-    avatar->files = read.beside;
+    Avatar avatar =
+        Assembler(document, tree, std::move(rig), std::move(mesh), height_m, std::move(remarks)).run();
+    avatar.content_hash = sha256Hex(bytes);
+    std::string hashes;
+    for (const auto& neighbour : neighbours) {
+        hashes += sha256Hex(neighbour.bytes);
+        avatar.files.push_back(neighbour.path);
+    }
+    const auto add = [&](const std::string& more) {
+        avatar.content_hash = sha256Hex(avatar.content_hash + more);
+    };
+    if (!hashes.empty()) add(hashes);
+    if (said != nullptr) add(sha256Hex(said->text));
+    if (options.height_m) add(fmt::format(", {:.17g} m", *options.height_m));
     return avatar;
+} catch (const gltf::Refusal& refusal) {
+    return tl::unexpected(refusal.error);
 }
 
 }  // namespace
 
 Result<Avatar> loadAvatar(const std::filesystem::path& path, const AvatarOptions& options) {
-    const auto read = readAvatarFile(path);
-    if (!read) return tl::unexpected(read.error());
+    const auto bytes = readFile(path);
+    if (!bytes) return tl::unexpected(bytes.error());
     const auto said = humanoidWordsBeside(path);
     if (!said) return tl::unexpected(said.error());
-    auto avatar = avatarOf(*read, path.string(), *said ? &**said : nullptr, options);
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    auto avatar = avatarOf(*bytes, path.string(), folder, *said ? &**said : nullptr, options);
     if (avatar) avatar->files.insert(avatar->files.begin(), path);
     return avatar;
 }
 
 Result<Avatar> readAvatar(std::string_view bytes, const std::string& name, const AvatarOptions& options) {
-    const auto read = readAvatarBytes(bytes, name, std::nullopt);
-    if (!read) return tl::unexpected(read.error());
-    return avatarOf(*read, name, nullptr, options);
+    return avatarOf(bytes, name, std::nullopt, nullptr, options);
 }
 
 }  // namespace deixis::assets

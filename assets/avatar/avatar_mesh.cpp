@@ -8,13 +8,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "assets/gltf/gltf_accessor.hpp"
 #include "avatar_materials.hpp"
 #include "avatar_primitive.hpp"
 
@@ -74,27 +74,25 @@ glm::dmat3 normalMatrix(const glm::dmat4& matrix) {
 
 class FigureReader {
   public:
-    FigureReader(const tinygltf::Model& model, const NodeTree& tree, const Rig& rig, const std::string& file,
-                 std::vector<std::string>& remarks)
-        : model_(model),
+    FigureReader(const gltf::Document& document, const gltf::Values& values, const NodeTree& tree,
+                 const Rig& rig, std::vector<std::string>& remarks)
+        : doc_(document),
+          values_(values),
           rig_(rig),
           tree_(tree),
-          file_(file),
           remarks_(remarks),
-          materials_(model, file, remarks),
+          materials_(document, values, remarks),
           avatar_from_file_(glm::mat4_cast(rig.avatar_from_file)) {}
 
-    Result<FigureMesh> run() {
-        for (std::size_t node = 0; node < model_.nodes.size(); ++node) {
-            if (!tree_.drawn[node] || model_.nodes[node].mesh < 0) continue;
-            if (auto done = readNode(node); !done) return tl::unexpected(done.error());
-        }
+    FigureMesh run() {
+        for (std::size_t node = 0; node < doc_.nodes.size(); ++node)
+            if (tree_.drawn[node] && doc_.nodes[node].mesh >= 0) readNode(node);
         const bool empty = std::all_of(out_.indices.begin(), out_.indices.end(),
                                        [](const auto& indices) { return indices.empty(); });
         if (empty)
-            return fail(file_,
-                        "no mesh with triangles follows the figure's joints, by a skin or as their child",
-                        "Export the avatar with its mesh and its armature");
+            gltf::refuse(doc_.file,
+                         "no mesh with triangles follows the figure's joints, by a skin or as their child",
+                         "Export the avatar with its mesh and its armature");
         out_.parts = materials_.parts();
         out_.indices.resize(out_.parts.size());
         out_.textures = materials_.takeTextures();
@@ -103,20 +101,12 @@ class FigureReader {
     }
 
   private:
-    [[nodiscard]] auto bad(std::string message) const {
-        return fail(file_, std::move(message), "Export the file anew");
-    }
-
-    Result<void> readNode(std::size_t node) {
-        const tinygltf::Node& n = model_.nodes[node];
-        if (static_cast<std::size_t>(n.mesh) >= model_.meshes.size())
-            return bad(fmt::format("mesh {} does not exist", n.mesh));
-        const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(n.mesh)];
+    void readNode(std::size_t node) {
+        const gltf::Node& n = doc_.nodes[node];
+        const gltf::Mesh& mesh = doc_.meshes[static_cast<std::size_t>(n.mesh)];
         Binding binding;
         if (n.skin >= 0) {
-            auto bound = skinBinding(n.skin);
-            if (!bound) return tl::unexpected(bound.error());
-            binding = std::move(*bound);
+            binding = skinBinding(doc_.skins[static_cast<std::size_t>(n.skin)]);
         } else {
             const int joint = rig_.joint_of_node[node];
             if (!followsHips(joint)) {
@@ -126,28 +116,25 @@ class FigureReader {
                                 "downwards: left "
                                 "out. Where another joint is the hips, say so in {}",
                                 n.name, rig_.joints[static_cast<std::size_t>(hips)].name,
-                                humanoidFileOf(file_).filename().string()));
-                return {};
+                                humanoidFileOf(doc_.file).filename().string()));
+                return;
             }
             binding.joints = {joint};
             binding.rest_from_mesh = {avatar_from_file_ * tree_.world[node]};
         }
         std::optional<std::size_t> skin_joints;
         if (n.skin >= 0) skin_joints = binding.joints.size();
-        for (const tinygltf::Primitive& primitive : mesh.primitives) {
-            auto look = materials_.look(primitive.material);
-            if (!look) return tl::unexpected(look.error());
-            auto data = readPrimitive(model_, primitive, {skin_joints, look->uv_set}, file_);
-            if (!data) return tl::unexpected(data.error());
-            if (!*data) {
+        for (const gltf::Primitive& primitive : mesh.primitives) {
+            const MaterialLook look = materials_.look(primitive.material);
+            const auto data = readPrimitive(doc_, values_, primitive, {skin_joints, look.uv_set});
+            if (!data) {
                 once_.insert(fmt::format("the mesh \"{}\" has points or lines: left out", mesh.name));
                 continue;
             }
-            if (out_.vertices.size() + (*data)->positions.size() > most_vertices)
-                return fail(file_, fmt::format("has more than {} vertices", most_vertices));
-            if (!(*data)->positions.empty()) add(**data, *look, binding, mesh.name);
+            if (out_.vertices.size() + data->positions.size() > most_vertices)
+                gltf::refuse(doc_.file, fmt::format("has more than {} vertices", most_vertices), "");
+            if (!data->positions.empty()) add(*data, look, binding, mesh.name);
         }
-        return {};
     }
 
     [[nodiscard]] bool followsHips(int joint) const {
@@ -158,25 +145,22 @@ class FigureReader {
 
     /// rest_from_mesh of each joint of a skin: its place in the scene after its inverse bind matrix (glTF
     /// 2.0, 3.7.3.3). The place of the node with the mesh does not matter.
-    [[nodiscard]] Result<Binding> skinBinding(int index) const {
-        if (static_cast<std::size_t>(index) >= model_.skins.size())
-            return bad(fmt::format("skin {} does not exist", index));
-        const tinygltf::Skin& skin = model_.skins[static_cast<std::size_t>(index)];
-        if (skin.joints.empty()) return bad("the skin has no joints");
+    [[nodiscard]] Binding skinBinding(const gltf::Skin& skin) const {
+        if (skin.joints.empty()) gltf::refuse(doc_.file, "the skin has no joints");
         Binding binding;
-        GltfRows inverse;
-        if (skin.inverseBindMatrices >= 0) {
-            auto rows = readGltfRows(model_, skin.inverseBindMatrices, file_, "inverseBindMatrices");
-            if (!rows) return tl::unexpected(rows.error());
-            if (rows->width != 16 || rows->size() < skin.joints.size())
-                return bad(fmt::format("{} inverse bind matrices, expected one for each of {} joints",
-                                       rows->width == 16 ? rows->size() : 0, skin.joints.size()));
-            inverse = std::move(*rows);
+        std::vector<double> inverse;
+        if (skin.inverse_bind >= 0) {
+            inverse = values_.numbers(skin.inverse_bind, "inverseBindMatrices");
+            const bool matrices = doc_.accessorWidth(skin.inverse_bind) == 16;
+            if (!matrices || inverse.size() < 16 * skin.joints.size())
+                gltf::refuse(doc_.file,
+                             fmt::format("{} inverse bind matrices, expected one for each of {} joints",
+                                         matrices ? inverse.size() / 16 : 0, skin.joints.size()));
         }
         for (std::size_t j = 0; j < skin.joints.size(); ++j) {
             const auto node = static_cast<std::size_t>(skin.joints[j]);
             glm::dmat4 rest = avatar_from_file_ * tree_.world[node];
-            if (inverse.width == 16) rest *= matrixAt(inverse.values, j);
+            if (!inverse.empty()) rest *= glm::make_mat4(&inverse[16 * j]);
             binding.rest_from_mesh.push_back(rest);
             binding.joints.push_back(rig_.joint_of_node[node]);
         }
@@ -302,10 +286,10 @@ class FigureReader {
         }
     }
 
-    const tinygltf::Model& model_;
+    const gltf::Document& doc_;
+    const gltf::Values& values_;
     const Rig& rig_;
     const NodeTree& tree_;
-    const std::string& file_;
     std::vector<std::string>& remarks_;
     MaterialReader materials_;
     glm::dmat4 avatar_from_file_;
@@ -316,9 +300,9 @@ class FigureReader {
 
 }  // namespace
 
-Result<FigureMesh> readFigureMesh(const tinygltf::Model& model, const NodeTree& tree, const Rig& rig,
-                                  const std::string& file, std::vector<std::string>& remarks) {
-    return FigureReader(model, tree, rig, file, remarks).run();
+FigureMesh readFigureMesh(const gltf::Document& document, const gltf::Values& values, const NodeTree& tree,
+                          const Rig& rig, std::vector<std::string>& remarks) {
+    return FigureReader(document, values, tree, rig, remarks).run();
 }
 
 }  // namespace deixis::assets

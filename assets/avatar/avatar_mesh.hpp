@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assets/avatar/avatar.hpp"
+#include "assets/gltf/gltf_values.hpp"
 #include "avatar_rig.hpp"
 
 namespace deixis::assets {
@@ -25,8 +26,8 @@ struct FigureMesh {
 };
 
 /// All that the scene shows of meshes. What follows no joint is left out, with a remark.
-[[nodiscard]] Result<FigureMesh> readFigureMesh(const tinygltf::Model& model, const NodeTree& tree,
-                                                const Rig& rig, const std::string& file,
-                                                std::vector<std::string>& remarks);
+[[nodiscard]] FigureMesh readFigureMesh(const gltf::Document& document, const gltf::Values& values,
+                                        const NodeTree& tree, const Rig& rig,
+                                        std::vector<std::string>& remarks);
 
 }  // namespace deixis::assets

@@ -1,8 +1,6 @@
 // One primitive of a glTF mesh as plain arrays; private to reading avatars.
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -11,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
+#include "assets/gltf/gltf_values.hpp"
 
 namespace deixis::assets {
 
@@ -34,9 +32,9 @@ struct PrimitiveWants {
 
 /// Triangles of any kind (lists, strips, fans; with indices or without); none where it has points or lines.
 /// Normals that are missing are computed from the triangles.
-[[nodiscard]] Result<std::optional<PrimitiveData>> readPrimitive(const tinygltf::Model& model,
-                                                                 const tinygltf::Primitive& primitive,
-                                                                 const PrimitiveWants& wants,
-                                                                 const std::string& file);
+[[nodiscard]] std::optional<PrimitiveData> readPrimitive(const gltf::Document& document,
+                                                         const gltf::Values& values,
+                                                         const gltf::Primitive& primitive,
+                                                         const PrimitiveWants& wants);
 
 }  // namespace deixis::assets

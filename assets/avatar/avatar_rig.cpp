@@ -10,7 +10,7 @@
 #include <numeric>
 #include <set>
 
-#include "avatar_humanoid.hpp"
+#include "motion/retarget/retarget.hpp"
 
 namespace deixis::assets {
 
@@ -21,108 +21,98 @@ using enum motion::Bone;
 
 constexpr std::size_t most_joints_in_file = 4096;
 
+/// The map by the joints' own names.
+motion::HumanoidMap humanoidByNames(const motion::Skeleton& skeleton) {
+    const motion::HumanoidMap exact = motion::mapByVrmNames(skeleton);
+    return motion::missingBones(exact).empty() ? exact : motion::detectHumanoid(skeleton);
+}
+
 class RigReader {
   public:
-    RigReader(const tinygltf::Model& model, const NodeTree& tree, const std::string& file,
-              const HumanoidWords* said)
-        : model_(model), tree_(tree), file_(file), said_(said) {}
+    RigReader(const gltf::Document& document, const NodeTree& tree, const HumanoidWords* said)
+        : doc_(document), tree_(tree), file_(document.file), said_(said) {
+        if (doc_.humanoid && !doc_.humanoid->nodes.empty()) vrm_ = &*doc_.humanoid;
+    }
 
-    Result<Rig> run(std::vector<std::string>& remarks) {
-        auto vrm = vrmHumanoid(model_, file_);
-        if (!vrm) return tl::unexpected(vrm.error());
-        auto nodes = skinnedNodes();
-        if (!nodes) return tl::unexpected(nodes.error());
-        if (*vrm)
-            for (const int node : **vrm)
-                if (node >= 0) nodes->push_back(node);
-        if (auto made = makeJoints(*nodes); !made) return tl::unexpected(made.error());
-        auto found = findHumanoid(*vrm);
-        if ((!found || !motion::missingBones(rig_.humanoid).empty()) && (!*vrm || said_ != nullptr)) {
+    Rig run(std::vector<std::string>& remarks) {
+        std::vector<int> nodes = skinnedNodes();
+        if (vrm_ != nullptr)
+            for (const auto& [bone, node] : vrm_->nodes) nodes.push_back(node);
+        makeJoints(nodes);
+        auto found = findHumanoid();
+        if ((!found || !motion::missingBones(rig_.humanoid).empty()) &&
+            (vrm_ == nullptr || said_ != nullptr)) {
             // Figures of rigid parts have no skin, and some skins leave bones out that nothing hangs on.
-            std::vector<int> all = *nodes;
-            for (std::size_t i = 0; i < model_.nodes.size(); ++i)
-                if (tree_.drawn[i]) all.push_back(static_cast<int>(i));
-            if (auto made = makeJoints(all); !made) return tl::unexpected(made.error());
-            found = findHumanoid(*vrm);
+            for (std::size_t i = 0; i < doc_.nodes.size(); ++i)
+                if (tree_.drawn[i]) nodes.push_back(static_cast<int>(i));
+            makeJoints(nodes);
+            found = findHumanoid();
         }
-        if (!found) return tl::unexpected(found.error());
+        if (!found) throw gltf::Refusal{found.error()};
         if (const auto missing = motion::missingBones(rig_.humanoid); !missing.empty())
-            return fail(file_,
-                        fmt::format("no joint was found for {}, expected the bones of a humanoid",
-                                    fmt::join(missing, ", ")),
-                        "Name the joints as VRM, Mixamo or another common rig does, save the figure as VRM, "
-                        "or " +
-                            wordFile());
+            gltf::refuse(file_,
+                         fmt::format("no joint was found for {}, expected the bones of a humanoid",
+                                     fmt::join(missing, ", ")),
+                         "Name the joints as VRM, Mixamo or another common rig does, save the figure as "
+                         "VRM, or " +
+                             wordFile());
         if (said_ != nullptr && !said_->words.empty()) remarks.push_back("bones as " + said_->file + " says");
-        if (auto hung = hangBones(remarks); !hung) return tl::unexpected(hung.error());
-        if (auto turned = faceForward(remarks); !turned) return tl::unexpected(turned.error());
+        hangBones(remarks);
+        faceForward(remarks);
         return std::move(rig_);
     }
 
   private:
-    [[nodiscard]] bool nodeExists(int node) const {
-        return node >= 0 && static_cast<std::size_t>(node) < model_.nodes.size();
-    }
     RigJoint& joint(int index) { return rig_.joints[static_cast<std::size_t>(index)]; }
     [[nodiscard]] Vec3 boneAt(Bone bone) const {
         return rig_.joints[static_cast<std::size_t>(rig_.humanoid[bone])].rest;
     }
 
     /// The joints of all skins that are drawn, in the skins' order.
-    [[nodiscard]] Result<std::vector<int>> skinnedNodes() const {
+    [[nodiscard]] std::vector<int> skinnedNodes() const {
         std::vector<int> nodes;
         std::set<int> skins;
-        for (std::size_t i = 0; i < model_.nodes.size(); ++i) {
-            const tinygltf::Node& node = model_.nodes[i];
+        for (std::size_t i = 0; i < doc_.nodes.size(); ++i) {
+            const gltf::Node& node = doc_.nodes[i];
             if (!tree_.drawn[i] || node.mesh < 0 || node.skin < 0 || !skins.insert(node.skin).second)
                 continue;
-            if (static_cast<std::size_t>(node.skin) >= model_.skins.size())
-                return fail(file_, fmt::format("node {} has the skin {}, which does not exist", i, node.skin),
-                            "Export the file anew");
-            for (const int joint_node : model_.skins[static_cast<std::size_t>(node.skin)].joints) {
-                if (!nodeExists(joint_node))
-                    return fail(file_,
-                                fmt::format("a joint of skin {} is node {}, which does not exist", node.skin,
-                                            joint_node),
-                                "Export the file anew");
-                nodes.push_back(joint_node);
-            }
+            const auto& joints = doc_.skins[static_cast<std::size_t>(node.skin)].joints;
+            nodes.insert(nodes.end(), joints.begin(), joints.end());
         }
         return nodes;
     }
 
-    Result<void> makeJoints(const std::vector<int>& nodes) {
+    void makeJoints(const std::vector<int>& nodes) {
         rig_.joints.clear();
-        rig_.joint_of_node.assign(model_.nodes.size(), -1);
+        rig_.joint_of_node.assign(doc_.nodes.size(), -1);
         for (const int node : nodes) {
             int& slot = rig_.joint_of_node[static_cast<std::size_t>(node)];
             if (slot >= 0) continue;
             slot = static_cast<int>(rig_.joints.size());
             RigJoint made;
             made.node = node;
-            made.name = model_.nodes[static_cast<std::size_t>(node)].name;
+            made.name = doc_.nodes[static_cast<std::size_t>(node)].name;
             made.rest = Vec3(tree_.world[static_cast<std::size_t>(node)][3]);
             const glm::dmat3 axes(tree_.world[static_cast<std::size_t>(node)]);
             if (!(std::abs(glm::determinant(axes)) > 1e-24))
-                return fail(
-                    file_,
-                    fmt::format("node {} \"{}\" has no extent: it is scaled to nothing", node, made.name),
-                    "Export the file anew");
+                gltf::refuse(file_, fmt::format("node {} \"{}\" has no extent: it is scaled to nothing", node,
+                                                made.name));
             rig_.joints.push_back(std::move(made));
         }
         if (rig_.joints.size() > most_joints_in_file)
-            return fail(file_, fmt::format("has {} joints, expected a figure with at most {}",
-                                           rig_.joints.size(), most_joints_in_file));
+            gltf::refuse(file_,
+                         fmt::format("has {} joints, expected a figure with at most {}", rig_.joints.size(),
+                                     most_joints_in_file),
+                         "");
         for (RigJoint& made : rig_.joints)
-            made.parent = nearestJoint(tree_.parent[static_cast<std::size_t>(made.node)]);
+            made.parent = nearestJoint(doc_.nodes[static_cast<std::size_t>(made.node)].parent);
         std::vector<int> follows = rig_.joint_of_node;
         for (std::size_t i = 0; i < follows.size(); ++i) follows[i] = nearestJoint(static_cast<int>(i));
         rig_.joint_of_node = std::move(follows);
-        return {};
     }
 
     [[nodiscard]] int nearestJoint(int node) const {
-        for (; node >= 0; node = tree_.parent[static_cast<std::size_t>(node)])
+        for (; node >= 0; node = doc_.nodes[static_cast<std::size_t>(node)].parent)
             if (const int found = rig_.joint_of_node[static_cast<std::size_t>(node)]; found >= 0)
                 return found;
         return -1;
@@ -138,13 +128,12 @@ class RigReader {
     }
 
     /// Fails where a person names a joint that is not there.
-    Result<void> findHumanoid(const std::optional<BoneNodes>& vrm) {
+    Result<void> findHumanoid() {
         rig_.humanoid = motion::HumanoidMap{};
-        if (vrm)
-            for (std::size_t b = 0; b < motion::bone_count; ++b)
-                if ((*vrm)[b] >= 0)
-                    rig_.humanoid.joint[b] = rig_.joint_of_node[static_cast<std::size_t>((*vrm)[b])];
-        if (vrm && said_ == nullptr) return {};
+        if (vrm_ != nullptr)
+            for (const auto& [bone, node] : vrm_->nodes)
+                rig_.humanoid[bone] = rig_.joint_of_node[static_cast<std::size_t>(node)];
+        if (vrm_ != nullptr && said_ == nullptr) return {};
         // The finder wants a skeleton: parents first, names that differ.
         std::vector<int> order(rig_.joints.size());
         std::iota(order.begin(), order.end(), 0);
@@ -174,8 +163,8 @@ class RigReader {
             skeleton.joints.push_back(std::move(made));
         }
         motion::HumanoidMapping found;
-        if (!vrm) found.map = humanoidByNames(skeleton);
-        for (std::size_t b = 0; b < motion::bone_count && vrm; ++b)
+        if (vrm_ == nullptr) found.map = humanoidByNames(skeleton);
+        for (std::size_t b = 0; b < motion::bone_count && vrm_ != nullptr; ++b)
             if (const int joint_of_rig = rig_.humanoid.joint[b]; joint_of_rig >= 0)
                 found.map.joint[b] = place[static_cast<std::size_t>(joint_of_rig)];
         if (said_ != nullptr)
@@ -194,7 +183,7 @@ class RigReader {
 
     /// In some rigs feet or hands hang on the root, moved by solvers that a clip has not: each bone hangs on
     /// the bone above it.
-    Result<void> hangBones(std::vector<std::string>& remarks) {
+    void hangBones(std::vector<std::string>& remarks) {
         for (std::size_t b = 0; b < motion::bone_count; ++b) {
             const auto bone = static_cast<Bone>(b);
             auto above = motion::parentBone(bone);
@@ -204,29 +193,28 @@ class RigReader {
             const int upper = rig_.humanoid[*above];
             if (own != upper && isAbove(upper, own)) continue;
             if (isAbove(own, upper))
-                return fail(file_,
-                            fmt::format("the joint \"{}\" plays {} but stands above \"{}\", which plays {}",
-                                        joint(own).name, motion::boneName(bone), joint(upper).name,
-                                        motion::boneName(*above)),
-                            "Name the joints as VRM, Mixamo or another common rig does, or " + wordFile());
+                gltf::refuse(file_,
+                             fmt::format("the joint \"{}\" plays {} but stands above \"{}\", which plays {}",
+                                         joint(own).name, motion::boneName(bone), joint(upper).name,
+                                         motion::boneName(*above)),
+                             "Name the joints as VRM, Mixamo or another common rig does, or " + wordFile());
             joint(own).parent = upper;
             remarks.push_back(
                 fmt::format("the joint \"{}\" was hung on \"{}\"", joint(own).name, joint(upper).name));
         }
-        return {};
     }
 
     /// Finds which way the figure looks, and turns it to y up, facing +z.
-    Result<void> faceForward(std::vector<std::string>& remarks) {
+    void faceForward(std::vector<std::string>& remarks) {
         const Vec3 rise = boneAt(head) - boneAt(hips);
         const Vec3 across =
             (boneAt(leftUpperLeg) - boneAt(rightUpperLeg)) + (boneAt(leftUpperArm) - boneAt(rightUpperArm));
         const double size = glm::length(rise);
         if (!(size > 0.0) || !std::isfinite(size))
-            return fail(file_,
-                        fmt::format("{} and {} are in one place, expected a figure that stands", played(hips),
-                                    played(head)),
-                        "If other joints play these bones, " + wordFile());
+            gltf::refuse(file_,
+                         fmt::format("{} and {} are in one place, expected a figure that stands",
+                                     played(hips), played(head)),
+                         "If other joints play these bones, " + wordFile());
         const auto nearestAxis = [](const Vec3& v) {
             int best = 0;
             for (int i = 1; i < 3; ++i)
@@ -238,27 +226,28 @@ class RigReader {
         const Vec3 rises = nearestAxis(rise);
         Vec3 left = across - glm::dot(across, rises) * rises;
         if (!(glm::length(left) > 1e-6 * size))
-            return fail(file_,
-                        fmt::format("{} and {}, {} and {} are not apart to left and right, expected a figure "
-                                    "that stands",
-                                    played(leftUpperLeg), played(rightUpperLeg), played(leftUpperArm),
-                                    played(rightUpperArm)),
-                        "If other joints play these bones, " + wordFile());
+            gltf::refuse(
+                file_,
+                fmt::format("{} and {}, {} and {} are not apart to left and right, expected a figure "
+                            "that stands",
+                            played(leftUpperLeg), played(rightUpperLeg), played(leftUpperArm),
+                            played(rightUpperArm)),
+                "If other joints play these bones, " + wordFile());
         left = glm::normalize(left);
         constexpr double about_straight = 0.966;  // within 15 degrees, asymmetry rather than facing
         if (const Vec3 axis = nearestAxis(left); glm::dot(axis, left) > about_straight) left = axis;
         const glm::dmat3 file_from_avatar(left, rises, glm::cross(left, rises));
-        if (file_from_avatar == glm::dmat3(1.0)) return {};
+        if (file_from_avatar == glm::dmat3(1.0)) return;
         rig_.avatar_from_file = glm::conjugate(glm::normalize(glm::quat_cast(file_from_avatar)));
         for (RigJoint& made : rig_.joints) made.rest = rig_.avatar_from_file * made.rest;
         remarks.emplace_back(rises.y > 0.5 ? "turned to face +z" : "turned upright, to face +z");
-        return {};
     }
 
-    const tinygltf::Model& model_;
+    const gltf::Document& doc_;
     const NodeTree& tree_;
     const std::string& file_;
     const HumanoidWords* said_;
+    const gltf::Humanoid* vrm_ = nullptr;  ///< as VRM's extension says; none without
     Rig rig_;
 };
 
@@ -371,9 +360,9 @@ void turnLeg(LimbTurner& limbs, bool left) {
 
 }  // namespace
 
-Result<Rig> readRig(const tinygltf::Model& model, const NodeTree& tree, const std::string& file,
-                    const HumanoidWords* said, std::vector<std::string>& remarks) {
-    return RigReader(model, tree, file, said).run(remarks);
+Rig readRig(const gltf::Document& document, const NodeTree& tree, const HumanoidWords* said,
+            std::vector<std::string>& remarks) {
+    return RigReader(document, tree, said).run(remarks);
 }
 
 void turnToTPose(Rig& rig, std::vector<std::string>& remarks) {

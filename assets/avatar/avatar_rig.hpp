@@ -29,10 +29,10 @@ struct Rig {
 };
 
 /// Joints are those of the skins that are drawn and those that VRM's map or a person (`said`, or null) names;
-/// where these make no humanoid, all nodes. Fails where no humanoid is found, naming the bones that lack.
-/// Remarks go to `remarks`.
-[[nodiscard]] Result<Rig> readRig(const tinygltf::Model& model, const NodeTree& tree, const std::string& file,
-                                  const HumanoidWords* said, std::vector<std::string>& remarks);
+/// where these make no humanoid, all nodes. Refuses what is no humanoid, naming the bones that lack. Remarks
+/// go to `remarks`.
+[[nodiscard]] Rig readRig(const gltf::Document& document, const NodeTree& tree, const HumanoidWords* said,
+                          std::vector<std::string>& remarks);
 
 /// Turns the limbs to the T pose: arms along +-x with the palms down, legs down with the feet as they stood.
 void turnToTPose(Rig& rig, std::vector<std::string>& remarks);

@@ -177,7 +177,7 @@ Result<GltfClipFile> parseGltfClip(std::string_view bytes, const std::string& na
                                    const GltfClipOptions& options,
                                    const std::optional<std::filesystem::path>& folder) {
     try {
-        const gltf::Document document = gltf::readDocument(bytes, name);
+        const gltf::Document document = gltf::readDocument(bytes, name, gltf::Content::clip);
         return Importer(document, options, folder).run();
     } catch (const gltf::Refusal& refusal) {
         return tl::unexpected(refusal.error);
@@ -194,10 +194,10 @@ std::vector<std::filesystem::path> gltfBufferFiles(std::string_view bytes,
                                                    const std::filesystem::path& path) {
     std::vector<std::filesystem::path> files;
     try {
-        for (const gltf::Buffer& buffer : gltf::readDocument(bytes, path.string()).buffers) {
-            if (!buffer.uri || buffer.uri->starts_with("data:")) continue;
-            auto file = path.parent_path() / gltf::neighbourPath(*buffer.uri, path.string());
-            if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(std::move(file));
+        for (const auto& buffer : gltf::readDocument(bytes, path.string(), gltf::Content::clip).buffers) {
+            auto file = path.parent_path() / buffer.outside.file;
+            if (!buffer.outside.file.empty() && std::find(files.begin(), files.end(), file) == files.end())
+                files.push_back(std::move(file));
         }
     } catch (const gltf::Refusal&) {
         return {};  // whoever reads the clip tells why

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <system_error>
 
+#include "assets/gltf/gltf_refusal.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
-#include "gltf_json.hpp"
 
 namespace deixis::assets::gltf {
 
@@ -74,12 +74,13 @@ std::string_view whyRefused(const std::string& path) {
 
 Chunks splitChunks(std::string_view bytes, const std::string& file) {
     Chunks chunks;
+    if (bytes.size() > greatest_file) refuse(file, "larger than 2 GiB, expected a clip or a figure");
     if (bytes.size() < 4 || wordAt(bytes, 0) != glb_magic) {
         bytes = withoutByteOrderMark(bytes);
         const std::size_t first = bytes.find_first_not_of(" \t\r\n");
         if (first == std::string_view::npos || bytes[first] != '{')
             refuse(file, "neither a glTF binary nor glTF text, which start with glTF or {",
-                   "Export the file as .glb or .gltf");
+                   "Export the file as .glb, .vrm or .gltf");
         chunks.json = bytes;
         return chunks;
     }
@@ -109,8 +110,7 @@ Chunks splitChunks(std::string_view bytes, const std::string& file) {
     return chunks;
 }
 
-std::optional<std::string> decodeDataUri(std::string_view uri, const std::string& where) {
-    if (uri.substr(0, 5) != "data:") return std::nullopt;
+std::string decodeDataUri(std::string_view uri, const std::string& where) {
     const std::size_t comma = uri.find(',');
     constexpr std::string_view base64 = ";base64";
     if (comma == std::string_view::npos || uri.substr(0, comma).size() < base64.size() ||
@@ -142,9 +142,8 @@ std::string neighbourPath(std::string_view uri, const std::string& where) {
     return relative;
 }
 
-std::string readNeighbour(std::string_view uri, const std::filesystem::path& folder, std::size_t at_least,
-                          const std::string& where) {
-    const std::string relative = neighbourPath(uri, where);
+std::string readNeighbour(const std::string& relative, const std::filesystem::path& folder,
+                          std::size_t at_least, const std::string& where) {
     std::error_code code;
     const auto home = std::filesystem::canonical(folder.empty() ? "." : folder, code);
     const auto path = std::filesystem::canonical(home / relative, code);

@@ -1,4 +1,4 @@
-#include "gltf_document.hpp"
+#include "assets/gltf/gltf_document.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "gltf_container.hpp"
+#include "gltf_parts.hpp"
 
 namespace deixis::assets::gltf {
 
@@ -19,20 +20,34 @@ namespace {
 constexpr std::size_t most_nodes = 65536;
 constexpr std::size_t most_remarks = 12;
 
-/// Whether a required extension leaves alone what is read here: nodes, skins, animations and their numbers.
-bool concernsOtherParts(std::string_view name) {
-    for (const std::string_view prefix : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "VRMC_"})
-        if (name.substr(0, prefix.size()) == prefix) return true;
-    constexpr std::array<std::string_view, 7> names{
-        "VRM",
+/// Whether a required extension leaves alone what is read here, or is read.
+bool isKnown(std::string_view name, Content content) {
+    // These concern a figure's looks alone, and not so much that it could not be shown.
+    constexpr std::array<std::string_view, 17> both{
+        "KHR_materials_unlit",
+        "KHR_texture_transform",
         "KHR_mesh_quantization",
-        "KHR_draco_mesh_compression",
+        "KHR_materials_emissive_strength",
+        "KHR_materials_ior",
+        "KHR_materials_specular",
+        "KHR_materials_sheen",
+        "KHR_materials_clearcoat",
         "KHR_lights_punctual",
-        "EXT_mesh_gpu_instancing",
-        "EXT_lights_image_based",
-        "KHR_xmp_json_ld",
+        "VRM",
+        "VRMC_vrm",
+        "VRMC_materials_mtoon",
+        "VRMC_materials_hdr_emissiveMultiplier",
+        "VRMC_springBone",
+        "VRMC_springBone_extended_collider",
+        "VRMC_springBone_limit",
+        "VRMC_node_constraint",
     };
-    return std::find(names.begin(), names.end(), name) != names.end();
+    if (std::find(both.begin(), both.end(), name) != both.end()) return true;
+    if (content == Content::figure) return false;
+    for (const std::string_view prefix : {"KHR_materials_", "KHR_texture_", "EXT_texture_", "VRMC_"})
+        if (name.starts_with(prefix)) return true;
+    return name == "KHR_draco_mesh_compression" || name == "EXT_mesh_gpu_instancing" ||
+           name == "EXT_lights_image_based" || name == "KHR_xmp_json_ld";
 }
 
 bool isMatrix(const std::string& type) {
@@ -41,21 +56,26 @@ bool isMatrix(const std::string& type) {
 
 class DocumentReader {
   public:
-    DocumentReader(const Cursor& root, Document& document) : root_(root), doc_(document) {}
+    DocumentReader(const Cursor& root, Content content, Document& document)
+        : root_(root), content_(content), doc_(document) {}
 
     void read() {
         readAsset();
         readList("buffers", &DocumentReader::readBuffer);
         readList("bufferViews", &DocumentReader::readView);
         readList("accessors", &DocumentReader::readAccessor);
-        if (count("nodes") > most_nodes)
-            refuse(doc_.file, fmt::format("holds {} nodes, expected at most {}", count("nodes"), most_nodes),
+        const std::size_t nodes = root_.count("nodes");
+        if (nodes > most_nodes)
+            refuse(doc_.file, fmt::format("holds {} nodes, expected at most {}", nodes, most_nodes),
                    "Export the armature alone");
-        doc_.nodes.resize(count("nodes"));
+        doc_.nodes.resize(nodes);
         readList("nodes", &DocumentReader::readNode);
         numberNodes();
         readList("skins", &DocumentReader::readSkin);
-        readList("animations", &DocumentReader::readAnimation);
+        if (content_ == Content::clip)
+            readList("animations", &DocumentReader::readAnimation);
+        else
+            readFigure(root_, doc_);
         doc_.humanoid = readHumanoid(root_, doc_.nodes.size(), doc_.remarks);
         if (violations_ > most_remarks)
             doc_.remarks.push_back(
@@ -63,10 +83,6 @@ class DocumentReader {
     }
 
   private:
-    [[nodiscard]] std::size_t count(const char* list) const {
-        return root_.has(list) ? root_.at(list).size() : 0;
-    }
-
     /// Tells a breach of the specification that does no harm here.
     void tell(const Cursor& where, std::string_view what) {
         if (++violations_ <= most_remarks)
@@ -76,9 +92,8 @@ class DocumentReader {
     /// Each element of a list; an empty list is told.
     void readList(const char* name, void (DocumentReader::*read_one)(const Cursor&)) {
         if (!root_.has(name)) return;
-        const Cursor list = root_.at(name);
-        tellEmpty(list);
-        for (std::size_t i = 0; i < list.size(); ++i) (this->*read_one)(list.at(i));
+        tellEmpty(root_.at(name));
+        for (const Cursor& one : root_.elements(name)) (this->*read_one)(one);
     }
 
     void tellEmpty(const Cursor& list) {
@@ -90,24 +105,16 @@ class DocumentReader {
         if (version.substr(0, 2) != "2.")
             refuse(doc_.file, fmt::format("is of glTF version {}, expected 2.0", version),
                    "Export it as glTF 2.0");
-        if (!root_.has("extensionsRequired")) return;
-        const Cursor names = root_.at("extensionsRequired");
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if (const std::string& name = names.at(i).text(); !concernsOtherParts(name))
+        for (const Cursor& one : root_.elements("extensionsRequired"))
+            if (const std::string& name = one.text(); !isKnown(name, content_))
                 refuse(doc_.file, fmt::format("requires the extension {}, which is not known", name),
-                       "Export it without that extension");
+                       content_ == Content::clip
+                           ? "Export it without that extension"
+                           : "Export without compression, and with PNG or JPEG textures");
     }
 
     void readBuffer(const Cursor& in) {
-        Buffer buffer;
-        buffer.length = in.at("byteLength").whole();
-        if (in.has("uri")) {
-            buffer.uri = in.at("uri").text();
-            if (buffer.uri->substr(0, 5) != "data:")
-                (void)neighbourPath(*buffer.uri,
-                                    fmt::format("{}: /buffers/{}/uri", doc_.file, doc_.buffers.size()));
-        }
-        doc_.buffers.push_back(std::move(buffer));
+        doc_.buffers.push_back({readOutside(in, doc_.file), in.at("byteLength").whole()});
     }
 
     void readView(const Cursor& in) {
@@ -170,20 +177,19 @@ class DocumentReader {
         return sparse;
     }
 
-    void readNumbers(const Cursor& in, double* out, std::size_t size) const {
-        if (in.size() != size) in.expected(fmt::format("an array of {} numbers", size).c_str());
-        for (std::size_t i = 0; i < size; ++i) out[i] = in.at(i).number();
+    static Vec3 readVector(const Cursor& in) {
+        const auto v = readNumbers<3>(in);
+        return {v[0], v[1], v[2]};
     }
 
     void readNode(const Cursor& in) {
         const auto index = next_node_++;
         Node& node = doc_.nodes[index];
         node.name = in.text("name", "");
-        if (in.has("translation")) readNumbers(in.at("translation"), &node.translation.x, 3);
-        if (in.has("scale")) readNumbers(in.at("scale"), &node.scale.x, 3);
+        if (in.has("translation")) node.translation = readVector(in.at("translation"));
+        if (in.has("scale")) node.scale = readVector(in.at("scale"));
         if (in.has("rotation")) {
-            std::array<double, 4> q{};
-            readNumbers(in.at("rotation"), q.data(), 4);
+            const auto q = readNumbers<4>(in.at("rotation"));
             node.rotation = unitRotation(in.at("rotation"), Quat(q[3], q[0], q[1], q[2]));
         }
         has_matrix_.push_back(in.has("matrix"));
@@ -193,11 +199,11 @@ class DocumentReader {
                 tell(in, "has a matrix and its parts too; the matrix is taken");
         }
         if (in.has("children")) readChildren(in.at("children"), static_cast<int>(index), node);
-        static_cast<void>(in.index("camera", count("cameras"), "camera"));
-        const bool has_mesh = in.index("mesh", count("meshes"), "mesh") >= 0;
-        const bool has_skin = in.index("skin", count("skins"), "skin") >= 0;
-        if (has_skin && !has_mesh) tell(in, "has a skin and no mesh");
-        if (in.has("weights") && !has_mesh) tell(in, "has weights and no mesh");
+        static_cast<void>(in.index("camera", root_.count("cameras"), "camera"));
+        node.mesh = in.index("mesh", root_.count("meshes"), "mesh");
+        node.skin = in.index("skin", root_.count("skins"), "skin");
+        if (node.skin >= 0 && node.mesh < 0) tell(in, "has a skin and no mesh");
+        if (in.has("weights") && node.mesh < 0) tell(in, "has weights and no mesh");
     }
 
     Quat unitRotation(const Cursor& in, const Quat& found) {
@@ -205,12 +211,16 @@ class DocumentReader {
         if (!(length > 1e-3 && length < 1e3))
             in.refuse(fmt::format("is a quaternion of length {}, expected 1", length));
         if (std::abs(length - 1.0) > 0.01) tell(in, fmt::format("is a quaternion of length {:.4g}", length));
-        return found / length;
+        return content_ == Content::figure ? found : found / length;
     }
 
     void readMatrix(const Cursor& in, Node& node) {
-        std::array<double, 16> m{};
-        readNumbers(in, m.data(), 16);
+        const auto m = readNumbers<16>(in);
+        if (content_ == Content::figure) {
+            node.matrix.emplace();
+            for (int i = 0; i < 16; ++i) (*node.matrix)[i / 4][i % 4] = m[static_cast<std::size_t>(i)];
+            return;
+        }
         glm::dmat3 linear(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]);
         for (int axis = 0; axis < 3; ++axis) {
             node.scale[axis] = glm::length(linear[axis]);
@@ -278,30 +288,29 @@ class DocumentReader {
     void readSkin(const Cursor& in) {
         const Cursor list = in.at("joints");
         tellEmpty(list);
-        std::vector<int> joints;
+        Skin skin;
         std::set<int> seen, roots;
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            const int joint = list.at(i).index(doc_.nodes.size(), "node");
-            if (!seen.insert(joint).second) {
-                tell(list.at(i), "is a joint twice");
-                continue;
-            }
-            joints.push_back(joint);
+        for (const Cursor& one : in.elements("joints")) {
+            const int joint = one.index(doc_.nodes.size(), "node");
+            if (!seen.insert(joint).second) tell(one, "is a joint twice");
+            skin.joints.push_back(joint);
             roots.insert(root_of_[static_cast<std::size_t>(joint)]);
         }
         if (roots.size() > 1) tell(list, "have no common root");
         if (const int top = in.index("skeleton", doc_.nodes.size(), "node"); top >= 0)
-            if (!std::all_of(joints.begin(), joints.end(), [&](int joint) { return isAbove(top, joint); }))
+            if (!std::all_of(skin.joints.begin(), skin.joints.end(),
+                             [&](int joint) { return isAbove(top, joint); }))
                 tell(in, "names a skeleton that is not above its joints");
-        if (const int matrices = in.index("inverseBindMatrices", doc_.accessors.size(), "accessor");
-            matrices >= 0) {
-            const Accessor& accessor = doc_.accessors[static_cast<std::size_t>(matrices)];
-            if (accessor.type != "MAT4" || accessor.component_type != 5126 || accessor.count < joints.size())
+        skin.inverse_bind = in.index("inverseBindMatrices", doc_.accessors.size(), "accessor");
+        if (skin.inverse_bind >= 0) {
+            const Accessor& accessor = doc_.accessors[static_cast<std::size_t>(skin.inverse_bind)];
+            if (accessor.type != "MAT4" || accessor.component_type != 5126 ||
+                accessor.count < skin.joints.size())
                 tell(in, "has inverse bind matrices that are not one float MAT4 for each joint");
             if (accessor.view >= 0 && doc_.views[static_cast<std::size_t>(accessor.view)].stride != 0)
                 tell(in, "has inverse bind matrices with a stride");
         }
-        doc_.skins.push_back(std::move(joints));
+        doc_.skins.push_back(std::move(skin));
     }
 
     void readAnimation(const Cursor& in) {
@@ -365,6 +374,7 @@ class DocumentReader {
     }
 
     const Cursor& root_;
+    Content content_;
     Document& doc_;
     std::size_t next_node_ = 0;
     std::vector<bool> has_matrix_;
@@ -409,7 +419,14 @@ std::size_t elementSize(const Accessor& accessor) {
     return columns * ((component * columns + 3) / 4 * 4);
 }
 
-Document readDocument(std::string_view bytes, const std::string& file) {
+Outside readOutside(const Cursor& in, const std::string& file) {
+    if (!in.has("uri")) return {};
+    const std::string& uri = in.at("uri").text();
+    if (uri.starts_with("data:")) return {uri, {}};
+    return {{}, neighbourPath(uri, file + ": " + in.at("uri").path())};
+}
+
+Document readDocument(std::string_view bytes, const std::string& file, Content content) {
     const Chunks chunks = splitChunks(bytes, file);
     Document document;
     document.file = file;
@@ -417,7 +434,7 @@ Document readDocument(std::string_view bytes, const std::string& file) {
     document.has_bin = chunks.has_bin;
     const nlohmann::json json = parseJson(chunks.json, file);
     const Cursor root(json, file);
-    DocumentReader(root, document).read();
+    DocumentReader(root, content, document).read();
     return document;
 }
 

@@ -3,12 +3,23 @@
 
 #include <algorithm>
 
-#include "assets/gltf/vrm_bones.hpp"
-#include "gltf_document.hpp"
+#include "gltf_parts.hpp"
 
 namespace deixis::assets::gltf {
 
 namespace {
+
+constexpr int absent_node = -1;  // some exporters list the bones that a figure lacks, with this node
+
+/// VRM 0.x calls the thumb's bones proximal, intermediate and distal (VRM 1.0: metacarpal, proximal, distal).
+std::optional<motion::Bone> boneOfVrm0(std::string_view name) {
+    using enum motion::Bone;
+    if (name == "leftThumbProximal") return leftThumbMetacarpal;
+    if (name == "leftThumbIntermediate") return leftThumbProximal;
+    if (name == "rightThumbProximal") return rightThumbMetacarpal;
+    if (name == "rightThumbIntermediate") return rightThumbProximal;
+    return motion::boneFromName(name);
+}
 
 class HumanoidReader {
   public:
@@ -19,11 +30,8 @@ class HumanoidReader {
         found_.source = "VRM 0.x";
         found_.faces_minus_z = true;
         if (!extension.has("humanoid") || !extension.at("humanoid").has("humanBones")) return found_;
-        const Cursor bones = extension.at("humanoid").at("humanBones");
-        for (std::size_t i = 0; i < bones.size(); ++i) {
-            const Cursor bone = bones.at(i);
+        for (const Cursor& bone : extension.at("humanoid").elements("humanBones"))
             add(boneOfVrm0(bone.at("bone").text()), bone.at("node"));
-        }
         return found_;
     }
 
@@ -31,8 +39,7 @@ class HumanoidReader {
         found_.source = source;
         if (!extension.has("humanoid") || !extension.at("humanoid").has("humanBones")) return found_;
         const Cursor bones = extension.at("humanoid").at("humanBones");
-        if (!bones.json().is_object()) bones.expected("an object");
-        for (const auto& [name, value] : bones.json().items())
+        for (const std::string& name : bones.keys())
             add(motion::boneFromName(name), bones.at(name.c_str()).at("node"));
         return found_;
     }
@@ -43,9 +50,7 @@ class HumanoidReader {
             for (const char* kind : {"preset", "custom"}) {
                 if (!extension.at("expressions").has(kind)) continue;
                 const Cursor group = extension.at("expressions").at(kind);
-                if (!group.json().is_object()) group.expected("an object");
-                for (const auto& [name, value] : group.json().items())
-                    addOther(group.at(name.c_str()).at("node"));
+                for (const std::string& name : group.keys()) addOther(group.at(name.c_str()).at("node"));
             }
         if (extension.has("lookAt")) addOther(extension.at("lookAt").at("node"));
         return found_;
@@ -53,7 +58,7 @@ class HumanoidReader {
 
   private:
     void add(const std::optional<motion::Bone>& bone, const Cursor& node) {
-        if (node.json() == vrm_absent_node) return;
+        if (node.json() == absent_node) return;
         const int index = node.index(node_count_, "node");
         if (!bone) {
             remarks_.push_back(fmt::format("{} is no humanoid bone's name; it is passed over", node.path()));
@@ -83,11 +88,15 @@ std::optional<Humanoid> readHumanoid(const Cursor& root, std::size_t node_count,
     if (!root.has("extensions")) return std::nullopt;
     const Cursor extensions = root.at("extensions");
     HumanoidReader reader(node_count, remarks);
+    std::optional<Humanoid> found;
     if (extensions.has("VRMC_vrm_animation"))
-        return reader.readAnimation(extensions.at("VRMC_vrm_animation"));
-    if (extensions.has("VRMC_vrm")) return reader.readVrm1(extensions.at("VRMC_vrm"), "VRMC_vrm");
-    if (extensions.has("VRM")) return reader.readVrm0(extensions.at("VRM"));
-    return std::nullopt;
+        found = reader.readAnimation(extensions.at("VRMC_vrm_animation"));
+    else if (extensions.has("VRMC_vrm"))
+        found = reader.readVrm1(extensions.at("VRMC_vrm"), "VRMC_vrm");
+    else if (extensions.has("VRM"))
+        found = reader.readVrm0(extensions.at("VRM"));
+    if (found) std::sort(found->nodes.begin(), found->nodes.end());
+    return found;
 }
 
 }  // namespace deixis::assets::gltf

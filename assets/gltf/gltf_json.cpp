@@ -29,18 +29,14 @@ void checkSize(std::string_view text, const std::string& file) {
         if (c == '}' || c == ']') --depth;
         if (c != '{' && c != '[' && c != ',') continue;
         if (++values > most_values)
-            refuse(file, fmt::format("holds more than {} values, which no clip needs", most_values),
-                   "Export the armature with its animation alone");
+            refuse(file, fmt::format("holds more than {} values, which no clip or figure needs", most_values),
+                   "Export the armature with its animation or its meshes alone");
         if (c != ',' && ++depth > deepest)
             refuse(file, fmt::format("nests deeper than {} levels, expected a glTF file", deepest));
     }
 }
 
 }  // namespace
-
-void refuse(std::string where, std::string message, std::string mend) {
-    throw Refusal{Error{std::move(where), std::move(message), std::move(mend)}};
-}
 
 nlohmann::json parseJson(std::string_view text, const std::string& file) {
     checkSize(text, file);
@@ -71,6 +67,23 @@ Cursor Cursor::at(std::size_t element) const {
 std::size_t Cursor::size() const {
     if (!value_->is_array()) expected("an array");
     return value_->size();
+}
+
+std::vector<Cursor> Cursor::elements(const char* key) const {
+    std::vector<Cursor> elements;
+    for (std::size_t i = 0; i < count(key); ++i) elements.push_back(at(key).at(i));
+    return elements;
+}
+
+std::size_t Cursor::count(const char* key) const {
+    return has(key) ? at(key).size() : 0;
+}
+
+std::vector<std::string> Cursor::keys() const {
+    if (!value_->is_object()) expected("an object");
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : value_->items()) keys.push_back(key);
+    return keys;
 }
 
 std::size_t Cursor::whole() const {

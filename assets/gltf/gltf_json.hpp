@@ -5,17 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "core/error.hpp"
+#include "assets/gltf/gltf_refusal.hpp"
 
 namespace deixis::assets::gltf {
-
-/// Thrown inside the glTF reader only, and turned into a Result where the reader is entered.
-struct Refusal {
-    Error error;
-};
-
-[[noreturn]] void refuse(std::string where, std::string message, std::string mend = "Export the file anew");
 
 /// Parses JSON. Text that nests deeper than 64 levels or holds more than three million values is refused
 /// before anything is built from it.
@@ -32,6 +26,9 @@ class Cursor {
     [[nodiscard]] Cursor at(const char* key) const;
     [[nodiscard]] Cursor at(std::size_t element) const;
     [[nodiscard]] std::size_t size() const;  ///< elements of an array; refuses what is none
+    [[nodiscard]] std::vector<Cursor> elements(const char* key) const;  ///< none where the key is absent
+    [[nodiscard]] std::size_t count(const char* key) const;             ///< of such elements; 0 where absent
+    [[nodiscard]] std::vector<std::string> keys() const;  ///< of an object; refuses what is none
     [[nodiscard]] const nlohmann::json& json() const { return *value_; }
 
     [[nodiscard]] std::size_t whole() const;  ///< a whole number from 0 to 2^53

@@ -10,17 +10,13 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "core/text.hpp"
+
 namespace deixis::assets::gltf {
 
 namespace {
 
 constexpr double even_tolerance = 1e-4;
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return text;
-}
 
 bool isEven(const Vec3& scale) {
     const double mean = (scale.x + scale.y + scale.z) / 3.0;
@@ -92,7 +88,7 @@ class Chooser {
 
     void mark() {
         for (const auto& skin : doc_.skins)
-            for (const int joint : skin) markUp(joint);
+            for (const int joint : skin.joints) markUp(joint);
         for (std::size_t node = 0; node < moves_.size(); ++node)
             if (moves_[node] != 0) markUp(static_cast<int>(node));
         if (doc_.humanoid)
@@ -124,7 +120,7 @@ class Chooser {
                 chosen_[at(leaf.parent)] == 0 || bones.count(static_cast<int>(node)) > 0)
                 continue;
             if (has_end[at(leaf.parent)] != 0 ||
-                lower(leaf.name) != lower(doc_.nodes[at(leaf.parent)].name) + "_end")
+                lowerCase(leaf.name) != lowerCase(doc_.nodes[at(leaf.parent)].name) + "_end")
                 continue;
             is_end_[node] = has_end[at(leaf.parent)] = 1;
         }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "gltf_document.hpp"
+#include "assets/gltf/gltf_document.hpp"
 #include "gltf_tracks.hpp"
 #include "motion/skeleton/skeleton.hpp"
 

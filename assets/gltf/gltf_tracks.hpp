@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "gltf_document.hpp"
-#include "gltf_values.hpp"
+#include "assets/gltf/gltf_document.hpp"
+#include "assets/gltf/gltf_values.hpp"
 
 namespace deixis::assets::gltf {
 

@@ -3,23 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "assets/gltf/glb_writer.hpp"
 #include "assets/gltf/gltf_clip.hpp"
 
 namespace deixis::assets {
 
 namespace {
 
-using Json = nlohmann::ordered_json;  // keys stay in the order in which they are set
+using Json = GltfJson;
 using motion::Clip;
 using motion::Joint;
 
-constexpr int type_float = 5126;
 constexpr double still_m = 1e-7;  // a joint that leaves its rest by less does not move
 
 void check(bool holds, const char* what) {
@@ -51,39 +49,6 @@ Json numbers(const Vec3& v) {
     return Json::array({v.x + 0.0, v.y + 0.0, v.z + 0.0});
 }
 
-/// The binary chunk and the JSON of its views and accessors.
-class Buffer {
-  public:
-    /// Index of the new accessor. `values` are rows of the type.
-    std::size_t add(const std::vector<float>& values, std::size_t count, const char* type) {
-        const std::size_t offset = bytes_.size();
-        for (const float value : values) {
-            std::uint32_t bits = 0;
-            std::memcpy(&bits, &value, sizeof bits);
-            for (int shift = 0; shift < 32; shift += 8) bytes_ += static_cast<char>(bits >> shift & 0xFF);
-        }
-        views_.push_back({{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes_.size() - offset}});
-        accessors_.push_back({{"bufferView", views_.size() - 1},
-                              {"componentType", type_float},
-                              {"count", count},
-                              {"type", type}});
-        return accessors_.size() - 1;
-    }
-
-    void setBounds(std::size_t accessor, float least, float greatest) {
-        accessors_[accessor]["min"] = Json::array({least});
-        accessors_[accessor]["max"] = Json::array({greatest});
-    }
-
-    [[nodiscard]] const std::string& bytes() const { return bytes_; }
-    [[nodiscard]] const Json& views() const { return views_; }
-    [[nodiscard]] const Json& accessors() const { return accessors_; }
-
-  private:
-    std::string bytes_;
-    Json views_ = Json::array(), accessors_ = Json::array();
-};
-
 class Writer {
   public:
     Writer(const Clip& clip, const GlbOptions& options) : clip_(clip), options_(options) {}
@@ -99,10 +64,7 @@ class Writer {
         root["nodes"] = nodes;
         root["skins"] = Json::array({writeSkin(nodes.size())});
         root["animations"] = Json::array({writeAnimation()});
-        root["accessors"] = buffer_.accessors();
-        root["bufferViews"] = buffer_.views();
-        root["buffers"] = Json::array({{{"byteLength", buffer_.bytes().size()}}});
-        return container(root.dump(-1, ' ', false, Json::error_handler_t::replace));
+        return glb_.file(std::move(root));
     }
 
   private:
@@ -169,7 +131,7 @@ class Writer {
             if (const auto& end = clip_.skeleton.joints[j].end_site)
                 add(node++, world[j] * Pose{*end, no_rotation});
         while (node < node_count) add(node++, Pose{});
-        const std::size_t accessor = buffer_.add(matrices, joints.size(), "MAT4");
+        const std::size_t accessor = glb_.add(matrices, joints.size(), "MAT4");
         return {{"name", "skeleton"}, {"inverseBindMatrices", accessor}, {"joints", joints}};
     }
 
@@ -179,8 +141,8 @@ class Writer {
         for (std::size_t k = 0; k < count; ++k)
             times.push_back(static_cast<float>(static_cast<double>(k) * clip_.frame_time_s));
         for (std::size_t k = 1; k < count; ++k) check(times[k] > times[k - 1], "frames stand too close");
-        const std::size_t input = buffer_.add(times, count, "SCALAR");
-        buffer_.setBounds(input, times.front(), times.back());
+        const std::size_t input = glb_.add(times, count, "SCALAR");
+        glb_.setBounds(input, Json::array({times.front()}), Json::array({times.back()}));
         Json samplers = Json::array();
         Json channels = Json::array();
         const auto add = [&](std::size_t joint, const char* path, std::size_t output) {
@@ -188,8 +150,8 @@ class Writer {
             samplers.push_back({{"input", input}, {"output", output}, {"interpolation", "LINEAR"}});
         };
         for (std::size_t j = 0; j < jointCount(); ++j) {
-            if (moves(j)) add(j, "translation", buffer_.add(positions(j), count, "VEC3"));
-            add(j, "rotation", buffer_.add(rotations(j), count, "VEC4"));
+            if (moves(j)) add(j, "translation", glb_.add(positions(j), count, "VEC3"));
+            add(j, "rotation", glb_.add(rotations(j), count, "VEC4"));
         }
         return {{"name", options_.animation_name}, {"samplers", samplers}, {"channels", channels}};
     }
@@ -240,30 +202,10 @@ class Writer {
                                                     {"humanoid", {{"humanBones", bones}}}};
     }
 
-    [[nodiscard]] std::string container(std::string json) const {
-        std::string bin = buffer_.bytes();
-        json.resize((json.size() + 3) / 4 * 4, ' ');
-        bin.resize((bin.size() + 3) / 4 * 4, '\0');
-        check(json.size() + bin.size() < 0xFFFFFF00U, "a binary glTF holds less than 4 GiB");
-        std::string out;
-        const auto word = [&](std::size_t value) {
-            for (int shift = 0; shift < 32; shift += 8) out += static_cast<char>(value >> shift & 0xFF);
-        };
-        out += "glTF";
-        word(2);
-        word(12 + 8 + json.size() + 8 + bin.size());
-        word(json.size());
-        out += "JSON" + json;
-        word(bin.size());
-        out += "BIN";
-        out += '\0';
-        return out + bin;
-    }
-
     const Clip& clip_;
     const GlbOptions& options_;
     Json roots_ = Json::array();
-    Buffer buffer_;
+    GlbWriter glb_;
 };
 
 }  // namespace

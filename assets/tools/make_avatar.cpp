@@ -13,7 +13,7 @@
 
 #include "core/files.hpp"
 #include "eye.hpp"
-#include "glb.hpp"
+#include "figure_glb.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "paint.hpp"
 #include "skin_weights.hpp"
@@ -65,6 +65,17 @@ double longestEdge(const Vec3& p) {
     return brow ? 0.0022 : 1.0;
 }
 
+std::vector<assets::FigureJoint> joints() {
+    const motion::Skeleton& skeleton = motion::referenceHumanoid();
+    const auto world = motion::worldPose(skeleton, motion::restPose(skeleton));
+    std::vector<assets::FigureJoint> joints;
+    for (std::size_t j = 0; j < world.size(); ++j) {
+        const motion::Joint& joint = skeleton.joints[j];
+        joints.push_back({joint.name, joint.parent, joint.rest.position, world[j].position, joint.end_site});
+    }
+    return joints;
+}
+
 /// Vertices and triangles as they are written: a place where two colours meet has a vertex for each.
 class Output {
   public:
@@ -111,23 +122,26 @@ class Output {
             }
     }
 
-    [[nodiscard]] const std::vector<assets::SkinnedVertex>& vertices() const { return vertices_; }
+    [[nodiscard]] const assets::FigureVertices& vertices() const { return vertices_; }
     [[nodiscard]] const std::vector<std::uint32_t>& indices() const { return indices_; }
 
   private:
-    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }
-
-    void addVertex(const Vec3& p, const Vec3& normal, const glm::vec3& colour, const SkinWeights& weights) {
-        assets::SkinnedVertex vertex;
-        vertex.position = rounded(p, 1e-5);
-        vertex.normal = roundedNormal(normal);
-        vertex.colour = colour;
-        for (std::size_t i = 0; i < 4; ++i) vertex.joints[i] = weights.joints[i];
-        vertex.weights = weights.weights;
-        vertices_.push_back(vertex);
+    [[nodiscard]] std::uint32_t size() const {
+        return static_cast<std::uint32_t>(vertices_.positions.size() / 3);
     }
 
-    std::vector<assets::SkinnedVertex> vertices_;
+    void addVertex(const Vec3& p, const Vec3& normal, const glm::vec3& colour, const SkinWeights& weights) {
+        const auto append = [](std::vector<float>& to, const glm::vec3& v) {
+            to.insert(to.end(), {v.x, v.y, v.z});
+        };
+        append(vertices_.positions, rounded(p, 1e-5));
+        append(vertices_.normals, roundedNormal(normal));
+        append(vertices_.colours, colour);
+        vertices_.joints.insert(vertices_.joints.end(), weights.joints.begin(), weights.joints.end());
+        vertices_.weights.insert(vertices_.weights.end(), weights.weights.begin(), weights.weights.end());
+    }
+
+    assets::FigureVertices vertices_;
     std::vector<std::uint32_t> indices_;
 };
 
@@ -148,20 +162,22 @@ int main(int argc, char** argv) {
     }
     Output output;
     output.addBody(body);
-    const auto world =
-        motion::worldPose(motion::referenceHumanoid(), motion::restPose(motion::referenceHumanoid()));
+    const auto figure_joints = joints();
     const EyePart lids = makeLids();
     for (const motion::Bone bone : {motion::Bone::leftEye, motion::Bone::rightEye}) {
-        const Vec3 centre = world[static_cast<std::size_t>(bone)].position;
+        const Vec3 centre = figure_joints[static_cast<std::size_t>(bone)].position;
         output.addEyePart(makeEyeball(), centre, bone);
         output.addEyePart(bone == motion::Bone::leftEye ? lids : mirrored(lids), centre, motion::Bone::head);
     }
-    const auto written = writeFile(argv[1], glbOf(output.vertices(), output.indices()));
+    const auto material = assets::GltfJson::parse(
+        R"({"name":"body","pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.8}})");
+    const auto written = writeFile(argv[1], assets::figureGlb("deixis_make_avatar", figure_joints,
+                                                              output.vertices(), output.indices(), material));
     if (!written) {
         fmt::print(stderr, "deixis_make_avatar: {}\n", written.error().text());
         return 1;
     }
-    fmt::print("{}: {} vertices, {} triangles\n", argv[1], output.vertices().size(),
+    fmt::print("{}: {} vertices, {} triangles\n", argv[1], output.vertices().positions.size() / 3,
                output.indices().size() / 3);
     return 0;
 }

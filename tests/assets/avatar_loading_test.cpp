@@ -63,14 +63,14 @@ TEST_SUITE("assets/avatar_loading") {
     }
 
     TEST_CASE("a file of another kind is refused by its first letters") {
-        checkError(load("HIERARCHY\nROOT hips\n{\n}\n"), "not a glTF binary");
-        checkError(load(""), "not a glTF binary");
+        checkError(load("HIERARCHY\nROOT hips\n{\n}\n"), "neither a glTF binary nor glTF text");
+        checkError(load(""), "neither a glTF binary nor glTF text");
     }
 
     TEST_CASE("broken JSON is an error, not an exception") {
         std::string bytes = goodFile();
         bytes[20] = '!';
-        checkError(load(bytes), "not a readable glTF binary");
+        checkError(load(bytes), "no readable JSON");
     }
 
     TEST_CASE("a mesh without a skin is refused") {
