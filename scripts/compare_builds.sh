@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Two builds of the program, such as one by gcc and one by clang, must give the same plans, the same clips, the same
 # locked study, simulated answers and the same reports, byte for byte, in every study that ships. That a report names its program's
-# compiler and build type is left out.
+# compiler, build type and libraries is left out.
 #   scripts/compare_builds.sh build/dev/deixis build/offline/deixis
 set -euo pipefail
 scratch=$(mktemp -d)
@@ -18,8 +18,8 @@ for which in 1 2; do
         sqlite3 -readonly study.sqlite \
             "select participant, trial_index, status, chosen_place, response_time_s, question, stimulus, value, text
              from responses left join answers on response = id order by 1, 2, position" >"$study-answers.txt"
-        sed -i -E 's#<dt>(Compiler|Build type)</dt><dd>[^<]*</dd>##g' "$study.html"
-        sed -i -E '/^ +"(compiler|build_type)": /d' "$study.json"
+        sed -i -E 's#<dt>(Compiler|Build type|Libraries)</dt><dd>[^<]*</dd>##g' "$study.html"
+        sed -i -E '/^ +"(compiler|build_type|libraries)": /d' "$study.json"
         [ "$(wc -l <"$study-answers.txt")" -ge 40 ]
         cp study.locked/*/locked.sha256 "$study-locked.sha256"
         rm -rf study.*

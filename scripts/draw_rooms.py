@@ -19,7 +19,7 @@ def rooms_of(module):
     variables = {name: value.split() for name, value in re.findall(r"set\((\w+) ((?:\w+/\w+ ?)+)\)", text)}
     found = {}
     for call in re.findall(r"add_room\(([^)]*)\)", text):
-        words = [w for word in call.split() for w in (variables[word[2:-1]] if word[0] == "$" else [word])]
+        words = [w for word in call.split() for w in (variables.get(word[2:-1], []) if word[0] == "$" else [word])]
         main = words[words.index("MAIN") + 1]
         found[words[0]] = (main, [w for w in words if re.fullmatch(r"[a-z_]+/[a-z_]+", w)])
     return found

@@ -2,11 +2,13 @@
 
 #include <fmt/core.h>
 #include <gnu/libc-version.h>
-#include <libpq-fe.h>
 #include <openssl/crypto.h>
 #include <sqlite3.h>
 #include <sys/utsname.h>
 #include <zlib.h>
+#ifdef DEIXIS_SERVER
+#include <libpq-fe.h>
+#endif
 
 #include <algorithm>
 #include <cctype>
@@ -43,13 +45,20 @@ std::string buildType() {
     return sanitizers.empty() ? type : fmt::format("{}, sanitizers {}", type, sanitizers);
 }
 
+/// Empty in a program without servers.
+std::string serverLibrary() {
+#ifdef DEIXIS_SERVER
+    return fmt::format("libpq {}.{}, ", PQlibVersion() / 10000, PQlibVersion() % 10000);
+#else
+    return {};
+#endif
+}
+
 // Those that numbers or what is kept pass through; loaded ones as they are now.
 std::string libraries() {
-    const int pq = PQlibVersion();
-    return fmt::format("SQLite {}, libpq {}.{}, OpenSSL {}, zlib {}, GLM {}.{}.{}, glibc {}",
-                       sqlite3_libversion(), pq / 10000, pq % 10000, OpenSSL_version(OPENSSL_VERSION_STRING),
-                       zlibVersion(), GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH,
-                       gnu_get_libc_version());
+    return fmt::format("SQLite {}, {}OpenSSL {}, zlib {}, GLM {}.{}.{}, glibc {}", sqlite3_libversion(),
+                       serverLibrary(), OpenSSL_version(OPENSSL_VERSION_STRING), zlibVersion(),
+                       GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH, gnu_get_libc_version());
 }
 
 /// What /etc/os-release calls the system; empty where it does not.

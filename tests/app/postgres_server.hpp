@@ -15,8 +15,12 @@ class PostgresServer {
   public:
     static constexpr const char* password = "Aachen-73xyzzy";
 
-    /// The one server of this process; null where PostgreSQL's server is not installed.
+    /// The one server of this process; null where PostgreSQL's server is not installed or not built for.
     static PostgresServer* get() {
+#ifndef DEIXIS_SERVER
+        MESSAGE("skipped: this program was built without PostgreSQL");
+        return nullptr;
+#endif
         static const std::string programs = newestPrograms();
         if (programs.empty()) {
             MESSAGE("not tested: PostgreSQL's server is not installed (scripts/install.sh tests)");
@@ -103,7 +107,9 @@ class PostgresServer {
         return std::to_string(ntohs(place.sin_port));
     }
 
-    [[nodiscard]] std::string data() const { return folder_ / "data"; }
+    [[nodiscard]] std::string data() const {
+        return folder_ / "data";
+    }
 
     std::string programs_;
     std::string as_user_;

@@ -11,6 +11,7 @@ using namespace deixis;
 using deixis::tests::contains;
 
 TEST_SUITE("results/texts") {
+#ifdef DEIXIS_SERVER
     TEST_CASE("A push names file, table and row of a text that no server can hold, before it connects") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
@@ -35,6 +36,17 @@ TEST_SUITE("results/texts") {
         CHECK(contains(refused.error().message, "table events, row with id 1: the column detail"));
         CHECK(contains(refused.error().message, "Z\xEF\xBF\xBDrich"));
     }
+
+#else
+    TEST_CASE("A program that was built without PostgreSQL says so, and shows no password") {
+        const char* const address = "postgresql://ann:Sesam@h/d";
+        for (const Error& error : {results::pushDatabase("a.sqlite", address).error(),
+                                   results::loadServerResponses(address, "").error()}) {
+            CHECK(contains(error.text(), "postgresql://ann@h/d: cannot be reached"));
+            CHECK(contains(error.text(), "built without PostgreSQL"));
+        }
+    }
+#endif
 
     TEST_CASE("What is no text of a person's is kept as well as can be; a reason is refused") {
         const fixtures::Folder folder;
