@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""Writes the picture and the tables of the rooms into docs/architecture.md, from the link lists in the CMakeLists.txt.
+"""Writes the picture of the rooms into docs/architecture.md and their list, docs/rooms.md, from the link lists in the
+   CMakeLists.txt.
    scripts/draw_rooms.py           writes them
-   scripts/draw_rooms.py --check   fails where the page says something else"""
+   scripts/draw_rooms.py --check   fails where the pages say something else"""
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PAGE = ROOT / "docs" / "architecture.md"
+PICTURE_PAGE = ROOT / "docs" / "architecture.md"
+LIST_PAGE = ROOT / "docs" / "rooms.md"
 BEGIN, END = "<!-- rooms: made by scripts/draw_rooms.py -->\n", "<!-- end of rooms -->\n"
 MODULES = ["motion", "assets", "studies", "results", "renderer", "app"]
 
@@ -54,8 +56,7 @@ def within(found, module):
             if not any(other in reach(third) for third in uses[room] if third != other)]
 
 
-def page_part():
-    modules = {module: rooms_of(module) for module in MODULES}
+def picture(modules):
     out = ["```mermaid", "flowchart BT"]
     for module, found in modules.items():
         out.append(f"  subgraph {module}")
@@ -67,9 +68,14 @@ def page_part():
         for other in sorted(arrows[module]):
             if not any(other in arrows.get(third, ()) for third in arrows[module]):
                 out.append(f"  {module} ==> {other}")
-    out += ["```", ""]
+    return "\n".join(out + ["```", ""])
+
+
+def listing(modules):
+    out = ["# The rooms", "", "Made by `scripts/draw_rooms.py`. Each may also use `core`; [architecture](architecture.md) "
+           "says what a room is.", ""]
     for module, found in modules.items():
-        out += [f"**{module}/**", "", "| room | what it is for | may use, beside `core` |", "|---|---|---|"]
+        out += [f"**{module}/**", "", "| room | what it is for | may use |", "|---|---|---|"]
         for room, (main, use) in found.items():
             names = ", ".join(u.split("/")[1] if u.startswith(module + "/") else u for u in use) or "–"
             out.append(f"| [`{room}`](../{module}/{room}) | {purpose(module, room, main)} | {names} |")
@@ -78,15 +84,15 @@ def page_part():
 
 
 def main():
-    text = PAGE.read_text()
+    modules = {module: rooms_of(module) for module in MODULES}
+    text = PICTURE_PAGE.read_text()
     before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    new = before + BEGIN + page_part() + END + after
-    if sys.argv[1:] == ["--check"]:
-        if new != text:
-            sys.exit("docs/architecture.md does not show the rooms as they are linked: run scripts/draw_rooms.py")
-        return
-    PAGE.write_text(new)
+    pages = {PICTURE_PAGE: before + BEGIN + picture(modules) + END + rest.split(END)[1], LIST_PAGE: listing(modules)}
+    for page, new in pages.items():
+        if sys.argv[1:] != ["--check"]:
+            page.write_text(new)
+        elif not page.exists() or page.read_text() != new:
+            sys.exit(f"docs/{page.name} does not show the rooms as they are linked: run scripts/draw_rooms.py")
 
 
 main()
