@@ -8,7 +8,7 @@ set -euo pipefail
 
 packages=(
     build-essential cmake ninja-build pkg-config
-    libglm-dev libfmt-dev libexpected-dev libssl-dev zlib1g-dev libpng-dev
+    libglm-dev libfmt-dev libfast-float-dev libexpected-dev libssl-dev zlib1g-dev libpng-dev
     libtinygltf-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libkainjow-mustache-dev
     libsqlitecpp-dev libsqlite3-dev libpqxx-dev libpq-dev libboost-dev libboost-math-dev
     libepoxy-dev libegl-dev libgl-dev libgl1-mesa-dri libegl-mesa0 libglx-mesa0 libglfw3-dev libimgui-dev libx11-dev

@@ -48,6 +48,13 @@ check_installed() {
     cmake --install build/release --prefix $logs/installed >/dev/null || return 1
     ! grep -aoE "$PWD/(app|assets|build|core|motion|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
 }
+check_browser_code() {
+    emcmake cmake -S tests/wasm -B build/wasm -G Ninja >$logs/wasm.log 2>&1 && cmake --build build/wasm >>$logs/wasm.log 2>&1 || {
+        grep -E "error|warning" $logs/wasm.log || tail -n 20 $logs/wasm.log
+        return 1
+    }
+    node --no-experimental-fetch build/wasm/wasm_tests.js | tail -n 3 # or this Emscripten fetches its own file
+}
 check_headset() {
     scripts/test_headset.sh --scenarios-only 2>&1 | tee $logs/headset.log || return 1
     counts+=("$(grep -E '^headset: [0-9]+ passed' $logs/headset.log || echo 'headset: no result')")
@@ -63,6 +70,8 @@ run_rest() {
     build/offline/deixis check pointing2023 || failed "offline: check"
     say "lint"
     scripts/lint.sh || failed "lint"
+    say "what a browser will run"
+    check_browser_code || failed "what a browser will run"
     say "headset"
     check_headset || failed "headset"
 }

@@ -1,5 +1,7 @@
 #include "core/number.hpp"
 
+#include <fast_float/fast_float.h>
+
 #include <charconv>
 #include <cmath>
 
@@ -19,8 +21,11 @@ std::optional<Number> whole(std::string_view text) {
 }  // namespace
 
 std::optional<double> finiteNumber(std::string_view text) {
-    const auto value = whole<double>(text);
-    if (!value || !std::isfinite(*value)) return std::nullopt;
+    // Emscripten's library has no std::from_chars of numbers with a point.
+    double value = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = fast_float::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
     return value;
 }
 

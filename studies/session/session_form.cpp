@@ -3,8 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "core/number.hpp"
 
 namespace deixis::studies {
 
@@ -47,12 +48,10 @@ void editText(std::string& text, std::string_view typed, int erased, int longest
 }
 
 std::optional<double> numberTyped(const Question& question, const std::string& typed) {
-    double value = 0.0;
-    const char* end = typed.data() + typed.size();
-    const auto [stop, error] = std::from_chars(typed.data(), end, value, std::chars_format::fixed);
-    if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-    if (question.whole && value != std::floor(value)) return std::nullopt;
-    if (value < question.low || value > question.high) return std::nullopt;
+    if (typed.find_first_of("eE") != std::string::npos) return std::nullopt;  // no exponents
+    const auto value = finiteNumber(typed);
+    if (!value || *value < question.low || *value > question.high) return std::nullopt;
+    if (question.whole && *value != std::floor(*value)) return std::nullopt;
     return value;
 }
 

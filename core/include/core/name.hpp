@@ -32,7 +32,7 @@ class Name {
     friend bool operator==(Name a, const char* b) { return a.text() == b; }
     /// As the texts.
     friend std::strong_ordering operator<=>(Name a, Name b) {
-        return a.text_ == b.text_ ? std::strong_ordering::equal : a.text() <=> b.text();
+        return a.text_ == b.text_ ? std::strong_ordering::equal : a.text().compare(b.text()) <=> 0;
     }
 
   private:

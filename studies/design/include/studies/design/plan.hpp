@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/error.hpp"
@@ -25,7 +26,9 @@ struct Stimulus {
     std::string item;  ///< TargetItem::id
     int clip = 0;      ///< which of them, in the order of the manifest, where the system has several
     friend bool operator==(const Stimulus&, const Stimulus&) = default;
-    friend auto operator<=>(const Stimulus&, const Stimulus&) = default;
+    friend bool operator<(const Stimulus& a, const Stimulus& b) {
+        return std::tie(a.system, a.item, a.clip) < std::tie(b.system, b.item, b.clip);
+    }
 };
 
 /// What makes a trial an attention check.
