@@ -71,10 +71,6 @@ function(add_module_tests name)
     target_compile_options(${name} PRIVATE ${DEIXIS_TEST_OPTIONS})
     use_precompiled(${name} deixis_precompiled_tests)
     target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    target_compile_definitions(${name} PRIVATE
-        DEIXIS_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-        DEIXIS_BINARY_DIR="${PROJECT_BINARY_DIR}"
-        DEIXIS_SHARED_DATA="${PROJECT_SOURCE_DIR}/../shared/data")
     foreach(file IN LISTS ARG_FILES)
         file(STRINGS ${file} lines REGEX "^TEST_SUITE\\(\"")
         foreach(line IN LISTS lines)

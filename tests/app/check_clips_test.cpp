@@ -123,7 +123,7 @@ TEST_SUITE("app/check_clips") {
     TEST_CASE("What only another machine would meet, and headings that look like radians, are doubted") {
         const LabFolder lab;
         const Scratch elsewhere;
-        const auto own = fs::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb";
+        const auto own = buildDir() / "share/deixis/avatar.glb";
         fs::copy_file(own, elsewhere / "figure.glb");
         lab.change("study.toml", "seed = 7", "seed = 7\navatar = \"" + (elsewhere / "figure.glb") + "\"");
         lab.change("study.toml", "heading_deg = 180", "heading_deg = 3.14159");

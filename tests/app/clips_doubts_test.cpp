@@ -1,5 +1,6 @@
 // What a lab is told about clips that play, but perhaps wrongly.
 #include "program.hpp"
+#include "shared_data.hpp"
 
 using namespace deixis::tests;
 
@@ -36,11 +37,8 @@ TEST_SUITE("app/clips-doubts") {
         CHECK(checked.status == 0);
         CHECK(checked.out.find("doubt: " + clip + ": " + doubt) != std::string::npos);
         // On another figure: on its own the clip is played as it is, whatever the map.
-        const fs::path figure = fs::path(DEIXIS_SHARED_DATA) / "avatars/quaternius/modular_men_Casual.glb";
-        if (!fs::exists(figure)) {
-            MESSAGE("skipped: ", figure.string(), " is not here");
-            return;
-        }
+        const fs::path figure = sharedData("avatars/quaternius/modular_men_Casual.glb");
+        DEIXIS_SKIP_WITHOUT(figure);
         const auto retargeted = program("clips retarget " + (scratch / "clips/manifest.csv") + " --avatar " +
                                         figure.string() + " --out " + (scratch / "other"));
         CHECK_MESSAGE(retargeted.status == 0, retargeted.err);

@@ -46,7 +46,7 @@ std::vector<std::string> column(const std::string& csv, const std::string& name)
 
 TEST_SUITE("app/clips-retarget") {
     TEST_CASE("with the pointing ray kept, other figures miss the targets by as much as the clips do") {
-        const std::filesystem::path figures = std::filesystem::path(DEIXIS_SHARED_DATA) / "avatars";
+        const std::filesystem::path figures = sharedData("avatars");
         for (const std::string system : {"direct", "demonstration-nn"}) {
             const Scratch scratch;
             const std::string manifest = pointingClips(scratch, system);
@@ -59,7 +59,7 @@ TEST_SUITE("app/clips-retarget") {
                 CAPTURE(file.string());
                 const bool own = std::string(figure).empty();
                 if (!own && !std::filesystem::exists(file)) {
-                    MESSAGE("skipped: ", file.string(), " is not here");
+                    tellSkipped(file.string() + " is not here");
                     continue;
                 }
                 if (std::string(figure).starts_with("kaykit")) {  // 2.21 m tall

@@ -47,7 +47,7 @@ TEST_SUITE("app/desktop_operator") {
         const Scratch scratch;
         const Display display;
         const std::string database = scratch / "study.sqlite";
-        Background session(Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1 " + DEIXIS_PROGRAM +
+        Background session(Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1 " + programFile() +
                            " run pointing2023 --participant P01 --operator --size 480x320 --db " + database +
                            " >" + (scratch / "out") + " 2>&1");
         const bool opened = eventually(120.0, [&] {

@@ -9,8 +9,8 @@ using namespace deixis::tests;
 namespace {
 
 std::vector<fs::path> documents() {
-    std::vector<fs::path> files{fs::path(DEIXIS_SOURCE_DIR) / "README.md"};
-    for (const auto& entry : fs::directory_iterator(fs::path(DEIXIS_SOURCE_DIR) / "docs"))
+    std::vector<fs::path> files{sourceDir() / "README.md"};
+    for (const auto& entry : fs::directory_iterator(sourceDir() / "docs"))
         if (entry.path().extension() == ".md") files.push_back(entry.path());
     return files;
 }

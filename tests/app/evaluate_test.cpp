@@ -20,7 +20,7 @@ namespace {
 /// Clips of two systems for a grid of eight points, made once.
 const fs::path& corpus() {
     static const fs::path folder = [] {
-        const fs::path made = fs::path(DEIXIS_BINARY_DIR) / "evaluate-clips";
+        const fs::path made = buildDir() / "evaluate-clips";
         fs::create_directories(made);
         const auto grid = program("targets --grid 8");
         REQUIRE_MESSAGE(grid.status == 0, grid.err);

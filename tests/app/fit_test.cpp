@@ -7,8 +7,7 @@ using nlohmann::json;
 TEST_SUITE("app/fit") {
     TEST_CASE("The noise, lapses and weights of simulated participants come back, for another simulation.") {
         const Scratch scratch{WithSharedStimuli{}};
-        const std::string shipped =
-            slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/simulated_participant.toml");
+        const std::string shipped = slurp(sourceDir() / "assets/data/simulated_participant.toml");
         spill(scratch / "known.toml",
               replaced(replaced(replaced(replaced(shipped, "noise_deg = 3.0", "noise_deg = 4.0"),
                                          "noise_between = 0.25", "noise_between = 0.0"),

@@ -16,12 +16,12 @@ namespace {
 class Installed {
   public:
     Installed() {
-        const auto made = shell(std::string("cmake --install ") + DEIXIS_BINARY_DIR + " --strip --prefix " +
-                                (scratch_ / "first"));
+        const auto made =
+            shell("cmake --install " + buildDir().string() + " --strip --prefix " + (scratch_ / "first"));
         REQUIRE_MESSAGE(made.status == 0, made.err);
         fs::rename(scratch_ / "first", scratch_ / "moved");
         if (shell(alone("true")).status == 0) return;
-        MESSAGE("not hidden: the sources, since this system lets nobody mount over them (unshare)");
+        tellSkipped("the sources are not hidden: this system lets nobody mount over them (unshare)");
         hides_ = false;
     }
     [[nodiscard]] fs::path file(const std::string& name) const { return scratch_.path() / "moved" / name; }
@@ -38,9 +38,9 @@ class Installed {
   private:
     /// A command for which nothing lies where sources and build are.
     static std::string alone(const std::string& command) {
-        const std::string hide = std::string("mount -t tmpfs none ") + DEIXIS_SOURCE_DIR + " && { [ ! -d " +
-                                 DEIXIS_BINARY_DIR + " ] || mount -t tmpfs none " + DEIXIS_BINARY_DIR +
-                                 "; } && [ ! -e " + DEIXIS_SOURCE_DIR + "/assets ] && ";
+        const std::string hide = "mount -t tmpfs none " + sourceDir().string() + " && { [ ! -d " +
+                                 buildDir().string() + " ] || mount -t tmpfs none " + buildDir().string() +
+                                 "; } && [ ! -e " + sourceDir().string() + "/assets ] && ";
         return std::string("unshare ") + (geteuid() == 0 ? "-m" : "-rm") + " sh -c '" + hide + command + "'";
     }
 
@@ -75,11 +75,10 @@ std::map<std::string, std::string> helpOfAll(const std::string& path = "") {
 
 /// What bash offers after the words; the last of them is begun.
 std::set<std::string> offered(const std::string& words) {
-    const auto done = shell(
-        "cd " + std::string(DEIXIS_SOURCE_DIR) +
-        " && bash --norc -c '. " DEIXIS_BINARY_DIR
-        "/share/bash-completion/completions/deixis; COMP_WORDS=(deixis " +
-        words + "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _deixis; printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
+    const auto done =
+        shell("cd " + sourceDir().string() + " && bash --norc -c '. " + buildDir().string() +
+              "/share/bash-completion/completions/deixis; COMP_WORDS=(deixis " + words +
+              "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _deixis; printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
     CHECK_MESSAGE(done.err.empty(), done.err);
     std::set<std::string> out;
     std::istringstream lines(done.out);
@@ -126,11 +125,11 @@ TEST_SUITE("app/install") {
         "no installed file names a folder of the sources or the build, and the licence and documents are "
         "there") {
         const Installed installed;
-        std::vector<std::string> folders{DEIXIS_BINARY_DIR};
+        std::vector<std::string> folders{buildDir().string()};
         for (const char* name : {"/app", "/assets", "/build", "/core", "/results"})
-            folders.push_back(std::string(DEIXIS_SOURCE_DIR) + name);
+            folders.push_back(sourceDir().string() + name);
         // Sanitizers tell where in the sources something went wrong.
-        const bool sanitized = std::string(DEIXIS_SANITIZE) != "";
+        const bool sanitized = isSanitized();
         int files = 0;
         for (const auto& entry : fs::recursive_directory_iterator(installed.file(""))) {
             if (!entry.is_regular_file() || (sanitized && entry.path().filename() == "deixis")) continue;
@@ -149,9 +148,9 @@ TEST_SUITE("app/install") {
     }
 
     TEST_CASE("the manual page and the completion know every command and option that help tells") {
-        const std::string manual = std::string(DEIXIS_BINARY_DIR) + "/share/man/man1/deixis.1";
+        const std::string manual = buildDir().string() + "/share/man/man1/deixis.1";
         if (shell("command -v groff").status != 0) {
-            MESSAGE("skipped: groff is not installed");
+            tellSkipped("groff is not installed");
             return;
         }
         const auto printed = shell("LC_ALL=C.UTF-8 groff -man -ww -Tutf8 -P-cbou -rLL=500n " + manual);

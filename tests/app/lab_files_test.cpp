@@ -102,7 +102,7 @@ TEST_SUITE("app/lab_files") {
     TEST_CASE("An avatar's buffer, picture and NAME.humanoid.toml are locked, and a change is told") {
         const LabFolder lab;
         const std::string png("\x89PNG\r\n\x1a\n", 8);
-        splitGlb(fs::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb", lab.path("figure.gltf"),
+        splitGlb(buildDir() / "share/deixis/avatar.glb", lab.path("figure.gltf"),
                  {{"images", {{{"uri", "skin.png"}}}}});
         lab.write("skin.png", png);
         lab.write("figure.humanoid.toml", "height_m = 1.75\n");

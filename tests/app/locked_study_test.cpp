@@ -259,9 +259,8 @@ TEST_SUITE("app/locked_study") {
     TEST_CASE("Two stations that begin a study at once lock it once, and both take part") {
         const LabFolder lab;
         const auto command = [&](const std::string& participant) {
-            return std::string(DEIXIS_PROGRAM) + " run " + lab.path("study.toml") +
-                   " --station simulated --participant " + participant + " --db " + lab.path("study.sqlite") +
-                   " >" + lab.path(participant) + " 2>&1";
+            return programFile() + " run " + lab.path("study.toml") + " --station simulated --participant " +
+                   participant + " --db " + lab.path("study.sqlite") + " >" + lab.path(participant) + " 2>&1";
         };
         Background first(command("P01")), second(command("P02"));
         CHECK_MESSAGE(first.wait() == 0, lab.read("P01"));

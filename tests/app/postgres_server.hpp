@@ -23,7 +23,7 @@ class PostgresServer {
 #endif
         static const std::string programs = newestPrograms();
         if (programs.empty()) {
-            MESSAGE("not tested: PostgreSQL's server is not installed (scripts/install.sh tests)");
+            tellSkipped("PostgreSQL's server is not installed (scripts/install.sh tests)");
             return nullptr;
         }
         static PostgresServer server(programs);

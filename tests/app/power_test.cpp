@@ -8,8 +8,7 @@ using nlohmann::json;
 
 namespace {
 
-const std::string shipped_effect_file =
-    (fs::path(DEIXIS_SOURCE_DIR) / "assets/data/effects/pointing2023.toml").string();
+const std::string shipped_effect_file = (sourceDir() / "assets/data/effects/pointing2023.toml").string();
 
 }  // namespace
 

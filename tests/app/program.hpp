@@ -17,6 +17,9 @@
 #include <thread>
 #include <vector>
 
+#include "paths.hpp"
+#include "skipping.hpp"
+
 namespace deixis::tests {
 
 namespace fs = std::filesystem;
@@ -44,7 +47,7 @@ inline int exitStatus(int wait_status) {
 /// The folder in which all tests share the clips that the program makes for shipped studies; sanitizers make
 /// them slow.
 inline std::string sharedStimuli() {
-    return (fs::path(DEIXIS_BINARY_DIR) / "test-stimuli").string();
+    return (buildDir() / "test-stimuli").string();
 }
 
 struct WithSharedStimuli {};
@@ -88,7 +91,7 @@ inline Finished shell(const std::string& command) {
 
 /// `deixis ARGUMENTS`; `before` stands in front of the program, such as "env -u DISPLAY".
 inline Finished program(const std::string& arguments, const std::string& before = "") {
-    return shell(before + " " + DEIXIS_PROGRAM + " " + arguments);
+    return shell(before + " " + programFile() + " " + arguments);
 }
 
 /// A program in the background, killed at the end of the scope if it still runs.
@@ -160,7 +163,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
 }
 
 inline std::string shippedStudy() {
-    return slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies/pointing2023.toml");
+    return slurp(sourceDir() / "assets/data/studies/pointing2023.toml");
 }
 
 }  // namespace deixis::tests

@@ -160,8 +160,7 @@ TEST_SUITE("app/push") {
                 "= '" +
                 schema + ".responses'::regclass";
             REQUIRE(eventually(60, [&] { return server->sql(name, held) == "1\n"; }));
-            Background pushing(std::string(DEIXIS_PROGRAM) + " push " + files.b + " '" + url +
-                               "' >/dev/null 2>&1");
+            Background pushing(programFile() + " push " + files.b + " '" + url + "' >/dev/null 2>&1");
             REQUIRE(eventually(60, [&] {
                 return server->sql(
                            name,
@@ -183,8 +182,7 @@ TEST_SUITE("app/push") {
 
         int killed = 0;
         for (int i = 0; i < 8; ++i) {
-            Background pushing(std::string(DEIXIS_PROGRAM) + " push " + files.b + " '" + url +
-                               "' >/dev/null 2>&1");
+            Background pushing(programFile() + " push " + files.b + " '" + url + "' >/dev/null 2>&1");
             std::this_thread::sleep_for(std::chrono::milliseconds(30 + 60 * i));
             if (!pushing.running()) break;
             pushing.kill(SIGKILL);
@@ -209,8 +207,8 @@ TEST_SUITE("app/push") {
         {
             std::vector<std::unique_ptr<Background>> all;
             for (const std::string& file : {files.a, files.b, files.both, files.b, files.a})
-                all.push_back(std::make_unique<Background>(std::string(DEIXIS_PROGRAM) + " push " + file +
-                                                           " '" + url + "' >/dev/null"));
+                all.push_back(std::make_unique<Background>(programFile() + " push " + file + " '" + url +
+                                                           "' >/dev/null"));
             for (const auto& one : all) CHECK(one->wait() == 0);
         }
         checkCounts(*server, name, files.both);

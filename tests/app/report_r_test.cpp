@@ -10,7 +10,7 @@ namespace {
 /// Whether R is here; says so where it is not.
 bool hasR() {
     if (shell("Rscript --version").status == 0) return true;
-    MESSAGE("skipped: Rscript is not here");
+    tellSkipped("Rscript is not here");
     return false;
 }
 
@@ -94,7 +94,7 @@ TEST_SUITE("app/report_r") {
         INFO(done.out, done.err);
         CHECK(compared(done.out) > 300);
         if (contains(done.out, "not installed"))
-            MESSAGE("skipped: the mixed models; ", done.out);
+            tellSkipped("the mixed models: a package of R is not installed");
         else {
             const std::string models = slurp(scratch / "r/mixed_models.csv");
             CHECK(contains(models, "\"accuracy\",\"logistic GLMM\",\"stiff\",\"fluent\""));
@@ -116,8 +116,7 @@ TEST_SUITE("app/report_r") {
     TEST_CASE("R finds the same numbers in single ratings and in authors' trials") {
         if (!hasR()) return;
         const Scratch scratch;
-        const auto oracle =
-            nlohmann::json::parse(slurp(fs::path(DEIXIS_SOURCE_DIR) / "tests/results/oracles/ratings.json"));
+        const auto oracle = nlohmann::json::parse(slurp(sourceDir() / "tests/results/oracles/ratings.json"));
         const auto done = analysedByR(scratch, oracle["cases"][0]["csv"], "--unit ratings");
         INFO(done.out, done.err);
         const std::string numbers = slurp(scratch / "r/comparison.csv");
@@ -160,7 +159,7 @@ TEST_SUITE("app/report_r") {
         const auto done = analysedByR(scratch, manySteps());
         INFO(done.out, done.err);
         if (contains(done.out, "not installed")) {
-            MESSAGE("skipped: the mixed models; ", done.out);
+            tellSkipped("the mixed models: a package of R is not installed");
             return;
         }
         // Nothing is missing: a contrast is the difference of the means, which the program tells.
@@ -202,7 +201,7 @@ TEST_SUITE("app/report_r") {
         const auto done = analysedByR(scratch, answers);
         INFO(done.out, done.err);
         if (contains(done.out, "not installed")) {
-            MESSAGE("skipped: the mixed models; ", done.out);
+            tellSkipped("the mixed models: a package of R is not installed");
             return;
         }
         const std::string models = slurp(scratch / "r/mixed_models.csv");
@@ -224,8 +223,7 @@ TEST_SUITE("app/report_r") {
         if (!hasR()) return;
         const Scratch folder;
         spill(folder / "groups.toml",
-              replaced(slurp(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies/genea-pairwise.toml"),
-                       "[[systems]]",
+              replaced(slurp(sourceDir() / "assets/data/studies/genea-pairwise.toml"), "[[systems]]",
                        "[[between]]\nname = \"age\"\nlevels = [\"old\", \"young\"]\n\n[[systems]]"));
         const std::vector<std::pair<std::string, std::string>> cases{
             {"genea-pairwise", "preferences"},

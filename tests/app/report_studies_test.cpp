@@ -124,7 +124,7 @@ TEST_SUITE("app/report_studies") {
         CHECK(apart.status == 1);
         CHECK(contains(apart.err, "\"naturalness\", which calm (calm.csv) has"));
         if (shell("Rscript --version").status != 0) {
-            MESSAGE("skipped: Rscript is not here");
+            tellSkipped("Rscript is not here");
             return;
         }
         const auto computed = shell("Rscript " + (scratch / "r/analysis.R"));

@@ -6,7 +6,7 @@
 namespace deixis::tests {
 
 inline std::string shippedSchema(const std::string& name) {
-    return std::string(DEIXIS_SOURCE_DIR) + "/assets/data/schemas/" + name + ".schema.json";
+    return sourceDir().string() + "/assets/data/schemas/" + name + ".schema.json";
 }
 
 /// What is wrong with a file by the schema of that name ("analysis", ...); empty: nothing. A key that the
@@ -15,11 +15,11 @@ inline std::string shippedSchema(const std::string& name) {
 inline std::string schemaProblems(const std::string& name, const std::string& file) {
     for (const std::string python : {"/usr/bin/python3", "python3"}) {
         if (shell(python + " -c 'import jsonschema'").status != 0) continue;
-        const auto done = shell(python + " " + DEIXIS_SOURCE_DIR + "/tests/app/validate.py " +
+        const auto done = shell(python + " " + sourceDir().string() + "/tests/app/validate.py " +
                                 shippedSchema(name) + " '" + file + "'");
         return done.status == 0 ? done.out : done.out + done.err + "validate.py failed";
     }
-    MESSAGE("skipped: there is no Python with jsonschema");
+    tellSkipped("there is no Python with jsonschema");
     return "";
 }
 

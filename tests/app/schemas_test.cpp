@@ -79,14 +79,14 @@ TEST_SUITE("app/schemas") {
 
     TEST_CASE("the plan of every study that ships is as its schema says, and what is not is refused") {
         const Scratch scratch;
-        for (const auto& study : fs::directory_iterator(DEIXIS_SOURCE_DIR "/assets/data/studies")) {
+        for (const auto& study : fs::directory_iterator(sourceDir() / "assets/data/studies")) {
             const auto plan = program("plan " + study.path().stem().string() + " --participant P03 --json");
             REQUIRE(plan.status == 0);
             spill(scratch / "plan.json", plan.out);
             CHECK_MESSAGE(schemaProblems("plan", scratch / "plan.json") == "", study.path());
         }
         if (shell("/usr/bin/python3 -c 'import jsonschema' || python3 -c 'import jsonschema'").status != 0) {
-            MESSAGE("skipped: there is no Python with jsonschema");
+            tellSkipped("there is no Python with jsonschema");
             return;
         }
         const json plan = json::parse(program("plan pointing2023 --participant P03 --json").out);
@@ -108,7 +108,7 @@ TEST_SUITE("app/schemas") {
 
     TEST_CASE("a key of an analysis that its schema does not describe is refused, within tests too") {
         if (shell("/usr/bin/python3 -c 'import jsonschema' || python3 -c 'import jsonschema'").status != 0) {
-            MESSAGE("skipped: there is no Python with jsonschema");
+            tellSkipped("there is no Python with jsonschema");
             return;
         }
         const Scratch scratch;

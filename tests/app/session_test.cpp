@@ -39,7 +39,7 @@ TEST_SUITE("app/session") {
         int kills = 0;
         // Three kills in the midst of answering, each from where the last left off.
         for (const int wanted : {5, 22, 40}) {
-            Background session(std::string(DEIXIS_PROGRAM) + " " + command);
+            Background session(programFile() + " " + command);
             eventually(120.0, [&] { return answerCount(database) >= wanted || !session.running(); });
             session.kill(SIGKILL);
             const std::string now = rows(database,
@@ -95,7 +95,7 @@ TEST_SUITE("app/session") {
         spill(scratch / "study.toml", study);
         const std::string run =
             "run " + (scratch / "study.toml") + " --station simulated --db " + database + " --participant ";
-        Background first(std::string(DEIXIS_PROGRAM) + " " + run + "P01 >/dev/null 2>&1");
+        Background first(programFile() + " " + run + "P01 >/dev/null 2>&1");
         REQUIRE(eventually(60.0, [&] { return answerCount(database) >= 1; }));
         CHECK_FAILS_SAYING(program(run + "P01"), "P01", "study.sqlite");
         CHECK(first.running());

@@ -35,7 +35,7 @@ TEST_SUITE("app/simulate") {
     TEST_CASE(
         "whom a study's rule concerns is left out of the headline, named, and counted in the other table") {
         const Scratch scratch{WithSharedStimuli{}};
-        const std::string folder = DEIXIS_SOURCE_DIR "/assets/data/studies/";
+        const std::string folder = (sourceDir() / "assets/data/studies/").string();
         spill(scratch / "pairs.toml",
               slurp(folder + "genea-pairwise.toml") + "\n[analysis.leave_out]\none_side_share = 0.56\n");
         const std::string db = scratch / "study.sqlite";
@@ -131,7 +131,7 @@ TEST_SUITE("app/simulate") {
         for (const auto& layout : analysis["layouts"])
             CHECK(layout["n"] == (layout["system"] == "all" ? 780 : 195));
         // The page that sets them beside the paper's Table 1.
-        const std::string documented = slurp(DEIXIS_SOURCE_DIR "/docs/simulated-participant.md");
+        const std::string documented = slurp(sourceDir() / "docs/simulated-participant.md");
         for (const auto& layout : analysis["layouts"]) {
             if (layout["system"] == "all") continue;
             const auto read = std::find_if(

@@ -10,7 +10,7 @@ using nlohmann::json;
 namespace {
 
 json oracleCases(const std::string& test) {
-    const json file = json::parse(slurp(DEIXIS_SOURCE_DIR "/tests/results/oracles/" + test + ".json"));
+    const json file = json::parse(slurp(sourceDir() / ("tests/results/oracles/" + test + ".json")));
     REQUIRE(file["cases"].size() >= 30);
     return file["cases"];
 }

@@ -26,8 +26,8 @@ std::uintmax_t sizeOf(const fs::path& file) {
 
 /// A simulated participant's session in the background, its output in files beside the database.
 std::string sessionOf(const Scratch& scratch, const std::string& more) {
-    return std::string(DEIXIS_PROGRAM) + " run pointing2023 --station simulated --db " +
-           (scratch / "study.sqlite") + " " + more;
+    return programFile() + " run pointing2023 --station simulated --db " + (scratch / "study.sqlite") + " " +
+           more;
 }
 
 }  // namespace
@@ -168,9 +168,8 @@ TEST_SUITE("app/storage") {
     TEST_CASE("input that never ends is refused in one message") {
         const Scratch scratch;
         // The address sanitizer reserves terabytes.
-        const std::string limit = std::string(DEIXIS_SANITIZE).empty()
-                                      ? "ulimit -v 4000000;"
-                                      : "ASAN_OPTIONS=hard_rss_limit_mb=2000";
+        const std::string limit =
+            isSanitized() ? "ASAN_OPTIONS=hard_rss_limit_mb=2000" : "ulimit -v 4000000;";
         for (const std::string& arguments :
              {std::string("report /dev/zero -o r.html"), std::string("check /dev/zero"),
               std::string("stats wilcoxon /dev/zero --a x --b y"), std::string("clips info /dev/zero"),

@@ -4,6 +4,7 @@
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "program.hpp"
+#include "shared_data.hpp"
 
 using namespace deixis::tests;
 
@@ -40,7 +41,7 @@ TEST_SUITE("app/study_avatar") {
 
     TEST_CASE("Sessions keep the hash of the avatar that was shown; the generators' clips are the same") {
         const Scratch scratch;
-        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb").string();
+        const std::string own = (buildDir() / "share/deixis/avatar.glb").string();
         std::string bytes = slurp(own);
         bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
         spill(scratch / "figures/mine.glb", bytes);
@@ -69,7 +70,7 @@ TEST_SUITE("app/study_avatar") {
 
     TEST_CASE("A replay finds the study's avatar beside the database, and tells a wrong one by its bytes") {
         const Scratch scratch;
-        const std::string own = (fs::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb").string();
+        const std::string own = (buildDir() / "share/deixis/avatar.glb").string();
         std::string bytes = slurp(own);
         bytes[bytes.find("deixis_make_avatar")] = 'D';  // another file of the same figure
         spill(scratch / "lab/figures/mine.glb", bytes);
@@ -103,11 +104,8 @@ TEST_SUITE("app/study_avatar") {
     }
 
     TEST_CASE("A figure without fingers and eyes carries a whole session") {
-        const fs::path figure = fs::path(DEIXIS_SHARED_DATA) / "avatars/kaykit_mannequin/manny_med_mod.gltf";
-        if (!fs::exists(figure)) {
-            MESSAGE("skipped: ", figure.string(), " is not here");
-            return;
-        }
+        const fs::path figure = sharedData("avatars/kaykit_mannequin/manny_med_mod.gltf");
+        DEIXIS_SKIP_WITHOUT(figure);
         const Scratch scratch;
         spill(scratch / "study.toml", replaced(withAvatar(fs::weakly_canonical(figure).string()), "[study]\n",
                                                "[study]\navatar_height_m = 1.8\n"));
@@ -119,11 +117,8 @@ TEST_SUITE("app/study_avatar") {
     }
 
     TEST_CASE("A robot of 4.56 m is refused until the study says how tall it is, and then replayed so") {
-        const fs::path robot = fs::path(DEIXIS_SHARED_DATA) / "repro/RobotExpressive.glb";
-        if (!fs::exists(robot)) {
-            MESSAGE("skipped: ", robot.string(), " is not here");
-            return;
-        }
+        const fs::path robot = sharedData("repro/RobotExpressive.glb");
+        DEIXIS_SKIP_WITHOUT(robot);
         const Scratch scratch;
         spill(scratch / "robot.glb", slurp(robot));
         spill(scratch / "study.toml", withAvatar("robot.glb"));

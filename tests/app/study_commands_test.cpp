@@ -15,7 +15,7 @@ namespace {
 
 std::vector<std::string> shippedStudies() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(fs::path(DEIXIS_SOURCE_DIR) / "assets/data/studies"))
+    for (const auto& entry : fs::directory_iterator(sourceDir() / "assets/data/studies"))
         names.push_back(entry.path().stem().string());
     std::sort(names.begin(), names.end());
     return names;
@@ -54,7 +54,7 @@ TEST_SUITE("app/study_commands") {
         const Scratch scratch;
         fs::create_directories(scratch / "pointing2023");
         const auto checked =
-            shell("cd " + scratch.path().string() + " && " + DEIXIS_PROGRAM + " check pointing2023");
+            shell("cd " + scratch.path().string() + " && " + programFile() + " check pointing2023");
         INFO(checked.err);
         CHECK(checked.status == 0);
     }

@@ -13,8 +13,8 @@ namespace {
 
 /// What cmake/commit.cmake finds out about a folder.
 std::string commitSource(const std::string& folder, const std::string& output) {
-    const auto made = shell("cmake -DSOURCE=" + folder + " -DOUTPUT=" + output + " -P " + DEIXIS_SOURCE_DIR +
-                            "/cmake/commit.cmake");
+    const auto made = shell("cmake -DSOURCE=" + folder + " -DOUTPUT=" + output + " -P " +
+                            sourceDir().string() + "/cmake/commit.cmake");
     REQUIRE_MESSAGE(made.status == 0, made.err);
     return slurp(output);
 }
@@ -92,7 +92,7 @@ TEST_SUITE("app/version") {
         spill(folder + "/file", "one\n");
         CHECK(contains(commitSource(folder, output), "built_from_commit = \"unknown\""));
         if (shell("git --version").status != 0) {
-            MESSAGE("skipped: git is not here");
+            tellSkipped("git is not here");
             return;
         }
         const std::string git = "git -C " + folder + " -c user.name=x -c user.email=x@x ";

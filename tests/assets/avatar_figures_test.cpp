@@ -8,6 +8,7 @@
 #include "assets/avatar/avatar.hpp"
 #include "core/files.hpp"
 #include "gltf_rig.hpp"
+#include "paths.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;
@@ -16,7 +17,7 @@ using motion::Bone;
 namespace {
 
 assets::Avatar loaded(const std::string& bytes, const std::string& name) {
-    const auto path = std::filesystem::path(DEIXIS_BINARY_DIR) / ("avatar_figures_" + name + ".glb");
+    const auto path = deixis::tests::buildDir() / ("avatar_figures_" + name + ".glb");
     REQUIRE(writeFile(path, bytes).has_value());
     auto avatar = assets::loadAvatar(path);
     REQUIRE_MESSAGE(avatar.has_value(), (avatar ? std::string() : avatar.error().text()));
@@ -167,7 +168,7 @@ TEST_SUITE("assets/avatar_figures") {
         CHECK(avatar.skeleton.find("leftThumbMetacarpal") >= 0);
 
         file.more = R"(,"extensions":{"VRMC_vrm":{"humanoid":{"humanBones":{"hips":{"node":999}}}}})";
-        const auto path = std::filesystem::path(DEIXIS_BINARY_DIR) / "avatar_figures_bad.glb";
+        const auto path = deixis::tests::buildDir() / "avatar_figures_bad.glb";
         REQUIRE(writeFile(path, file.glb()).has_value());
         auto bad = assets::loadAvatar(path);
         REQUIRE_FALSE(bad.has_value());

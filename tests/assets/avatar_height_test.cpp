@@ -22,7 +22,7 @@ namespace {
 
 /// A rig in a file of its own folder, perhaps with a word beside it.
 fs::path figure(const std::string& name, const std::string& bytes, const std::string& words = {}) {
-    const fs::path folder = fs::path(DEIXIS_BINARY_DIR) / "avatar_height";
+    const fs::path folder = deixis::tests::buildDir() / "avatar_height";
     fs::create_directories(folder);
     const fs::path path = folder / (name + ".glb");
     REQUIRE(writeFile(path, bytes).has_value());

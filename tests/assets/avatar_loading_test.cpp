@@ -9,20 +9,21 @@
 #include "assets/avatar/avatar.hpp"
 #include "core/files.hpp"
 #include "core/random.hpp"
+#include "paths.hpp"
 
 using namespace deixis;
 
 namespace {
 
 std::string goodFile() {
-    const auto bytes = readFile(std::filesystem::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb");
+    const auto bytes = readFile(deixis::tests::buildDir() / "share/deixis/avatar.glb");
     REQUIRE(bytes.has_value());
     return *bytes;
 }
 
 /// Loads bytes by way of a file.
 Result<assets::Avatar> load(const std::string& bytes) {
-    const auto path = std::filesystem::path(DEIXIS_BINARY_DIR) / "avatar_loading_test.glb";
+    const auto path = deixis::tests::buildDir() / "avatar_loading_test.glb";
     REQUIRE(writeFile(path, bytes).has_value());
     return assets::loadAvatar(path);
 }

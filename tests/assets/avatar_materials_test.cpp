@@ -7,6 +7,7 @@
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "gltf_rig.hpp"
+#include "paths.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;
@@ -38,7 +39,7 @@ std::string unbase64(const std::string& text) {
 }
 
 fs::path folder() {
-    const fs::path path = fs::path(DEIXIS_BINARY_DIR) / "avatar_materials_test";
+    const fs::path path = deixis::tests::buildDir() / "avatar_materials_test";
     fs::create_directories(path);
     return path;
 }

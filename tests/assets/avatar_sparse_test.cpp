@@ -8,6 +8,7 @@
 #include "assets/avatar/avatar.hpp"
 #include "core/files.hpp"
 #include "gltf_rig.hpp"
+#include "paths.hpp"
 
 using namespace deixis;
 using namespace deixis::tests;
@@ -15,7 +16,7 @@ using namespace deixis::tests;
 namespace {
 
 Result<assets::Avatar> loadSparse(const std::string& bytes) {
-    const auto path = std::filesystem::path(DEIXIS_BINARY_DIR) / "avatar_sparse.glb";
+    const auto path = deixis::tests::buildDir() / "avatar_sparse.glb";
     REQUIRE(writeFile(path, bytes).has_value());
     return assets::loadAvatar(path);
 }

@@ -20,6 +20,7 @@
 #include "motion/humanoid/hand_shapes.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/pointing/body_shape.hpp"
+#include "paths.hpp"
 
 using namespace deixis;
 using assets::Avatar;
@@ -27,8 +28,7 @@ using motion::Bone;
 
 namespace {
 
-const std::filesystem::path avatar_file =
-    std::filesystem::path(DEIXIS_BINARY_DIR) / "share/deixis/avatar.glb";
+const std::filesystem::path avatar_file = deixis::tests::buildDir() / "share/deixis/avatar.glb";
 
 const Avatar& avatar() {
     static const Avatar loaded = [] {
@@ -279,7 +279,7 @@ TEST_SUITE("assets/avatar") {
     }
 
     TEST_CASE("the tool makes the same bytes twice, and the hash is that of the file") {
-        const auto again = std::filesystem::path(DEIXIS_BINARY_DIR) / "avatar_again.glb";
+        const auto again = deixis::tests::buildDir() / "avatar_again.glb";
         const std::string command =
             std::string("\"") + DEIXIS_MAKE_AVATAR + "\" \"" + again.string() + "\" > /dev/null";
         REQUIRE(std::system(command.c_str()) == 0);

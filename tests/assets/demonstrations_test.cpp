@@ -7,14 +7,14 @@
 #include <sstream>
 
 #include "core/files.hpp"
+#include "paths.hpp"
 
 using namespace deixis;
 using namespace deixis::assets;
 
 namespace {
 
-const std::filesystem::path shipped =
-    std::filesystem::path(DEIXIS_SOURCE_DIR) / "assets" / "data" / "demonstrations.toml";
+const std::filesystem::path shipped = deixis::tests::sourceDir() / "assets" / "data" / "demonstrations.toml";
 
 std::string shippedText() {
     const auto text = readFile(shipped);

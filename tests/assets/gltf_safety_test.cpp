@@ -9,6 +9,7 @@
 #include "assets/gltf/gltf_clip.hpp"
 #include "core/files.hpp"
 #include "core/random.hpp"
+#include "paths.hpp"
 #include "tiny_gltf_file.hpp"
 
 using namespace deixis;
@@ -252,7 +253,7 @@ TEST_SUITE("assets/gltf_safety") {
     }
 
     TEST_CASE("Buffers are read from the file's own folder and from data URIs alone") {
-        const std::filesystem::path folder = std::filesystem::path(DEIXIS_BINARY_DIR) / "gltf_uri_test";
+        const std::filesystem::path folder = deixis::tests::buildDir() / "gltf_uri_test";
         std::filesystem::remove_all(folder);
         const std::string two_floats("\0\0\0\0\0\0\x80\x3F", 8);  // 0 and 1 s
         REQUIRE(writeFile(folder / "inside" / "my data.bin", two_floats + std::string(24, '\0')).has_value());

@@ -180,7 +180,7 @@ TEST_SUITE("assets/gltf_write") {
 
     // What follows writes files that other tests look at: the Khronos validator and Blender.
     TEST_CASE("A clip is exported for programs by others") {
-        const std::filesystem::path folder = std::filesystem::path(DEIXIS_BINARY_DIR) / "exported_clip";
+        const std::filesystem::path folder = deixis::tests::buildDir() / "exported_clip";
         const Clip clip = moving(40, 1.0 / 30.0, 11);
         assets::GlbOptions options;
         options.humanoid = motion::mapByVrmNames(clip.skeleton);

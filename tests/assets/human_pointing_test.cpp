@@ -103,7 +103,8 @@ std::vector<double> errors(const std::vector<Pointing>& pointings, double from_d
 /// Demonstrations of eight imagined actors at targets like those on the people's wall, 3.5 m away.
 std::vector<Pointing> demonstrations() {
     auto parameters =
-        assets::loadDemonstrationParameters(DEIXIS_SOURCE_DIR "/assets/data/demonstrations.toml").value();
+        assets::loadDemonstrationParameters(deixis::tests::sourceDir() / "assets/data/demonstrations.toml")
+            .value();
     parameters.targets = {{-18.0, 18.0}, {3.3, 3.7}, {0.8, 2.8}, 30.0};
     const auto& avatar = motion::referenceHumanoid();
     const auto map = motion::mapByVrmNames(avatar);

@@ -143,7 +143,7 @@ TEST_SUITE("assets/shared_avatars") {
     TEST_CASE("MakeHuman's base mesh with its Mixamo rig becomes a figure of a person's height") {
         const fs::path data = tests::sharedData("avatars/makehuman");
         DEIXIS_SKIP_WITHOUT(data);
-        const fs::path file = fs::path(DEIXIS_BINARY_DIR) / "makehuman.glb";
+        const fs::path file = deixis::tests::buildDir() / "makehuman.glb";
         const std::string command = std::string(DEIXIS_MAKE_HUMANOID) + " " + (data / "base.obj").string() +
                                     " " + (data / "mpfb2_rig.mixamo.json").string() + " " +
                                     (data / "mpfb2_weights.mixamo.json").string() + " " + file.string() +

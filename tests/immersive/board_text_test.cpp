@@ -12,6 +12,7 @@
 #include "app/window/frame_scene.hpp"
 #include "board_layout.hpp"
 #include "board_painter.hpp"
+#include "paths.hpp"
 #include "studies/simulation/simulated_participant.hpp"
 #include "studies/station/notice.hpp"
 
@@ -150,7 +151,7 @@ TEST_SUITE("immersive/board_text") {
             (void)fonts.require({}, allWords(code));
             std::size_t boards = 0;
             for (const auto& file :
-                 std::filesystem::directory_iterator(DEIXIS_SOURCE_DIR "/assets/data/studies")) {
+                 std::filesystem::directory_iterator(deixis::tests::sourceDir() / "assets/data/studies")) {
                 CAPTURE(code);
                 CAPTURE(file.path().stem().string());
                 const auto setup = app::loadStudySetup(file.path().string(), code);

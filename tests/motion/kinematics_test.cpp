@@ -12,6 +12,7 @@
 #include "core/files.hpp"
 #include "core/random.hpp"
 #include "motion/skeleton/minimum_jerk.hpp"
+#include "paths.hpp"
 
 using namespace deixis;
 using namespace deixis::motion;
@@ -75,7 +76,7 @@ TEST_SUITE("motion/kinematics") {
     }
 
     TEST_CASE("they agree with NumPy on other movements") {
-        const auto file = readFile(DEIXIS_SOURCE_DIR "/tests/motion/reference/smoothness.csv");
+        const auto file = readFile(deixis::tests::sourceDir() / "tests/motion/reference/smoothness.csv");
         REQUIRE(file.has_value());
         std::istringstream lines{std::string(file->begin(), file->end())};
         int cases = 0;

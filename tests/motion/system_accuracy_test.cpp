@@ -7,6 +7,8 @@
 
 using namespace deixis;
 using namespace deixis::motion;
+#include "core/files.hpp"
+#include "paths.hpp"
 using namespace deixis::tests;
 
 namespace {
@@ -20,6 +22,32 @@ double quantile(std::vector<double> values, double share) {
 
 TEST_SUITE("motion/system_accuracy") {
     TEST_CASE("the systems are as accurate as their page says") {
+struct Row {
+    std::string system;
+    double eye = 0.0, eye_90 = 0.0, index = 0.0, arm = 0.0, forearm = 0.0;
+};
+
+/// As the page has them, of every system.
+std::vector<Row> documented() {
+    std::istringstream page(readFile(sourceDir() / "docs/systems.md").value());
+    std::vector<Row> out;
+    bool here = false;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("## ")) here = line == "## How accurate they are";
+        std::array<char, 64> system{};
+        Row row;
+        if (here &&
+            std::sscanf(line.c_str(),
+                        "| `%63[^`]` | %lf\u00b0 | %lf\u00b0 | %lf\u00b0 | %lf\u00b0 | %lf\u00b0 |",
+                        system.data(), &row.eye, &row.eye_90, &row.index, &row.arm, &row.forearm) == 6) {
+            row.system = system.data();
+            out.push_back(row);
+        }
+    }
+    REQUIRE(out.size() == generatorNames().size());
+    return out;
+}
+
         const struct {
             const char* system;
             double eye, eye_90, index, arm, forearm;

@@ -5,6 +5,8 @@
 
 #include "gl_fixture.hpp"
 
+#include "skipping.hpp"
+
 using namespace deixis;
 using namespace deixis::renderer;
 using namespace deixis::tests;
@@ -48,7 +50,7 @@ TEST_SUITE("renderer/context") {
         {
             Gl gl;
             if (gl.renderer->driver().find("Mesa") == std::string::npos) {
-                MESSAGE("skipped: only Mesa can be told to be older than it is");
+                deixis::tests::tellSkipped("only Mesa can be told to be older than it is");
                 return;
             }
         }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "gl_fixture.hpp"
+#include "skipping.hpp"
 
 namespace deixis::tests {
 
@@ -97,7 +98,8 @@ void inEachWay(const Test& test, const assets::Avatar& avatar = postAvatar()) {
              {renderer::StereoMode::two_passes, renderer::StereoMode::multiview}) {
             const bool multiview = mode == renderer::StereoMode::multiview;
             if (multiview && !gl.renderer->hasMultiview()) {
-                MESSAGE("skipped: no multiview with samples ", samples, " from ", gl.renderer->driver());
+                deixis::tests::tellSkipped("no multiview with " + std::to_string(samples) + " samples from " +
+                                           gl.renderer->driver());
                 continue;
             }
             CAPTURE(multiview);

@@ -10,6 +10,7 @@
 #include "oracles.hpp"
 #include "page_text.hpp"
 #include "results/answers/long_table.hpp"
+#include "paths.hpp"
 #include "results/outputs/analysis_json.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/report/report.hpp"
@@ -27,7 +28,7 @@ namespace {
 
 AnalysisResult analyseOracle() {
     const auto table =
-        loadLongTable(DEIXIS_SOURCE_DIR "/tests/results/oracles/analysis.csv", {{"Group"}, {}});
+        loadLongTable(deixis::tests::sourceDir() / "tests/results/oracles/analysis.csv", {{"Group"}, {}});
     REQUIRE_MESSAGE(table.has_value(), (table ? "" : table.error().text()));
     return analyse(*table);
 }

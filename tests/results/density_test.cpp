@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "paths.hpp"
 #include "results/statistics/mean_shift.hpp"
 #include "results/statistics/spearman.hpp"
 
@@ -16,7 +17,7 @@ using namespace deixis::results;
 namespace {
 
 nlohmann::json reference() {
-    std::ifstream in(DEIXIS_SOURCE_DIR "/tests/results/reference/density_scipy.json");
+    std::ifstream in(deixis::tests::sourceDir() / "tests/results/reference/density_scipy.json");
     return nlohmann::json::parse(in);
 }
 

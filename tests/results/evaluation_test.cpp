@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/csv.hpp"
+#include "paths.hpp"
 #include "core/files.hpp"
 #include "core/random.hpp"
 #include "results/statistics/descriptive.hpp"

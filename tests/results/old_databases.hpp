@@ -9,13 +9,14 @@
 
 #include "core/files.hpp"
 
+#include "paths.hpp"
+
 namespace fixtures {
 
 /// Versions 1 to 4; see the files' heads.
 inline void makeVersion(int version, const std::filesystem::path& path) {
-    const auto sql =
-        deixis::readFile(std::filesystem::path(DEIXIS_SOURCE_DIR) /
-                         fmt::format("tests/results/reference/database_version_{}.sql", version));
+    const auto sql = deixis::readFile(
+        deixis::tests::sourceDir() / fmt::format("tests/results/reference/database_version_{}.sql", version));
     REQUIRE(sql);
     SQLite::Database(path.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec(*sql);
 }

@@ -13,10 +13,12 @@
 
 #include "results/statistics/rational.hpp"
 
+#include "paths.hpp"
+
 namespace deixis::tests {
 
 inline nlohmann::json oracles(const std::string& name) {
-    std::ifstream in(DEIXIS_SOURCE_DIR "/tests/results/oracles/" + name + ".json");
+    std::ifstream in(deixis::tests::sourceDir() / ("tests/results/oracles/" + name + ".json"));
     auto cases = nlohmann::json::parse(in)["cases"];
     REQUIRE(!cases.empty());
     return cases;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "paths.hpp"
 #include "studies/plan_fixture.hpp"
 
 using namespace deixis;
@@ -18,7 +19,7 @@ using namespace deixis::studies;
 namespace {
 
 nlohmann::json powerOracle() {
-    std::ifstream in(DEIXIS_SOURCE_DIR "/tests/results/oracles/power.json");
+    std::ifstream in(deixis::tests::sourceDir() / "tests/results/oracles/power.json");
     return nlohmann::json::parse(in);
 }
 

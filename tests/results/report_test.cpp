@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/files.hpp"
+#include "paths.hpp"
 #include "fixtures.hpp"
 #include "results/analysis/analysis.hpp"
 #include "results/outputs/analysis_json.hpp"
@@ -39,7 +40,7 @@ Page pageOf(const std::filesystem::path& database, const char* name) {
     const auto table = loadResponses(database);
     REQUIRE(table);
     const auto html = renderReport(analyse(*table));
-    const std::filesystem::path folder = std::string(DEIXIS_BINARY_DIR) + "/test-reports";
+    const std::filesystem::path folder = deixis::tests::buildDir() / "test-reports";
     std::filesystem::create_directories(folder);
     const auto file = folder / (std::string(name) + ".html");
     REQUIRE(writeFile(file, html));

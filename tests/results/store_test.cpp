@@ -15,6 +15,7 @@
 
 #include "fixtures.hpp"
 #include "results/store/participant_lock.hpp"
+#include "skipping.hpp"
 #include "text.hpp"
 
 using namespace deixis;
@@ -256,7 +257,7 @@ TEST_SUITE("results/store opening") {
         const uid_t user = ::geteuid();
         const uid_t nobody = 65534;
         if (user == 0 && ::chown((folder / "").c_str(), nobody, nobody) + ::seteuid(nobody) != 0) {
-            MESSAGE("skipped: runs as root and cannot become another user");
+            deixis::tests::tellSkipped("runs as root and cannot become another user");
             return;
         }
         const auto read_only_file = refusalToOpen(folder / "a.sqlite");

@@ -11,7 +11,9 @@
 
 #include "core/files.hpp"
 #include "fixtures.hpp"
+#include "paths.hpp"
 #include "results/database/tracking_blocks.hpp"
+#include "skipping.hpp"
 
 using namespace deixis;
 using results::Store;
@@ -55,7 +57,7 @@ float float32(const unsigned char* bytes) {
 
 /// The block of Python in docs/database.md that begins with this line.
 std::string documentedPython(const std::string& first_line) {
-    const auto text = readFile(std::filesystem::path(DEIXIS_SOURCE_DIR) / "docs/database.md").value();
+    const auto text = readFile(deixis::tests::sourceDir() / "docs/database.md").value();
     const std::string fence = "```python\n";
     const auto begin = text.find(fence + first_line);
     REQUIRE(begin != std::string::npos);
@@ -176,7 +178,7 @@ for row in db.execute("SELECT data FROM tracking_blocks ORDER BY session, first_
 )python";
         const auto told = printed(script, db.folder / "a.sqlite");
         if (!told) {
-            MESSAGE("skipped: there is no python3 with sqlite3 and zlib");
+            tests::tellSkipped("there is no python3 with sqlite3 and zlib");
             return;
         }
         std::string expected;

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "studies/design/plan.hpp"
+#include "paths.hpp"
 #include "studies/design/targets.hpp"
 
 using namespace deixis;
@@ -15,7 +16,7 @@ using namespace deixis::studies;
 
 namespace {
 
-const std::filesystem::path data = std::filesystem::path(DEIXIS_SOURCE_DIR) / "assets/data";
+const std::filesystem::path data = deixis::tests::sourceDir() / "assets/data";
 
 Study shippedPointing() {
     const auto study =

@@ -8,6 +8,7 @@
 
 #include "core/files.hpp"
 #include "core/random.hpp"
+#include "paths.hpp"
 #include "studies/plan_fixture.hpp"
 #include "studies/study_file/answer_curve.hpp"
 
@@ -17,7 +18,7 @@ using namespace deixis::studies;
 namespace {
 
 const std::filesystem::path shipped_effects =
-    std::filesystem::path(DEIXIS_SOURCE_DIR) / "assets/data/effects/pointing2023.toml";
+    deixis::tests::sourceDir() / "assets/data/effects/pointing2023.toml";
 
 /// The error of the shipped file with one thing changed.
 std::string changedEffects(const std::string& from, const std::string& to) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/files.hpp"
+#include "paths.hpp"
 #include "text.hpp"
 
 using namespace deixis;
@@ -16,7 +17,7 @@ using deixis::tests::contains;
 
 namespace {
 
-const std::filesystem::path shipped = DEIXIS_SOURCE_DIR "/assets/data/languages";
+const std::filesystem::path shipped = deixis::tests::sourceDir() / "assets/data/languages";
 
 std::string bytesOf(const std::string& code) {
     auto bytes = readFile(shipped / (code + ".toml"));

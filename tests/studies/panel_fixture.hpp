@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "paths.hpp"
 #include "studies/boards/panel_layout.hpp"
 #include "studies/texts/text_layout.hpp"
 
@@ -17,7 +18,8 @@ namespace deixis::tests {
 using namespace deixis::studies;
 
 inline LanguageTable languageTable(const std::string& code) {
-    auto table = LanguageTable::load(DEIXIS_SOURCE_DIR "/assets/data/languages/" + code + ".toml");
+    auto table =
+        LanguageTable::load(deixis::tests::sourceDir() / ("assets/data/languages/" + code + ".toml"));
     REQUIRE_MESSAGE(table.has_value(), (table ? std::string() : table.error().text()));
     return *std::move(table);
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/files.hpp"
+#include "paths.hpp"
 #include "studies/study_file/questionnaire.hpp"
 #include "studies/study_file/study.hpp"
 
@@ -16,7 +17,7 @@ using namespace deixis::studies;
 
 namespace {
 
-const fs::path shipped_data = fs::path(DEIXIS_SOURCE_DIR) / "assets/data";
+const fs::path shipped_data = deixis::tests::sourceDir() / "assets/data";
 constexpr std::array languages{"en", "de", "sv", "ko"};
 
 using Answers = std::map<std::string, double>;

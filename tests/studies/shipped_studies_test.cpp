@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "paths.hpp"
 #include "studies/design/plan.hpp"
 #include "studies/design/targets.hpp"
 #include "studies/study_file/study.hpp"
@@ -19,7 +20,7 @@ using namespace deixis::studies;
 
 namespace {
 
-const fs::path data = fs::path(DEIXIS_SOURCE_DIR) / "assets/data";
+const fs::path data = deixis::tests::sourceDir() / "assets/data";
 const StudyFolders folders{data / "languages", data / "questionnaires"};
 
 /// All that ship, in the order of their names.

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/files.hpp"
+#include "paths.hpp"
 #include "studies/simulation/simulated_participant.hpp"
 
 using namespace deixis;
@@ -12,7 +13,7 @@ using namespace deixis::studies;
 namespace {
 
 const std::filesystem::path shipped_file =
-    std::filesystem::path(DEIXIS_SOURCE_DIR) / "assets/data/simulated_participant.toml";
+    deixis::tests::sourceDir() / "assets/data/simulated_participant.toml";
 
 /// The error of the shipped file with one thing changed.
 std::string changed(const std::string& from, const std::string& to) {

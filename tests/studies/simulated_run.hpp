@@ -17,6 +17,7 @@
 #include "core/random.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/synthesis/generator.hpp"
+#include "paths.hpp"
 #include "studies/session/session.hpp"
 #include "studies/simulation/simulated_participant.hpp"
 #include "studies/study_file/standing.hpp"
@@ -25,7 +26,7 @@ namespace deixis::tests {
 
 using namespace deixis::studies;
 
-inline const std::filesystem::path source_tree = DEIXIS_SOURCE_DIR;
+inline const std::filesystem::path source_tree = sourceDir();
 inline const StudyFolders source_folders{source_tree / "assets/data/languages",
                                          source_tree / "assets/data/questionnaires"};
 

@@ -10,11 +10,12 @@
 #include <string>
 
 #include "core/files.hpp"
+#include "paths.hpp"
 #include "studies/study_file/study.hpp"
 
 namespace deixis::studies {
 
-inline const std::filesystem::path source = DEIXIS_SOURCE_DIR;
+inline const std::filesystem::path source = deixis::tests::sourceDir();
 inline const std::filesystem::path fixtures = source / "tests/studies/fixtures";
 inline const std::filesystem::path shipped_studies = source / "assets/data/studies";
 inline const StudyFolders shipped_folders{source / "assets/data/languages",
