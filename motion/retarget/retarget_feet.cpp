@@ -4,9 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "motion/pointing/two_bone_ik.hpp"
 #include "motion/skeleton/bone_index.hpp"
 #include "motion/skeleton/minimum_jerk.hpp"
-#include "two_bones.hpp"
 
 namespace deixis::motion {
 

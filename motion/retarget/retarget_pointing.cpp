@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "motion/pointing/pointing.hpp"
+#include "motion/pointing/two_bone_ik.hpp"
 #include "motion/skeleton/bone_index.hpp"
-#include "two_bones.hpp"
 
 namespace deixis::motion {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "body_noise.hpp"
-#include "motion/pointing/arm_ik.hpp"
+#include "motion/pointing/two_bone_ik.hpp"
 #include "motion/skeleton/axes.hpp"
 #include "motion/skeleton/minimum_jerk.hpp"
 #include "pointing_posture.hpp"

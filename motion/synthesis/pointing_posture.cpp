@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "motion/pointing/arm_ik.hpp"
+#include "motion/pointing/two_bone_ik.hpp"
 #include "motion/skeleton/axes.hpp"
 
 namespace deixis::motion {

@@ -1,9 +1,10 @@
-#include "motion/pointing/arm_ik.hpp"
+#include "motion/pointing/two_bone_ik.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "core/random.hpp"
 
@@ -24,7 +25,7 @@ TwoLinkArm armOf(Side side) {
 
 }  // namespace
 
-TEST_SUITE("motion/arm_ik") {
+TEST_SUITE("motion/two_bone_ik") {
     TEST_CASE("two equal links reach the diagonal of their square with a right angle") {
         const TwoLinkArm arm{Side::left, {0.3, 0.0, 0.0}, {0.3, 0.0, 0.0}};
         CHECK(flexionForReach(arm, 0.3 * std::sqrt(2.0)) == doctest::Approx(pi / 2.0));
@@ -76,5 +77,29 @@ TEST_SUITE("motion/arm_ik") {
         const Vec3 a = right.upper_arm * Vec3(0.1, 0.2, 0.3);
         const Vec3 b = left.upper_arm * Vec3(-0.1, 0.2, 0.3);
         CHECK(glm::length(Vec3(-a.x, a.y, a.z) - b) < 1e-9);
+    }
+
+    TEST_CASE("A leg reaches any goal within its length and bends to the side on which it bent") {
+        Random random(8);
+        const TwoBones leg{{0.02, -0.42, 0.01}, {0.0, -0.40, -0.03}, {1.0, 0.0, 0.0}};
+        for (int i = 0; i < 200; ++i) {
+            const Quat turned = rotationBetween(randomDirection(random), randomDirection(random));
+            Quat upper = turned;
+            Quat lower = turned * glm::angleAxis(0.3 + 2.0 * random.uniform(), leg.hinge);
+            const Vec3 side = glm::conjugate(upper) * glm::cross(upper * leg.upper, lower * leg.lower);
+            const Vec3 goal = (0.2 + 0.6 * random.uniform()) * randomDirection(random);
+            reach(leg, goal, upper, lower);
+            CHECK(glm::length(upper * leg.upper + lower * leg.lower - goal) < 1e-9);
+            const Vec3 after = glm::conjugate(upper) * glm::cross(upper * leg.upper, lower * leg.lower);
+            CHECK(angleBetween(side, after) < 1e-6);
+        }
+    }
+
+    TEST_CASE("What is too far is pointed at with a straight leg") {
+        const TwoBones leg{{0.0, -0.42, 0.0}, {0.0, -0.40, 0.0}, {1.0, 0.0, 0.0}};
+        Quat upper = no_rotation;
+        Quat lower = glm::angleAxis(0.5, Vec3(1.0, 0.0, 0.0));
+        reach(leg, {0.0, -3.0, 4.0}, upper, lower);
+        CHECK(glm::length(upper * leg.upper + lower * leg.lower - 0.82 * Vec3(0.0, -0.6, 0.8)) < 1e-9);
     }
 }
