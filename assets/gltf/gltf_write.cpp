@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -216,11 +215,9 @@ std::string writeGlb(const Clip& clip, const GlbOptions& options) {
 
 std::string whyNoVrmAnimation(const Clip& clip, const motion::HumanoidMap& humanoid) {
     using enum motion::Bone;
-    constexpr std::array required{hips,         spine,         head,          leftUpperLeg,  leftLowerLeg,
-                                  leftFoot,     rightUpperLeg, rightLowerLeg, rightFoot,     leftUpperArm,
-                                  leftLowerArm, leftHand,      rightUpperArm, rightLowerArm, rightHand};
-    for (const motion::Bone bone : required)
-        if (!humanoid.has(bone)) return fmt::format("the bone {} is missing", motion::boneName(bone));
+    auto missing = motion::missingBones(humanoid);
+    if (!humanoid.has(spine)) missing.emplace_back(motion::boneName(spine));
+    if (!missing.empty()) return fmt::format("the bone {} is missing", missing.front());
     for (std::size_t b = 0; b < motion::bone_count; ++b) {
         const auto bone = static_cast<motion::Bone>(b);
         if (bone == hips || !humanoid.has(bone)) continue;

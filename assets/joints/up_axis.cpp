@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
+
+#include "motion/humanoid/rise_axis.hpp"
 
 namespace deixis::assets {
 
@@ -21,25 +21,13 @@ const std::array<Named, 6> axes{{{UpAxis::x, "x", {1, 0, 0}},
                                  {UpAxis::minus_y, "-y", {0, -1, 0}},
                                  {UpAxis::minus_z, "-z", {0, 0, -1}}}};
 
-/// Sums directions; those without length do not count.
-class MeanDirection {
-  public:
-    void add(const Vec3& v) {
-        if (const double length = glm::length(v); length > 1e-9 && std::isfinite(length)) sum_ += v / length;
-    }
-    [[nodiscard]] FoundUp axis() const {
-        constexpr double least_cosine = 0.707;  // 45 degrees
-        const auto best = std::max_element(axes.begin(), axes.end(), [&](const Named& a, const Named& b) {
-            return glm::dot(sum_, a.direction) < glm::dot(sum_, b.direction);
-        });
-        if (glm::dot(sum_, best->direction) < least_cosine * glm::length(sum_) || glm::length(sum_) < 1e-9)
-            return {UpAxis::y, Origin::assumed};
-        return {best->axis, Origin::detected};
-    }
-
-  private:
-    Vec3 sum_{0.0};
-};
+FoundUp axisOf(const std::vector<Vec3>& rises) {
+    const auto found = motion::riseAxis(rises);
+    if (!found) return {UpAxis::y, Origin::assumed};
+    const auto named =
+        std::find_if(axes.begin(), axes.end(), [&](const Named& a) { return a.direction == *found; });
+    return {named->axis, Origin::detected};
+}
 
 /// From the feet, or what is the lowest that is known, to the head or neck; 0 where nothing is known.
 Vec3 riseOf(const motion::BonePositions& p) {
@@ -77,7 +65,7 @@ Quat yFromUp(UpAxis axis) {
 
 FoundUp findUp(const motion::Clip& clip, const motion::HumanoidMap& map, const std::optional<UpAxis>& given) {
     if (given) return {*given, Origin::given};
-    MeanDirection rise;
+    std::vector<Vec3> rises;
     std::vector<Pose> world;
     motion::BonePositions positions;
     for (std::size_t f = 0; f < clip.frames.size(); f += strideOver(clip.frames.size())) {
@@ -85,16 +73,17 @@ FoundUp findUp(const motion::Clip& clip, const motion::HumanoidMap& map, const s
         for (std::size_t b = 0; b < motion::bone_count; ++b)
             if (const int joint = map.joint[b]; joint >= 0)
                 positions.at[b] = world[static_cast<std::size_t>(joint)].position;
-        rise.add(riseOf(positions));
+        rises.push_back(riseOf(positions));
     }
-    return rise.axis();
+    return axisOf(rises);
 }
 
 FoundUp findUp(const std::vector<motion::BonePositions>& frames, const std::optional<UpAxis>& given) {
     if (given) return {*given, Origin::given};
-    MeanDirection rise;
-    for (std::size_t f = 0; f < frames.size(); f += strideOver(frames.size())) rise.add(riseOf(frames[f]));
-    return rise.axis();
+    std::vector<Vec3> rises;
+    for (std::size_t f = 0; f < frames.size(); f += strideOver(frames.size()))
+        rises.push_back(riseOf(frames[f]));
+    return axisOf(rises);
 }
 
 void turnUp(motion::Clip& clip, UpAxis axis) {

@@ -176,24 +176,6 @@ std::vector<Bone> HumanoidMapping::missing() const {
     return out;
 }
 
-std::span<const Bone> requiredBones() {
-    static constexpr std::array bones{hips,          head,          leftUpperArm,  leftLowerArm, leftHand,
-                                      rightUpperArm, rightLowerArm, rightHand,     leftUpperLeg, leftLowerLeg,
-                                      leftFoot,      rightUpperLeg, rightLowerLeg, rightFoot};
-    return bones;
-}
-
-std::span<const Bone> pointingBones() {
-    return requiredBones().first(8);
-}
-
-std::vector<std::string> missingBones(const HumanoidMap& map, std::span<const Bone> bones) {
-    std::vector<std::string> names;
-    for (const Bone bone : bones)
-        if (!map.has(bone)) names.emplace_back(boneName(bone));
-    return names;
-}
-
 HumanoidMapping mapHumanoid(const Skeleton& skeleton, const HumanoidMap* given) {
     return Mapper(skeleton).run(given);
 }

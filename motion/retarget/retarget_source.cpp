@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "motion/humanoid/rise_axis.hpp"
+
 namespace deixis::motion {
 
 namespace {
@@ -99,21 +101,11 @@ Neutral Source::neutral() const {
 }
 
 Vec3 Source::upAxis(const Neutral& neutral) const {
-    Vec3 mean(0.0);
-    for (const Look& look : looks_)
-        if (const Vec3 rise = standingAxes(look.shape).hips_up; glm::length(rise) > shortest_m)
-            mean += glm::normalize(rise);
-    if (glm::length(mean) < shortest_m) return up;
-    mean = glm::normalize(mean);
+    std::vector<Vec3> rises;
+    for (const Look& look : looks_) rises.push_back(standingAxes(look.shape).hips_up);
     constexpr double clearly = 0.7;
-    if (mean.y > 1.0 - clearly) return up;
     if (neutral.is_rest && glm::normalize(standingAxes(neutral.shape).hips_up).y > clearly) return up;
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
-        if (std::abs(mean[i]) > std::abs(mean[axis])) axis = i;
-    Vec3 out(0.0);
-    out[axis] = mean[axis] < 0.0 ? -1.0 : 1.0;
-    return out;
+    return riseAxis(rises).value_or(up);
 }
 
 bool Source::startsWithAddedPose() const {

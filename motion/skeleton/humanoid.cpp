@@ -91,6 +91,25 @@ Bone mirroredBone(Bone bone) {
     return static_cast<Bone>(info(bone).mirrored);
 }
 
+std::span<const Bone> requiredBones() {
+    using enum Bone;
+    static constexpr std::array bones{hips,          head,          leftUpperArm,  leftLowerArm, leftHand,
+                                      rightUpperArm, rightLowerArm, rightHand,     leftUpperLeg, leftLowerLeg,
+                                      leftFoot,      rightUpperLeg, rightLowerLeg, rightFoot};
+    return bones;
+}
+
+std::span<const Bone> pointingBones() {
+    return requiredBones().first(8);
+}
+
+std::vector<std::string> missingBones(const HumanoidMap& map, std::span<const Bone> bones) {
+    std::vector<std::string> names;
+    for (const Bone bone : bones)
+        if (!map.has(bone)) names.emplace_back(boneName(bone));
+    return names;
+}
+
 std::string_view sideName(Side side) {
     return side == Side::left ? "left" : "right";
 }

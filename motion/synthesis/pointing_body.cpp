@@ -12,10 +12,6 @@ namespace deixis::motion {
 
 namespace {
 
-constexpr std::array needed{Bone::hips,          Bone::spine,         Bone::head,
-                            Bone::leftUpperArm,  Bone::leftLowerArm,  Bone::leftHand,
-                            Bone::rightUpperArm, Bone::rightLowerArm, Bone::rightHand};
-
 /// The reference humanoid's rotations on the avatar's joints.
 LocalPose onAvatar(const Skeleton& avatar, const HumanoidMap& map, const LocalPose& reference) {
     LocalPose pose = restPose(avatar);
@@ -57,10 +53,11 @@ Result<PointingBody> makePointingBody(const Skeleton& avatar) {
     PointingBody body;
     body.skeleton = avatar;
     body.map = mapByVrmNames(avatar);
-    for (const Bone bone : needed)
-        if (!body.map.has(bone))
-            return fail("", "the avatar has no bone '" + std::string(boneName(bone)) + "'",
-                        "A pointing avatar needs hips, spine, head and both arms, by their VRM names");
+    auto missing = missingBones(body.map, pointingBones());
+    if (!body.map.has(Bone::spine)) missing.emplace_back(boneName(Bone::spine));
+    if (!missing.empty())
+        return fail("", "the avatar has no bone '" + missing.front() + "'",
+                    "A pointing avatar needs hips, spine, head and both arms, by their VRM names");
     for (const Joint& joint : avatar.joints)
         if (std::abs(joint.rest.orientation.w) < 1.0 - 1e-9)
             return fail("", "the avatar's joint '" + joint.name + "' has a rest rotation",

@@ -23,8 +23,7 @@ double turn_deg(const Quat& a, const Quat& b) {
 GestureObserver::GestureObserver(const motion::Skeleton& avatar, const Reading& reading)
     : avatar_(avatar), map_(motion::mapByVrmNames(avatar)), reading_(reading) {
     using motion::Bone;
-    for (const Bone bone : {Bone::head, Bone::leftUpperArm, Bone::leftLowerArm, Bone::leftHand,
-                            Bone::rightUpperArm, Bone::rightLowerArm, Bone::rightHand})
+    for (const Bone bone : motion::pointingBones())
         if (!map_.has(bone))
             throw std::invalid_argument("the avatar has no joint " + std::string(motion::boneName(bone)));
     for (const Bone bone : {Bone::hips, Bone::spine, Bone::upperChest, Bone::chest})

@@ -35,14 +35,6 @@ struct HumanoidMapping {
     [[nodiscard]] std::vector<Bone> missing() const;
 };
 
-/// The bones that retargeting cannot do without: hips, head, upper and lower arms, hands; legs and feet.
-[[nodiscard]] std::span<const Bone> requiredBones();
-/// Those of them that pointing is measured by: all but the legs.
-[[nodiscard]] std::span<const Bone> pointingBones();
-/// Names of those that a map lacks.
-[[nodiscard]] std::vector<std::string> missingBones(const HumanoidMap& map,
-                                                    std::span<const Bone> bones = requiredBones());
-
 /// Maps a skeleton. `given`, where it is not null, is a map that the file brings: its bones stand, and others
 /// are looked for only where it lacks required ones. Sides come from names, else from the rest pose, in which
 /// toes point ahead. The joints between hips and neck are shared out over spine, chest and upper chest. Of a

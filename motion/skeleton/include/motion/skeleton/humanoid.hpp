@@ -5,7 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace deixis::motion {
 
@@ -48,6 +51,14 @@ struct HumanoidMap {
     int& operator[](Bone bone) { return joint[static_cast<std::size_t>(bone)]; }
     [[nodiscard]] bool has(Bone bone) const { return (*this)[bone] >= 0; }
 };
+
+/// The bones that retargeting cannot do without: hips, head, upper and lower arms, hands; legs and feet.
+[[nodiscard]] std::span<const Bone> requiredBones();
+/// Those of them that pointing is measured by: all but the legs.
+[[nodiscard]] std::span<const Bone> pointingBones();
+/// Names of those that a map lacks.
+[[nodiscard]] std::vector<std::string> missingBones(const HumanoidMap& map,
+                                                    std::span<const Bone> bones = requiredBones());
 
 enum class Side : unsigned char { left, right };
 [[nodiscard]] std::string_view sideName(Side side);  ///< "left" or "right"
