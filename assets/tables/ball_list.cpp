@@ -8,9 +8,8 @@
 #include <utility>
 
 #include "assets/tables/target_list.hpp"
-#include "core/csv.hpp"
+#include "core/csv_sheet.hpp"
 #include "core/files.hpp"
-#include "core/number.hpp"
 
 namespace deixis::assets {
 
@@ -35,8 +34,8 @@ std::optional<DistractorColumns> distractorOf(std::string_view column) {
         std::string(column.substr(0, digits > 0 ? digits - 1 : 0)), std::string(column.substr(digits)), {}};
 }
 
-Result<std::vector<DistractorColumns>> distractorColumns(const CsvRecord& header, const std::string& name) {
-    const auto& fields = header.fields;
+Result<std::vector<DistractorColumns>> distractorColumns(const CsvSheet& sheet) {
+    const auto& fields = sheet.header.fields;
     std::vector<DistractorColumns> out;
     for (std::size_t c = 0; c < fields.size(); ++c) {
         auto found = distractorOf(fields[c]);
@@ -45,32 +44,29 @@ Result<std::vector<DistractorColumns>> distractorColumns(const CsvRecord& header
         for (std::size_t axis = 1; axis < 3; ++axis) {
             std::string wanted = fields[c];
             wanted.back() = "xyz"[axis];
-            const auto at = std::find(fields.begin(), fields.end(), wanted);
-            if (at == fields.end())
-                return fail(fmt::format("{}:{}", name, header.line),
+            const auto at = sheet.find(wanted);
+            if (!at)
+                return fail(fmt::format("{}:{}", sheet.name, sheet.header.line),
                             fmt::format("the column '{}' is missing beside '{}'", wanted, fields[c]));
-            found->axes[axis] = static_cast<std::size_t>(at - fields.begin());
+            found->axes[axis] = *at;
         }
         out.push_back(std::move(*found));
     }
     if (out.empty())
-        return fail(fmt::format("{}:{}", name, header.line), "no distractors: found no column such as d1_x",
-                    "Print one with 'deixis targets STUDY'");
+        return fail(fmt::format("{}:{}", sheet.name, sheet.header.line),
+                    "no distractors: found no column such as d1_x", "Print one with 'deixis targets STUDY'");
     return out;
 }
 
 /// None where all three cells are empty.
-Result<std::optional<Vec3>> positionIn(const CsvRecord& record, const CsvRecord& header,
-                                       const std::array<std::size_t, 3>& axes, const std::string& where) {
-    if (std::all_of(axes.begin(), axes.end(), [&](std::size_t c) { return record.fields[c].empty(); }))
+Result<std::optional<Vec3>> positionIn(const CsvSheet& sheet, const CsvRecord& row,
+                                       const std::array<std::size_t, 3>& axes) {
+    if (std::all_of(axes.begin(), axes.end(), [&](std::size_t c) { return row.fields[c].empty(); }))
         return std::optional<Vec3>();
     Vec3 out(0.0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::string& cell = record.fields[axes[axis]];
-        const auto value = finiteNumber(cell);
-        if (!value)
-            return fail(fmt::format("{}: {}", where, header.fields[axes[axis]]),
-                        fmt::format("found '{}', expected a finite number of metres", cell));
+        const auto value = sheet.number(row, axes[axis], "a finite number of metres");
+        if (!value) return tl::unexpected(value.error());
         out[static_cast<int>(axis)] = *value;
     }
     return std::optional<Vec3>(out);
@@ -81,22 +77,19 @@ Result<std::optional<Vec3>> positionIn(const CsvRecord& record, const CsvRecord&
 Result<BallList> parseBallList(std::string_view text, const std::string& name) {
     const auto targets = parseTargetList(text, name);
     if (!targets) return tl::unexpected(targets.error());
-    const auto records = parseCsv(text, name);
-    if (!records) return tl::unexpected(records.error());
-    const CsvRecord& header = records->front();
-    const auto columns = distractorColumns(header, name);
+    const auto sheet = parseCsvSheet(text, name);
+    if (!sheet) return tl::unexpected(sheet.error());
+    const auto columns = distractorColumns(*sheet);
     if (!columns) return tl::unexpected(columns.error());
     BallList out;
-    for (std::size_t r = 1; r < records->size(); ++r) {
-        const CsvRecord& record = (*records)[r];
-        const ListedTarget& target = (*targets)[r - 1];
+    for (std::size_t r = 0; r < sheet->rows.size(); ++r) {
+        const ListedTarget& target = (*targets)[r];
         std::vector<BallSet>& sets = out[target.id];
         for (const DistractorColumns& distractor : *columns) {
             auto set = std::find_if(sets.begin(), sets.end(),
                                     [&](const BallSet& s) { return s.band == distractor.band; });
             if (set == sets.end()) set = sets.insert(set, {distractor.band, {target.position}, {"target"}});
-            const auto at =
-                positionIn(record, header, distractor.axes, fmt::format("{}:{}", name, record.line));
+            const auto at = positionIn(*sheet, sheet->rows[r], distractor.axes);
             if (!at) return tl::unexpected(at.error());
             if (!*at) continue;
             set->balls.push_back(**at);

@@ -1,0 +1,31 @@
+// A CSV file whose first record names its columns.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/csv.hpp"
+
+namespace deixis {
+
+struct CsvSheet {
+    std::string name;             ///< of the file, for errors
+    CsvRecord header;             ///< without fields where the text holds no record
+    std::vector<CsvRecord> rows;  ///< each has as many fields as the header
+
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
+    /// Where the column stands; an error that names the header's line where it does not.
+    [[nodiscard]] Result<std::size_t> column(std::string_view column, std::string mend = {}) const;
+    /// "FILE:LINE: COLUMN"
+    [[nodiscard]] std::string place(const CsvRecord& row, std::size_t column) const;
+    /// finiteNumber() of a cell, of at most `most` to either side.
+    [[nodiscard]] Result<double> number(const CsvRecord& row, std::size_t column,
+                                        std::string_view expected = "a finite number",
+                                        double most = 1e308) const;
+};
+
+[[nodiscard]] Result<CsvSheet> parseCsvSheet(std::string_view text, const std::string& name);
+
+}  // namespace deixis
