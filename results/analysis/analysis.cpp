@@ -133,10 +133,9 @@ void takePeopleOnly(AnalysisResult& result) {
 }
 
 void countParticipants(AnalysisResult& result) {
-    std::unordered_set<Name> participants;
-    Name last;
+    std::set<std::string> participants;
     for (const auto& row : result.table.rows) {
-        if (std::exchange(last, row.participant) != row.participant) participants.insert(row.participant);
+        participants.insert(row.participant);
         result.synthetic = result.synthetic || row.synthetic;
     }
     // Who has filled in questionnaires only has taken part, too.

@@ -7,7 +7,6 @@
 
 #include "results/analysis/analysis_tests.hpp"
 #include "results/statistics/descriptive.hpp"
-#include "results/tables/by_name.hpp"
 
 namespace deixis::results {
 
@@ -22,9 +21,9 @@ struct MeasureRows {
 /// For each of AnalysisResult::measures.
 std::vector<MeasureRows> rowsOfMeasures(const AnalysisResult& result) {
     std::vector<MeasureRows> out(result.measures.size());
-    ByName<std::size_t> measures;
+    std::map<std::string, std::size_t> measures;
     for (std::size_t m = 0; m < out.size(); ++m) measures[result.measures[m].name] = m + 1;
-    ByName<std::size_t> systems;
+    std::map<std::string, std::size_t> systems;
     for (std::size_t s = 0; s < result.table.systems.size(); ++s) systems[result.table.systems[s]] = s;
     for (MeasureRows& rows : out) rows.by_system.resize(systems.size());
     for (const ResponseRow& row : result.table.rows) {
@@ -48,7 +47,7 @@ void compareWithChance(const MeasureRows& rows, const Measure& measure, Analysis
     for (std::size_t s = 0; s < rows.by_system.size(); ++s) {
         ChanceResult& out = result.chance.emplace_back();
         out.system = result.table.systems[s];
-        std::map<Name, AboveChance> participants;
+        std::map<std::string, AboveChance> participants;
         for (const ResponseRow* row : rows.by_system[s]) {
             ++out.n;
             out.successes += row->value > 0.5 ? 1 : 0;
@@ -160,7 +159,7 @@ void compareHalves(const MeasureRows& rows, const Measure& measure, AnalysisResu
 }
 
 void describeItems(const MeasureRows& rows, const Measure& measure, AnalysisResult& result) {
-    std::unordered_map<Name, Scores> by_item;
+    std::unordered_map<std::string, Scores> by_item;
     for (const ResponseRow* row : rows.all)
         if (!row->target_id.empty()) by_item[row->target_id].push_back(row->value);
     const auto first = static_cast<std::ptrdiff_t>(result.items.size());
@@ -188,21 +187,14 @@ void poolRatings(const MeasureRows& rows, const Measure& measure, AnalysisResult
 
 void countPresence(const std::vector<MeasureRows>& rows, AnalysisResult& result) {
     const std::size_t systems = result.table.systems.size();
-    std::map<Name, std::vector<std::vector<int>>> counts;
+    std::map<std::string, std::vector<std::vector<int>>> counts;
     for (std::size_t m = 0; m < rows.size(); ++m)
-        for (std::size_t s = 0; s < systems; ++s) {
-            std::vector<std::vector<int>>* of_participant = nullptr;
-            Name participant;
+        for (std::size_t s = 0; s < systems; ++s)
             for (const ResponseRow* row : rows[m].by_system[s]) {
-                if (of_participant == nullptr || participant != row->participant) {
-                    participant = row->participant;
-                    of_participant = &counts[participant];
-                    if (of_participant->empty())
-                        of_participant->assign(rows.size(), std::vector<int>(systems, 0));
-                }
-                ++(*of_participant)[m][s];
+                std::vector<std::vector<int>>& of_participant = counts[row->participant];
+                of_participant.resize(rows.size(), std::vector<int>(systems, 0));
+                ++of_participant[m][s];
             }
-        }
     for (auto& [participant, answers] : counts) result.presence.push_back({participant, std::move(answers)});
 }
 

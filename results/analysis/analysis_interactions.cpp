@@ -15,8 +15,8 @@ namespace {
 
 /// Participants' scores in one cell, by system: a mean of these means does not hang on how many answers each
 /// system got.
-using CellScores = std::map<Name, std::map<Name, Scores>>;
-using CellMeans = std::map<Name, Rational>;  // by participant
+using CellScores = std::map<std::string, std::map<std::string, Scores>>;
+using CellMeans = std::map<std::string, Rational>;  // by participant
 
 CellMeans meansOf(const CellScores& cell) {
     CellMeans out;
@@ -28,7 +28,7 @@ CellMeans meansOf(const CellScores& cell) {
     return out;
 }
 
-Name levelOn(const ResponseTable& table, const ResponseRow& row, const Factor& factor) {
+std::string levelOn(const ResponseTable& table, const ResponseRow& row, const Factor& factor) {
     return factor.name == systems_between ? row.system : levelOf(table, row, factor.name);
 }
 
@@ -44,9 +44,9 @@ using CrossedMeans = std::map<std::pair<std::string, std::string>, CellMeans>;
 
 LevelMeans levelMeans(const ResponseTable& table, const Measure& measure, const Factor& factor) {
     std::map<std::string, CellScores> cells;
-    const Name name(measure.name);
     for (const ResponseRow& row : table.rows)
-        if (const Name level = levelOn(table, row, factor); row.measure == name && !level.empty())
+        if (const std::string level = levelOn(table, row, factor);
+            row.measure == measure.name && !level.empty())
             cells[level][row.participant][row.system].push_back(row.value);
     LevelMeans out;
     for (const auto& [level, cell] : cells) out[level] = meansOf(cell);
@@ -56,20 +56,18 @@ LevelMeans levelMeans(const ResponseTable& table, const Measure& measure, const 
 CrossedMeans crossedMeans(const ResponseTable& table, const Measure& measure, const Factor& first,
                           const Factor& second) {
     std::map<std::pair<std::string, std::string>, CellScores> cells;
-    const Name name(measure.name);
     for (const ResponseRow& row : table.rows) {
-        if (row.measure != name) continue;
-        const Name a = levelOn(table, row, first);
-        const Name b = levelOn(table, row, second);
-        if (!a.empty() && !b.empty())
-            cells[{a.text(), b.text()}][row.participant][row.system].push_back(row.value);
+        if (row.measure != measure.name) continue;
+        const std::string a = levelOn(table, row, first);
+        const std::string b = levelOn(table, row, second);
+        if (!a.empty() && !b.empty()) cells[{a, b}][row.participant][row.system].push_back(row.value);
     }
     CrossedMeans out;
     for (const auto& [levels, cell] : cells) out[levels] = meansOf(cell);
     return out;
 }
 
-const Rational* meanIn(const CellMeans& means, Name participant) {
+const Rational* meanIn(const CellMeans& means, const std::string& participant) {
     const auto found = means.find(participant);
     return found == means.end() ? nullptr : &found->second;
 }

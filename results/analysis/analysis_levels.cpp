@@ -22,19 +22,12 @@ struct LevelCells {
 
 LevelCells levelCells(const ResponseTable& table, const std::string& measure, const Factor& factor) {
     LevelCells cells;
-    const Name name(measure);
-    RecentCells recent;
-    RecentCells recent_of_all;
     for (const auto& row : table.rows) {
-        if (row.measure != name) continue;
-        const Name level = levelOf(table, row, factor.name);
+        if (row.measure != measure) continue;
+        const std::string level = levelOf(table, row, factor.name);
         if (level.empty()) continue;
-        recent
-            .of(row, row.system, level,
-                [&]() -> Scores& { return cells.by_system[row.system][level][row.participant]; })
-            .push_back(row.value);
-        recent_of_all.of(row, level, level, [&]() -> Scores& { return cells.of_all[level][row.participant]; })
-            .push_back(row.value);
+        cells.by_system[row.system][level][row.participant].push_back(row.value);
+        cells.of_all[level][row.participant].push_back(row.value);
     }
     for (const std::string& level : factor.levels)
         if (cells.of_all.contains(level)) cells.levels.push_back(level);

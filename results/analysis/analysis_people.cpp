@@ -135,11 +135,11 @@ Rational medianTime(Milliseconds times) {
 /// One time for each trial: a page on which several systems are rated together has none that is one
 /// system's.
 struct TimesOfMeasure {
-    using ByParticipant = std::unordered_map<Name, Milliseconds>;
-    std::unordered_map<Name, ByParticipant> by_system{};
+    using ByParticipant = std::unordered_map<std::string, Milliseconds>;
+    std::unordered_map<std::string, ByParticipant> by_system{};
     ByParticipant all{};
     // The trial that is read: its rows follow each other.
-    Name participant{}, system{};
+    std::string participant{}, system{};
     int trial = -1;
 
     void take(const ResponseRow& row) {
@@ -161,7 +161,7 @@ struct TimesOfMeasure {
 std::map<std::string, Rational> mediansOf(const TimesOfMeasure::ByParticipant& times) {
     std::map<std::string, Rational> out;
     for (const auto& [participant, of] : times)
-        if (!of.empty()) out.emplace(participant.text(), medianTime(of));
+        if (!of.empty()) out.emplace(participant, medianTime(of));
     return out;
 }
 
@@ -190,7 +190,7 @@ void compareTimesOfGroups(const Measure& measure, const std::map<std::string, Ra
 }
 
 void compareTimes(AnalysisResult& result) {
-    std::unordered_map<Name, TimesOfMeasure> times;
+    std::unordered_map<std::string, TimesOfMeasure> times;
     for (const ResponseRow& row : result.table.rows)
         if (row.response_time_s > 0.0 && row.response_time_s < 1e9) times[row.measure].take(row);
     std::vector<Measure> measures;
@@ -201,7 +201,7 @@ void compareTimes(AnalysisResult& result) {
         measure.equivalence_bound = 0.0;  // declared in its own unit
         measures.push_back(measure);
         for (const auto& [system, participants] : found->second.by_system)
-            medians[measure.name][system.text()] = mediansOf(participants);
+            medians[measure.name][system] = mediansOf(participants);
         compareTimesOfGroups(measure, mediansOf(found->second.all), result);
     }
     result.time_tests = pairTests(medians, measures, result.table.systems, result.level, result.alpha);

@@ -43,13 +43,13 @@ constexpr char after_participant = '\x1f';
 class PairKeys {
   public:
     explicit PairKeys(const RowPointers& rows) {
-        std::map<Trial, Name> first;
+        std::map<Trial, std::string> first;
         for (const ResponseRow* row : rows)
             if (row->trial >= 0 && first.try_emplace(trialOf(*row), row->system).first->second != row->system)
                 pages_.insert(trialOf(*row));
     }
     [[nodiscard]] std::string of(const ResponseRow& row) const {
-        const std::string start = row.participant.text() + after_participant;
+        const std::string start = row.participant + after_participant;
         if (pages_.contains(trialOf(row)))
             return fmt::format("{}page {}\x1f{}", start, row.trial, row.target_id);
         if (row.target_id.empty()) return "";
@@ -58,7 +58,7 @@ class PairKeys {
 
   private:
     // With the item: where a file counts trials anew for each system, those with one number are no page.
-    using Trial = std::tuple<Name, int, Name>;
+    using Trial = std::tuple<std::string, int, std::string>;
     static Trial trialOf(const ResponseRow& row) { return {row.participant, row.trial, row.target_id}; }
 
     std::set<Trial> pages_{};
@@ -169,7 +169,7 @@ void compareAuthorTrials(AnalysisResult& result) {
     for (const Measure& measure : result.measures) {
         if (measure.kind != MeasureKind::rating) continue;
         const std::size_t first = result.author_trials.size();
-        std::map<Name, RatingsByTrial> systems;
+        std::map<std::string, RatingsByTrial> systems;
         for (const ResponseRow& row : result.table.rows) {
             if (row.measure != measure.name || row.author_trial <= 0) continue;
             RatingsByTrial& of = systems[row.system];
@@ -177,7 +177,7 @@ void compareAuthorTrials(AnalysisResult& result) {
             of.by_participant[fmt::format("{}", row.author_trial)][row.participant].push_back(row.value);
         }
         for (const std::string& system : result.table.systems)
-            if (const auto found = systems.find(Name(system)); found != systems.end())
+            if (const auto found = systems.find(system); found != systems.end())
                 compareTrials(measure, system, found->second, result);
         const std::string family = measure.name + ": clips by their authors' trials";
         adjustGroups(result.author_trials, first, family + ", by ratings", result.alpha);

@@ -9,7 +9,6 @@
 
 #include "results/analysis/several_studies.hpp"
 #include "results/statistics/rounded_fraction.hpp"
-#include "results/tables/by_name.hpp"
 
 namespace deixis::results {
 
@@ -163,7 +162,7 @@ void remarkSensitivity(AnalysisResult& result) {
 
 void remarkAnswers(AnalysisResult& result) {
     const ResponseTable& table = result.table;
-    ByName<int> answered;
+    std::map<std::string, int> answered;
     int interrupted = 0;
     for (const auto& row : table.rows) {
         ++answered[row.measure];

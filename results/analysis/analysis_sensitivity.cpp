@@ -18,10 +18,8 @@ struct PairsOfChoice {
 };
 
 AnswerCounts countsOf(const RowPointers& rows) {
-    std::unordered_set<Name> participants;
-    Name last;
-    for (const ResponseRow* row : rows)
-        if (std::exchange(last, row->participant) != row->participant) participants.insert(row->participant);
+    std::set<std::string> participants;
+    for (const ResponseRow* row : rows) participants.insert(row->participant);
     return {static_cast<int>(participants.size()), static_cast<int>(rows.size())};
 }
 
@@ -46,13 +44,13 @@ AdjustedTest preferenceIn(const PairsOfChoice& choice, const PreferenceResult& p
 
 /// The answers of one choice.
 RowPointers rowsOf(AnswerChoice choice, const ResponseTable& table) {
-    const std::unordered_set<Name> failed(table.failed_checks.begin(), table.failed_checks.end());
     const bool answered_only = choice == AnswerChoice::answered_only;
     const bool without_doubtful = choice == AnswerChoice::without_doubtful;
     RowPointers out;
     for (const ResponseRow& row : table.rows) {
         if (answered_only && !row.unanswered.empty()) continue;
-        if (without_doubtful && (!row.marked.empty() || failed.contains(row.participant))) continue;
+        if (without_doubtful && (!row.marked.empty() || table.failed_checks.contains(row.participant)))
+            continue;
         out.push_back(&row);
     }
     if (choice == AnswerChoice::with_left_out)

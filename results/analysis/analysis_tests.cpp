@@ -150,12 +150,8 @@ RowPointers pointersTo(const std::vector<ResponseRow>& rows) {
 
 CellsByMeasure cellsOf(const RowPointers& rows) {
     CellsByMeasure cells;
-    RecentCells recent;
     for (const ResponseRow* row : rows)
-        recent
-            .of(*row, row->measure, row->system,
-                [&]() -> Scores& { return cells[row->measure][row->system][row->participant]; })
-            .push_back(row->value);
+        cells[row->measure][row->system][row->participant].push_back(row->value);
     return cells;
 }
 

@@ -112,9 +112,7 @@ DataOrigin originOf(const ResponseTable& table, const std::string& study) {
 NameSet participantsOf(const ResponseTable& table) {
     NameSet out;
     for (const auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows}) {
-        Name last;
-        for (const ResponseRow& row : *rows)
-            if (std::exchange(last, row.participant) != row.participant) out.insert(row.participant);
+        for (const ResponseRow& row : *rows) out.insert(row.participant);
     }
     for (const auto& row : table.scores) out.insert(row.participant);
     for (const auto& row : table.fields) out.insert(row.participant);
@@ -136,16 +134,10 @@ void nameApart(ResponseTable& table, const std::string& study) {
     for (const std::string& participant : participantsOf(table))
         table.groups[participant][study_factor] = study;
     table.between.insert(table.between.begin(), Factor{study_factor, {study}});
-    std::map<Name, Name> names;
-    const auto renamed = [&](Name name) {
-        const auto [known, is_new] = names.try_emplace(name);
-        if (is_new) known->second = Name(prefix + name.text());
-        return known->second;
-    };
     for (auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows})
         for (ResponseRow& row : *rows) {
-            row.participant = renamed(row.participant);
-            if (!row.target_id.empty()) row.target_id = renamed(row.target_id);
+            row.participant = prefix + row.participant;
+            if (!row.target_id.empty()) row.target_id = prefix + row.target_id;
         }
     for (ChoiceRow& row : table.choices) {
         row.participant = prefix + row.participant;

@@ -29,13 +29,8 @@ const Factor* studiesOf(const ResponseTable& table) {
 /// Calls visit(row, study) for each answer; those of a participant stand together.
 template <typename Visit>
 void forStudies(const ResponseTable& table, const Visit& visit) {
-    Name last;
-    std::string study;
-    for (const ResponseRow& row : table.rows) {
-        if (std::exchange(last, row.participant) != row.participant)
-            study = levelOfParticipant(table, row.participant, study_factor);
-        visit(row, study);
-    }
+    for (const ResponseRow& row : table.rows)
+        visit(row, levelOfParticipant(table, row.participant, study_factor));
 }
 
 /// What was planned of one study's participants; where no plan is known, what was answered.
@@ -59,7 +54,7 @@ void planStudy(const ResponseTable& all, const std::string& study, ResponseTable
 void addMedians(const AnalysisResult& of, const std::string& study, std::size_t measure,
                 std::vector<MedianResult>& out) {
     const Measure& asked = of.measures[measure];
-    std::map<Name, std::vector<double>> ratings;
+    std::map<std::string, std::vector<double>> ratings;
     if (asked.kind == MeasureKind::rating)
         for (const ResponseRow& row : of.table.rows)
             if (row.measure == asked.name) ratings[row.system].push_back(row.value);
@@ -136,11 +131,10 @@ Result<void> checkStudiesMeet(const ResponseTable& table, bool stations_together
     if (studiesOf(table) == nullptr) return {};
     std::map<std::string, std::set<std::string>> by_kind;
     forStudies(table, [&](const ResponseRow& row, const std::string& study) {
-        const std::string kind = row.synthetic       ? std::string("simulated participants")
-                                 : stations_together ? std::string("people")
-                                 : row.station.empty()
-                                     ? std::string("people, station not known")
-                                     : fmt::format("people, station {}", row.station.text());
+        const std::string kind = row.synthetic         ? std::string("simulated participants")
+                                 : stations_together   ? std::string("people")
+                                 : row.station.empty() ? std::string("people, station not known")
+                                                       : fmt::format("people, station {}", row.station);
         by_kind[kind].insert(study);
     });
     std::vector<std::string> found;

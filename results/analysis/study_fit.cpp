@@ -23,17 +23,14 @@ namespace {
 
 NameSet answeredMeasures(const ResponseTable& table) {
     NameSet out;
-    Name last;
-    for (const ResponseRow& row : table.rows)
-        if (std::exchange(last, row.measure) != row.measure) out.insert(row.measure);
+    for (const ResponseRow& row : table.rows) out.insert(row.measure);
     return out;
 }
 
 NameSet answeredSystems(const ResponseTable& table) {
     NameSet out;
-    Name last;
     for (const ResponseRow& row : table.rows) {
-        if (std::exchange(last, row.system) != row.system) out.insert(row.system);
+        out.insert(row.system);
         if (!row.other_system.empty()) out.insert(row.other_system);
     }
     return out;
@@ -112,7 +109,7 @@ Result<void> checkTogether(const std::vector<ResponseTable>& tables, const JoinC
 }
 
 void keepMeasures(const NameSet& kept, ResponseTable& table) {
-    const auto leaves = [&](Name measure) { return !kept.contains(measure.text()); };
+    const auto leaves = [&](const std::string& measure) { return !kept.contains(measure); };
     std::erase_if(table.measures, [&](const Measure& one) { return leaves(one.name); });
     for (auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows})
         std::erase_if(*rows, [&](const ResponseRow& row) { return leaves(row.measure); });
@@ -144,9 +141,8 @@ Result<void> keepSharedSystems(std::vector<ResponseTable>& tables) {
         const auto goes = [&](const auto& row) { return gone.contains(row.system); };
         const auto before = table.rows.size();
         for (auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows})
-            std::erase_if(*rows, [&](const ResponseRow& row) {
-                return goes(row) || gone.contains(row.other_system.text());
-            });
+            std::erase_if(
+                *rows, [&](const ResponseRow& row) { return goes(row) || gone.contains(row.other_system); });
         std::erase_if(table.choices, goes);
         std::erase_if(table.watched, [&](const WatchedChoice& one) { return goes(one.seen); });
         table.notes.push_back(
@@ -159,7 +155,7 @@ Result<void> keepSharedSystems(std::vector<ResponseTable>& tables) {
         for (Measure& measure : table.measures)
             measure.planned = static_cast<int>(
                 std::count_if(table.rows.begin(), table.rows.end(),
-                              [&](const ResponseRow& row) { return row.measure == Name(measure.name); }));
+                              [&](const ResponseRow& row) { return row.measure == measure.name; }));
     }
     return {};
 }

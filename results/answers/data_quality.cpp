@@ -30,7 +30,7 @@ double medianOf(std::span<double> x) {
 
 /// The rating given most often, the lowest of several such. A measure with enough answers to be judged goes
 /// before one with fewer.
-void judgeSame(const Name& measure, std::vector<double> values, ParticipantQuality& out) {
+void judgeSame(const std::string& measure, std::vector<double> values, ParticipantQuality& out) {
     std::sort(values.begin(), values.end());
     const auto enough = [](std::size_t n) { return n >= studies::LeaveOutRule::least_answers; };
     for (auto first = values.begin(); first != values.end();) {
@@ -38,7 +38,7 @@ void judgeSame(const Name& measure, std::vector<double> values, ParticipantQuali
         const double share = static_cast<double>(last - first) / static_cast<double>(values.size());
         if (std::pair(enough(values.size()), share) >
             std::pair(enough(static_cast<std::size_t>(out.same_of)), out.same_share)) {
-            out.same_measure = measure.text();
+            out.same_measure = measure;
             out.same_rating = *first;
             out.same_share = share;
             out.same_of = static_cast<int>(values.size());
@@ -86,8 +86,8 @@ struct Time {
 };
 
 /// One for each trial, by the measure of its first answer.
-std::unordered_map<Name, std::vector<Time>> timesOf(const std::vector<Rows>& rows_of) {
-    std::unordered_map<Name, std::vector<Time>> out;
+std::unordered_map<std::string, std::vector<Time>> timesOf(const std::vector<Rows>& rows_of) {
+    std::unordered_map<std::string, std::vector<Time>> out;
     for (std::size_t person = 0; person < rows_of.size(); ++person) {
         std::unordered_set<int> seen;
         for (const ResponseRow* row : rows_of[person])
@@ -130,19 +130,16 @@ struct People {
 };
 
 People peopleOf(const ResponseTable& table) {
-    std::unordered_map<Name, Rows> by_name;
+    std::map<std::string, Rows> by_name;
     for (const auto* rows : {&table.rows, &table.left_out_rows})
         for (const ResponseRow& row : *rows) by_name[row.participant].push_back(&row);
-    std::vector<Name> names;
-    for (const auto& [name, rows] : by_name) names.push_back(name);
-    std::sort(names.begin(), names.end());
     People out;
-    for (const Name& name : names) {
-        out.rows.push_back(std::move(by_name[name]));
+    for (auto& [name, rows] : by_name) {
+        out.rows.push_back(std::move(rows));
         ParticipantQuality& one = out.judged.emplace_back();
-        one.participant = name.text();
+        one.participant = name;
         one.left_out = !out.rows.back().front()->excluded.empty();
-        if (!one.left_out) one.failed_check = table.failed_checks.contains(name.text());
+        if (!one.left_out) one.failed_check = table.failed_checks.contains(name);
     }
     return out;
 }

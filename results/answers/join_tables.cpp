@@ -35,7 +35,7 @@ void joinWithin(ResponseTable& out, ResponseTable& next) {
     joinFactors(out.within, next.within);
     const auto reorder = [&](const std::vector<Factor>& from, std::vector<ResponseRow>& rows) {
         for (ResponseRow& row : rows) {
-            std::vector<Name> levels(out.within.size());
+            std::vector<std::string> levels(out.within.size());
             for (std::size_t i = 0; i < from.size(); ++i)
                 for (std::size_t k = 0; k < out.within.size(); ++k)
                     if (out.within[k].name == from[i].name) levels[k] = row.within[i];
@@ -97,13 +97,11 @@ void joinChecks(std::vector<CheckCount>& to, const std::vector<CheckCount>& from
 Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
     ResponseTable out = std::move(tables.front());
     std::vector<std::string> files;
-    std::map<Name, std::size_t> file_of;  // by participant
+    std::map<std::string, std::size_t> file_of;  // by participant
     const auto claim = [&](const ResponseTable& table) -> Result<void> {
         files.push_back(table.database);
         for (const auto* rows : {&table.rows, &table.left_out_rows, &table.skipped_rows}) {
-            Name last;  // rows of one participant stand together
             for (const ResponseRow& row : *rows) {
-                if (std::exchange(last, row.participant) == row.participant) continue;
                 if (const auto [known, is_new] = file_of.try_emplace(row.participant, files.size() - 1);
                     !is_new && known->second != files.size() - 1)
                     return fail(
@@ -174,9 +172,9 @@ std::string answersHash(const ResponseTable& table) {
     std::string text;
     text.reserve(table.rows.size() * usual_row_bytes);
     for (const ResponseRow& row : table.rows) {
-        for (const Name one : {row.participant, row.measure, row.system, row.other_system, row.layout,
-                               row.distance, row.target_id}) {
-            text += one.text();
+        for (const std::string* one : {&row.participant, &row.measure, &row.system, &row.other_system,
+                                       &row.layout, &row.distance, &row.target_id}) {
+            text += *one;
             text += '\t';
         }
         appendNumber(text, row.value);

@@ -1,14 +1,10 @@
 #include "results/answers/long_table.hpp"
 
-#include <algorithm>
 #include <fstream>
-#include <memory>
-#include <optional>
 #include <utility>
 
 #include "core/files.hpp"
 #include "core/foreign_csv.hpp"
-#include "core/parallel.hpp"
 #include "long_table_doubts.hpp"
 #include "long_table_reader.hpp"
 #include "results/database/database_files.hpp"
@@ -17,45 +13,12 @@ namespace deixis::results {
 
 namespace {
 
-std::size_t countLines(std::string_view text) {
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
-/// From the line that begins at or behind `from` up to the one that does so for `to`.
-std::string_view linesBetween(std::string_view text, std::size_t from, std::size_t to) {
-    const auto lineAt = [&](std::size_t at) {
-        return at == 0 ? 0 : std::min(text.find('\n', at - 1), text.size() - 1) + 1;
-    };
-    return text.substr(lineAt(from), lineAt(to) - lineAt(from));
-}
-
 Result<ResponseTable> readWhole(const std::filesystem::path& file, std::string_view text, CsvForm form,
                                 const LongTableOptions& options) {
     LongTableReader reader(file, text, form, options);
     if (auto head = reader.readHead(); !head) return tl::unexpected(head.error());
-    if (auto rows = reader.readRows(countLines(text)); !rows) return tl::unexpected(rows.error());
+    if (auto rows = reader.readRows(); !rows) return tl::unexpected(rows.error());
     return reader.finish();
-}
-
-/// A long text in several parts at the same time; none where anything is wrong with it.
-std::optional<ResponseTable> readInParts(const std::filesystem::path& file, std::string_view text,
-                                         CsvForm form, const LongTableOptions& options) {
-    constexpr std::size_t bytes_worth_a_thread = std::size_t{4} << 20U;
-    LongTableReader columns(file, text, form, options);
-    // An export has a trial in several lines, which a cut could part.
-    if (!columns.readHead() || columns.isExport()) return std::nullopt;
-    auto parts = mapRanges(text.size(), bytes_worth_a_thread, [&](std::size_t from, std::size_t to) {
-        const std::string_view lines = linesBetween(text, from, to);
-        auto part = from == 0 ? std::make_unique<LongTableReader>(file, lines, form, options)
-                              : std::make_unique<LongTableReader>(columns, lines);
-        const std::size_t expected = countLines(from == 0 ? text : lines);  // the first one takes the others'
-        if ((from == 0 && !part->readHead()) || !part->readRows(expected)) part.reset();
-        return part;
-    });
-    for (const auto& part : parts)
-        if (!part || (part != parts.front() && !parts.front()->append(*part))) return std::nullopt;
-    if (auto table = parts.front()->finish()) return std::move(*table);
-    return std::nullopt;
 }
 
 }  // namespace
@@ -65,12 +28,7 @@ Result<ResponseTable> loadLongTable(const std::filesystem::path& file, const Lon
     if (!bytes) return tl::unexpected(bytes.error());
     const auto csv = readForeignCsv(std::move(*bytes), file.string());
     if (!csv) return tl::unexpected(csv.error());
-    // A quoted field may go on in the next line: such a text is not cut. Nor is one with an error, which is
-    // then told as the first in the file.
-    std::optional<ResponseTable> in_parts;
-    if (csv->text.find('"') == std::string::npos) in_parts = readInParts(file, csv->text, csv->form, options);
-    auto table = in_parts ? Result<ResponseTable>(std::move(*in_parts))
-                          : readWhole(file, csv->text, csv->form, options);
+    auto table = readWhole(file, csv->text, csv->form, options);
     if (table) addDoubts(*csv, *table);
     return table;
 }

@@ -20,14 +20,14 @@ bool isSensible(const std::optional<double>& value) {
 
 }  // namespace
 
-Name LongTableReader::ratingName() {
-    const Name named = name(measure);
+std::string LongTableReader::ratingName() {
+    const std::string named = name(measure);
     if (!named.empty()) return named;
-    const Name of_stage = name(stage);
+    const std::string of_stage = name(stage);
     return of_stage.empty() ? rating_ : of_stage;
 }
 
-Result<Name> LongTableReader::nameOnScale(Name name) {
+Result<std::string> LongTableReader::nameOnScale(const std::string& name) {
     const NumberCell low = number(scale_low);
     const NumberCell high = number(scale_high);
     if (low.missing || high.missing) return name;
@@ -36,10 +36,10 @@ Result<Name> LongTableReader::nameOnScale(Name name) {
         return bad(scale_high, "more than \"scale_low\"");
     const std::string on_scale = fmt::format("{} ({:g} to {:g})", name, *low.value, *high.value);
     scaled_.try_emplace(on_scale, OnScale{name, {*low.value, *high.value}});
-    return Name(on_scale);
+    return on_scale;
 }
 
-Result<void> LongTableReader::checkScale(Name name, double value, LongColumn column) const {
+Result<void> LongTableReader::checkScale(const std::string& name, double value, LongColumn column) const {
     if (options_.scales.empty()) return {};
     const auto scale = options_.scales.find(name);
     if (scale == options_.scales.end() || (value >= scale->second.low && value <= scale->second.high))
@@ -50,7 +50,8 @@ Result<void> LongTableReader::checkScale(Name name, double value, LongColumn col
                 "Empty the cell where that stands for no answer, or mend --scale");
 }
 
-Result<void> LongTableReader::addRow(const ResponseRow& answer, Name name, MeasureKind kind, double value) {
+Result<void> LongTableReader::addRow(const ResponseRow& answer, const std::string& name, MeasureKind kind,
+                                     double value) {
     const auto word = [](MeasureKind of) {
         return of == MeasureKind::accuracy ? "right or wrong"
                : of == MeasureKind::rating ? "a rating"
@@ -80,7 +81,7 @@ Result<void> LongTableReader::readPreference(const ResponseRow& row, LongColumn 
             column,
             "a preference: a whole number from -2 (clearly for \"system\") over 0 (neither) to 2 (clearly "
             "for \"other_system\")");
-    const Name called = name(measure);
+    const std::string called = name(measure);
     if (preference_of_.empty()) preference_of_ = called;
     if (called != preference_of_)
         return fail(where(measure),
@@ -94,7 +95,7 @@ Result<void> LongTableReader::readUnanswered(const ResponseRow& row) {
     if (!number(rating).missing)
         return fail(where(status), fmt::format("found \"{}\" beside a rating", cell(status)),
                     "Only choices time out or are skipped");
-    if (const TruthCell& is_right = truth(correct); !is_right.missing && is_right.value.value_or(true))
+    if (const TruthCell is_right = truth(correct); !is_right.missing && is_right.value.value_or(true))
         return fail(where(status), fmt::format("found \"{}\" beside a right choice", cell(status)),
                     "Where nothing was chosen, \"correct\" is 0 or empty");
     if (row.unanswered == "timed_out") return addRow(row, accuracy_, MeasureKind::accuracy, 0.0);
@@ -109,7 +110,7 @@ Result<void> LongTableReader::readUnanswered(const ResponseRow& row) {
 Result<void> LongTableReader::readAnswers(const ResponseRow& row) {
     bool answered = false;
     if (!row.unanswered.empty()) return readUnanswered(row);
-    if (const TruthCell& is_right = truth(correct); !is_right.missing) {
+    if (const TruthCell is_right = truth(correct); !is_right.missing) {
         if (!is_right.value) return bad(correct, "0 or 1");
         if (!row.other_system.empty()) return bad(other_system, "nothing beside a choice");
         if (auto added = addRow(row, accuracy_, MeasureKind::accuracy, *is_right.value ? 1.0 : 0.0); !added)
@@ -119,7 +120,7 @@ Result<void> LongTableReader::readAnswers(const ResponseRow& row) {
     if (const NumberCell found = number(rating); !found.missing) {
         if (!row.other_system.empty()) return readPreference(row, rating);
         if (!isSensible(found.value)) return bad(rating, expected_rating);
-        const Name called = ratingName();
+        const std::string called = ratingName();
         if (auto checked = checkScale(called, *found.value, rating); !checked) return checked;
         const auto on_scale = nameOnScale(called);
         if (!on_scale) return tl::unexpected(on_scale.error());
@@ -131,7 +132,7 @@ Result<void> LongTableReader::readAnswers(const ResponseRow& row) {
         ++empty_;
         return {};
     }
-    const TruthCell& is_true = truth(response);
+    const TruthCell is_true = truth(response);
     if (!is_true.missing && !row.other_system.empty()) return readPreference(row, response);
     // What it is shows when all of the stage are known.
     StageResponses& responses = responses_[ratingName()];

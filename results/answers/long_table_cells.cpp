@@ -40,8 +40,8 @@ NumberCell numberCell(const std::string& cell) {
     return {isMissing(text), numberOf(text)};
 }
 
-Name nameIn(const std::string& cell) {
-    return Name(withoutGuard(trimmed(cell)));
+std::string nameIn(const std::string& cell) {
+    return std::string(withoutGuard(trimmed(cell)));
 }
 
 TruthCell truthCell(const std::string& cell) {

@@ -4,9 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
-#include "core/name.hpp"
 #include "core/text.hpp"
 
 namespace deixis::results {
@@ -42,45 +40,7 @@ enum class Attention : unsigned char { none, check, passed, failed };
 /// A flag with its reason, not lowered: empty where it is not set, `word` where it is set without a reason.
 [[nodiscard]] std::string reasonOf(const std::string& cell, const char* word);
 
-/// What the cell of one column in the line before said: mostly the next one says the same.
-template <typename T>
-class LastCell {
-  public:
-    /// read(cell), unless it is known.
-    template <typename Read>
-    const T& of(const std::string& cell, const Read& read) {
-        if (!known_ || cell != cell_) {
-            value_ = read(cell);
-            cell_ = cell;
-            known_ = true;
-        }
-        return value_;
-    }
-
-  private:
-    std::string cell_{};
-    T value_{};
-    bool known_ = false;
-};
-
 /// A name as it stands in a cell: trimmed, without a spreadsheet's guard.
-[[nodiscard]] Name nameIn(const std::string& cell);
-
-/// The names that stand in one column, trimmed; each cell's is made once.
-class NameCells {
-  public:
-    Name of(const std::string& cell) {
-        if (cell == last_cell_) return last_;
-        const auto [found, is_new] = names_.try_emplace(cell);
-        if (is_new) found->second = nameIn(cell);
-        last_cell_ = cell;
-        return last_ = found->second;
-    }
-
-  private:
-    std::unordered_map<std::string, Name> names_{};
-    std::string last_cell_{};
-    Name last_{};
-};
+[[nodiscard]] std::string nameIn(const std::string& cell);
 
 }  // namespace deixis::results

@@ -47,15 +47,13 @@ void doubtAllNames(const ResponseTable& table, std::vector<std::string>& notes) 
     const auto setOf = [](const std::vector<std::string>& names) {
         return std::set<std::string>(names.begin(), names.end());
     };
-    std::set<Name> participants;
-    std::set<Name> items;
-    for (const auto* rows : {&table.rows, &table.left_out_rows}) {
-        Name last;
+    std::set<std::string> participants;
+    std::set<std::string> items;
+    for (const auto* rows : {&table.rows, &table.left_out_rows})
         for (const ResponseRow& row : *rows) {
-            if (row.participant != last) participants.insert(last = row.participant);
+            participants.insert(row.participant);
             if (!row.target_id.empty()) items.insert(row.target_id);
         }
-    }
     doubtNames({participants.begin(), participants.end()}, "Participants", notes);
     doubtNames(setOf(table.systems), "Systems", notes);
     doubtNames(setOf(table.layouts), "Layouts", notes);
@@ -113,17 +111,15 @@ void doubtSentinels(const ResponseTable& table, std::vector<std::string>& notes)
         double high = -std::numeric_limits<double>::infinity();
         std::map<double, int> coded{};
     };
-    std::map<Name, Seen> by_measure;
-    Name last;
-    Seen* seen = nullptr;
+    std::map<std::string, Seen> by_measure;
     for (const ResponseRow& row : table.rows) {
-        if (seen == nullptr || row.measure != last) seen = &by_measure[last = row.measure];
+        Seen& seen = by_measure[row.measure];
         if (std::find(codes.begin(), codes.end(), row.value) != codes.end()) {
-            ++seen->coded[row.value];
+            ++seen.coded[row.value];
             continue;
         }
-        seen->low = std::min(seen->low, row.value);
-        seen->high = std::max(seen->high, row.value);
+        seen.low = std::min(seen.low, row.value);
+        seen.high = std::max(seen.high, row.value);
     }
     for (const Measure& measure : table.measures) {
         if (measure.kind != MeasureKind::rating) continue;

@@ -12,7 +12,7 @@ const std::string& LongTableReader::cell(ExportColumnOf column) const {
     return record_.fields[head_.place(column)];
 }
 
-bool LongTableReader::declines(Name who) const {
+bool LongTableReader::declines(const std::string& who) const {
     const auto found = declined_.find(who);
     return found != declined_.end() && found->second;
 }
@@ -29,7 +29,7 @@ void LongTableReader::countExportedCheck() {
 bool LongTableReader::takeExportLine() {
     using enum ExportColumnOf;
     // Answers to one trial stand in lines that follow each other.
-    const Name who = name(LongColumn::participant);
+    const std::string who = name(LongColumn::participant);
     const bool first_of_trial =
         who != exported_participant_ || this->cell(LongColumn::trial) != exported_trial_;
     exported_participant_ = who;

@@ -10,67 +10,10 @@
 
 namespace deixis::results {
 
-Result<void> LongTableReader::append(LongTableReader& next) {
-    scaled_.merge(next.scaled_);
-    if (preference_of_.empty()) preference_of_ = next.preference_of_;
-    if (!next.preference_of_.empty() && next.preference_of_ != preference_of_)
-        return fail(file_, "has preferences of different measures");
-    for (const Measure& one : next.table_.measures) {
-        Measure& known = measureNamed(one.name, one.kind);
-        if (known.kind != one.kind) return fail(file_, "has answers of different kinds under one name");
-        known.planned += one.planned;
-        known.low = std::min(known.low, one.low);
-        known.high = std::max(known.high, one.high);
-    }
-    for (auto& [stage_name, responses] : next.responses_) {
-        StageResponses& known = responses_[stage_name];
-        for (const std::size_t i : responses.rows) known.rows.push_back(table_.rows.size() + i);
-        known.only_truth = known.only_truth && responses.only_truth;
-        known.missing += responses.missing;
-    }
-    for (const auto& [who, person] : next.people_) {
-        Person& known = personOf(who);
-        known.counts = known.counts || person.counts;
-        if (auto same = agree(known.excluded, *person.excluded, who, "excluded"); !same) return same;
-        for (std::size_t i = 0; i < person.between.size(); ++i)
-            if (person.between[i])
-                if (auto same = agree(known.between[i], *person.between[i], who, ""); !same) return same;
-    }
-    for (const auto& name : next.table_.systems) systems_.add(name, table_.systems);
-    for (const auto& name : next.table_.layouts) layouts_.add(name, table_.layouts);
-    for (const auto& name : next.table_.distances) distances_.add(name, table_.distances);
-    for (std::size_t i = 0; i < table_.between.size(); ++i)
-        for (const auto& name : next.table_.between[i].levels)
-            between_seen_[i].add(name, table_.between[i].levels);
-    for (std::size_t i = 0; i < table_.within.size(); ++i)
-        for (const auto& name : next.table_.within[i].levels)
-            within_seen_[i].add(name, table_.within[i].levels);
-    for (const CheckCount& one : next.table_.checks) {
-        CheckCount& known = checksOf(one.stage, one.kind);
-        known.passed += one.passed;
-        known.failed += one.failed;
-    }
-    // A consent is asked once in a file, or anew in a later line.
-    for (const auto& [who, declines] : next.declined_) declined_[who] = declines;
-    table_.failed_checks.merge(next.table_.failed_checks);
-    table_.rows.insert(table_.rows.end(), std::move_iterator(next.table_.rows.begin()),
-                       std::move_iterator(next.table_.rows.end()));
-    table_.skipped_rows.insert(table_.skipped_rows.end(),
-                               std::move_iterator(next.table_.skipped_rows.begin()),
-                               std::move_iterator(next.table_.skipped_rows.end()));
-    balls_ = std::max(balls_, next.balls_);
-    fewest_balls_ = std::min(fewest_balls_, next.fewest_balls_);
-    if (decimal_comma_.empty()) decimal_comma_ = next.decimal_comma_;
-    if (decimal_point_.empty()) decimal_point_ = next.decimal_point_;
-    empty_ += next.empty_;
-    unscored_checks_ += next.unscored_checks_;
-    return {};
-}
-
 Result<void> LongTableReader::nameResponses() {
     for (const auto& [stage_name, responses] : responses_) {
         const bool accuracy = responses.only_truth;
-        const Name name = accuracy ? accuracy_ : stage_name;
+        const std::string& name = accuracy ? accuracy_ : stage_name;
         const MeasureKind kind = accuracy ? MeasureKind::accuracy : MeasureKind::rating;
         Measure& of = measureNamed(name, kind);
         if (of.kind != kind || (!accuracy && name == accuracy_))
@@ -89,9 +32,9 @@ Result<void> LongTableReader::nameResponses() {
 }
 
 void LongTableReader::nameScales() {
-    std::map<Name, int> scales;
+    std::map<std::string, int> scales;
     for (const auto& [on_scale, of] : scaled_) ++scales[of.measure];
-    std::map<Name, Name> plain;
+    std::map<std::string, std::string> plain;
     for (const auto& [on_scale, of] : scaled_) {
         const auto known =
             std::find_if(table_.measures.begin(), table_.measures.end(),
@@ -154,7 +97,7 @@ Result<void> LongTableReader::finishMeasures() {
 }
 
 void LongTableReader::takePeople() {
-    for (const auto& [who, person] : std::map<Name, Person>(people_.begin(), people_.end())) {
+    for (const auto& [who, person] : people_) {
         table_.planned_participants += person.counts ? 1 : 0;
         for (std::size_t i = 0; i < person.between.size(); ++i)
             if (person.between[i]) table_.groups[who][table_.between[i].name] = *person.between[i];

@@ -10,6 +10,16 @@
 
 namespace deixis::results {
 
+namespace {
+
+/// Levels stand in the order in which they first occur.
+void addLevel(const std::string& level, std::vector<std::string>& levels) {
+    if (!level.empty() && std::find(levels.begin(), levels.end(), level) == levels.end())
+        levels.push_back(level);
+}
+
+}  // namespace
+
 LongTableReader::LongTableReader(const std::filesystem::path& file, std::string_view text, CsvForm form,
                                  const LongTableOptions& options)
     : file_(file.string()), form_(form), reader_(text, file_, form), options_(options) {
@@ -18,30 +28,15 @@ LongTableReader::LongTableReader(const std::filesystem::path& file, std::string_
     table_.database = file.filename().string();
 }
 
-LongTableReader::LongTableReader(const LongTableReader& first, std::string_view text)
-    : file_(first.file_),
-      form_{first.form_.separator, false},
-      reader_(text, file_, form_),
-      options_(first.options_) {
-    setUp(first.head_);
-}
-
-void LongTableReader::setUp(const LongHead& head) {
-    head_ = head;
-    for (const LongHead::FactorAt& factor : head.between) table_.between.push_back({factor.name});
-    for (const LongHead::FactorAt& factor : head.within) table_.within.push_back({factor.name});
-    between_seen_.resize(table_.between.size());
-    within_seen_.resize(table_.within.size());
-    within_cells_.resize(table_.within.size());
-}
-
 Result<void> LongTableReader::readHead() {
     const auto more = reader_.next(record_);
     if (!more) return tl::unexpected(more.error());
     if (!*more) return fail(file_, "is empty; expected a CSV file with the columns' names in its first line");
     const auto head = readLongHead(record_, file_, form_.separator, options_);
     if (!head) return tl::unexpected(head.error());
-    setUp(*head);
+    head_ = *head;
+    for (const LongHead::FactorAt& factor : head_.between) table_.between.push_back({factor.name});
+    for (const LongHead::FactorAt& factor : head_.within) table_.within.push_back({factor.name});
     if (!head_.unread.empty() && !head_.exported) {
         table_.notes.push_back(fmt::format("Columns of {} that are not read: {}.", table_.database,
                                            fmt::join(head_.unread, ", ")));
@@ -50,8 +45,7 @@ Result<void> LongTableReader::readHead() {
     return {};
 }
 
-Result<void> LongTableReader::readRows(std::size_t lines) {
-    table_.rows.reserve(lines);
+Result<void> LongTableReader::readRows() {
     for (;;) {
         const auto more = reader_.next(record_);
         if (!more) return tl::unexpected(more.error());
@@ -66,8 +60,8 @@ const std::string& LongTableReader::cell(LongColumn column) const {
     return at ? record_.fields[*at] : none;
 }
 
-Name LongTableReader::name(LongColumn column) {
-    return names_[static_cast<std::size_t>(column)].of(cell(column));
+std::string LongTableReader::name(LongColumn column) const {
+    return nameIn(cell(column));
 }
 
 NumberCell LongTableReader::number(LongColumn column) {
@@ -81,8 +75,8 @@ NumberCell LongTableReader::number(LongColumn column) {
     return out;
 }
 
-const TruthCell& LongTableReader::truth(LongColumn column) {
-    return truths_[static_cast<std::size_t>(column)].of(cell(column), truthCell);
+TruthCell LongTableReader::truth(LongColumn column) const {
+    return truthCell(cell(column));
 }
 
 std::string LongTableReader::where(LongColumn column) const {
@@ -93,8 +87,8 @@ tl::unexpected<Error> LongTableReader::bad(LongColumn column, const char* expect
     return fail(where(column), fmt::format("found \"{}\", expected {}", cell(column), expected));
 }
 
-Result<void> LongTableReader::agree(std::optional<Name>& known, Name value, Name who,
-                                    std::string_view column) const {
+Result<void> LongTableReader::agree(std::optional<std::string>& known, const std::string& value,
+                                    const std::string& who, std::string_view column) const {
     if (!known) known = value;
     if (*known == value) return {};
     return fail(
@@ -103,29 +97,24 @@ Result<void> LongTableReader::agree(std::optional<Name>& known, Name value, Name
         "It must be the same in all lines of a participant");
 }
 
-Person& LongTableReader::personOf(Name who) {
-    if (person_ == nullptr || who != person_name_) {
-        person_ = &people_[who];
-        person_name_ = who;
-        person_->between.resize(table_.between.size());
-    }
-    return *person_;
+Person& LongTableReader::personOf(const std::string& who) {
+    Person& person = people_[who];
+    person.between.resize(table_.between.size());
+    return person;
 }
 
 Result<void> LongTableReader::readFactors(Person& person, ResponseRow& row) {
     for (std::size_t i = 0; i < table_.between.size(); ++i) {
-        const Name level = nameIn(record_.fields[head_.between[i].at]);
+        const std::string level = nameIn(record_.fields[head_.between[i].at]);
         Factor& factor = table_.between[i];
-        if (isMissing(plainWord(level.text()))) continue;
+        if (isMissing(plainWord(level))) continue;
         if (auto same = agree(person.between[i], level, row.participant, factor.name); !same) return same;
-        between_seen_[i].add(level, factor.levels);
+        addLevel(level, factor.levels);
     }
     for (std::size_t i = 0; i < table_.within.size(); ++i) {
-        const Name level = within_cells_[i].of(
-            record_.fields[head_.within[i].at],
-            [](const std::string& cell) { return isMissing(plainWord(cell)) ? Name() : nameIn(cell); });
-        within_seen_[i].add(level, table_.within[i].levels);
-        row.within.push_back(level);
+        const std::string& level = record_.fields[head_.within[i].at];
+        row.within.push_back(isMissing(plainWord(level)) ? "" : nameIn(level));
+        addLevel(row.within.back(), table_.within[i].levels);
     }
     return {};
 }
@@ -149,20 +138,17 @@ Result<void> LongTableReader::readRow() {
     row.station = name(station);
     if (auto read = readDetails(row); !read) return read;
 
-    const TruthCell& is_practice = truth(practice);
+    const TruthCell is_practice = truth(practice);
     if (!is_practice.missing && !is_practice.value) return bad(practice, "0 or 1");
-    const auto check =
-        attention_.of(cell(attention), [](const std::string& text) { return attentionOf(plainWord(text)); });
+    const auto check = attentionOf(plainWord(cell(attention)));
     if (!check) return bad(attention, "0, 1, passed or failed");
-    row.excluded = excluded_.of(cell(excluded),
-                                [](const std::string& text) { return Name(reasonOf(text, "excluded")); });
+    row.excluded = reasonOf(cell(excluded), "excluded");
     Person& person = personOf(row.participant);
     if (auto same = agree(person.excluded, row.excluded.empty() ? not_excluded_ : row.excluded,
                           row.participant, "excluded");
         !same)
         return same;
-    row.marked =
-        marked_.of(cell(marked), [](const std::string& text) { return Name(reasonOf(text, "marked")); });
+    row.marked = reasonOf(cell(marked), "marked");
     if (*check != Attention::none) {
         countCheck(name(stage), "attention", *check);
         if (*check == Attention::failed && row.excluded.empty()) table_.failed_checks.insert(row.participant);
@@ -171,10 +157,10 @@ Result<void> LongTableReader::readRow() {
     if (is_practice.value.value_or(false)) return {};
     if (auto read = readFactors(person, row); !read) return read;
     person.counts = person.counts || row.excluded.empty();
-    systems_.add(row.system, table_.systems);
-    systems_.add(row.other_system, table_.systems);
-    layouts_.add(row.layout, table_.layouts);
-    distances_.add(row.distance, table_.distances);
+    addLevel(row.system, table_.systems);
+    addLevel(row.other_system, table_.systems);
+    addLevel(row.layout, table_.layouts);
+    addLevel(row.distance, table_.distances);
     return readAnswers(row);
 }
 
@@ -191,7 +177,7 @@ Result<void> LongTableReader::readDetails(ResponseRow& row) {
             return bad(rt, head_.rt_unit_s < 1.0 ? "milliseconds, from 0 up" : "seconds, from 0 up");
         row.response_time_s = *found.value * head_.rt_unit_s;
     }
-    if (const TruthCell& is_synthetic = truth(synthetic); !is_synthetic.missing) {
+    if (const TruthCell is_synthetic = truth(synthetic); !is_synthetic.missing) {
         if (!is_synthetic.value) return bad(synthetic, "0 or 1");
         row.synthetic = *is_synthetic.value;
     }

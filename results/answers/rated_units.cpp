@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <unordered_set>
+#include <set>
+#include <unordered_map>
 #include <utility>
 
 #include "results/statistics/descriptive.hpp"
@@ -77,7 +78,7 @@ std::optional<double> RatedUnits::agreement(const std::vector<const ResponseRow*
     struct Pairs {
         std::vector<double> ratings{}, means{};
     };
-    std::map<Name, Pairs> by_measure;
+    std::map<std::string, Pairs> by_measure;
     for (const auto& [index, rating] : given) {
         const Unit& unit = units_[index];
         const Own mine = own[index];
@@ -100,10 +101,11 @@ std::vector<Reliability> RatedUnits::reliability(const ResponseTable& table) con
         Reliability& one = out.emplace_back();
         one.measure = measure.name;
         std::vector<std::vector<double>> shared;
-        std::unordered_set<Name> raters;
+        std::set<std::string> raters;
         for (const Unit& unit : units_) {
-            const bool several = std::any_of(unit.raters.begin(), unit.raters.end(),
-                                             [&](const Name& rater) { return rater != unit.raters.front(); });
+            const bool several =
+                std::any_of(unit.raters.begin(), unit.raters.end(),
+                            [&](const std::string& rater) { return rater != unit.raters.front(); });
             if (!several || unit.measure != measure.name) continue;
             shared.push_back(unit.ratings);
             raters.insert(unit.raters.begin(), unit.raters.end());

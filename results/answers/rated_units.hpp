@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <unordered_map>
+#include <map>
+#include <string>
+#include <tuple>
 #include <vector>
 
 #include "results/answers/data_quality.hpp"
@@ -22,28 +23,19 @@ class RatedUnits {
     [[nodiscard]] std::vector<Reliability> reliability(const ResponseTable& table) const;
 
   private:
-    struct Key {
-        Name measure, system, item;
-        bool operator==(const Key&) const = default;
-    };
-    struct HashOfKey {
-        std::size_t operator()(const Key& key) const {
-            const std::hash<Name> hash;
-            return (hash(key.measure) * 31 + hash(key.system)) * 31 + hash(key.item);
-        }
-    };
+    using Key = std::tuple<std::string, std::string, std::string>;  ///< measure, system, item
     struct Unit {
-        Name measure;
+        std::string measure;
         std::vector<double> ratings{};
-        std::vector<Name> raters{};  ///< of each of them
+        std::vector<std::string> raters{};  ///< of each of them
         double sum = 0.0;
     };
 
     static Key keyOf(const ResponseRow& row) { return {row.measure, row.system, row.target_id}; }
 
-    std::unordered_map<Name, double> range_{};  ///< of the scale, by measure
-    std::vector<Unit> units_{};                 ///< in the order in which they first occur
-    std::unordered_map<Key, std::size_t, HashOfKey> index_{};
+    std::map<std::string, double> range_{};  ///< of the scale, by measure
+    std::vector<Unit> units_{};              ///< in the order in which they first occur
+    std::map<Key, std::size_t> index_{};
 };
 
 }  // namespace deixis::results

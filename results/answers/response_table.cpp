@@ -378,7 +378,7 @@ std::vector<Factor> withinFactors(const ResponseTable& table) {
     return out;
 }
 
-Name levelOf(const ResponseTable& table, const ResponseRow& row, const std::string& factor) {
+std::string levelOf(const ResponseTable& table, const ResponseRow& row, const std::string& factor) {
     if (factor == "layout") return row.layout;
     if (factor == "distance") return row.distance;
     for (std::size_t i = 0; i < table.within.size() && i < row.within.size(); ++i)

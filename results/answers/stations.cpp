@@ -11,7 +11,7 @@ namespace deixis::results {
 namespace {
 
 std::string kindOf(const ResponseRow& row) {
-    return row.synthetic ? simulated_station : row.station.text();
+    return row.synthetic ? simulated_station : row.station;
 }
 
 /// By participant.
@@ -25,21 +25,21 @@ std::map<std::string, std::set<std::string>> kindsByParticipant(const ResponseTa
 /// What was planned for those whose answers are left; who moved from one kind of station to another was
 /// planned to answer here what is answered here.
 void planAt(ResponseTable& table, const std::map<std::string, std::set<std::string>>& kinds) {
-    std::map<Name, int> planned;
+    std::map<std::string, int> planned;
     const auto whole = [&](const std::string& participant) {
         const auto of = kinds.find(participant);
         return table.planned_answers.contains(participant) && of != kinds.end() && of->second.size() == 1;
     };
-    std::set<Name> answered;
+    std::set<std::string> answered;
     for (const ResponseRow& row : table.rows) {
         answered.insert(row.measure);
         if (!whole(row.participant)) ++planned[row.measure];
     }
     for (const auto& [participant, measures] : table.planned_answers)
         if (whole(participant))
-            for (const auto& [measure, n] : measures) planned[Name(measure)] += n;
-    for (Measure& measure : table.measures) measure.planned = planned[Name(measure.name)];
-    std::erase_if(table.measures, [&](const Measure& one) { return !answered.contains(Name(one.name)); });
+            for (const auto& [measure, n] : measures) planned[measure] += n;
+    for (Measure& measure : table.measures) measure.planned = planned[measure.name];
+    std::erase_if(table.measures, [&](const Measure& one) { return !answered.contains(one.name); });
 }
 
 }  // namespace
@@ -47,17 +47,11 @@ void planAt(ResponseTable& table, const std::map<std::string, std::set<std::stri
 std::vector<std::string> stationKinds(const ResponseTable& table) {
     std::set<std::string> people;
     bool simulated = false;
-    Name last;
-    bool last_synthetic = false;
-    for (const ResponseRow& row : table.rows) {
-        if (row.station == last && row.synthetic == last_synthetic && !people.empty()) continue;
-        last = row.station;
-        last_synthetic = row.synthetic;
+    for (const ResponseRow& row : table.rows)
         if (row.synthetic)
             simulated = true;
         else
-            people.insert(kindOf(row));
-    }
+            people.insert(row.station);
     std::vector<std::string> out(people.begin(), people.end());
     if (simulated) out.emplace_back(simulated_station);
     return out;

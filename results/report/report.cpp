@@ -180,7 +180,7 @@ std::string stationKinds(const ResponseTable& table) {
 /// " (120 accuracy, 60 naturalness)": a trial may give several answers. Empty for one measure.
 std::string answersByMeasure(const ResponseTable& table) {
     if (table.measures.size() < 2) return "";
-    std::map<Name, int> counts;
+    std::map<std::string, int> counts;
     for (const ResponseRow& row : table.rows) ++counts[row.measure];
     std::string out;
     for (const Measure& measure : table.measures)

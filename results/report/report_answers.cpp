@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "report_figures.hpp"
-#include "results/tables/by_name.hpp"
 
 namespace deixis::results {
 
@@ -157,11 +156,10 @@ std::optional<StepCounts> stepCounts(const AnalysisResult& result, std::size_t i
     for (int step = static_cast<int>(measure.low); step <= static_cast<int>(measure.high); ++step)
         out.steps.push_back(step);
     out.counts.assign(result.systems.size(), std::vector<int>(out.steps.size(), 0));
-    const Name name(measure.name);
-    ByName<std::size_t> systems;
+    std::map<std::string, std::size_t> systems;
     for (std::size_t i = 0; i < result.table.systems.size(); ++i) systems[result.table.systems[i]] = i;
     for (const ResponseRow& row : result.table.rows) {
-        if (row.measure != name) continue;
+        if (row.measure != measure.name) continue;
         if (!whole(row.value) || row.value < measure.low || row.value > measure.high) return std::nullopt;
         ++out.counts[systems[row.system]][static_cast<std::size_t>(row.value - measure.low)];
     }

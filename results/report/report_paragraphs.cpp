@@ -38,7 +38,7 @@ std::vector<std::string> measureTexts(const ResponseTable& table) {
 }
 
 std::pair<int, int> answersPerParticipant(const ResponseTable& table) {
-    std::map<Name, int> answers;
+    std::map<std::string, int> answers;
     for (const ResponseRow& row : table.rows) ++answers[row.participant];
     std::pair<int, int> range{std::numeric_limits<int>::max(), 0};
     for (const auto& [participant, n] : answers)
@@ -47,7 +47,7 @@ std::pair<int, int> answersPerParticipant(const ResponseTable& table) {
 }
 
 bool systemsMeetInParticipants(const ResponseTable& table) {
-    std::map<Name, Name> first;
+    std::map<std::string, std::string> first;
     return std::any_of(table.rows.begin(), table.rows.end(), [&](const ResponseRow& row) {
         return first.try_emplace(row.participant, row.system).first->second != row.system ||
                !row.other_system.empty();

@@ -246,7 +246,7 @@ TEST_SUITE("results/several_studies") {
     TEST_CASE("Three studies, one of two files: pairs of studies, and the files of each") {
         ResponseTable more = studyOf("two", ratingsOf(4));
         more.database = "two-more.sqlite";
-        for (ResponseRow& row : more.rows) row.participant = "Q" + row.participant.text();
+        for (ResponseRow& row : more.rows) row.participant = "Q" + row.participant;
         const AnalysisResult result =
             analyse(joinData({more, studyOf("two", ratingsOf(3)), studyOf("one", ratingsOf(5)),
                               studyOf("three", ratingsOf(2))})

@@ -32,29 +32,6 @@ using RowPointers = std::vector<const ResponseRow*>;
 
 [[nodiscard]] CellsByMeasure cellsOf(const RowPointers& rows);
 
-/// The cells of the rows' participant that were used last: rows mostly stand by participant, so that the maps
-/// need not be asked for each of them.
-class RecentCells {
-  public:
-    /// make() gives the cell of the row's participant under two more names.
-    template <typename Make>
-    Scores& of(const ResponseRow& row, Name first, Name second, const Make& make) {
-        if (row.participant != participant_) cells_.clear();
-        participant_ = row.participant;
-        for (const Recent& one : cells_)
-            if (one.first == first && one.second == second) return *one.scores;
-        return *cells_.emplace_back(Recent{first, second, &make()}).scores;
-    }
-
-  private:
-    struct Recent {
-        Name first, second;
-        Scores* scores;
-    };
-    std::vector<Recent> cells_{};
-    Name participant_{};
-};
-
 [[nodiscard]] Means exactMeans(const Cells& cells);
 [[nodiscard]] MeansByMeasure exactMeans(const CellsByMeasure& cells);
 /// Of a factor between participants; empty where it is not known.

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "core/name.hpp"
 #include "core/pose.hpp"
 #include "results/answers/observers.hpp"
 #include "studies/study_file/leave_out_rule.hpp"
@@ -43,28 +42,28 @@ struct Factor {
 
 /// One value. Practice and attention checks are never among them.
 struct ResponseRow {
-    Name participant;
-    Name measure;
-    Name system;
-    Name layout{};
-    Name distance{};
-    Name target_id{};
+    std::string participant;
+    std::string measure;
+    std::string system;
+    std::string layout{};
+    std::string distance{};
+    std::string target_id{};
     int trial = -1;  ///< place among the participant's trials, from 0; -1: not known
     double value = 0.0;
-    Name other_system{};           ///< preference: `system` stood left, this one right
+    std::string other_system{};    ///< preference: `system` stood left, this one right
     double response_time_s = 0.0;  ///< 0 where it is not known, or nothing was answered
     bool synthetic = false;        ///< answered by a simulated participant
-    Name station{};                ///< at which kind of station; empty where it is not known
+    std::string station{};         ///< at which kind of station; empty where it is not known
     int pauses = 0;                ///< the trial was interrupted this often
     /// Levels of ResponseTable::within, in its order; empty where a level is not known.
-    std::vector<Name> within{};
+    std::vector<std::string> within{};
     int balls = 0;  ///< accuracy: shown in this trial; 0: not known
     /// Why there is no choice: "timed_out" (it counts as wrong) or "skipped" (of
     /// ResponseTable::skipped_rows only); empty where there is one.
-    Name unanswered{};
-    int author_trial = 0;  ///< in which of its author's trials the clip was made, from 1; 0: not known
-    Name marked{};         ///< why the trial is in doubt; empty: it is not
-    Name excluded{};       ///< why the participant is left out; of ResponseTable::left_out_rows only
+    std::string unanswered{};
+    int author_trial = 0;    ///< in which of its author's trials the clip was made, from 1; 0: not known
+    std::string marked{};    ///< why the trial is in doubt; empty: it is not
+    std::string excluded{};  ///< why the participant is left out; of ResponseTable::left_out_rows only
 };
 
 /// A choice in the game with the balls it was made among, positions in the avatar's frame.
@@ -197,7 +196,8 @@ struct ResponseTable {
 void addLevel(std::vector<Factor>& factors, const std::string& name, const std::string& level);
 
 /// A row's level of one of them; empty where it has none.
-[[nodiscard]] Name levelOf(const ResponseTable& table, const ResponseRow& row, const std::string& factor);
+[[nodiscard]] std::string levelOf(const ResponseTable& table, const ResponseRow& row,
+                                  const std::string& factor);
 
 /// One table of several of the same study, in their order; what a study declares is the first one's. Fails,
 /// naming the files, where the studies differ or a participant stands in two of them.

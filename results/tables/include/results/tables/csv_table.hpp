@@ -37,8 +37,6 @@ class CsvTable {
     /// Throws std::logic_error where the row has not as many cells as there are columns.
     void endRow();
 
-    /// Memory for so many bytes, so that they need not be moved while the table grows.
-    void expect(std::size_t bytes) { bytes_.reserve(bytes); }
     [[nodiscard]] const std::vector<ColumnSpec>& columns() const { return columns_; }
     [[nodiscard]] long long rows() const { return rows_; }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }  ///< header and rows, CRLF
