@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "anonymous.hpp"
-#include "core/durable.hpp"
-#include "core/files.hpp"
+#include "core/staging.hpp"
 #include "export_more.hpp"
 #include "export_tables.hpp"
 #include "results/database/database_open.hpp"
@@ -132,51 +131,6 @@ Result<void> checkFolder(const fs::path& folder) {
                 "Name another one with -o");
 }
 
-/// Removed with what is in it whenever the export ends, and the folder with it where it was made and is
-/// empty.
-class Staging {
-  public:
-    explicit Staging(fs::path folder) : folder_(std::move(folder)) {
-        std::error_code code;
-        made_folder_ = !fs::exists(folder_, code);
-        fs::remove_all(path(), code);  // of an export that was killed
-    }
-    ~Staging() {
-        if (keep_) return;
-        std::error_code code;
-        fs::remove_all(path(), code);
-        if (made_folder_) fs::remove(folder_, code);  // where it is empty
-    }
-    Staging(const Staging&) = delete;
-    Staging& operator=(const Staging&) = delete;
-
-    [[nodiscard]] fs::path path() const { return folder_ / staging_name; }
-
-    /// Of an earlier export nothing is left beside the files named. The codebook, which makes the folder an
-    /// export, comes last.
-    Result<void> publish(const std::vector<std::string>& names) {
-        std::error_code code;
-        syncFileSystem(path());
-        for (const char* name : {"codebook.json", "responses.csv", "trials.csv", "sessions.csv", "events.csv",
-                                 "participants.csv", "scores.csv", "questions.csv", "tracking.csv"})
-            fs::remove(folder_ / name, code);
-        keep_ = true;
-        for (const std::string& name : names) {
-            fs::rename(path() / name, folder_ / name, code);
-            if (code) return fail((folder_ / name).string(), "cannot be written: " + code.message());
-        }
-        keep_ = false;
-        syncFolder(folder_);
-        if (made_folder_) syncFolder(fs::absolute(folder_).parent_path());
-        return {};
-    }
-
-  private:
-    fs::path folder_;
-    bool made_folder_ = false;
-    bool keep_ = false;  ///< files are missing: by its staging the folder is known to be an export's
-};
-
 constexpr const char* tracking_name = "tracking.csv";
 
 /// Tracked frames, too many to be held, go into the folder at once.
@@ -203,26 +157,32 @@ Result<std::vector<ExportedFile>> readAll(SQLite::Database& database, const Expo
 Result<std::vector<std::string>> exportCsv(const fs::path& database, const fs::path& folder,
                                            const ExportOptions& options) {
     if (auto checked = checkFolder(folder); !checked) return tl::unexpected(checked.error());
-    Staging staging(folder);
-    std::error_code code;
-    fs::create_directories(staging.path(), code);
-    if (code) return fail(folder.string(), "cannot be made: " + code.message());
+    auto staging = Staging::within(folder, staging_name);
+    if (!staging) return tl::unexpected(staging.error());
     std::string description;
     const auto files = readDatabase(database, [&](SQLite::Database& opened) {
-        return readAll(opened, options, staging.path(), description);
+        return readAll(opened, options, staging->path(), description);
     });
     if (!files) return tl::unexpected(files.error());
     std::vector<std::string> names;
     for (const ExportedFile& file : *files) {
         names.push_back(file.name);
         if (file.name == tracking_name) continue;
-        if (auto written = writeFileUnsynced(staging.path() / file.name, file.table.bytes()); !written)
+        if (auto written = staging->add(file.name, file.table.bytes()); !written)
             return tl::unexpected(written.error());
     }
     names.emplace_back("codebook.json");
-    if (auto written = writeFileUnsynced(staging.path() / names.back(), description); !written)
+    if (auto written = staging->add(names.back(), description); !written)
         return tl::unexpected(written.error());
-    if (auto published = staging.publish(names); !published) return tl::unexpected(published.error());
+    // Of an earlier export nothing is left beside them. The codebook, which makes the folder an export, comes
+    // last; until then it is known as one by the staging.
+    if (auto moved =
+            staging->moveHome({names.begin(), names.end()},
+                              {"codebook.json", "responses.csv", "trials.csv", "sessions.csv", "events.csv",
+                               "participants.csv", "scores.csv", "questions.csv", "tracking.csv"},
+                              true);
+        !moved)
+        return tl::unexpected(moved.error());
     return names;
 }
 

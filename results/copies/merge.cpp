@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/durable.hpp"
 #include "core/hash.hpp"
+#include "core/staging.hpp"
 #include "results/copies/merge.hpp"
 #include "results/database/database_files.hpp"
 #include "results/database/database_open.hpp"
@@ -337,11 +337,6 @@ Result<std::vector<std::string>> writeJoined(const std::vector<Source>& sources,
     return differ;
 }
 
-void removeDatabase(const fs::path& path) {
-    std::error_code code;
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(path.string() + suffix, code);
-}
-
 }  // namespace
 
 tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<fs::path>& databases,
@@ -371,23 +366,12 @@ tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<
     std::rotate(sources.begin(), sources.begin() + first, sources.begin() + first + 1);
 
     // Written beside and renamed at the end: no half database.
-    const fs::path partial = output.string() + ".partial";
-    removeDatabase(partial);
-    Result<void> written{};
-    try {
-        auto differ = writeJoined(sources, withdrawals, partial);
-        if (differ)
-            outcome.excluded_in_one = std::move(*differ);
-        else
-            written = tl::unexpected(differ.error());
-    } catch (...) {
-        removeDatabase(partial);
-        throw;
-    }
-    if (written) written = moveFile(partial, output);
-    if (written) return outcome;
-    removeDatabase(partial);
-    return tl::unexpected(std::vector<Error>{written.error()});
+    PartialFile partial(output);
+    auto differ = writeJoined(sources, withdrawals, partial.path());
+    if (!differ) return tl::unexpected(std::vector<Error>{differ.error()});
+    outcome.excluded_in_one = std::move(*differ);
+    if (auto moved = partial.finish(); !moved) return tl::unexpected(std::vector<Error>{moved.error()});
+    return outcome;
 }
 
 }  // namespace deixis::results
