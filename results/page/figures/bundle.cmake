@@ -1,7 +1,12 @@
-# Joins the libraries that draw the figures, their licences and page.js into one script that can stand in a page, in
-# HTML and in XML alike:
+# Makes one script of page.js, the libraries that draw the figures and their licences, that can stand in a page, in HTML
+# and in XML alike:
 #   cmake -DFOLDER=results/page/figures -DOUT=figures.js -P bundle.cmake
 set(modules ${FOLDER}/node_modules)
+
+# npm has fetched the program for this machine alone; it needs no node.
+file(GLOB esbuild ${modules}/@esbuild/*/bin/esbuild)
+execute_process(COMMAND ${esbuild} page.js --bundle --minify --legal-comments=none --log-level=warning
+    WORKING_DIRECTORY ${FOLDER} OUTPUT_VARIABLE script COMMAND_ERROR_IS_FATAL ANY)
 
 # Each licence once, below the names of those that have it.
 file(GLOB licences ${modules}/vega*/LICENSE* ${modules}/d3-*/LICENSE* ${modules}/topojson-client/LICENSE*
@@ -29,13 +34,6 @@ foreach(hash IN LISTS known)
     string(APPEND notice "\n${names_${hash}}\n${text_${hash}}\n")
 endforeach()
 
-set(script "")
-foreach(part ${modules}/vega/build/vega.min.js ${modules}/vega-lite/build/vega-lite.min.js
-        ${modules}/vega-embed/build/vega-embed.min.js ${FOLDER}/page.js)
-    file(READ ${part} text)
-    string(REGEX REPLACE "\n//# sourceMappingURL=[^\n]*" "" text "${text}")
-    string(APPEND script "${text}\n")
-endforeach()
 # What would end the element, in XML or in HTML, must not stand in it. In a script "]]>" is two brackets and a greater.
 string(REPLACE "]]>" "]] >" script "${script}")
 string(TOLOWER "${notice}${script}" lower)

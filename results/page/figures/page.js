@@ -1,3 +1,4 @@
+import vegaEmbed from "vega-embed";
 // Draws each figure of the page from the specification that stands in it. Figures are drawn in light colours, which the
 // page's style sheet changes on dark screens: so they are saved and printed for paper.
 (function () {
