@@ -59,7 +59,7 @@ Result<std::vector<results::Recording>> gamesOf(const std::string& database) {
     if (!list) return tl::unexpected(list.error());
     std::vector<results::Recording> out;
     for (const results::ParticipantRow& row : list->rows) {
-        if (row.status != "active") continue;
+        if (row.status != results::ParticipantStatus::active) continue;
         auto recording = results::loadRecording(database, row.id);
         if (!recording) return tl::unexpected(recording.error());
         std::erase_if(recording->answers, [](const auto& answer) { return !choiceCounts(answer); });

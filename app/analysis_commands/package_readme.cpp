@@ -19,7 +19,7 @@ std::string whoTookPart(const PackageFacts& facts) {
         return static_cast<long>(std::count_if(rows.begin(), rows.end(), is));
     };
     const long synthetic = count([](const auto& one) { return one.synthetic; });
-    const long left = count([](const auto& one) { return one.status != "active"; });
+    const long left = count([](const auto& one) { return one.status != results::ParticipantStatus::active; });
     std::string out = counted(static_cast<long>(rows.size()), "participant", "participants");
     if (left > 0) out += fmt::format(", {} of them excluded or dropped out", left);
     if (facts.counts.refused > 0)

@@ -109,7 +109,7 @@ void DesktopStation::State::onKey(int key) {
     if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) pending.confirm = true;
     if (key == GLFW_KEY_ESCAPE) {
         pending.pause = true;
-        pending.pause_reason = "escape";
+        pending.pause_reason = studies::PauseReason::escape;
     }
     if (key == GLFW_KEY_F11) toggleFullscreen();
     if (key == GLFW_KEY_F10 && operators) operators->focus();
@@ -122,7 +122,8 @@ OperatorRequest DesktopStation::State::pollEvents() {
         return {};
     }
     OperatorRequest asked = operators->poll();
-    if (pending.pause && !in_front && operators->focused()) pending.pause_reason = "operator";
+    if (pending.pause && !in_front && operators->focused())
+        pending.pause_reason = studies::PauseReason::experimenter;
     return asked;
 }
 
@@ -135,7 +136,7 @@ void DesktopStation::State::onFocus(bool focused) {
         return;
     }
     pending.pause = true;
-    pending.pause_reason = "focus lost";
+    pending.pause_reason = studies::PauseReason::focus_lost;
 }
 
 void DesktopStation::State::onCursor(double x, double y) {
@@ -268,8 +269,8 @@ void DesktopStation::State::noteMissingCharacters() {
     const std::string& missing = renderer->missingCharacters();
     if (missing.size() <= missing_told) return;
     missing_told = missing.size();
-    pending.notes.push_back(
-        {"missing_characters", "no font has these; a question mark is shown for each: " + missing, now_s()});
+    pending.notes.push_back({studies::NoteKind::missing_characters,
+                             "no font has these; a question mark is shown for each: " + missing, now_s()});
 }
 
 void DesktopStation::State::connectCallbacks() {
@@ -331,7 +332,7 @@ Result<std::unique_ptr<DesktopStation>> DesktopStation::open(const assets::Avata
 
 studies::StationInfo DesktopStation::info() const {
     const WindowSize size = state_->window->framebufferSize();
-    return {"desktop",
+    return {studies::StationKind::desktop,
             fmt::format("{}x{} pixels, {:.0f} Hz, {}", size.width, size.height, 1.0 / state_->period_s,
                         state_->renderer->driver()),
             false, state_->options.controls, state_->options.controls};
@@ -374,7 +375,8 @@ studies::FrameReport DesktopStation::present(const studies::PresentedFrame& fram
     State& s = *state_;
     if (looksAnew(frame, s.presented)) s.look = lookAtTask(frame, s.options.eye_height_m);
     if (frame.status != s.presented.status)
-        glfwSetWindowTitle(s.window->handle(), (s.options.title + " - " + frame.status).c_str());
+        glfwSetWindowTitle(s.window->handle(),
+                           (s.options.title + " - " + studies::sessionStatusText(frame.status)).c_str());
     s.presented = frame;
     const WindowSize size = s.window->framebufferSize();
     const bool visible = size.width > 0 && size.height > 0 &&

@@ -24,7 +24,7 @@ const char* nameOf(studies::Hand hand) {
 // Nothing more can be asked of the runtime: the session ends, and says why.
 void HeadsetStation::State::lose(const XrFailure& by) {
     if (!by.lost()) throw by;
-    note("xr_state", fmt::format("lost: {}", by.what()));
+    note(studies::NoteKind::xr_state, fmt::format("lost: {}", by.what()));
     frame.reset();
     quit_reason = "the connection to the headset's runtime was lost";
     failure = Error{
@@ -59,7 +59,8 @@ void HeadsetStation::State::noteProfiles() {
     const auto profiles = input->profiles();
     for (const studies::Hand hand : {studies::Hand::left, studies::Hand::right}) {
         const std::string& profile = profiles[static_cast<std::size_t>(hand)];
-        note("input_profile", fmt::format("{} hand: {}", nameOf(hand), profile.empty() ? "none" : profile));
+        note(studies::NoteKind::input_profile,
+             fmt::format("{} hand: {}", nameOf(hand), profile.empty() ? "none" : profile));
     }
 }
 
@@ -68,7 +69,7 @@ void HeadsetStation::State::noteEyes(const XrEyes& eyes) {
     const double now_m = std::sqrt(apart.x * apart.x + apart.y * apart.y + apart.z * apart.z);
     if (std::abs(now_m - ipd_m) <= ipd_changed_m) return;
     ipd_m = now_m;
-    note("ipd", fmt::format("{:.4f} m", ipd_m));
+    note(studies::NoteKind::ipd, fmt::format("{:.4f} m", ipd_m));
 }
 
 // Begins the runtime's next frame, where its session runs, and reads what is tracked at its display time.
@@ -83,7 +84,7 @@ void HeadsetStation::State::beginXrFrame() {
     dropped += frame->dropped;
     if (refresh_rate_hz <= 0.0 && session->period_s() > 0.0) {
         refresh_rate_hz = 1.0 / session->period_s();
-        note("refresh_rate", fmt::format("{:.3f} Hz", refresh_rate_hz));
+        note(studies::NoteKind::refresh_rate, fmt::format("{:.3f} Hz", refresh_rate_hz));
     }
     if (last_begun_s > 0.0) {
         const double rate = 1.0 / std::max(1e-4, frame->begun_s - last_begun_s);
@@ -139,12 +140,13 @@ void HeadsetStation::State::waitUntilWorn() {
     if (joined) noteProfiles();
 }
 
-std::string HeadsetStation::State::pauseReason() {
+std::optional<studies::PauseReason> HeadsetStation::State::pauseReason() {
+    using studies::PauseReason;
     const bool menu = std::exchange(device.menu, false);
-    if (!session->lifecycle().visible()) return "headset taken off";
-    if (!session->lifecycle().focused()) return "focus lost";
-    if (head_watch.lost(head, session->now_s())) return "tracking lost";
-    return menu ? "menu" : "";
+    if (!session->lifecycle().visible()) return PauseReason::headset_taken_off;
+    if (!session->lifecycle().focused()) return PauseReason::focus_lost;
+    if (head_watch.lost(head, session->now_s())) return PauseReason::tracking_lost;
+    return menu ? std::optional(PauseReason::menu) : std::nullopt;
 }
 
 void HeadsetStation::State::readInput(studies::InputFrame& in) {
@@ -160,7 +162,7 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
     const studies::Hand before = pointing_hand.hand();
     const PointingHand::Press press = pointing_hand.update(device.select);
     const studies::Hand hand = pointing_hand.hand();
-    if (hand != before) note("pointing_hand", nameOf(hand));
+    if (hand != before) note(studies::NoteKind::pointing_hand, nameOf(hand));
     in.select_held = press.held;
     const studies::TrackedPose& aim = device.aim[static_cast<std::size_t>(hand)];
     if (aim.valid()) {
@@ -169,8 +171,9 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
         in.select = press.select;
         in.select_time_s = press.time_s;
     }
-    in.pause_reason = pauseReason();
-    in.pause = !in.pause_reason.empty();
+    const auto pause = pauseReason();
+    in.pause = pause.has_value();
+    in.pause_reason = pause.value_or(studies::PauseReason::unsaid);
     if (failure) {
         in.quit = true;
         in.quit_reason = quit_reason;
@@ -230,7 +233,7 @@ OperatorView HeadsetStation::State::operatorView() const {
     view.paused = presented.state == studies::PresentedState::paused;
     view.device_kind = "Headset";
     view.device = deviceWords(runtime);
-    view.device_state = headsetInWords(nameOf(session->lifecycle().state()));
+    view.device_state = wordsOf(session->lifecycle().state());
     view.frames_per_s = frames_per_s;
     view.dropped_frames = dropped;
     view.tracked = {

@@ -70,8 +70,8 @@ struct HeadsetStation::State {
     OperatorRequest asked{};
     studies::PresentedFrame presented{};
 
-    void note(std::string kind, std::string detail) {
-        notes.push_back({std::move(kind), std::move(detail), session->now_s()});
+    void note(studies::NoteKind kind, std::string detail) {
+        notes.push_back({kind, std::move(detail), session->now_s()});
     }
     void lose(const XrFailure& by);
     void handleWindow();
@@ -82,7 +82,7 @@ struct HeadsetStation::State {
     void waitUntilWorn();
     void noteProfiles();
     void noteEyes(const XrEyes& eyes);
-    [[nodiscard]] std::string pauseReason();
+    [[nodiscard]] std::optional<studies::PauseReason> pauseReason();
     void readInput(studies::InputFrame& input);
     bool drawFrame(const studies::PresentedFrame& shown_frame);
     [[nodiscard]] studies::TrackingSample sample(std::uint64_t number) const;

@@ -101,7 +101,7 @@ studies::StationInfo HeadsetStation::info() const {
     const XrSwapchainSize& size = s.session->eyeSize();
     const char* mode = s.picture->multiview() ? "one pass for both eyes" : "one pass for each eye";
     studies::StationInfo info;
-    info.kind = "headset";
+    info.kind = studies::StationKind::headset;
     info.details = fmt::format("{}, 2 x {}x{} pixels, {:.0f} Hz, {}, {}", deviceWords(s.runtime), size.width,
                                size.height, s.refresh_rate_hz, mode, s.picture->driver());
     const std::string assumed_m = fmt::format("{:.2f}", s.options.study.assumed_eye_height_m);
@@ -190,7 +190,7 @@ std::vector<studies::StationNote> HeadsetStation::close() {
                 std::this_thread::sleep_for(std::chrono::duration<double>(hidden_wait_s));
         }
     } catch (const XrFailure& failure) {
-        s.note("xr_state", fmt::format("lost: {}", failure.what()));
+        s.note(studies::NoteKind::xr_state, fmt::format("lost: {}", failure.what()));
     }
     return std::exchange(s.notes, {});
 }

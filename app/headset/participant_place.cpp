@@ -25,7 +25,7 @@ void ParticipantPlace::update(const std::optional<Pose>& tracking_from_head, dou
         return;
     }
     if (recentre_by_.empty() && (anchor_ || !settled(*tracking_from_head, time_s))) return;
-    if (anchor_) notes_.push_back({"recentre", recentre_by_, time_s});
+    if (anchor_) notes_.push_back({studies::NoteKind::recentre, recentre_by_, time_s});
     recentre_by_.clear();
     anchor_ = studies::anchorFromHead(*tracking_from_head);
     lay(time_s);
@@ -61,7 +61,7 @@ void ParticipantPlace::lay(double time_s) {
     placement_ = studies::placementFor(*anchor_, stage_from_viewer_, eye_level_, avatar_eye_height_m_);
     const Pose& p = placement_.turn_and_shift;
     const double yaw_rad = 2.0 * std::atan2(p.orientation.y, p.orientation.w);
-    notes_.push_back({"placement",
+    notes_.push_back({studies::NoteKind::placement,
                       fmt::format(R"({{"scale":{},"yaw_deg":{},"shift_m":[{},{},{}],"eye_height_m":{}}})",
                                   placement_.scale, degreesFromRadians(yaw_rad), p.position.x, p.position.y,
                                   p.position.z, anchor_->eye_height_m),

@@ -29,7 +29,7 @@ class ParticipantPlace {
     [[nodiscard]] const studies::Placement& placement() const { return placement_; }
     /// From the place, along the floor, metres of the room; 0 before the anchor is known.
     [[nodiscard]] double offPlace_m(const Pose& tracking_from_head) const;
-    /// "recentre" and "placement" notes since the last call.
+    /// What it has to tell (recentre, placement) since the last call.
     [[nodiscard]] std::vector<studies::StationNote> takeNotes();
 
   private:

@@ -185,7 +185,7 @@ void XrSessionLoop::enter(XrSessionState state, XrTime time, XrHappenings& happe
     // Some runtimes give no time with their events.
     const bool timed = station_zero_ns_ && time > 0;
     happenings.notes.push_back(
-        {"xr_state", std::string(nameOf(state)), timed ? stationSeconds(time) : now_s()});
+        {studies::NoteKind::xr_state, std::string(nameOf(state)), timed ? stationSeconds(time) : now_s()});
     switch (duty) {
         case XrDuty::begin_session: {
             auto info = typed<XrSessionBeginInfo>(XR_TYPE_SESSION_BEGIN_INFO);
@@ -228,7 +228,7 @@ XrHappenings XrSessionLoop::poll() {
                 break;
             }
             case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-                happenings.notes.push_back({"xr_state", "instance loss pending", now_s()});
+                happenings.notes.push_back({studies::NoteKind::xr_state, "instance loss pending", now_s()});
                 lost_ = true;
                 happenings.lost.emplace("the runtime announced its end", XR_ERROR_INSTANCE_LOST);
                 break;
@@ -245,7 +245,8 @@ XrHappenings XrSessionLoop::poll() {
                 happenings.hidden_area = true;
                 break;
             case XR_TYPE_EVENT_DATA_EVENTS_LOST:
-                happenings.notes.push_back({"xr_state", "the runtime lost some of its events", now_s()});
+                happenings.notes.push_back(
+                    {studies::NoteKind::xr_state, "the runtime lost some of its events", now_s()});
                 break;
             default:
                 break;

@@ -1,5 +1,8 @@
 #include "xr_session_lifecycle.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace deixis::app {
 
 XrDuty XrSessionLifecycle::enter(XrSessionState state) {
@@ -31,27 +34,41 @@ bool XrSessionLifecycle::visible() const {
     return state_ == XR_SESSION_STATE_VISIBLE || state_ == XR_SESSION_STATE_FOCUSED;
 }
 
+namespace {
+
+struct StateTraits {
+    XrSessionState state;
+    std::string_view name;
+    const char* words;
+};
+
+constexpr std::array<StateTraits, 9> states{{
+    {XR_SESSION_STATE_UNKNOWN, "unknown", "Starting"},
+    {XR_SESSION_STATE_IDLE, "idle", "Waiting for the headset"},
+    {XR_SESSION_STATE_READY, "ready", "Starting"},
+    {XR_SESSION_STATE_SYNCHRONIZED, "synchronized", "Not worn, or hidden by another program"},
+    {XR_SESSION_STATE_VISIBLE, "visible", "Seen, but a system menu takes the input"},
+    {XR_SESSION_STATE_FOCUSED, "focused", "In use"},
+    {XR_SESSION_STATE_STOPPING, "stopping", "Stopping"},
+    {XR_SESSION_STATE_LOSS_PENDING, "loss pending", "The runtime is closing"},
+    {XR_SESSION_STATE_EXITING, "exiting", "Ended by the runtime"},
+}};
+
+// States of later OpenXR versions are unknown here.
+const StateTraits& traitsOf(XrSessionState state) {
+    const auto* const found = std::find_if(states.begin(), states.end(),
+                                           [&](const StateTraits& one) { return one.state == state; });
+    return found == states.end() ? states.front() : *found;
+}
+
+}  // namespace
+
 std::string_view nameOf(XrSessionState state) {
-    switch (state) {
-        case XR_SESSION_STATE_IDLE:
-            return "idle";
-        case XR_SESSION_STATE_READY:
-            return "ready";
-        case XR_SESSION_STATE_SYNCHRONIZED:
-            return "synchronized";
-        case XR_SESSION_STATE_VISIBLE:
-            return "visible";
-        case XR_SESSION_STATE_FOCUSED:
-            return "focused";
-        case XR_SESSION_STATE_STOPPING:
-            return "stopping";
-        case XR_SESSION_STATE_LOSS_PENDING:
-            return "loss pending";
-        case XR_SESSION_STATE_EXITING:
-            return "exiting";
-        default:
-            return "unknown";
-    }
+    return traitsOf(state).name;
+}
+
+DeviceWords wordsOf(XrSessionState state) {
+    return {traitsOf(state).words, state == XR_SESSION_STATE_FOCUSED};
 }
 
 }  // namespace deixis::app

@@ -6,6 +6,8 @@
 
 #include <string_view>
 
+#include "app/operator/operator_words.hpp"
+
 namespace deixis::app {
 
 /// What is to be done now that a state was entered.
@@ -37,5 +39,8 @@ class XrSessionLifecycle {
 
 /// "idle", "ready", "synchronized", "visible", "focused", "stopping", "loss pending", "exiting".
 [[nodiscard]] std::string_view nameOf(XrSessionState state);
+
+/// The same for the operator; in use only with focus.
+[[nodiscard]] DeviceWords wordsOf(XrSessionState state);
 
 }  // namespace deixis::app

@@ -114,19 +114,19 @@ class Panel {
 
     void now() const {
         pen_.section("Now");
-        if (view_.status.empty()) {
+        if (view_.status.part.empty()) {
             pen_.write(gui_.regular(), look::text, "Not begun yet");
             return;
         }
-        const StudyProgress progress = studyProgress(view_.status);
+        const studies::SessionStatus& status = view_.status;
         const std::string place =
-            progress.trials > 0 ? fmt::format("{} of {}", progress.trial, progress.trials) : "";
+            status.trials > 0 ? fmt::format("{} of {}", status.trial, status.trials) : "";
         const float left = pen_.width() - PanelPen::widthOf(gui_.bold(), place) - px(13.0F);
-        const std::string stage = PanelPen::fitted(gui_.bold(), progress.stage, left);
+        const std::string stage = PanelPen::fitted(gui_.bold(), capitalised(status.part), left);
         pen_.write(gui_.bold(), look::text, stage);
         if (!place.empty()) pen_.right(gui_.bold(), look::text, place, PanelPen::widthOf(gui_.bold(), stage));
         pen_.write(gui_.regular(), view_.paused ? look::warning : look::text,
-                   progress.remark.empty() ? view_.doing : progress.remark);
+                   status.remark.empty() ? view_.doing : capitalised(status.remark));
         checks();
         trial();
     }

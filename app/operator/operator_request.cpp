@@ -33,12 +33,13 @@ void OperatorRequest::add(OperatorRequest later) {
 void OperatorRequest::putInto(studies::InputFrame& input) const {
     if (pause) {
         input.pause = true;
-        input.pause_reason = "operator";
+        input.pause_reason = studies::PauseReason::experimenter;
     }
     input.resume = input.resume || resume;
     input.commands.insert(input.commands.end(), commands.begin(), commands.end());
     if (saw_trial)
-        input.notes.push_back({"operator_saw_trial", "", input.input_time_s.value_or(input.time_s)});
+        input.notes.push_back(
+            {studies::NoteKind::operator_saw_trial, "", input.input_time_s.value_or(input.time_s)});
     if (!end || input.quit) return;
     input.quit = true;
     input.quit_reason = "ended by the experimenter";

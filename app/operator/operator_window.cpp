@@ -32,8 +32,8 @@ constexpr double longest_pause_s = 0.5;
 
 // The letters of what the session tells, in any language.
 void requireLetters(WindowGui& gui, const OperatorView& view, OperatorDesk& desk) {
-    for (const std::string* text :
-         {&view.feed.participant, &view.status, &view.device, &view.feed.progress.trial})
+    for (const std::string* text : {&view.feed.participant, &view.status.part, &view.status.remark,
+                                    &view.device, &view.feed.progress.trial})
         gui.require(*text);
     for (const auto& stage : view.feed.progress.stages) gui.require(stage.name);
     for (const auto& warning : view.warnings) gui.require(warning);

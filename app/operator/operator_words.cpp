@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -72,44 +71,29 @@ std::string_view wordsFor(studies::PresentedState state) {
 }
 
 struct EventWords {
-    std::string_view kind;
+    studies::NoteKind kind;
     std::string_view words;
     bool with_detail;
 };
 constexpr std::array<EventWords, 15> event_words{{
-    {"session_start", "Session begun", true},
-    {"pause", "Paused", true},
-    {"resume", "Resumed", false},
-    {"trial_repeated", "Trial started over", false},
-    {"check_failed", "Attention check failed", false},
-    {"warned", "Participant warned", false},
-    {"practice_met", "Practice passed", false},
-    {"practice_failed", "Practice failed", false},
-    {"operator_repeat", "Last trial is repeated", true},
-    {"operator_skip", "Skipped", true},
-    {"operator_abort", "Aborted", true},
-    {"operator_note", "Note", true},
-    {"operator_saw_trial", "Trial shown to you", false},
-    {"exclusion", "Excluded", true},
-    {"recording_failed", "Answers can no longer be saved", true},
+    {studies::NoteKind::session_start, "Session begun", true},
+    {studies::NoteKind::pause, "Paused", true},
+    {studies::NoteKind::resume, "Resumed", false},
+    {studies::NoteKind::trial_repeated, "Trial started over", false},
+    {studies::NoteKind::check_failed, "Attention check failed", false},
+    {studies::NoteKind::warned, "Participant warned", false},
+    {studies::NoteKind::practice_met, "Practice passed", false},
+    {studies::NoteKind::practice_failed, "Practice failed", false},
+    {studies::NoteKind::operator_repeat, "Last trial is repeated", true},
+    {studies::NoteKind::operator_skip, "Skipped", true},
+    {studies::NoteKind::operator_abort, "Aborted", true},
+    {studies::NoteKind::operator_note, "Note", true},
+    {studies::NoteKind::operator_saw_trial, "Trial shown to you", false},
+    {studies::NoteKind::excluded, "Excluded", true},
+    {studies::NoteKind::recording_failed, "Answers can no longer be saved", true},
 }};
 
-struct NamedHeadsetState {
-    std::string_view name;
-    std::string_view words;
-    bool in_use;
-};
-constexpr std::array<NamedHeadsetState, 9> headset_words{{
-    {"unknown", "Starting", false},
-    {"idle", "Waiting for the headset", false},
-    {"ready", "Starting", false},
-    {"synchronized", "Not worn, or hidden by another program", false},
-    {"visible", "Seen, but a system menu takes the input", false},
-    {"focused", "In use", true},
-    {"stopping", "Stopping", false},
-    {"loss pending", "The runtime is closing", false},
-    {"exiting", "Ended by the runtime", false},
-}};
+}  // namespace
 
 std::string capitalised(std::string_view text) {
     std::string out(text);
@@ -117,54 +101,9 @@ std::string capitalised(std::string_view text) {
     return out;
 }
 
-// Reads "n/m" in which n is at most m.
-std::optional<std::pair<int, int>> count(std::string_view word) {
-    const std::size_t slash = word.find('/');
-    if (slash == std::string_view::npos) return std::nullopt;
-    std::pair<int, int> read{0, 0};
-    const char* middle = word.data() + slash;
-    const char* end = word.data() + word.size();
-    const auto first = std::from_chars(word.data(), middle, read.first);
-    const auto second = std::from_chars(middle + 1, end, read.second);
-    if (first.ec != std::errc() || second.ec != std::errc()) return std::nullopt;
-    if (first.ptr != middle || second.ptr != end) return std::nullopt;
-    if (read.first < 1 || read.first > read.second) return std::nullopt;
-    return read;
-}
-
-}  // namespace
-
-std::optional<double> StudyProgress::done() const {
-    if (trials == 0) return std::nullopt;
-    return static_cast<double>(trial - 1) / trials;
-}
-
-StudyProgress studyProgress(std::string_view status) {
-    StudyProgress progress;
-    const std::size_t comma = status.find(", ");
-    const std::string_view course = status.substr(0, comma);
-    if (comma != std::string_view::npos) progress.remark = capitalised(status.substr(comma + 2));
-    const std::size_t gap = course.rfind(' ');
-    if (gap != std::string_view::npos)
-        if (const auto counted = count(course.substr(gap + 1))) {
-            progress.stage = capitalised(course.substr(0, gap));
-            progress.trial = counted->first;
-            progress.trials = counted->second;
-            return progress;
-        }
-    progress.stage = capitalised(course);
-    return progress;
-}
-
 std::string stateInWords(const studies::PresentedFrame& frame) {
     const std::string_view words = wordsFor(frame.state);
     return frame.in_game ? fmt::format("{} ({})", words, frame.viewer_place) : std::string(words);
-}
-
-DeviceWords headsetInWords(std::string_view state) {
-    for (const NamedHeadsetState& known : headset_words)
-        if (state == known.name) return {std::string(known.words), known.in_use};
-    return {capitalised(state), false};
 }
 
 std::string distanceInWords(double metres) {
@@ -203,7 +142,8 @@ std::string eventInWords(const OperatorEvent& event) {
         if (event.detail.empty() || !known.with_detail) return std::string(known.words);
         return fmt::format("{}: {}", known.words, event.detail);
     }
-    return event.detail.empty() ? event.kind : fmt::format("{}: {}", event.kind, event.detail);
+    const std::string_view name = studies::noteKindName(event.kind);
+    return event.detail.empty() ? std::string(name) : fmt::format("{}: {}", name, event.detail);
 }
 
 }  // namespace deixis::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <system_error>
 #include <variant>
 #include <vector>
@@ -16,11 +15,14 @@ constexpr double between_progress_s = 0.1;
 constexpr double between_disk_s = 1.0;
 
 // What an operator wants to see: nothing that comes with every trial, and nothing that tells its conditions.
-constexpr std::array<std::string_view, 13> told_kinds{
-    "session_start",     "pause",         "resume",         "trial_repeated",
-    "check_failed",      "warned",        "practice_met",   "practice_failed",
-    "operator_repeat",   "operator_skip", "operator_abort", "operator_note",
-    "operator_saw_trial"};
+bool isTold(studies::NoteKind kind) {
+    using enum studies::NoteKind;
+    constexpr std::array told{session_start,     pause,         resume,          trial_repeated,
+                              check_failed,      warned,        practice_met,    practice_failed,
+                              operator_skip,     operator_note, operator_repeat, operator_abort,
+                              operator_saw_trial};
+    return std::find(told.begin(), told.end(), kind) != told.end();
+}
 
 bool due(std::optional<double>& last_s, double now_s, double between_s) {
     if (last_s && now_s - *last_s < between_s) return false;
@@ -53,18 +55,18 @@ OperatorFeedWriter::OperatorFeedWriter(std::shared_ptr<OperatorFeed> feed, std::
 void OperatorFeedWriter::record(const studies::SessionEvent& event) {
     kept_by_.record(event);
     if (const auto* note_of = std::get_if<studies::Note>(&event)) {
-        if (std::find(told_kinds.begin(), told_kinds.end(), note_of->kind) != told_kinds.end())
-            note(note_of->at.time_s, note_of->kind, note_of->detail);
+        if (isTold(note_of->kind)) note(note_of->at.time_s, note_of->kind, note_of->detail);
     } else if (const auto* exclusion = std::get_if<studies::Exclusion>(&event)) {
-        note(exclusion->at.time_s, "exclusion", exclusion->reason);
+        note(exclusion->at.time_s, studies::NoteKind::excluded, exclusion->reason);
     } else if (const auto* response = std::get_if<studies::Response>(&event)) {
-        if (!response->exclusion.empty()) note(response->answered.time_s, "exclusion", response->exclusion);
+        if (!response->exclusion.empty())
+            note(response->answered.time_s, studies::NoteKind::excluded, response->exclusion);
     }
 }
 
-void OperatorFeedWriter::note(double time_s, std::string kind, std::string detail) {
+void OperatorFeedWriter::note(double time_s, studies::NoteKind kind, std::string detail) {
     if (!start_s_) start_s_ = time_s;
-    feed_->events.push_back({std::max(0.0, time_s - *start_s_), std::move(kind), std::move(detail)});
+    feed_->events.push_back({std::max(0.0, time_s - *start_s_), kind, std::move(detail)});
     if (feed_->events.size() > events_told) feed_->events.pop_front();
 }
 
@@ -90,7 +92,7 @@ void OperatorFeedWriter::presented(const studies::InputFrame& input, const studi
     OperatorFeed& feed = *feed_;
     if (input.recording_failed && feed.failure.empty()) {
         feed.failure = kept_by_.failure();
-        note(now_s, "recording_failed", feed.failure);
+        note(now_s, studies::NoteKind::recording_failed, feed.failure);
     }
     feed.elapsed_s = std::max(0.0, now_s - *start_s_);
     if (input.answers_kept)

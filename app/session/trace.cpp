@@ -134,7 +134,8 @@ Json lookJson(const std::optional<studies::FirstLook>& look) {
 
 Json notesJson(const std::vector<studies::StationNote>& notes) {
     Json out = Json::array();
-    for (const auto& note : notes) out.push_back({{"kind", note.kind}, {"detail", note.detail}});
+    for (const auto& note : notes)
+        out.push_back({{"kind", studies::noteKindName(note.kind)}, {"detail", note.detail}});
     return out;
 }
 
@@ -202,7 +203,7 @@ void Trace::presented(const studies::InputFrame& input, const studies::Presented
                     {"frame", frame.number},
                     {"state", presentedStateName(frame)},
                     {"stage", frame.stage},
-                    {"status", frame.status},
+                    {"status", studies::sessionStatusText(frame.status)},
                     {"place", frame.viewer_place},
                     {"notice", frame.notice},
                     {"trial", session_.trialUnderWay()},

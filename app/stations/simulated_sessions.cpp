@@ -55,7 +55,7 @@ class Sessions {
     Sessions(const StudySetup& setup, const assets::Avatar& avatar, const StimulusLibrary& stimuli,
              const studies::SimulatedParameters& parameters, results::Store& store)
         : study_(setup.study),
-          stood_(studies::atStation(setup.study, "simulated")),
+          stood_(studies::standingAs(setup.study, studies::Standing::desktop)),
           avatar_(avatar),
           idle_(motion::relaxedPose(avatar.skeleton)),
           stimuli_(stimuli),

@@ -95,7 +95,7 @@ class PausingStation : public studies::Station {
         if (pointing_ && !paused_) {
             paused_ = true;
             input.pause = true;
-            input.pause_reason = "for a picture";
+            input.pause_reason = studies::PauseReason::picture;
         }
         return input;
     }
@@ -116,11 +116,8 @@ Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& requ
                                                       const studies::Study& study,
                                                       const studies::StudyPlan& plan,
                                                       const assets::Avatar& avatar) {
-    if (request.kind == "desktop") return openDesktop(request, study, plan, avatar);
-    if (request.kind == "headset") return openHeadset(request, study, plan, avatar);
-    if (request.kind != "simulated")
-        return fail("--station", fmt::format("unknown station '{}'; expected desktop, headset or simulated",
-                                             request.kind));
+    if (request.kind == studies::StationKind::desktop) return openDesktop(request, study, plan, avatar);
+    if (request.kind == studies::StationKind::headset) return openHeadset(request, study, plan, avatar);
     if (request.operator_window)
         return fail("--operator", "a simulated participant has no window for the experimenter",
                     "Use --station desktop; a headset's window is always there");

@@ -44,8 +44,9 @@ Result<void> list(const ParticipantsArguments& options) {
         if (row.synthetic) remarks += "simulated ";
         if (!row.reason.empty()) remarks += fmt::format("({})", row.reason);
         fmt::print("{:<16} {:>6}  {:<9} {:<8} {:>8} {:>12} {:>13}  {:<9} {:<16}  {}\n", row.id, row.number,
-                   row.status, row.language, row.sessions, fmt::format("{}/{}", row.answered, row.planned),
-                   row.checks_failed, orDash(row.consent), day(row.last_utc_s), remarks);
+                   results::participantStatusName(row.status), row.language, row.sessions,
+                   fmt::format("{}/{}", row.answered, row.planned), row.checks_failed,
+                   orDash(std::string(results::consentName(row.consent))), day(row.last_utc_s), remarks);
     }
     int answered = 0;
     int planned = 0;
@@ -66,11 +67,12 @@ Result<void> show(const ParticipantsArguments& options) {
     const auto found = results::showParticipant(options.database, options.participant);
     if (!found) return tl::unexpected(found.error());
     const auto& row = found->row;
-    fmt::print("{}: number {}, {}{}\n", row.id, row.number, row.status,
+    fmt::print("{}: number {}, {}{}\n", row.id, row.number, results::participantStatusName(row.status),
                row.reason.empty() ? "" : fmt::format(" ({})", row.reason));
     fmt::print("language {}, consent {}, {} of {} trials and pages answered, {} attention checks failed{}\n",
-               row.language, row.consent.empty() ? "not asked" : row.consent, row.answered, row.planned,
-               row.checks_failed, row.synthetic ? ", simulated" : "");
+               row.language,
+               row.consent == results::Consent::not_asked ? "not asked" : results::consentName(row.consent),
+               row.answered, row.planned, row.checks_failed, row.synthetic ? ", simulated" : "");
     for (const auto& [factor, level] : row.groups) fmt::print("group {}: {}\n", factor, level);
     for (const auto& [name, value] : found->fields) fmt::print("{}: {}\n", name, value);
     for (const auto& session : found->sessions) fmt::print("session {}\n", session);

@@ -151,11 +151,12 @@ Result<void> checkTakesPart(const RunArguments& options, const results::Store& s
     const auto known = results::showParticipant(options.database, participant);
     if (!known) return tl::unexpected(known.error());
     if (results::mayTakePart(known->row)) return {};
-    const bool declined = known->row.consent == "declined";
+    const bool declined = known->row.consent == results::Consent::declined;
     return fail(
         options.database,
         fmt::format("{} {} ({})", participant,
-                    known->row.status == "excluded" ? "is excluded" : "dropped out", known->row.reason),
+                    known->row.status == results::ParticipantStatus::excluded ? "is excluded" : "dropped out",
+                    known->row.reason),
         fmt::format("'deixis participants include {} {}' lets the participant {}", options.database,
                     participant, declined ? "be asked for consent anew" : "go on"));
 }
@@ -193,7 +194,8 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
         if (!others) return tl::unexpected(others.error());
         stimuli = std::move(*others);
     }
-    fmt::print("participant {}: {} station ({}){}\n", participant, info.kind, info.details,
+    fmt::print("participant {}: {} station ({}){}\n", participant, studies::stationKindName(info.kind),
+               info.details,
                enrolment.resume.answered.empty()
                    ? ""
                    : fmt::format(", {} trials and pages answered before", enrolment.resume.answered.size()));
@@ -203,10 +205,11 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     const motion::LocalPose idle = motion::relaxedPose(avatar.skeleton);
     const auto records = stimuli.records();
     const auto history = store.secondsPerUnit();
-    const bool keyboard = info.kind != "headset";
-    const studies::Study stood = studies::atStation(setup.study, info.kind);
+    const bool in_headset = info.kind == studies::StationKind::headset;
+    const studies::Study stood = studies::standingAs(
+        setup.study, in_headset ? studies::Standing::headset : studies::Standing::desktop);
     studies::SessionRunner session(stood, enrolment.plan, stimuli, avatar.skeleton, idle, enrolment.resume,
-                                   keyboard, info.hint);
+                                   !in_headset, info.hint);
     store.beginSession({participant, withProgram(info), programVersion(), avatar.content_hash, utcNow_s()});
     try {
         // A simulated participant's virtual time can wait for the disk; a person's frames cannot. Gone before
@@ -320,11 +323,15 @@ void addRunCommand(Parser cli, Command& chosen) {
         .check(Range(1, 999999));
     addLanguage(command, options->language);
     command
-        .addOption("--station", options->station.kind,
-                   "desktop: a window and a person; headset: a person in VR (OpenXR); simulated: a simulated "
-                   "participant, drawn off screen")
+        .addTextOption(
+            "--station",
+            [kind = &options->station.kind](const std::string& name) {
+                *kind = studies::stationKindNamed(name).value();
+            },
+            "desktop: a window and a person; headset: a person in VR (OpenXR); simulated: a simulated "
+            "participant, drawn off screen")
         .check(OneOf{{"desktop", "headset", "simulated"}})
-        .showDefault();
+        .showDefault("desktop");
     command.addOption("--db", options->database, "Database to begin or to go on with [STUDY.sqlite]");
     command
         .addOption("--accept-changes", options->accept_changes,

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "core/text.hpp"
@@ -28,9 +30,8 @@ SELECT p.id, p.number, p.language, p.status, coalesce(p.reason, ''),
                    FROM sessions AS s LEFT JOIN (SELECT session, max(answered_utc_s) AS utc_s FROM responses
                         WHERE participant = p.id GROUP BY session) AS r ON r.session = s.id
                   WHERE s.participant = p.id), 0.0),
-       coalesce((SELECT CASE min(agreed) WHEN 1 THEN 'agreed' WHEN 0 THEN 'declined' END FROM consents AS c WHERE participant = p.id AND
-                 session = (SELECT max(session) FROM consents WHERE participant = p.id AND stage = c.stage)),
-                '')
+       (SELECT min(agreed) FROM consents AS c WHERE participant = p.id AND
+               session = (SELECT max(session) FROM consents WHERE participant = p.id AND stage = c.stage))
   FROM {} AS p {} ORDER BY p.number
 )sql";
 
@@ -46,7 +47,7 @@ std::vector<ParticipantRow> readRows(SQLite::Database& database,
         one.id = row.getColumn(0).getString();
         one.number = row.getColumn(1).getInt();
         one.language = row.getColumn(2).getString();
-        one.status = row.getColumn(3).getString();
+        one.status = participantStatusNamed(row.getColumn(3).getString());
         one.reason = row.getColumn(4).getString();
         one.synthetic = row.getColumn(5).getInt() != 0;
         one.sessions = row.getColumn(6).getInt();
@@ -54,7 +55,8 @@ std::vector<ParticipantRow> readRows(SQLite::Database& database,
         one.planned = row.getColumn(8).getInt();
         one.checks_failed = row.getColumn(9).getInt();
         one.last_utc_s = row.getColumn(10).getDouble();
-        one.consent = row.getColumn(11).getString();
+        if (!row.getColumn(11).isNull())
+            one.consent = row.getColumn(11).getInt() != 0 ? Consent::agreed : Consent::declined;
         SQLite::Statement group(database,
                                 "SELECT factor, level FROM participant_groups WHERE participant = ?");
         group.bind(1, one.id);
@@ -120,9 +122,14 @@ SELECT strftime('%Y-%m-%d %H:%M:%S', at, 'unixepoch') || ' ' || what FROM (
 
 }  // namespace
 
+std::string_view consentName(Consent consent) {
+    constexpr std::array<std::string_view, 3> names{"", "agreed", "declined"};
+    return names.at(static_cast<std::size_t>(consent));
+}
+
 bool mayTakePart(const ParticipantRow& participant) {
-    if (participant.consent == "declined") return participant.reason == asked_anew_reason;
-    return participant.status == "active";
+    if (participant.consent == Consent::declined) return participant.reason == asked_anew_reason;
+    return participant.status == ParticipantStatus::active;
 }
 
 Result<ParticipantList> listParticipants(const std::filesystem::path& database) {
@@ -153,7 +160,7 @@ Result<void> excludeParticipant(const std::filesystem::path& database, const std
     if (!keepableText(reason))
         return fail(database.string(), "the reason is no text in UTF-8", "Give it in UTF-8");
     return changeParticipant(database, participant, [&](SQLite::Database& open) {
-        setStatus(open, participant, "excluded", reason);
+        setStatus(open, participant, ParticipantStatus::excluded, reason);
     });
 }
 

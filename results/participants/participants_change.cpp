@@ -28,10 +28,10 @@ Result<void> changeParticipant(const std::filesystem::path& path, const std::str
     }
 }
 
-void setStatus(SQLite::Database& database, const std::string& participant, const char* status,
+void setStatus(SQLite::Database& database, const std::string& participant, ParticipantStatus status,
                const std::optional<std::string>& reason) {
     SQLite::Statement update(database, "UPDATE participants SET status = ?, reason = ? WHERE id = ?");
-    update.bind(1, status);
+    update.bind(1, std::string(participantStatusName(status)));
     if (reason) update.bind(2, *reason);
     update.bind(3, participant);
     update.exec();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "results/database/participant_status.hpp"
 
 namespace deixis::results {
 
@@ -21,7 +22,7 @@ namespace deixis::results {
                                              const std::string& participant,
                                              const std::function<void(SQLite::Database&)>& change);
 
-void setStatus(SQLite::Database& database, const std::string& participant, const char* status,
+void setStatus(SQLite::Database& database, const std::string& participant, ParticipantStatus status,
                const std::optional<std::string>& reason);
 
 }  // namespace deixis::results

@@ -109,9 +109,9 @@ Result<Inclusion> includeParticipant(const std::filesystem::path& database, cons
         out.failed_checks_forgiven = countFailedChecks(open, participant);
         noteInclusion(open, participant, utc_s);
         if (out.consent_asked_anew)
-            setStatus(open, participant, "dropped", asked_anew_reason);
+            setStatus(open, participant, ParticipantStatus::dropped, asked_anew_reason);
         else
-            setStatus(open, participant, "active", std::nullopt);
+            setStatus(open, participant, ParticipantStatus::active, std::nullopt);
     });
     if (!changed) return tl::unexpected(changed.error());
     return out;

@@ -71,7 +71,7 @@ std::vector<studies::RecordedPlay> readPlays(SQLite::Database& database, long lo
     while (notes.executeStep()) {
         const int stimulus = stimulusOf(notes.getColumn(1).getString());
         const double time_s = notes.getColumn(2).getDouble();
-        if (notes.getColumn(0).getString() == "stimulus_onset") {
+        if (notes.getColumn(0).getString() == studies::noteKindName(studies::NoteKind::stimulus_onset)) {
             plays.push_back({stimulus, time_s, {}});
             continue;
         }
@@ -128,10 +128,10 @@ void readClips(SQLite::Database& database, long long response, RecordedAnswer& o
     }
 }
 
-std::string inWords(const studies::RecordedTrial& trial, const std::string& status, bool correct,
+std::string inWords(const studies::RecordedTrial& trial, studies::ResponseStatus status, bool correct,
                     double response_time_s) {
-    if (status != "answered" && trial.chosen_place < 0)
-        return status == "timed_out" ? "no answer in time" : "skipped";
+    if (status != studies::ResponseStatus::answered && trial.chosen_place < 0)
+        return status == studies::ResponseStatus::timed_out ? "no answer in time" : "skipped";
     std::string words;
     if (trial.chosen_place >= 0)
         words = fmt::format("chose ball {} of {}, {}", trial.chosen_place + 1, trial.trial.ball_order.size(),
@@ -206,8 +206,8 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
         answered_before_s = trial.answered_s;
         readAnswers(database, response, trial);
         readClips(database, response, out);
-        out.outcome = inWords(trial, responses.getColumn(3).getString(), responses.getColumn(5).getInt() != 0,
-                              responses.getColumn(8).getDouble());
+        out.outcome = inWords(trial, studies::responseStatusNamed(responses.getColumn(3).getString()),
+                              responses.getColumn(5).getInt() != 0, responses.getColumn(8).getDouble());
     }
     return recording;
 }

@@ -49,9 +49,9 @@ long long Store::beginSession(const SessionInfo& session) {
         auto insert = impl_->query(
             "INSERT INTO sessions (participant, station, station_details, synthetic, program_version, "
             "avatar_hash, started_utc_s) VALUES (?, ?, ?, ?, ?, ?, ?)");
-        insert << session.participant << session.station.kind << session.station.details
-               << session.station.synthetic << session.program_version << session.avatar_hash
-               << session.started_utc_s;
+        insert << session.participant << studies::stationKindName(session.station.kind)
+               << session.station.details << session.station.synthetic << session.program_version
+               << session.avatar_hash << session.started_utc_s;
         insert.run();
         id = impl_->database.getLastInsertRowid();
         for (const auto& [name, value] : session.station.properties) {
@@ -81,7 +81,7 @@ void Store::record(const studies::SessionEvent& event, const studies::Study& stu
         throw std::logic_error(fmt::format("Store::record: the session is participant {}'s, the plan is {}'s",
                                            impl_->session_participant, plan.participant));
     if (const auto* note = std::get_if<studies::Note>(&event)) {
-        const bool abort = note->kind == "operator_abort";
+        const bool abort = note->kind == studies::NoteKind::operator_abort;
         const auto keep = [&] {
             impl_->insertNote(*note);
             if (abort) impl_->abort(note->detail);
@@ -119,9 +119,9 @@ void Store::recordTracking(std::span<const TrackedFrame> frames, std::span<const
     impl_->last_frame = last;
 }
 
-void Store::Impl::leaveOut(const char* status, const std::string& reason) {
+void Store::Impl::leaveOut(ParticipantStatus status, const std::string& reason) {
     auto update = query("UPDATE participants SET status = ?, reason = ? WHERE id = ? AND status = 'active'");
-    update << status << reason << session_participant;
+    update << participantStatusName(status) << reason << session_participant;
     update.run();
     groups_taken.reset();
 }

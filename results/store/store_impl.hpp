@@ -13,6 +13,7 @@
 
 #include "core/text.hpp"
 #include "results/database/answer_hash.hpp"
+#include "results/database/participant_status.hpp"
 #include "results/store/store.hpp"
 #include "tracking_writer.hpp"
 
@@ -177,7 +178,7 @@ struct Store::Impl {
     void supersedeRefusal(int trial_index, const studies::Moment& at);
     void insertNote(const studies::Note& note);
     /// Takes the session's participant out of the analysis, who counted until now.
-    void leaveOut(const char* status, const std::string& reason);
+    void leaveOut(ParticipantStatus status, const std::string& reason);
 };
 
 }  // namespace deixis::results

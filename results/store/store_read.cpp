@@ -126,9 +126,7 @@ studies::Resume Store::resume(const std::string& participant, double now_utc_s) 
     while (first.next()) {
         studies::Response& response = out.first_answers.emplace_back();
         response.trial_index = first[1].getInt();
-        response.status = first.text(2) == "answered"    ? studies::ResponseStatus::answered
-                          : first.text(2) == "timed_out" ? studies::ResponseStatus::timed_out
-                                                         : studies::ResponseStatus::skipped;
+        response.status = studies::responseStatusNamed(first.text(2));
         if (!first[3].isNull()) response.chosen_place = first[3].getInt();
         response.correct = first[4].getInt() != 0;
         auto answers = impl_->query(

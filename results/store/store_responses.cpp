@@ -154,18 +154,18 @@ void Store::Impl::supersede(const studies::Superseded& superseded) {
 }
 
 void Store::Impl::exclude(const std::string& reason, const studies::Moment& at) {
-    leaveOut("excluded", reason);
-    insertNote({"excluded", -1, at, reason});
+    leaveOut(ParticipantStatus::excluded, reason);
+    insertNote({studies::NoteKind::excluded, -1, at, reason});
 }
 
 void Store::Impl::abort(const std::string& reason) {
-    leaveOut("dropped", reason.empty() ? operator_ended_reason : reason);
+    leaveOut(ParticipantStatus::dropped, reason.empty() ? operator_ended_reason : reason);
 }
 
 void Store::Impl::insertNote(const studies::Note& note) {
     auto insert = query(
         "INSERT INTO events (session, kind, trial_index, time_s, utc_s, detail) VALUES (?, ?, ?, ?, ?, ?)");
-    insert << session << note.kind;
+    insert << session << studies::noteKindName(note.kind);
     if (note.trial_index >= 0)
         insert << note.trial_index;
     else

@@ -46,7 +46,7 @@ void SessionRunner::State::begin(const InputFrame& input) {
         ++units;
         if (course.answered().count(trial.index) > 0) ++done;
     }
-    core.note("session_start",
+    core.note(NoteKind::session_start,
               course.answered().empty() ? "" : fmt::format("resumed after {} of {} answers", done, units));
     proceed(input);
 }
@@ -66,7 +66,7 @@ void SessionRunner::State::proceed(const InputFrame& input) {
         enter(input);
         return;
     }
-    if (course.closing() == SessionOutcome::finished) core.note("finished");
+    if (course.closing() == SessionOutcome::finished) core.note(NoteKind::finished);
     end(course.closing(), "finished");
 }
 
@@ -74,7 +74,7 @@ void SessionRunner::State::enter(const InputFrame& input) {
     SessionView& view = core.view;
     if (item->stage != nullptr && item->stage->name != stage) {
         stage = item->stage->name;
-        core.note("stage_start", course.begun(*item->stage) ? stage + ", continued" : stage);
+        core.note(NoteKind::stage_start, course.begun(*item->stage) ? stage + ", continued" : stage);
     }
     view.frame.stage = item->stage != nullptr ? item->stage->name : "";
     view.frame.status = item->status;
@@ -127,7 +127,7 @@ void SessionRunner::State::keepAnswer(Response response) {
 
     if (declarationOf(trial.kind).asks_consent && response.answers.front().value == 0.0)
         course.close(SessionOutcome::declined);
-    if (failed) core.note("check_failed", check->what);
+    if (failed) core.note(NoteKind::check_failed, check->what);
     if (rule == CheckRule::warn) course.warn();
     if (rule == CheckRule::end || failed_practice != nullptr) course.close(SessionOutcome::excluded);
     if (trial.practice) judgePractice(trial);
@@ -140,7 +140,7 @@ void SessionRunner::State::judgePractice(const Trial& trial) {
     const std::vector<Attempt> attempts = practiceAttempts(plan, practised, course.answered());
     const Attempt& attempt = attempts.at(static_cast<std::size_t>(trial.attempt));
     if (!attempt.complete()) return;
-    core.note(attempt.met(practised.practice->criterion) ? "practice_met" : "practice_failed",
+    core.note(attempt.met(practised.practice->criterion) ? NoteKind::practice_met : NoteKind::practice_failed,
               fmt::format("{:.2f}", attempt.share()));
 }
 
@@ -156,14 +156,14 @@ void SessionRunner::State::end(SessionOutcome how, const char* status) {
     core.view.closePanel();
     core.view.closeSign();
     core.view.frame.balls.clear();
-    core.view.frame.status = status;
+    core.view.frame.status = {status};
     core.view.show(PresentedState::over);
     core.view.frame.stage.clear();
 }
 
 /// Who has declined or been excluded and does not wait for the closing page has not quit.
 void SessionRunner::State::endEarly(const std::string& reason) {
-    core.note("quit", reason);
+    core.note(NoteKind::quit, reason);
     end(course.closingEarly() ? course.closing() : SessionOutcome::quit, "ended early");
 }
 
@@ -224,7 +224,7 @@ void SessionRunner::State::guard(const InputFrame& input) {
 void SessionRunner::State::tell(bool waits_for_disk) {
     if (waits_for_disk != told_of_disk) {
         told_of_disk = waits_for_disk;
-        if (!paused) core.view.frame.status = item->status + (waits_for_disk ? ", waiting for the disk" : "");
+        if (!paused) core.view.frame.status = item->status.with(waits_for_disk ? "waiting for the disk" : "");
     }
     const LanguageTable& words = study.words;
     if (waits_for_disk)
@@ -290,16 +290,21 @@ std::string_view sessionOutcomeName(SessionOutcome outcome) {
     return "";
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 3> response_status_names{"answered", "timed_out", "skipped"};
+
+}  // namespace
+
 std::string_view responseStatusName(ResponseStatus status) {
-    switch (status) {
-        case ResponseStatus::answered:
-            return "answered";
-        case ResponseStatus::timed_out:
-            return "timed_out";
-        case ResponseStatus::skipped:
-            return "skipped";
-    }
-    return "";
+    return response_status_names.at(static_cast<std::size_t>(status));
+}
+
+ResponseStatus responseStatusNamed(std::string_view name) {
+    const auto* const found = std::find(response_status_names.begin(), response_status_names.end(), name);
+    if (found == response_status_names.end())
+        throw std::invalid_argument("unknown response status: " + std::string(name));
+    return static_cast<ResponseStatus>(found - response_status_names.begin());
 }
 
 }  // namespace deixis::studies

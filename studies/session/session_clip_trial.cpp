@@ -66,7 +66,7 @@ void ClipTrial::shown(std::uint64_t frame, const Moment& at) {
     const Shown what = playback_.shown(frame, at);
     if (what == Shown::onset) tellOnset(at);
     if (what != Shown::end) return;
-    core_.noteAt(at, "motion_end", "");
+    core_.noteAt(at, NoteKind::motion_end, "");
     draft_.motion_end = at;
     ++draft_.plays[0];
     if (--plays_left_ > 0)
@@ -84,7 +84,7 @@ void ClipTrial::tellOnset(const Moment& at) {
         detail = fmt::format("replay {}", draft_.replays);
     else if (draft_.plays[0] > 0)
         detail = fmt::format("play {}", draft_.plays[0] + 1);
-    core_.noteAt(at, "stimulus_onset", std::move(detail));
+    core_.noteAt(at, NoteKind::stimulus_onset, std::move(detail));
 }
 
 /// A clip that was interrupted starts over in any case.
@@ -97,7 +97,7 @@ void ClipTrial::resume(const InputFrame& input, double away_s) {
     if (startsOver()) forgetAnswer();
     const bool repeat = startsOver() && !committed();
     if (repeat) {
-        core_.note("trial_repeated");
+        core_.note(NoteKind::trial_repeated);
         plays_left_ = task_.plays;
     }
     if (repeat || phase_ == Phase::playing) {
@@ -116,7 +116,8 @@ void ClipTrial::noteEarlySelect(const InputFrame& input) {
     const bool before_answer = phase_ != Phase::answering || (!gate_.accepts() && !committed());
     if (!input.select || !before_answer || early_select_) return;
     early_select_ = true;
-    core_.noteAt(core_.momentAt(selectTime(input)), "early_select", presentedStateName(core_.view.frame));
+    core_.noteAt(core_.momentAt(selectTime(input)), NoteKind::early_select,
+                 presentedStateName(core_.view.frame));
 }
 
 bool ClipTrial::select(const InputFrame& input) {
@@ -124,7 +125,7 @@ bool ClipTrial::select(const InputFrame& input) {
     // What was pressed before the open answer could be seen is no answer to it.
     if (gate_.admitsSelect(input)) return true;
     const double select_s = earliestSelectTime(input);
-    core_.noteAt(core_.momentAt(select_s), "early_select",
+    core_.noteAt(core_.momentAt(select_s), NoteKind::early_select,
                  fmt::format("{:.3f} s before the answer was open", gate_.since_s() - select_s));
     return false;
 }
@@ -136,7 +137,7 @@ std::optional<ButtonSpec> ClipTrial::replayButton() const {
 
 void ClipTrial::replay() {
     ++draft_.replays;
-    core_.note("replay");
+    core_.note(NoteKind::replay);
     plays_left_ = 1;
     startLeadIn(core_.study.inter_trial_s);
 }

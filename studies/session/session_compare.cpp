@@ -71,7 +71,7 @@ void ComparePage::settleGate() {
 void ComparePage::play(std::size_t i) {
     if (draft_.plays[i] >= task_.plays) {
         ++draft_.replays;
-        core_.note("replay", fmt::format("stimulus {}", i));
+        core_.note(NoteKind::replay, fmt::format("stimulus {}", i));
     }
     playing_ = i;
     leading_in_ = true;
@@ -107,11 +107,11 @@ void ComparePage::shown(std::uint64_t frame, const Moment& at) {
         draft_.onset = at;
         const int before = draft_.plays[i];
         core_.noteAt(
-            at, "stimulus_onset",
+            at, NoteKind::stimulus_onset,
             before > 0 ? fmt::format("stimulus {}, play {}", i, before + 1) : fmt::format("stimulus {}", i));
     }
     if (what != Shown::end) return;
-    core_.noteAt(at, "motion_end", fmt::format("stimulus {}", i));
+    core_.noteAt(at, NoteKind::motion_end, fmt::format("stimulus {}", i));
     draft_.motion_end = at;
     ++draft_.plays[i];
     playing_.reset();
@@ -122,7 +122,7 @@ void ComparePage::shown(std::uint64_t frame, const Moment& at) {
 
 /// As if nothing had been shown yet.
 void ComparePage::startOver() {
-    if (begun_) core_.note("trial_repeated");
+    if (begun_) core_.note(NoteKind::trial_repeated);
     draft_.plays.assign(count(), 0);
     draft_.paused_s = 0.0;
     core_.poser.blendTo(core_.idle, core_.now.time_s);

@@ -69,12 +69,12 @@ Vec3 SessionCore::eyes(const InputFrame& input) const {
     return view.frame.stage_from_viewer.position + Vec3(0.0, eyeHeight(input), 0.0);
 }
 
-void SessionCore::note(const char* kind, std::string detail) {
+void SessionCore::note(NoteKind kind, std::string detail) {
     noteAt(now, kind, std::move(detail));
 }
 
-void SessionCore::noteAt(const Moment& at, std::string kind, std::string detail) {
-    events.push_back(Note{std::move(kind), trial_index, at, std::move(detail)});
+void SessionCore::noteAt(const Moment& at, NoteKind kind, std::string detail) {
+    events.push_back(Note{kind, trial_index, at, std::move(detail)});
 }
 
 void SessionCore::openPanel(Panel panel, const InputFrame& input, PanelPlace place) {

@@ -50,8 +50,8 @@ struct SessionCore {
     [[nodiscard]] double eyeHeight(const InputFrame& input) const;
     [[nodiscard]] Vec3 eyes(const InputFrame& input) const;
 
-    void note(const char* kind, std::string detail = {});
-    void noteAt(const Moment& at, std::string kind, std::string detail);
+    void note(NoteKind kind, std::string detail = {});
+    void noteAt(const Moment& at, NoteKind kind, std::string detail);
     void openPanel(Panel panel, const InputFrame& input, PanelPlace place);
     /// Whether the session is to end, with what that means: one press must not end it. Its buttons are back
     /// and end_for_good.

@@ -279,9 +279,9 @@ CoursePage Course::welcomeBack(const Trial& trial) const {
 CourseItem Course::pageItem(CoursePage page, const Stage* stage, const Trial* next) const {
     CourseItem item;
     item.stage = stage;
-    item.status = stage != nullptr ? stage->name : std::string(presentedStateName(pageState(page.kind)));
+    item.status.part = stage != nullptr ? stage->name : std::string(presentedStateName(pageState(page.kind)));
     if (stage != nullptr && page.kind != PageKind::instructions && !isPage(*stage))
-        item.status += fmt::format(", {}", presentedStateName(pageState(page.kind)));
+        item.status.remark = presentedStateName(pageState(page.kind));
     item.page = std::move(page);
     item.layout = &layoutAt(next);
     return item;
@@ -293,7 +293,7 @@ CourseItem Course::trialItem(const Trial& trial) const {
     item.stage = stages_[placeOf(trial.stage)];
     item.layout = &layoutOf(trial);
     const auto [place, of] = placeInStage(plan_, trial);
-    item.status = fmt::format("{} {}/{}", trial.stage, place + 1, of);
+    item.status = {trial.stage, static_cast<int>(place) + 1, static_cast<int>(of)};
     return item;
 }
 

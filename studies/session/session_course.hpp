@@ -38,8 +38,8 @@ struct CourseItem {
     const Stage* stage = nullptr;  ///< of both; null: a page outside stages
     CoursePage page{};
     const Layout* layout =
-        nullptr;           ///< where the participant stands; of a page: where the next trial needs it
-    std::string status{};  ///< for the operator
+        nullptr;  ///< where the participant stands; of a page: where the next trial needs it
+    SessionStatus status{};
 };
 
 /// The trials of one practice attempt.

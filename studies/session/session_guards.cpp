@@ -17,7 +17,7 @@ std::optional<GuardNote> PlaceGuard::step(double off_place_m, int trial) {
     if (!off_) {
         if (!noted_) return std::nullopt;
         noted_ = false;
-        return GuardNote{"back_on_place"};
+        return GuardNote{NoteKind::back_on_place};
     }
     if (trial < 0) return std::nullopt;
     if (trial != trial_) {
@@ -29,7 +29,7 @@ std::optional<GuardNote> PlaceGuard::step(double off_place_m, int trial) {
     ++marks_;
     marked_m_ = off_place_m;
     noted_ = true;
-    return GuardNote{"off_place", fmt::format("{:.2f} m", off_place_m)};
+    return GuardNote{NoteKind::off_place, fmt::format("{:.2f} m", off_place_m)};
 }
 
 std::optional<GuardNote> PointerGuard::step(bool there, bool something_to_aim_at, double now_s, int trial) {
@@ -40,11 +40,11 @@ std::optional<GuardNote> PointerGuard::step(bool there, bool something_to_aim_at
     lost_ = missing_since_s_ && now_s - *missing_since_s_ > patience_s;
     if (lost_ && trial >= 0 && noted_in_ != trial) {
         noted_in_ = trial;
-        return GuardNote{"pointer_lost"};
+        return GuardNote{NoteKind::pointer_lost};
     }
     if (there && noted_in_) {
         noted_in_.reset();
-        return GuardNote{"pointer_found"};
+        return GuardNote{NoteKind::pointer_found};
     }
     return std::nullopt;
 }

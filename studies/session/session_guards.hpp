@@ -4,11 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "studies/station/note_kind.hpp"
+
 namespace deixis::studies {
 
 /// A note that a guard asks for.
 struct GuardNote {
-    const char* kind = "";
+    NoteKind kind;
     std::string detail{};
 };
 
@@ -18,8 +20,8 @@ class PlaceGuard {
   public:
     explicit PlaceGuard(double tolerance_m) : tolerance_m_(tolerance_m) {}
 
-    /// One frame; `trial` is the index of the trial that would be marked, -1: none. Notes "off_place" once a
-    /// trial, and once more where it gets worse by 10 cm; "back_on_place" after either.
+    /// One frame; `trial` is the index of the trial that would be marked, -1: none. Notes off_place once a
+    /// trial, and once more where it gets worse by 10 cm; back_on_place after either.
     std::optional<GuardNote> step(double off_place_m, int trial);
     [[nodiscard]] bool off() const { return off_; }
 
@@ -35,7 +37,7 @@ class PlaceGuard {
 /// Lost where there has been no pointer for 2 s while there was something to aim at.
 class PointerGuard {
   public:
-    /// One frame; `trial` as above. Notes "pointer_lost", and "pointer_found" after it.
+    /// One frame; `trial` as above. Notes pointer_lost, and pointer_found after it.
     std::optional<GuardNote> step(bool there, bool something_to_aim_at, double now_s, int trial);
     [[nodiscard]] bool lost() const { return lost_; }
 

@@ -36,11 +36,11 @@ void SessionRunner::State::obey(const InputFrame& input, const OperatorCommand& 
             skip(input, command.text);
             break;
         case OperatorAction::abort:
-            core.note("operator_abort", command.text);
+            core.note(NoteKind::operator_abort, command.text);
             end(SessionOutcome::aborted, "aborted");
             break;
         case OperatorAction::note:
-            core.note("operator_note", command.text);
+            core.note(NoteKind::operator_note, command.text);
             break;
     }
 }
@@ -51,10 +51,10 @@ void SessionRunner::State::repeatLast(const InputFrame& input, const std::string
         last_answered &&
         declarationOf(plan.trials[static_cast<std::size_t>(*last_answered)].kind).asks_consent;
     if (!last_answered || consent || course.closingEarly()) {
-        core.note("operator_repeat", "nothing to repeat");
+        core.note(NoteKind::operator_repeat, "nothing to repeat");
         return;
     }
-    core.noteAt(core.now, "operator_repeat", reason);
+    core.noteAt(core.now, NoteKind::operator_repeat, reason);
     const int again = *last_answered;
     core.events.emplace_back(Superseded{again, reason, core.now});
     course.supersede(again);
@@ -69,10 +69,10 @@ void SessionRunner::State::repeatLast(const InputFrame& input, const std::string
 
 void SessionRunner::State::skip(const InputFrame& input, const std::string& reason) {
     if (unit->done() || reselect || !unit->skip(input, reason)) {
-        core.note("operator_skip", "nothing to skip");
+        core.note(NoteKind::operator_skip, "nothing to skip");
         return;
     }
-    core.note("operator_skip", reason);
+    core.note(NoteKind::operator_skip, reason);
     done_since_s = core.now.time_s;
     if (auto response = unit->takeResponse()) keepAnswer(std::move(*response));
     if (paused) openPausePanel(input);

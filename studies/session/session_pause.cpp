@@ -14,28 +14,35 @@ struct PauseWords {
 };
 
 /// Keys of what the participant reads, by the reason of the pause.
-PauseWords pauseWords(const std::string& reason) {
-    if (reason == "headset taken off") return {"paused_headset_title", "paused_headset_text"};
-    if (reason == "tracking lost") return {"paused_tracking_title", "paused_tracking_text"};
-    if (reason == "focus lost") return {"paused_title", "paused_focus_text"};
-    if (reason == "operator") return {"paused_title", "paused_operator_text"};
-    return {"paused_title", "paused_text"};
+PauseWords pauseWords(PauseReason reason) {
+    switch (reason) {
+        case PauseReason::headset_taken_off:
+            return {"paused_headset_title", "paused_headset_text"};
+        case PauseReason::tracking_lost:
+            return {"paused_tracking_title", "paused_tracking_text"};
+        case PauseReason::focus_lost:
+            return {"paused_title", "paused_focus_text"};
+        case PauseReason::experimenter:
+            return {"paused_title", "paused_operator_text"};
+        default:
+            return {"paused_title", "paused_text"};
+    }
 }
 
 }  // namespace
 
 void SessionRunner::State::pause(const InputFrame& input) {
-    const std::string reason = input.pause_reason.empty() ? "paused" : input.pause_reason;
+    const std::string reason(pauseReasonName(input.pause_reason));
     SessionView& view = core.view;
-    core.note("pause", reason);
+    core.note(NoteKind::pause, reason);
     paused = true;
     view.show(PresentedState::paused);
     paused_since_s = core.now.time_s;
     view.frame.ray.reset();
     view.closeSign();
     view.lookAtBalls(BallLook::waiting);
-    view.frame.status = item->status + ", paused: " + reason;
-    pause_reason = reason;
+    view.frame.status = item->status.with("paused: " + reason);
+    pause_reason = input.pause_reason;
     openPausePanel(input);
 }
 
@@ -74,7 +81,7 @@ void SessionRunner::State::stepPaused(const InputFrame& input) {
 
 void SessionRunner::State::resume(const InputFrame& input) {
     const double length_s = core.now.time_s - paused_since_s;
-    core.note("resume", fmt::format("after {:.3f} s", length_s));
+    core.note(NoteKind::resume, fmt::format("after {:.3f} s", length_s));
     paused = false;
     core.view.frame.status = item->status;
     core.view.closePanel();

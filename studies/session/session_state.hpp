@@ -42,7 +42,7 @@ struct SessionRunner::State {
     std::optional<int> last_answered{};  ///< in this sitting
 
     bool paused = false;
-    std::string pause_reason{};
+    PauseReason pause_reason = PauseReason::unsaid;
     double paused_since_s = 0.0;
 
     [[nodiscard]] bool over() const { return outcome != SessionOutcome::running; }

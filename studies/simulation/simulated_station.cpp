@@ -54,7 +54,7 @@ SimulatedStation::SimulatedStation(const SimulatedParameters& parameters, const 
                       degreesFromRadians(parameters.observer.noise_rad), parameters.observer.lapse_rate)) {}
 
 StationInfo SimulatedStation::info() const {
-    return {"simulated", details_ + "; " + observer_, true};
+    return {StationKind::simulated, details_ + "; " + observer_, true};
 }
 
 InputFrame SimulatedStation::beginFrame() {
@@ -76,7 +76,8 @@ FrameReport SimulatedStation::present(const PresentedFrame& frame) {
 
 /// The status names the trial, and counts down the seconds of a page that must be read for long.
 void SimulatedStation::watchProgress(const PresentedFrame& frame) {
-    const std::string under_way = fmt::format("stage \"{}\", {}", frame.stage, frame.status);
+    const std::string under_way =
+        fmt::format("stage \"{}\", {}", frame.stage, sessionStatusText(frame.status));
     if (under_way != under_way_) {
         under_way_ = under_way;
         since_s_ = input_.time_s;

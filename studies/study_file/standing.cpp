@@ -20,8 +20,7 @@ Pose viewerPose(const Layout& layout) {
     return viewerPose(viewerPlace(layout, Standing::headset));
 }
 
-Study atStation(Study study, std::string_view station_kind) {
-    const Standing standing = station_kind == "headset" ? Standing::headset : Standing::desktop;
+Study standingAs(Study study, Standing standing) {
     for (Layout& layout : study.layouts) {
         const ViewerPlace place = viewerPlace(layout, standing);
         layout = {layout.name, place.x_m, place.z_m, place.heading_deg};

@@ -35,7 +35,7 @@ class DiesWithinTrial : public app::DirectRecorder {
     void record(const studies::SessionEvent& event) override {
         DirectRecorder::record(event);
         const auto* note = std::get_if<studies::Note>(&event);
-        if (note != nullptr && note->kind == "stimulus_onset") ::raise(SIGKILL);
+        if (note != nullptr && note->kind == studies::NoteKind::stimulus_onset) ::raise(SIGKILL);
     }
 };
 

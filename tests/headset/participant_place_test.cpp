@@ -81,10 +81,10 @@ TEST_SUITE("headset/participant_place") {
         checkNear(place.placement().toStage(moved).position, {0.0, 1.6, 3.4});
         const auto notes = place.takeNotes();
         REQUIRE(notes.size() == 2);
-        CHECK(notes[0].kind == "recentre");
+        CHECK(notes[0].kind == studies::NoteKind::recentre);
         CHECK(notes[0].detail == "button");
         CHECK(notes[0].time_s == 1.5);
-        CHECK(notes[1].kind == "placement");
+        CHECK(notes[1].kind == studies::NoteKind::placement);
         CHECK(place.takeNotes().empty());
         place.update(headAt(0.7, 0.5, 90.0), 2.0);
         CHECK(place.offPlace_m(headAt(0.7, 0.5, 90.0)) == doctest::Approx(0.2));

@@ -94,6 +94,16 @@ TEST_SUITE("headset/session_lifecycle") {
         CHECK_FALSE(session.running());
     }
 
+    TEST_CASE("Only with focus the operator is told that the headset is in use") {
+        for (int state = XR_SESSION_STATE_UNKNOWN; state <= XR_SESSION_STATE_EXITING; ++state) {
+            CAPTURE(state);
+            CHECK(wordsOf(static_cast<XrSessionState>(state)).in_use == (state == XR_SESSION_STATE_FOCUSED));
+        }
+        const auto of_later_version = static_cast<XrSessionState>(1000);
+        CHECK(nameOf(of_later_version) == "unknown");
+        CHECK_FALSE(wordsOf(of_later_version).in_use);
+    }
+
     TEST_CASE("Every state has a name of its own") {
         std::set<std::string> names;
         for (int state = XR_SESSION_STATE_UNKNOWN; state <= XR_SESSION_STATE_EXITING; ++state)

@@ -182,7 +182,7 @@ TEST_SUITE("immersive/desktop_view") {
             const auto setup = loadStudySetup(name);
             REQUIRE(setup.has_value());
             Screen screen(setup->study.eye_height_m);
-            const studies::Study study = studies::atStation(setup->study, "desktop");
+            const studies::Study study = studies::standingAs(setup->study, studies::Standing::desktop);
             play(study, planOf(*setup, 1), 3, [&](const PresentedFrame& frame) {
                 screen.present(frame);
                 if (!frame.panel || !frame.key_moment) return;
@@ -230,26 +230,28 @@ TEST_SUITE("immersive/desktop_view") {
                 const studies::StudyPlan plan = planOf(*setup, participant);
                 for (const studies::Trial& trial : plan.trials)
                     if (trial.kind == studies::StageKind::game) targets.insert(trial.stimuli.at(0).item);
-                play(studies::atStation(setup->study, "desktop"), plan, 5, [&](const PresentedFrame& frame) {
-                    screen.present(frame);
-                    if (frame.balls.empty() || isFullPage(frame.state)) return;
-                    places.insert(frame.viewer_place);
-                    states.insert(frame.state);
-                    CAPTURE(name);
-                    CAPTURE(frame.status);
-                    CAPTURE(presentedStateName(frame));
-                    if (frame.panel)
-                        for (const double x : {0.0, frame.panel->width_m})
-                            for (const double y : {0.0, frame.panel->height_m})
-                                REQUIRE(screen.farthest(
-                                            transformPoint(frame.panel->stage_from_panel, {x, y, 0.0}),
-                                            aspects[0]) < 1.0);
-                    for (const auto& ball : frame.balls)
-                        for (const double aspect : aspects)
-                            for (const Vec3& edge : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0),
-                                                     Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
-                                REQUIRE(screen.farthest(ball.centre + ball.radius_m * edge, aspect) < 1.0);
-                });
+                play(studies::standingAs(setup->study, studies::Standing::desktop), plan, 5,
+                     [&](const PresentedFrame& frame) {
+                         screen.present(frame);
+                         if (frame.balls.empty() || isFullPage(frame.state)) return;
+                         places.insert(frame.viewer_place);
+                         states.insert(frame.state);
+                         CAPTURE(name);
+                         CAPTURE(studies::sessionStatusText(frame.status));
+                         CAPTURE(presentedStateName(frame));
+                         if (frame.panel)
+                             for (const double x : {0.0, frame.panel->width_m})
+                                 for (const double y : {0.0, frame.panel->height_m})
+                                     REQUIRE(screen.farthest(
+                                                 transformPoint(frame.panel->stage_from_panel, {x, y, 0.0}),
+                                                 aspects[0]) < 1.0);
+                         for (const auto& ball : frame.balls)
+                             for (const double aspect : aspects)
+                                 for (const Vec3& edge : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0),
+                                                          Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)})
+                                     REQUIRE(screen.farthest(ball.centre + ball.radius_m * edge, aspect) <
+                                             1.0);
+                     });
             }
         CHECK(places == std::set<std::string>{"across", "side-by-side"});
         CHECK(targets.size() > 30);

@@ -52,7 +52,7 @@ struct Fixture {
 TEST_SUITE("operator/operator_feed") {
     TEST_CASE("everything goes on to the recorder that keeps it") {
         Fixture f;
-        f.writer.record(Note{"pause", -1, {1.0, 1.0}, "menu"});
+        f.writer.record(Note{studies::NoteKind::pause, -1, {1.0, 1.0}, "menu"});
         f.writer.record(studies::Response{});
         f.writer.sample({}, 3);
         f.frame(1.0);
@@ -123,17 +123,19 @@ TEST_SUITE("operator/operator_feed") {
     TEST_CASE("what the operator did, pauses, checks and exclusions are told; what every trial has is not") {
         Fixture f;
         f.frame(100.0);
-        for (const char* kind :
-             {"stimulus_onset", "motion_end", "operator_note", "stage_start", "check_failed"})
+        for (const studies::NoteKind kind : {studies::NoteKind::stimulus_onset, studies::NoteKind::motion_end,
+                                             studies::NoteKind::operator_note, studies::NoteKind::stage_start,
+                                             studies::NoteKind::check_failed})
             f.writer.record(Note{kind, 3, {130.0, 0.0}, "detail"});
         f.writer.record(studies::Exclusion{"attention", {140.0, 0.0}});
         REQUIRE(f.feed->events.size() == 3);
-        CHECK(f.feed->events[0].kind == "operator_note");
+        CHECK(f.feed->events[0].kind == studies::NoteKind::operator_note);
         CHECK(f.feed->events[0].detail == "detail");
         CHECK(f.feed->events[0].elapsed_s == doctest::Approx(30.0));
-        CHECK(f.feed->events[1].kind == "check_failed");
-        CHECK(f.feed->events[2].kind == "exclusion");
-        for (int i = 0; i < 100; ++i) f.writer.record(Note{"pause", -1, {200.0 + i, 0.0}, ""});
+        CHECK(f.feed->events[1].kind == studies::NoteKind::check_failed);
+        CHECK(f.feed->events[2].kind == studies::NoteKind::excluded);
+        for (int i = 0; i < 100; ++i)
+            f.writer.record(Note{studies::NoteKind::pause, -1, {200.0 + i, 0.0}, ""});
         CHECK(f.feed->events.size() == 20);
         CHECK(f.feed->events.back().elapsed_s == doctest::Approx(199.0));
     }
@@ -150,7 +152,7 @@ TEST_SUITE("operator/operator_feed") {
             f.writer.presented(input, {});
         }
         REQUIRE(f.feed->events.size() == 1);
-        CHECK(f.feed->events[0].kind == "recording_failed");
+        CHECK(f.feed->events[0].kind == studies::NoteKind::recording_failed);
         CHECK(f.feed->events[0].detail == f.kept.why);
         CHECK(f.feed->failure == f.kept.why);
         CHECK(f.feed->events[0].elapsed_s == doctest::Approx(1.0));

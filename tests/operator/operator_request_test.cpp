@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+namespace studies = deixis::studies;
 using namespace deixis::app;
 using deixis::studies::InputFrame;
 using deixis::studies::OperatorAction;
@@ -192,28 +193,28 @@ TEST_SUITE("operator/operator_request") {
         input.time_s = 12.0;
         input.input_time_s = 11.9;
         input.pause = true;
-        input.pause_reason = "focus lost";
+        input.pause_reason = studies::PauseReason::focus_lost;
         asked.putInto(input);
         CHECK(input.pause);
-        CHECK(input.pause_reason == "operator");
+        CHECK(input.pause_reason == studies::PauseReason::experimenter);
         CHECK(input.resume);
         CHECK(input.quit);
         CHECK(input.quit_reason == "ended by the experimenter");
         REQUIRE(input.commands.size() == 1);
         CHECK(input.commands[0].text == "why");
         REQUIRE(input.notes.size() == 1);
-        CHECK(input.notes[0].kind == "operator_saw_trial");
+        CHECK(input.notes[0].kind == studies::NoteKind::operator_saw_trial);
         CHECK(input.notes[0].time_s == 11.9);
     }
 
     TEST_CASE("nothing asked changes nothing, and an end for another reason keeps that reason") {
         InputFrame input;
         input.pause = true;
-        input.pause_reason = "menu";
+        input.pause_reason = studies::PauseReason::menu;
         input.quit = true;
         input.quit_reason = "the connection was lost";
         OperatorRequest{}.putInto(input);
-        CHECK(input.pause_reason == "menu");
+        CHECK(input.pause_reason == studies::PauseReason::menu);
         CHECK_FALSE(input.resume);
         CHECK(input.commands.empty());
         CHECK(input.notes.empty());

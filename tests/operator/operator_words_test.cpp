@@ -114,13 +114,14 @@ TEST_SUITE("operator/operator_words") {
     }
 
     TEST_CASE("what happened is told with the operator's own words, and what came to nothing as such") {
-        CHECK(eventInWords({0.0, "operator_skip", "the clip did not move"}) ==
+        CHECK(eventInWords({0.0, studies::NoteKind::operator_skip, "the clip did not move"}) ==
               "Skipped: the clip did not move");
-        CHECK(eventInWords({0.0, "operator_skip", "nothing to skip"}) == "Nothing to skip");
-        CHECK(eventInWords({0.0, "operator_repeat", "nothing to repeat"}) == "Nothing to repeat");
-        CHECK(eventInWords({0.0, "operator_repeat", ""}) == "Last trial is repeated");
-        CHECK(eventInWords({0.0, "pause", "focus lost"}) == "Paused: focus lost");
-        CHECK(eventInWords({0.0, "resume", "after 3.200 s"}) == "Resumed");
-        CHECK(eventInWords({0.0, "ipd", "0.0630 m"}) == "ipd: 0.0630 m");
+        CHECK(eventInWords({0.0, studies::NoteKind::operator_skip, "nothing to skip"}) == "Nothing to skip");
+        CHECK(eventInWords({0.0, studies::NoteKind::operator_repeat, "nothing to repeat"}) ==
+              "Nothing to repeat");
+        CHECK(eventInWords({0.0, studies::NoteKind::operator_repeat, ""}) == "Last trial is repeated");
+        CHECK(eventInWords({0.0, studies::NoteKind::pause, "focus lost"}) == "Paused: focus lost");
+        CHECK(eventInWords({0.0, studies::NoteKind::resume, "after 3.200 s"}) == "Resumed");
+        CHECK(eventInWords({0.0, studies::NoteKind::ipd, "0.0630 m"}) == "ipd: 0.0630 m");
     }
 }

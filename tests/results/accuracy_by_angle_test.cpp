@@ -93,7 +93,8 @@ TEST_SUITE("results/accuracy_by_angle") {
         "Angles and a clip's author are kept with trial and answer; a headset has its own place's angles") {
         const fixtures::Folder folder;
         const auto study = fixtures::study({"direct"});
-        for (const std::string station : {"headset", "desktop"}) {
+        for (const auto kind : {studies::StationKind::headset, studies::StationKind::desktop}) {
+            const std::string station(studies::stationKindName(kind));
             CAPTURE(station);
             auto plan = fixtures::plan(study, "P01", 1);  // a practice, a rating, two choices
             plan.trials[2].angles = studies::BallAngles{{7.5, 4.25}, {3.5, 9.0}, {12.5, 2.25}};

@@ -127,7 +127,7 @@ TEST_SUITE("results/analysis_choices") {
                 auto ratings = fixtures::response(plan.trials[3]);
                 ratings.answers = {{"rating", 0, 30.0}, {"rating", 1, 80.0}};
                 ratings.pauses = 1;
-                record(studies::Note{"off_place", 3, {2.0, 1.7e9}, "0.41 m"});
+                record(studies::Note{studies::NoteKind::off_place, 3, {2.0, 1.7e9}, "0.41 m"});
                 record(ratings);
                 auto choice = fixtures::answer(plan.trials[5], 1);
                 choice.answers = {{"confidence", -1, 6.0}};

@@ -59,8 +59,9 @@ void fillWide(const std::filesystem::path& path) {
         const auto keep = [&](const studies::SessionEvent& event) {
             store.record(event, study, plan, fixtures::clips(plan));
         };
-        keep(studies::Note{"session_start", -1, {100.0, 1.7e9}, ""});
-        keep(studies::Note{"operator_note", -1, {101.0, 1.7e9 + 1.0}, "wears Anna's glasses"});
+        keep(studies::Note{studies::NoteKind::session_start, -1, {100.0, 1.7e9}, ""});
+        keep(studies::Note{
+            studies::NoteKind::operator_note, -1, {101.0, 1.7e9 + 1.0}, "wears Anna's glasses"});
         auto remark = fixtures::response(plan.trials[2]);
         remark.answers = {{"remark", -1, {}, formula}};
         keep(remark);

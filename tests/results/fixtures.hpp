@@ -148,7 +148,8 @@ inline studies::Response answer(const studies::Trial& trial, int value) {
 
 inline results::SessionInfo session(const std::string& participant, bool synthetic) {
     return {participant,
-            {synthetic ? "simulated" : "desktop", "made by a test", synthetic},
+            {synthetic ? studies::StationKind::simulated : studies::StationKind::desktop, "made by a test",
+             synthetic},
             "0.1.0",
             std::string(64, 'd'),
             1.7e9};

@@ -24,7 +24,7 @@ void station(const std::filesystem::path& path, const studies::Study& study,
         const auto plan = fixtures::plan(study, id, 1);
         fixtures::store(store, study, plan);
         store.beginSession(fixtures::session(id, false));
-        store.record(studies::Note{"session_start", -1, {1.0, 1.7e9}, id}, study, plan,
+        store.record(studies::Note{studies::NoteKind::session_start, -1, {1.0, 1.7e9}, id}, study, plan,
                      fixtures::clips(plan));
         for (const auto& trial : plan.trials)
             store.record(fixtures::answer(

@@ -9,9 +9,11 @@
 
 using namespace deixis;
 using deixis::tests::contains;
+using results::Consent;
 using results::excludeParticipant;
 using results::includeParticipant;
 using results::listParticipants;
+using results::ParticipantStatus;
 using results::showParticipant;
 using results::Store;
 using results::withdrawParticipant;
@@ -37,8 +39,8 @@ void makeDatabase(const std::filesystem::path& path) {
     store.beginSession(fixtures::session("P01", false));
     record(page(plan, 0, {{"consent", -1, 1.0}}), plan);
     record(page(plan, 1, {{"age", -1, 34.0}, {"gender", -1, 1.0, "m"}}), plan);
-    record(studies::Note{"pause", 5, {55.0, 1.7e9 + 55.0}, "headset taken off"}, plan);
-    record(studies::Note{"stimulus_onset", 5, {56.0, 1.7e9 + 56.0}, "0"}, plan);
+    record(studies::Note{studies::NoteKind::pause, 5, {55.0, 1.7e9 + 55.0}, "headset taken off"}, plan);
+    record(studies::Note{studies::NoteKind::stimulus_onset, 5, {56.0, 1.7e9 + 56.0}, "0"}, plan);
     record(fixtures::answer(plan.trials[5], 0), plan);
     record(studies::Superseded{5, "a phone rang", {60.0, 1.7e9 + 60.0}}, plan);
     record(fixtures::answer(plan.trials[5], 1), plan);
@@ -70,7 +72,7 @@ TEST_SUITE("results/participants") {
         CHECK(first.id == "P01");
         CHECK(first.number == 1);
         CHECK(first.language == "en");
-        CHECK(first.status == "active");
+        CHECK(first.status == ParticipantStatus::active);
         CHECK(first.groups == studies::Groups{{"style", "calm"}});
         CHECK_FALSE(first.synthetic);
         CHECK(first.sessions == 1);
@@ -78,18 +80,18 @@ TEST_SUITE("results/participants") {
         CHECK(first.planned == 10);
         CHECK(first.checks_failed == 1);
         CHECK(first.last_utc_s == 1.7e9 + 600.0);
-        CHECK(first.consent == "agreed");
+        CHECK(first.consent == Consent::agreed);
         const auto& second = list->rows[1];
         CHECK(second.id == "P02");
-        CHECK(second.status == "dropped");
+        CHECK(second.status == ParticipantStatus::dropped);
         CHECK(second.reason == "consent was declined");
         CHECK(second.synthetic);
-        CHECK(second.consent == "declined");
+        CHECK(second.consent == Consent::declined);
         const auto& third = list->rows[2];
         CHECK(third.id == "P03");
         CHECK(third.sessions == 0);
         CHECK(third.last_utc_s == 0.0);
-        CHECK(third.consent.empty());
+        CHECK(third.consent == Consent::not_asked);
     }
 
     TEST_CASE("One participant is told in lines for people") {
@@ -118,7 +120,7 @@ TEST_SUITE("results/participants") {
             CHECK(contains(refused.error().message, "no reason"));
         }
         REQUIRE(excludeParticipant(path, "P01", "knew the systems"));
-        CHECK(showParticipant(path, "P01")->row.status == "excluded");
+        CHECK(showParticipant(path, "P01")->row.status == ParticipantStatus::excluded);
         CHECK(showParticipant(path, "P01")->row.reason == "knew the systems");
         CHECK(showParticipant(path, "P01")->row.answered == 5);
         CHECK(fixtures::open(path).groupsTaken() == studies::GroupSizes{{{{"style", "calm"}}, 1}});  // P03
@@ -127,7 +129,7 @@ TEST_SUITE("results/participants") {
         CHECK_FALSE(included->consent_asked_anew);
         CHECK(included->practice.empty());
         CHECK(included->failed_checks_forgiven == 1);
-        CHECK(showParticipant(path, "P01")->row.status == "active");
+        CHECK(showParticipant(path, "P01")->row.status == ParticipantStatus::active);
         CHECK(showParticipant(path, "P01")->row.reason.empty());
         CHECK(fixtures::open(path).groupsTaken() == studies::GroupSizes{{{{"style", "calm"}}, 2}});
     }
@@ -160,20 +162,20 @@ TEST_SUITE("results/participants") {
             REQUIRE(included);
             CHECK(included->consent_asked_anew);
             CHECK(results::mayTakePart(row()));
-            CHECK(row().status == "dropped");
+            CHECK(row().status == ParticipantStatus::dropped);
             CHECK(row().reason == "consent was declined; it is asked anew");
             CHECK(fixtures::open(path).resume("P02", 1.8e9).answered.empty());
             CHECK(countsTaken() == 2);
             consent(given);
             CHECK(results::mayTakePart(row()) == (given == 1.0));
-            CHECK(row().status == (given == 1.0 ? "active" : "dropped"));
-            CHECK(row().consent == (given == 1.0 ? "agreed" : "declined"));
+            CHECK(row().status == (given == 1.0 ? ParticipantStatus::active : ParticipantStatus::dropped));
+            CHECK(row().consent == (given == 1.0 ? Consent::agreed : Consent::declined));
             CHECK(countsTaken() == (given == 1.0 ? 3 : 2));
         }
         // What an earlier version, or anybody's SQL, left: the status alone lets nobody in.
         SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
             .exec("UPDATE consents SET agreed = 0 WHERE participant = 'P02'");
-        CHECK(row().status == "dropped");
+        CHECK(row().status == ParticipantStatus::dropped);
         CHECK(row().reason == "consent was declined");
         CHECK_FALSE(results::mayTakePart(row()));
         CHECK(countsTaken() == 2);
@@ -197,7 +199,7 @@ TEST_SUITE("results/participants") {
         const auto included = includeParticipant(path, "P01", 1.7e9 + 900.0);
         REQUIRE(included);
         CHECK(included->practice == std::vector<std::string>{"naturalness-practice"});
-        CHECK(showParticipant(path, "P01")->row.status == "active");
+        CHECK(showParticipant(path, "P01")->row.status == ParticipantStatus::active);
         CHECK(showParticipant(path, "P01")->events ==
               std::vector<std::string>{
                   "2023-11-14 22:13:24 excluded: practice failed: naturalness-practice",

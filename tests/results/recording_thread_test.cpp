@@ -25,8 +25,8 @@ double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-studies::Note note(const std::string& kind, int trial_index = -1) {
-    return {kind, trial_index, {1.0, 1.7e9}, ""};
+studies::Note note(studies::NoteKind kind, int trial_index = -1, std::string detail = {}) {
+    return {kind, trial_index, {1.0, 1.7e9}, std::move(detail)};
 }
 
 /// A session of P01 with a thread that keeps it.
@@ -98,7 +98,7 @@ TEST_SUITE("results/recording thread") {
         Recorded session;
         std::string expected;
         for (int i = 0; i < 500; ++i) {
-            session.thread->record(note("n" + std::to_string(i)));
+            session.thread->record(note(studies::NoteKind::operator_note, -1, "n" + std::to_string(i)));
             expected += (i > 0 ? "," : "") + ("n" + std::to_string(i));
         }
         session.thread->finish();
@@ -227,7 +227,7 @@ TEST_SUITE("results/recording thread") {
         Recorded session(RecordingOptions{4096, 0.05});
         for (std::uint64_t i = 1; i <= 10; ++i) session.thread->sample(fixtures::frame(i), 1);
         session.thread->record(session.answer(1, 4));
-        session.thread->record(note("quit"));
+        session.thread->record(note(studies::NoteKind::quit));
         session.thread.reset();
         CHECK(session.number("SELECT count(*) FROM responses") == 1);
         CHECK(session.number("SELECT count(*) FROM events") == 1);

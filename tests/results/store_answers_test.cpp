@@ -61,8 +61,8 @@ TEST_SUITE("results/store answers") {
             Store store = fixtures::open(folder / "a.sqlite");
             fixtures::store(store, study, plan);
             store.beginSession(fixtures::session("P01", true));
-            store.record(studies::Note{"stage_start", -1, {1.0, 1.7e9 + 1.0}, "game"}, study, plan,
-                         fixtures::clips(plan));
+            store.record(studies::Note{studies::NoteKind::stage_start, -1, {1.0, 1.7e9 + 1.0}, "game"}, study,
+                         plan, fixtures::clips(plan));
             auto response = fixtures::answer(plan.trials[1], 4);
             response.replays = 1;
             response.plays = {2};
@@ -200,7 +200,7 @@ TEST_SUITE("results/store answers") {
         CHECK(db.rows("SELECT kind, detail FROM events") ==
               "excluded|attention check failed: game, trial 6\n");
         Wide other;
-        other.record(studies::Note{"operator_abort", -1, {1.0, 1.7e9}, ""});
+        other.record(studies::Note{studies::NoteKind::operator_abort, -1, {1.0, 1.7e9}, ""});
         CHECK(other.rows("SELECT status, reason FROM participants") ==
               "dropped|the operator ended the session\n");
     }
@@ -271,7 +271,7 @@ TEST_SUITE("results/store answers") {
         number.check_passed = false;
         db.record(number);
         const auto onset = [](int trial, double utc_s) {
-            return studies::Note{"stimulus_onset", trial, {0.0, utc_s}, "0"};
+            return studies::Note{studies::NoteKind::stimulus_onset, trial, {0.0, utc_s}, "0"};
         };
         db.record(onset(8, 1.7e9 + 80.0));
         db.record(onset(4, 1.7e9 + 100.0));  // begun, and broken off
@@ -330,8 +330,8 @@ TEST_SUITE("results/store answers") {
                 auto response = fixtures::answer(trial, 1);
                 const double start = 1.7e9 + trial_s * trial.index;
                 // The clip began 2 s before its last play did.
-                store.record(studies::Note{"stimulus_onset", trial.index, {0.0, start}, "0"}, study, plan,
-                             fixtures::clips(plan));
+                store.record(studies::Note{studies::NoteKind::stimulus_onset, trial.index, {0.0, start}, "0"},
+                             study, plan, fixtures::clips(plan));
                 response.onset.utc_s = start + 2.0;
                 response.answered.utc_s = start + 5.0;
                 store.record(response, study, plan, fixtures::clips(plan));

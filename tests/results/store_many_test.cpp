@@ -60,7 +60,7 @@ void takePart(Store& store, const studies::Study& study, int number) {
     (void)store.resume(plan.participant, 0.0);
     store.beginSession(fixtures::session(plan.participant, true));
     for (const auto& trial : plan.trials) {
-        store.record(studies::Note{"stimulus_onset", trial.index, {}, ""}, study, plan,
+        store.record(studies::Note{studies::NoteKind::stimulus_onset, trial.index, {}, ""}, study, plan,
                      fixtures::clips(plan));
         store.record(fixtures::answer(trial, 1), study, plan, fixtures::clips(plan));
     }

@@ -225,7 +225,8 @@ TEST_SUITE("results/store plan") {
             for (const auto& event : events) store.record(event, study, plan, fixtures::clips(plan));
             store.endSession(outcome, 1.7e9 + 60.0);
         };
-        run("P01", {studies::Note{"operator_abort", -1, {}, "felt sick"}}, SessionOutcome::aborted);
+        run("P01", {studies::Note{studies::NoteKind::operator_abort, -1, {}, "felt sick"}},
+            SessionOutcome::aborted);
         run("P02", {studies::Exclusion{"attention check failed: game, trial 6", {5.0, 1.7e9}}},
             SessionOutcome::finished);
         auto declined = fixtures::response(fixtures::widePlan(study, "P03").trials[0]);

@@ -118,7 +118,7 @@ TEST_SUITE("results/store durability") {
             store.beginSession(fixtures::session("P01", false));
             store.record(fixtures::answer(plan.trials[1], 5), study, plan, fixtures::clips(plan));
             store.record(fixtures::answer(plan.trials[2], 2), study, plan, fixtures::clips(plan));
-            store.record(studies::Note{"stimulus_onset", 3, {30.0, 1.7e9}, ""}, study, plan,
+            store.record(studies::Note{studies::NoteKind::stimulus_onset, 3, {30.0, 1.7e9}, ""}, study, plan,
                          fixtures::clips(plan));
             if (::write(ready[1], "x", 1) != 1) ::_exit(1);
             for (;;) ::pause();

@@ -21,7 +21,8 @@ TEST_SUITE("results/texts") {
             results::Store store = fixtures::open(path);
             fixtures::store(store, study, plan);
             store.beginSession(fixtures::session("P01", false));
-            store.record(studies::Note{"operator_note", 3, {1.0, 1.7e9}, "a phone rang"}, study, plan, {});
+            store.record(studies::Note{studies::NoteKind::operator_note, 3, {1.0, 1.7e9}, "a phone rang"},
+                         study, plan, {});
             store.endSession(studies::SessionOutcome::quit, 1.7e9 + 9.0);
         }
         const char* const nowhere = "postgresql://nobody@127.0.0.1:1/x?connect_timeout=2";

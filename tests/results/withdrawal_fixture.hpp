@@ -43,7 +43,7 @@ inline void takePart(results::Store& store, const studies::Study& study, const s
     auto remark = fixtures::response(plan.trials[2]);
     remark.answers = {{"remark", -1, {}, says}};
     record(remark);
-    record(studies::Note{"operator_note", 5, {50.0, 1.7e9 + 50.0}, note + " (" + who + ")"});
+    record(studies::Note{studies::NoteKind::operator_note, 5, {50.0, 1.7e9 + 50.0}, note + " (" + who + ")"});
     for (const std::size_t trial : {5U, 6U}) record(fixtures::answer(plan.trials[trial], 1));
     record(studies::Superseded{6, says, {60.0, 1.7e9 + 60.0}});
     std::vector<results::TrackedFrame> frames;

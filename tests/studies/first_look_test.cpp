@@ -135,7 +135,7 @@ TEST_SUITE("studies/first_look") {
         driver.start();
         std::optional<FirstLook> look;
         int trials = 0;
-        std::string before;
+        SessionStatus before;
         while (driver.running() && driver.frame.number < 20000) {
             if (resting(driver.frame))
                 driver.press(button_id::go_on);

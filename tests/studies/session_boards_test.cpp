@@ -56,7 +56,7 @@ TEST_SUITE("studies/session_boards") {
             CAPTURE(presentedStateName(driver.frame));
             CHECK(known.first->second == driver.frame.scene_visible);
             if (i == 2000) {  // in the midst of it all
-                driver.step(pauseFor("escape"));
+                driver.step(pauseFor(PauseReason::escape));
                 CHECK_FALSE(driver.frame.scene_visible);
                 driver.wait(0.6);
                 driver.press(button_id::resume);
@@ -94,7 +94,7 @@ TEST_SUITE("studies/session_boards") {
             driver.wait(0.6);
             CHECK(driver.frame.state == PresentedState::consent);
             CHECK(told() == !hint.empty());
-            driver.step(pauseFor("escape"));
+            driver.step(pauseFor(PauseReason::escape));
             CHECK(told() == !hint.empty());
             driver.wait(0.6);
             driver.press(button_id::resume);

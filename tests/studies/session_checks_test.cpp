@@ -43,8 +43,8 @@ TEST_SUITE("studies/session_checks") {
     TEST_CASE("the number is shown beside the avatar's head from the clip's middle to its end") {
         Numbers driver(checksOf(CheckKind::number), {4.0}, 2.0);
         REQUIRE(driver.toState("playing"));
-        REQUIRE(driver.waitUntil([&] { return driver.count("stimulus_onset") == 1; }));
-        const double onset_s = driver.last("stimulus_onset").at.time_s;
+        REQUIRE(driver.waitUntil([&] { return driver.count(NoteKind::stimulus_onset) == 1; }));
+        const double onset_s = driver.last(NoteKind::stimulus_onset).at.time_s;
         double first_s = 0.0;
         while (!answersOpen(driver.frame)) {
             driver.step();
@@ -70,7 +70,7 @@ TEST_SUITE("studies/session_checks") {
     TEST_CASE("a pause takes the number away, and the clip shows it anew") {
         Numbers driver(checksOf(CheckKind::number), {4.0}, 2.0);
         REQUIRE(driver.toState("check"));
-        driver.step(pauseFor("escape"));
+        driver.step(pauseFor(PauseReason::escape));
         CHECK_FALSE(driver.frame.sign.has_value());
         driver.wait(0.5);
         driver.press(button_id::resume);
@@ -86,7 +86,7 @@ TEST_SUITE("studies/session_checks") {
             rate(driver, given);
             REQUIRE(driver.responses.size() == 1);
             CHECK(driver.responses[0].check_passed == (given >= 3));
-            CHECK(driver.count("check_failed") == (given >= 3 ? 0 : 1));
+            CHECK(driver.count(NoteKind::check_failed) == (given >= 3 ? 0 : 1));
             CHECK(driver.session->progress().checks_passed == (given >= 3 ? 1 : 0));
             CHECK(driver.session->progress().checks_failed == (given >= 3 ? 0 : 1));
             rate(driver, 1);
@@ -107,7 +107,7 @@ TEST_SUITE("studies/session_checks") {
                 driver.waitUntil([&] { return hasButton(driver.frame, button_id::first_play + i); });
                 driver.wait(0.45);
                 driver.press(button_id::first_play + i);
-                while (driver.count("motion_end") == i) {
+                while (driver.count(NoteKind::motion_end) == i) {
                     driver.step();
                     signs = signs || driver.frame.sign.has_value();
                 }
@@ -210,14 +210,14 @@ TEST_SUITE("studies/session_checks") {
     TEST_CASE("a rule holds from the failure on that the study says; warnings are pages") {
         Numbers driver(checksOf(CheckKind::number, CheckRule::warn, 2), {5.0, 5.0, 5.0});
         rate(driver, 1);
-        CHECK(driver.count("warned") == 0);
+        CHECK(driver.count(NoteKind::warned) == 0);
         rate(driver, 1);
         REQUIRE(driver.waitUntil([&] { return driver.state() == "attention"; }));
-        CHECK(driver.count("warned") == 1);
+        CHECK(driver.count(NoteKind::warned) == 1);
         CHECK(driver.session->trialUnderWay() == -1);
         rate(driver, 5);
         rate(driver, 1);
-        CHECK(driver.count("warned") == 1);
+        CHECK(driver.count(NoteKind::warned) == 1);
         CHECK(driver.exclusions.empty());
     }
 
@@ -244,7 +244,7 @@ TEST_SUITE("studies/session_checks") {
         driver.add("rating", 2, {"one"}).check = TrialCheck{CheckKind::number, 0, 5.0, -1};
         driver.start();
         for (const int given : {1, 2, 4}) rate(driver, given);  // a number and a repeat fail
-        CHECK(driver.count("check_failed") == 2);
+        CHECK(driver.count(NoteKind::check_failed) == 2);
         driver.restart();
         rate(driver, 5);  // another repeat
         CHECK(driver.session->progress().checks_failed == 3);
@@ -287,6 +287,6 @@ TEST_SUITE("studies/session_checks") {
         driver.leavePage();
         CHECK(driver.session->outcome() == SessionOutcome::excluded);
         CHECK(driver.responses.size() == 1);
-        CHECK(driver.count("finished") == 0);
+        CHECK(driver.count(NoteKind::finished) == 0);
     }
 }

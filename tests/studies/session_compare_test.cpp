@@ -70,10 +70,10 @@ TEST_SUITE("studies/session_compare") {
         CHECK(response.plays == std::vector<int>{1, 1, 1});
         CHECK(response.replays == 0);
         CHECK(response.input == "ray");
-        CHECK(response.motion_end.time_s == driver.last("motion_end").at.time_s);
+        CHECK(response.motion_end.time_s == driver.last(NoteKind::motion_end).at.time_s);
         CHECK(response.response_time_s ==
               doctest::Approx(response.answered.time_s - response.motion_end.time_s));
-        CHECK(driver.last("stimulus_onset").detail == "stimulus 1");
+        CHECK(driver.last(NoteKind::stimulus_onset).detail == "stimulus 1");
     }
 
     TEST_CASE("steps on a parallel page are pressed, and can be changed until confirmed by key") {
@@ -103,7 +103,7 @@ TEST_SUITE("studies/session_compare") {
         REQUIRE(hasButton(driver.frame, button_id::go_on));
         driver.press(button_id::first_play);
         CHECK_FALSE(hasButton(driver.frame, button_id::first_play + 1));
-        while (driver.count("motion_end") == 2) {
+        while (driver.count(NoteKind::motion_end) == 2) {
             CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
             InputFrame keys;
             keys.confirm = true;
@@ -115,8 +115,8 @@ TEST_SUITE("studies/session_compare") {
         REQUIRE(driver.responses.size() == 1);
         CHECK(driver.responses[0].replays == 1);
         CHECK(driver.responses[0].plays == std::vector<int>{2, 1});
-        CHECK(driver.last("stimulus_onset").detail == "stimulus 0, play 2");
-        CHECK(driver.responses[0].onset.time_s == driver.last("stimulus_onset").at.time_s);
+        CHECK(driver.last(NoteKind::stimulus_onset).detail == "stimulus 0, play 2");
+        CHECK(driver.responses[0].onset.time_s == driver.last(NoteKind::stimulus_onset).at.time_s);
     }
 
     TEST_CASE("a slider follows the ray while select is held, stays at its ends, and stops when let go") {
@@ -143,19 +143,19 @@ TEST_SUITE("studies/session_compare") {
         REQUIRE(playToEnd(driver, 0));
         setSlider(driver, sliderId(0), 64);
         driver.press(button_id::first_play + 1);
-        REQUIRE(driver.waitUntil([&] { return driver.count("stimulus_onset") == 2; }));
-        driver.step(pauseFor("headset taken off"));
+        REQUIRE(driver.waitUntil([&] { return driver.count(NoteKind::stimulus_onset) == 2; }));
+        driver.step(pauseFor(PauseReason::headset_taken_off));
         driver.wait(2.0);
-        CHECK(driver.count("motion_end") == 1);
+        CHECK(driver.count(NoteKind::motion_end) == 1);
         driver.press(button_id::resume);
         CHECK(driver.state() == "waiting");
         CHECK(sliderOf(driver.frame, sliderId(0))->value == 64);
-        REQUIRE(driver.waitUntil([&] { return driver.count("motion_end") == 2; }));
-        CHECK(driver.count("stimulus_onset") == 3);
+        REQUIRE(driver.waitUntil([&] { return driver.count(NoteKind::motion_end) == 2; }));
+        CHECK(driver.count(NoteKind::stimulus_onset) == 3);
         driver.step();
         setSlider(driver, sliderId(1), 10);
         driver.step();
-        driver.step(pauseFor("escape"));
+        driver.step(pauseFor(PauseReason::escape));
         const double paused_s = driver.time_s;
         driver.wait(2.0);
         driver.press(button_id::resume);
@@ -236,7 +236,7 @@ TEST_SUITE("studies/session_compare") {
             }
             CHECK(driver.responses.empty());
             CHECK(driver.state() == "reasons");
-            driver.step(pauseFor("escape"));
+            driver.step(pauseFor(PauseReason::escape));
             driver.wait(1.0);
             driver.press(button_id::resume);
             CHECK(driver.state() == "reasons");

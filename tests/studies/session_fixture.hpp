@@ -15,7 +15,7 @@
 
 namespace deixis::tests {
 
-inline InputFrame pauseFor(const char* reason) {
+inline InputFrame pauseFor(PauseReason reason) {
     InputFrame input;
     input.pause = true;
     input.pause_reason = reason;
@@ -161,7 +161,7 @@ struct Driver {
             if (const auto* response = std::get_if<Response>(&event)) keep(*response);
             if (const auto* note = std::get_if<Note>(&event)) {
                 notes.push_back(*note);
-                if (note->kind == "stimulus_onset") left.begun.insert(note->trial_index);
+                if (note->kind == NoteKind::stimulus_onset) left.begun.insert(note->trial_index);
             }
             if (const auto* exclusion = std::get_if<Exclusion>(&event)) exclusions.push_back(*exclusion);
             if (const auto* again = std::get_if<Superseded>(&event)) {
@@ -295,13 +295,13 @@ struct Driver {
         return false;
     }
 
-    [[nodiscard]] int count(const std::string& kind) const {
+    [[nodiscard]] int count(NoteKind kind) const {
         int found = 0;
         for (const Note& note : notes)
             if (note.kind == kind) ++found;
         return found;
     }
-    [[nodiscard]] const Note& last(const std::string& kind) const {
+    [[nodiscard]] const Note& last(NoteKind kind) const {
         for (auto note = notes.rbegin(); note != notes.rend(); ++note)
             if (note->kind == kind) return *note;
         static const Note none{};

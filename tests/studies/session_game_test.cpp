@@ -51,12 +51,12 @@ TEST_SUITE("studies/session_game") {
         stage.max_replays = 1;
         Playing driver(stage, 1);
         REQUIRE(driver.toAnswer());
-        CHECK(driver.count("stimulus_onset") == 3);
-        CHECK(driver.last("stimulus_onset").detail == "play 3");
+        CHECK(driver.count(NoteKind::stimulus_onset) == 3);
+        CHECK(driver.last(NoteKind::stimulus_onset).detail == "play 3");
         driver.press(button_id::replay);
         REQUIRE(driver.toAnswer());
-        CHECK_MESSAGE(driver.count("stimulus_onset") == 4, "a replay is one play");
-        CHECK(driver.last("stimulus_onset").detail == "replay 1");
+        CHECK_MESSAGE(driver.count(NoteKind::stimulus_onset) == 4, "a replay is one play");
+        CHECK(driver.last(NoteKind::stimulus_onset).detail == "replay 1");
         CHECK_FALSE(driver.frame.panel.has_value());
         driver.choose(0);
         REQUIRE(driver.responses.size() == 1);
@@ -71,7 +71,7 @@ TEST_SUITE("studies/session_game") {
         REQUIRE(driver.toAnswer());
         driver.wait(6.0);
         CHECK(driver.frame.notice.empty());
-        driver.step(pauseFor("escape"));
+        driver.step(pauseFor(PauseReason::escape));
         driver.wait(20.0);
         CHECK_MESSAGE(driver.responses.empty(), "a pause takes no time");
         driver.press(button_id::resume);
@@ -99,7 +99,7 @@ TEST_SUITE("studies/session_game") {
             CAPTURE(within);
             Playing driver(stage, 1);
             REQUIRE(driver.toAnswer());
-            const double limit_s = driver.last("motion_end").at.time_s + 2.0;
+            const double limit_s = driver.last(NoteKind::motion_end).at.time_s + 2.0;
             while (driver.time_s + driver.frame_time_s < limit_s) driver.step();
             driver.select_ago_s = driver.time_s + driver.frame_time_s - limit_s + (within ? 0.001 : -0.001);
             driver.choose(1);
@@ -125,9 +125,9 @@ TEST_SUITE("studies/session_game") {
             const auto target = static_cast<std::size_t>(driver.plan.trials[0].targetPlace());
             CHECK(driver.frame.balls[target].look == BallLook::revealed);
             CHECK(driver.frame.notice.find(rightly ? "Correct" : "green ball") != std::string::npos);
-            CHECK(driver.count("feedback") == 1);
+            CHECK(driver.count(NoteKind::feedback) == 1);
             driver.wait(0.5);
-            driver.step(pauseFor("escape"));
+            driver.step(pauseFor(PauseReason::escape));
             driver.wait(2.0);
             for (const BallView& ball : driver.frame.balls) CHECK(ball.look != BallLook::revealed);
             const double resumed_s = driver.time_s;
@@ -158,7 +158,7 @@ TEST_SUITE("studies/session_game") {
                 driver.press(button_id::first_rating + 1);
                 CHECK_MESSAGE(driver.responses.empty(), "a double click gives no confidence");
             }
-            driver.step(pauseFor("escape"));
+            driver.step(pauseFor(PauseReason::escape));
             driver.wait(3.0);
             driver.press(button_id::resume);
             CHECK(driver.state() == "confidence-across");
@@ -181,7 +181,7 @@ TEST_SUITE("studies/session_game") {
             CHECK(driver.state() == "chosen-across");
             CHECK(markedOptions(driver.frame) ==
                   std::vector<int>{slides ? button_id::go_on : button_id::first_rating + 3});
-            CHECK(driver.count("early_select") == 0);
+            CHECK(driver.count(NoteKind::early_select) == 0);
         }
     }
 
@@ -192,11 +192,11 @@ TEST_SUITE("studies/session_game") {
         driver.study.after_interruption = AfterInterruption::repeat;
         REQUIRE(driver.toAnswer());
         driver.choose(2);
-        driver.step(pauseFor("tracking lost"));
+        driver.step(pauseFor(PauseReason::tracking_lost));
         driver.wait(0.5);
         driver.press(button_id::resume);
         CHECK(driver.state() == "confidence-across");
-        CHECK(driver.count("trial_repeated") == 0);
+        CHECK(driver.count(NoteKind::trial_repeated) == 0);
     }
 
     TEST_CASE("practice gives feedback where the practice says so, whatever the game does") {
@@ -209,7 +209,7 @@ TEST_SUITE("studies/session_game") {
             choose(driver, true);
             choose(driver, true);
             REQUIRE(carryOnUntil(driver, [&] { return !driver.running(); }));
-            CHECK(driver.count("feedback") == (in_practice ? 2 : 1));
+            CHECK(driver.count(NoteKind::feedback) == (in_practice ? 2 : 1));
         }
     }
 
@@ -217,8 +217,8 @@ TEST_SUITE("studies/session_game") {
         Practising driver(0.5, 3, false);
         choose(driver, false);
         choose(driver, true);
-        CHECK(driver.count("practice_met") == 1);
-        CHECK(driver.last("practice_met").detail == "0.50");
+        CHECK(driver.count(NoteKind::practice_met) == 1);
+        CHECK(driver.last(NoteKind::practice_met).detail == "0.50");
         choose(driver, true);
         CHECK(trialsOf(driver.practised) == std::vector<int>{0, 1});
         CHECK(trialsOf(driver.responses) == std::vector<int>{6});
@@ -230,13 +230,13 @@ TEST_SUITE("studies/session_game") {
         Practising driver(1.0, 2, false);
         choose(driver, true);
         choose(driver, false);
-        CHECK(driver.count("practice_failed") == 1);
+        CHECK(driver.count(NoteKind::practice_failed) == 1);
         REQUIRE(driver.waitUntil([&] { return driver.state() == "practice-again"; }));
         CHECK(textOf(*driver.frame.panel).find("Look at the finger.") != std::string::npos);
         choose(driver, false);
         CHECK(driver.session->progress().stages[0].done == 3);
         choose(driver, true);
-        CHECK(driver.count("practice_failed") == 2);
+        CHECK(driver.count(NoteKind::practice_failed) == 2);
         choose(driver, true);
         CHECK_MESSAGE(trialsOf(driver.responses) == std::vector<int>{4}, "the session goes on");
         CHECK(driver.exclusions.empty());
@@ -267,7 +267,7 @@ TEST_SUITE("studies/session_game") {
         driver.step();
         CHECK(driver.state() == "welcome-back");
         choose(driver, true);
-        CHECK(driver.count("practice_met") == 1);
+        CHECK(driver.count(NoteKind::practice_met) == 1);
         choose(driver, true);
         CHECK(trialsOf(driver.practised) == std::vector<int>{0, 1, 2, 3});
         CHECK(trialsOf(driver.responses) == std::vector<int>{4});

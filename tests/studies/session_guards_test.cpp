@@ -11,17 +11,18 @@ namespace {
 const std::string step_back = LanguageTable::english()("notice_place");
 const std::string pick_up = LanguageTable::english()("notice_pointer");
 
-InputFrame withNote(const char* kind, const char* detail, double time_s) {
+InputFrame withNote(NoteKind kind, const char* detail, double time_s) {
     InputFrame input;
     input.notes.push_back({kind, detail, time_s});
     return input;
 }
 
-std::vector<std::string> course(const Driver& driver, const std::set<std::string>& kinds) {
+std::vector<std::string> course(const Driver& driver, const std::set<NoteKind>& kinds) {
     std::vector<std::string> lines;
     for (const Note& note : driver.notes)
         if (kinds.count(note.kind) > 0)
-            lines.push_back(note.kind + (note.detail.empty() ? "" : " " + note.detail) + " in " +
+            lines.push_back(std::string(noteKindName(note.kind)) +
+                            (note.detail.empty() ? "" : " " + note.detail) + " in " +
                             std::to_string(note.trial_index));
     return lines;
 }
@@ -39,22 +40,22 @@ TEST_SUITE("studies/session_guards") {
     TEST_CASE("a station's notes are kept at their own times, with the trial under way") {
         Driver driver(1, 0.5, false);
         driver.start();
-        driver.step(withNote("xr_state", "focused", 99.5));
-        CHECK(driver.last("xr_state").trial_index == -1);
-        CHECK(driver.last("xr_state").at.time_s == 99.5);
-        CHECK(driver.last("xr_state").at.utc_s == doctest::Approx(99.5 + 1.0e9).epsilon(1e-13));
+        driver.step(withNote(NoteKind::xr_state, "focused", 99.5));
+        CHECK(driver.last(NoteKind::xr_state).trial_index == -1);
+        CHECK(driver.last(NoteKind::xr_state).at.time_s == 99.5);
+        CHECK(driver.last(NoteKind::xr_state).at.utc_s == doctest::Approx(99.5 + 1.0e9).epsilon(1e-13));
         REQUIRE(reaches(driver, "playing"));
-        InputFrame two = withNote("recentre", "runtime", driver.time_s);
-        two.notes.push_back({"input_profile", "simple", driver.time_s + 0.001});
+        InputFrame two = withNote(NoteKind::recentre, "runtime", driver.time_s);
+        two.notes.push_back({NoteKind::input_profile, "simple", driver.time_s + 0.001});
         driver.step(two);
-        CHECK(driver.last("recentre").trial_index == 0);
-        CHECK(driver.last("recentre").detail == "runtime");
-        CHECK(driver.last("input_profile").trial_index == 0);
-        InputFrame quit = withNote("xr_state", "exiting", driver.time_s);
+        CHECK(driver.last(NoteKind::recentre).trial_index == 0);
+        CHECK(driver.last(NoteKind::recentre).detail == "runtime");
+        CHECK(driver.last(NoteKind::input_profile).trial_index == 0);
+        InputFrame quit = withNote(NoteKind::xr_state, "exiting", driver.time_s);
         quit.quit = true;
         driver.step(quit);
-        CHECK(driver.count("xr_state") == 2);
-        CHECK(driver.last("xr_state").trial_index == 0);
+        CHECK(driver.count(NoteKind::xr_state) == 2);
+        CHECK(driver.last(NoteKind::xr_state).trial_index == 0);
     }
 
     TEST_CASE("beyond the tolerance the participant is asked back, until 5 cm inside of it") {
@@ -76,8 +77,8 @@ TEST_SUITE("studies/session_guards") {
         CHECK(noticeAt(0.24).empty());
         CHECK(driver.frame.key_moment);
         CHECK(noticeAt(0.29).empty());
-        CHECK_MESSAGE(driver.count("off_place") == 0, "no trial was under way");
-        CHECK(driver.count("back_on_place") == 0);
+        CHECK_MESSAGE(driver.count(NoteKind::off_place) == 0, "no trial was under way");
+        CHECK(driver.count(NoteKind::back_on_place) == 0);
     }
 
     TEST_CASE(
@@ -90,7 +91,7 @@ TEST_SUITE("studies/session_guards") {
             driver.place_offset_m = off_m;
             driver.wait(0.05);
         }
-        const std::set<std::string> kinds{"off_place", "back_on_place"};
+        const std::set<NoteKind> kinds{NoteKind::off_place, NoteKind::back_on_place};
         const std::vector<std::string> marked{"off_place 0.35 m in 0", "off_place 0.46 m in 0",
                                               "back_on_place in 0"};
         CHECK(course(driver, kinds) == marked);
@@ -116,16 +117,16 @@ TEST_SUITE("studies/session_guards") {
         REQUIRE(reaches(driver, "playing"));
         InputFrame pause;
         pause.pause = true;
-        pause.pause_reason = "headset taken off";
+        pause.pause_reason = PauseReason::headset_taken_off;
         driver.step(pause);
         driver.place_offset_m = 2.0;
         driver.wait(1.0);
         CHECK(driver.frame.notice == step_back);
-        CHECK(driver.count("off_place") == 0);
+        CHECK(driver.count(NoteKind::off_place) == 0);
         driver.place_offset_m = 0.1;
         driver.step();
         CHECK(driver.frame.notice.empty());
-        CHECK(driver.count("back_on_place") == 0);
+        CHECK(driver.count(NoteKind::back_on_place) == 0);
     }
 
     TEST_CASE("nobody is asked for a controller while the station itself says that nobody is there") {
@@ -134,7 +135,7 @@ TEST_SUITE("studies/session_guards") {
         driver.wait(1.0);
         driver.holds_pointer = false;
         for (int i = 0; i < 300; ++i) {
-            driver.step(pauseFor("headset taken off"));
+            driver.step(pauseFor(PauseReason::headset_taken_off));
             REQUIRE(driver.frame.notice.empty());
         }
         driver.wait(2.2);
@@ -154,8 +155,8 @@ TEST_SUITE("studies/session_guards") {
         driver.holds_pointer = true;
         driver.step();
         CHECK(driver.frame.notice.empty());
-        CHECK_MESSAGE(driver.count("pointer_lost") == 0, "no trial was under way");
-        CHECK(driver.count("pointer_found") == 0);
+        CHECK_MESSAGE(driver.count(NoteKind::pointer_lost) == 0, "no trial was under way");
+        CHECK(driver.count(NoteKind::pointer_found) == 0);
     }
 
     TEST_CASE(
@@ -168,21 +169,21 @@ TEST_SUITE("studies/session_guards") {
             driver.step();
             CHECK(driver.frame.notice.empty());
         }
-        CHECK(driver.count("pointer_lost") == 0);
+        CHECK(driver.count(NoteKind::pointer_lost) == 0);
         driver.wait(1.9);
         CHECK(driver.frame.notice.empty());
         driver.wait(2.0);
         CHECK(driver.frame.notice == pick_up);
-        REQUIRE(driver.count("pointer_lost") == 1);
-        CHECK(driver.last("pointer_lost").trial_index == 0);
+        REQUIRE(driver.count(NoteKind::pointer_lost) == 1);
+        CHECK(driver.last(NoteKind::pointer_lost).trial_index == 0);
         driver.place_offset_m = 1.0;  // first things first
         driver.step();
         CHECK(driver.frame.notice == pick_up);
         driver.holds_pointer = true;
         driver.step();
         CHECK(driver.frame.notice == step_back);
-        REQUIRE(driver.count("pointer_found") == 1);
-        CHECK(driver.last("pointer_found").trial_index == 0);
+        REQUIRE(driver.count(NoteKind::pointer_found) == 1);
+        CHECK(driver.last(NoteKind::pointer_found).trial_index == 0);
         driver.press(button_id::first_rating);
         CHECK(driver.responses.size() == 1);
     }
@@ -194,18 +195,18 @@ TEST_SUITE("studies/session_guards") {
         for (int losses = 1; losses <= 2; ++losses) {
             driver.holds_pointer = false;
             driver.wait(2.5);
-            CHECK(driver.count("pointer_lost") == losses);
+            CHECK(driver.count(NoteKind::pointer_lost) == losses);
             driver.holds_pointer = true;
             driver.step();
-            CHECK(driver.count("pointer_found") == losses);
+            CHECK(driver.count(NoteKind::pointer_found) == losses);
         }
         driver.holds_pointer = false;
         driver.wait(2.5);
         driver.digit(2);
         REQUIRE(driver.toAnswer());
         driver.wait(2.5);
-        CHECK(driver.count("pointer_lost") == 4);
-        CHECK(driver.last("pointer_lost").trial_index == 1);
+        CHECK(driver.count(NoteKind::pointer_lost) == 4);
+        CHECK(driver.last(NoteKind::pointer_lost).trial_index == 1);
     }
 
     TEST_CASE(
@@ -219,7 +220,7 @@ TEST_SUITE("studies/session_guards") {
         driver.holds_pointer = false;
         driver.wait(2.5);
         CHECK(driver.frame.notice == pick_up);
-        CHECK(driver.count("pointer_lost") == 0);
+        CHECK(driver.count(NoteKind::pointer_lost) == 0);
         InputFrame quit;
         quit.quit = true;
         driver.step(quit);

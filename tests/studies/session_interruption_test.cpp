@@ -46,11 +46,12 @@ struct Restless {
         input.confirm = random.uniform() < 0.05;
         if (random.uniform() < 0.03) input.digit = static_cast<int>(1 + random.below(6));
         if (random.uniform() < 0.005) {
-            const char* const reasons[] = {"headset taken off", "tracking lost", "operator", "menu"};
+            using enum PauseReason;
+            constexpr PauseReason reasons[] = {headset_taken_off, tracking_lost, experimenter, menu};
             input.pause = true;
             input.pause_reason = reasons[random.below(4)];
         }
-        if (random.uniform() < 0.05) input.notes.push_back({"xr_state", "visible", driver.time_s});
+        if (random.uniform() < 0.05) input.notes.push_back({NoteKind::xr_state, "visible", driver.time_s});
         return input;
     }
 };
@@ -66,26 +67,26 @@ TEST_SUITE("studies/session_interruption") {
             driver.start(game ? std::set<int>{0, 1} : std::set<int>{});
             REQUIRE(driver.toAnswer());
             driver.wait(1.0);
-            driver.step(pauseFor("tracking lost"));
+            driver.step(pauseFor(PauseReason::tracking_lost));
             driver.wait(3.0);
             resume(driver);
             const double resumed_s = driver.time_s;
-            CHECK(driver.count("trial_repeated") == 1);
-            CHECK(driver.last("trial_repeated").trial_index == (game ? 2 : 0));
+            CHECK(driver.count(NoteKind::trial_repeated) == 1);
+            CHECK(driver.last(NoteKind::trial_repeated).trial_index == (game ? 2 : 0));
             CHECK(driver.state() == (game ? "waiting-across" : "waiting"));
             CHECK_FALSE(answersOpen(driver.frame));
             REQUIRE(driver.toAnswer());
-            CHECK(driver.count("stimulus_onset") == 2);
-            CHECK(driver.last("stimulus_onset").at.time_s >= resumed_s + 0.5);
-            CHECK(driver.count("motion_end") == 2);
+            CHECK(driver.count(NoteKind::stimulus_onset) == 2);
+            CHECK(driver.last(NoteKind::stimulus_onset).at.time_s >= resumed_s + 0.5);
+            CHECK(driver.count(NoteKind::motion_end) == 2);
             driver.wait(0.4);
             driver.answerSomehow(1);
             REQUIRE(driver.responses.size() == 1);
             const Response& response = driver.responses[0];
             CHECK(response.pauses == 1);
             CHECK(response.paused_s == 0.0);
-            CHECK(response.onset.time_s == driver.last("stimulus_onset").at.time_s);
-            CHECK(response.motion_end.time_s == driver.last("motion_end").at.time_s);
+            CHECK(response.onset.time_s == driver.last(NoteKind::stimulus_onset).at.time_s);
+            CHECK(response.motion_end.time_s == driver.last(NoteKind::motion_end).at.time_s);
             CHECK(response.response_time_s == doctest::Approx(driver.time_s - response.motion_end.time_s));
             CHECK(response.response_time_s < 0.6);
         }
@@ -100,42 +101,51 @@ TEST_SUITE("studies/session_interruption") {
             if (resting(driver.frame)) driver.leavePage();
             return driver.state() == "waiting";
         }));
-        driver.step(pauseFor("headset taken off"));
+        driver.step(pauseFor(PauseReason::headset_taken_off));
         resume(driver);
-        CHECK(driver.count("trial_repeated") == 0);
+        CHECK(driver.count(NoteKind::trial_repeated) == 0);
         REQUIRE(driver.waitUntil([&] { return driver.state() == "pointing"; }));
-        driver.step(pauseFor("headset taken off"));
+        driver.step(pauseFor(PauseReason::headset_taken_off));
         resume(driver);
-        CHECK(driver.count("trial_repeated") == 1);
+        CHECK(driver.count(NoteKind::trial_repeated) == 1);
         REQUIRE(driver.toAnswer());
         driver.digit(2);
         REQUIRE(driver.responses.size() == 1);
         CHECK(driver.responses[0].pauses == 1);
-        CHECK(driver.count("stimulus_onset") == 2);
+        CHECK(driver.count(NoteKind::stimulus_onset) == 2);
     }
 
     TEST_CASE("where a trial goes on instead, nothing is said of a repetition") {
         Driver driver(1, 0.5, false);
         driver.start();
         REQUIRE(driver.toAnswer());
-        driver.step(pauseFor("tracking lost"));
+        driver.step(pauseFor(PauseReason::tracking_lost));
         resume(driver);
         CHECK(hasButton(driver.frame, button_id::first_rating));
-        CHECK(driver.count("trial_repeated") == 0);
-        CHECK(driver.count("stimulus_onset") == 1);
+        CHECK(driver.count(NoteKind::trial_repeated) == 0);
+        CHECK(driver.count(NoteKind::stimulus_onset) == 1);
     }
 
     TEST_CASE("the pause page says calmly why there is a pause, and always offers to go on or to end") {
-        const std::vector<std::pair<const char*, std::vector<std::string>>> pages{
-            {"headset taken off", {"Welcome back", "while the headset was off"}},
-            {"tracking lost", {"One moment", "The headset has lost track of where it is."}},
-            {"focus lost", {"Paused", "Another window or menu was opened."}},
-            {"operator", {"Paused", "The experimenter has paused the session."}},
-            {"menu", {"Paused", "Continue when you are ready."}},
-            {"", {"Paused", "Continue when you are ready."}}};
+        const struct {
+            PauseReason reason;
+            const char* recorded;
+            std::vector<std::string> words;
+        } pages[] = {
+            {PauseReason::headset_taken_off,
+             "headset taken off",
+             {"Welcome back", "while the headset was off"}},
+            {PauseReason::tracking_lost,
+             "tracking lost",
+             {"One moment", "The headset has lost track of where it is."}},
+            {PauseReason::focus_lost, "focus lost", {"Paused", "Another window or menu was opened."}},
+            {PauseReason::experimenter, "operator", {"Paused", "The experimenter has paused the session."}},
+            {PauseReason::menu, "menu", {"Paused", "Continue when you are ready."}},
+            {PauseReason::escape, "escape", {"Paused", "Continue when you are ready."}},
+            {PauseReason::picture, "for a picture", {"Paused", "Continue when you are ready."}},
+            {PauseReason::unsaid, "paused", {"Paused", "Continue when you are ready."}}};
         for (const auto& page : pages) {
-            const auto& [reason, words] = page;
-            CAPTURE(page.first);
+            CAPTURE(page.recorded);
             Driver driver(1);
             driver.start();
             driver.step();
@@ -146,7 +156,7 @@ TEST_SUITE("studies/session_interruption") {
             CHECK(text.find("your answers so far are kept") != std::string::npos);
             CHECK(hasButton(driver.frame, button_id::resume));
             CHECK(hasButton(driver.frame, button_id::end_session));
-            CHECK(driver.last("pause").detail == (*reason == '\0' ? "paused" : reason));
+            CHECK(driver.last(NoteKind::pause).detail == page.recorded);
         }
     }
 
@@ -161,7 +171,7 @@ TEST_SUITE("studies/session_interruption") {
         CHECK(driver.frame.balls[1].look == BallLook::chosen);
         CHECK(driver.session->trialUnderWay() == 2);
         CHECK(driver.frame.notice == "One moment, please: your answer is being saved.");
-        CHECK(driver.frame.status == "game 1/2, waiting for the disk");
+        CHECK(sessionStatusText(driver.frame.status) == "game 1/2, waiting for the disk");
         driver.choose(0);
         driver.digit(1);
         CHECK(driver.responses.size() == 1);
@@ -169,7 +179,7 @@ TEST_SUITE("studies/session_interruption") {
         driver.step();
         CHECK(driver.session->trialUnderWay() == 3);
         CHECK(driver.frame.notice.empty());
-        CHECK(driver.frame.status == "game 2/2");
+        CHECK(sessionStatusText(driver.frame.status) == "game 2/2");
 
         // The last answer, too, before the goodbye.
         REQUIRE(driver.toAnswer());
@@ -202,7 +212,7 @@ TEST_SUITE("studies/session_interruption") {
         REQUIRE(driver.toAnswer());
         driver.kept = false;
         driver.choose(1);
-        driver.step(pauseFor("operator"));
+        driver.step(pauseFor(PauseReason::experimenter));
         CHECK(driver.state() == "paused");
         resume(driver);
         driver.wait(1.0);
@@ -225,7 +235,7 @@ TEST_SUITE("studies/session_interruption") {
             quit.quit = true;
             quit.quit_reason = reason;
             driver.step(quit);
-            CHECK(driver.last("quit").detail == (reason.empty() ? "quit" : reason));
+            CHECK(driver.last(NoteKind::quit).detail == (reason.empty() ? "quit" : reason));
         }
     }
 
@@ -278,7 +288,7 @@ TEST_SUITE("studies/session_interruption") {
             std::optional<double> open_since_s;  // as displayed
             for (int i = 0; i < 200000 && !driver.finished() && !driver.hasQuit(); ++i) {
                 const std::size_t responses = driver.responses.size();
-                const int onsets = driver.count("stimulus_onset");
+                const int onsets = driver.count(NoteKind::stimulus_onset);
                 const InputFrame input = person.act();
                 const bool was_shown = person.random.uniform() < 0.9;
                 driver.step(input, was_shown);
@@ -300,12 +310,13 @@ TEST_SUITE("studies/session_interruption") {
                     if (driver.study.after_interruption == AfterInterruption::repeat) {
                         CHECK(given.paused_s == 0.0);
                         for (const Note& note : driver.notes)
-                            if (note.kind == "trial_repeated" && note.trial_index == given.trial_index)
+                            if (note.kind == NoteKind::trial_repeated &&
+                                note.trial_index == given.trial_index)
                                 CHECK(given.onset.time_s > note.at.time_s);
                     }
                     person.kept_at_s = driver.time_s + person.random.uniform(0.0, 1.5);
                 }
-                if (driver.time_s < person.kept_at_s) CHECK(driver.count("stimulus_onset") == onsets);
+                if (driver.time_s < person.kept_at_s) CHECK(driver.count(NoteKind::stimulus_onset) == onsets);
                 if (!answersOpen(driver.frame))
                     open_since_s.reset();
                 else if (was_shown && !open_since_s)
@@ -319,10 +330,10 @@ TEST_SUITE("studies/session_interruption") {
             CHECK(driver.finished());
             CHECK(answered == std::set<int>{1, 2, 3, 4, 6, 7, 8, 9});
             CHECK(driver.responses.size() == answered.size());
-            repeated += driver.count("trial_repeated");
-            early += driver.count("early_select");
-            lost += driver.count("pointer_lost");
-            strayed += driver.count("off_place");
+            repeated += driver.count(NoteKind::trial_repeated);
+            early += driver.count(NoteKind::early_select);
+            lost += driver.count(NoteKind::pointer_lost);
+            strayed += driver.count(NoteKind::off_place);
         }
         // All of it came about.
         CHECK(repeated > 5);
@@ -352,7 +363,7 @@ TEST_SUITE("studies/session_interruption") {
             }
             if (!there()) continue;  // this study has no such moment
             ++met;
-            if (pause) driver.step(pauseFor("operator"));
+            if (pause) driver.step(pauseFor(PauseReason::experimenter));
             const auto answers = driver.responses.size() + driver.practised.size();
             driver.recording_failed = true;
             driver.step();

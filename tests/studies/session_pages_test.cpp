@@ -76,8 +76,8 @@ TEST_SUITE("studies/session_pages") {
         driver.press(button_id::go_on);
         CHECK(driver.session->outcome() == SessionOutcome::declined);
         CHECK(driver.state() == "over");
-        CHECK(driver.count("stimulus_onset") == 0);
-        CHECK(driver.count("finished") == 0);
+        CHECK(driver.count(NoteKind::stimulus_onset) == 0);
+        CHECK(driver.count(NoteKind::finished) == 0);
     }
 
     TEST_CASE("closing the window instead of reading the closing page does not make a decline a quit") {
@@ -116,7 +116,7 @@ TEST_SUITE("studies/session_pages") {
                 decline(driver);
             driver.wait(0.6);
             CHECK(says(driver.study.words("declined_title").c_str()) == !agrees);
-            CHECK(driver.count("stimulus_onset") == 0);
+            CHECK(driver.count(NoteKind::stimulus_onset) == 0);
         }
         REQUIRE(driver.finish());
         CHECK(trialsOf(driver.responses) == std::vector<int>{1, 1, 1, 2});
@@ -145,7 +145,7 @@ TEST_SUITE("studies/session_pages") {
                 if (text.find(page) != std::string::npos) read.emplace_back(page);
             driver.leavePage();
         }
-        CHECK(driver.count("warned") == 1);
+        CHECK(driver.count(NoteKind::warned) == 1);
         CHECK(read == std::vector<std::string>{"Look at the hand", "Read this", "That was all"});
     }
 
@@ -156,25 +156,25 @@ TEST_SUITE("studies/session_pages") {
         driver.start();
         driver.wait(1.1);
         CHECK(driver.state() == "break");
-        CHECK(driver.frame.status == "rest, 4 s");
+        CHECK(sessionStatusText(driver.frame.status) == "rest, 4 s");
         CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
         InputFrame keys;
         keys.confirm = true;
         driver.step(keys);
-        CHECK(driver.count("break_end") == 0);
-        driver.step(pauseFor("escape"));
+        CHECK(driver.count(NoteKind::break_end) == 0);
+        driver.step(pauseFor(PauseReason::escape));
         driver.wait(2.0);
         driver.press(button_id::resume);
-        CHECK(driver.frame.status == "rest, 2 s");
+        CHECK(sessionStatusText(driver.frame.status) == "rest, 2 s");
         driver.wait(1.5);
         CHECK_FALSE(hasButton(driver.frame, button_id::go_on));
         CHECK(textOf(*driver.frame.panel).find("continue in 1 second.") != std::string::npos);
         driver.wait(0.5);
         CHECK(hasButton(driver.frame, button_id::go_on));
-        CHECK(driver.frame.status == "rest");
+        CHECK(sessionStatusText(driver.frame.status) == "rest");
         driver.press(button_id::go_on);
-        CHECK(driver.count("break_start") == 1);
-        CHECK(driver.count("break_end") == 1);
+        CHECK(driver.count(NoteKind::break_start) == 1);
+        CHECK(driver.count(NoteKind::break_end) == 1);
     }
 
     TEST_CASE("a study without a last page of its own says thanks; one with a further sitting says so") {
@@ -378,7 +378,7 @@ TEST_SUITE("studies/session_pages") {
         Questioned driver({question("t", QuestionKind::text), question("s", QuestionKind::scale)}, true);
         driver.press(option(1, 2));
         type(driver, "half");
-        driver.step(pauseFor("escape"));
+        driver.step(pauseFor(PauseReason::escape));
         driver.wait(3.0);
         type(driver, "not this");
         driver.press(button_id::resume);

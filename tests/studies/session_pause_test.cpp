@@ -36,24 +36,24 @@ TEST_SUITE("studies/session_pause") {
         driver.start();
         driver.leavePage();
         driver.leavePage();
-        REQUIRE(driver.waitUntil([&] { return driver.count("stimulus_onset") == 1; }));
+        REQUIRE(driver.waitUntil([&] { return driver.count(NoteKind::stimulus_onset) == 1; }));
         driver.wait(0.5);
-        driver.step(pauseFor("focus lost"));
+        driver.step(pauseFor(PauseReason::focus_lost));
         REQUIRE(hasButton(driver.frame, button_id::resume));
-        CHECK(driver.last("pause").detail == "focus lost");
-        CHECK(driver.last("pause").trial_index == 0);
+        CHECK(driver.last(NoteKind::pause).detail == "focus lost");
+        CHECK(driver.last(NoteKind::pause).trial_index == 0);
         const auto frozen = driver.frame.avatar_joints;
         driver.wait(3.0);
         CHECK(driver.frame.avatar_joints.back().position == frozen.back().position);
-        CHECK(driver.count("motion_end") == 0);
+        CHECK(driver.count(NoteKind::motion_end) == 0);
         driver.press(button_id::resume);
-        CHECK(driver.count("resume") == 1);
+        CHECK(driver.count(NoteKind::resume) == 1);
         REQUIRE(driver.toAnswer());
-        CHECK(driver.count("stimulus_onset") == 2);
+        CHECK(driver.count(NoteKind::stimulus_onset) == 2);
         driver.press(button_id::first_rating);
         REQUIRE(driver.responses.size() == 1);
         CHECK(driver.responses[0].pauses == 1);
-        CHECK(driver.responses[0].onset.time_s == driver.last("stimulus_onset").at.time_s);
+        CHECK(driver.responses[0].onset.time_s == driver.last(NoteKind::stimulus_onset).at.time_s);
         const double played_s = driver.responses[0].motion_end.time_s - driver.responses[0].onset.time_s;
         CHECK(played_s == doctest::Approx(1.0).epsilon(0.04));
     }
@@ -61,7 +61,7 @@ TEST_SUITE("studies/session_pause") {
     TEST_CASE("a session whose very first frame is paused shows the avatar and goes on") {
         Driver driver(1, 1.0, false);
         driver.start();
-        driver.step(pauseFor("focus lost"));
+        driver.step(pauseFor(PauseReason::focus_lost));
         CHECK(driver.frame.avatar_joints.size() > 0);
         REQUIRE(hasButton(driver.frame, button_id::resume));
         driver.wait(1.0);
@@ -76,7 +76,7 @@ TEST_SUITE("studies/session_pause") {
             driver.start(game ? std::set<int>{0, 1} : std::set<int>{});
             REQUIRE(driver.toAnswer());
             driver.wait(1.0);
-            driver.step(pauseFor("escape"));
+            driver.step(pauseFor(PauseReason::escape));
             const double paused_s = driver.time_s;
             driver.wait(5.0);
             CHECK(driver.responses.empty());
@@ -99,7 +99,7 @@ TEST_SUITE("studies/session_pause") {
                   doctest::Approx(response.answered.time_s - response.motion_end.time_s - away_s));
             CHECK(response.response_time_s < 2.0);
             CHECK(response.pauses == 1);
-            CHECK(driver.count("stimulus_onset") == 1);
+            CHECK(driver.count(NoteKind::stimulus_onset) == 1);
         }
     }
 
@@ -107,13 +107,13 @@ TEST_SUITE("studies/session_pause") {
         Driver driver(1);
         driver.start();
         driver.step();
-        driver.step(pauseFor("focus lost"));
+        driver.step(pauseFor(PauseReason::focus_lost));
         driver.wait(1.0);
-        driver.step(pauseFor("focus lost"));
+        driver.step(pauseFor(PauseReason::focus_lost));
         driver.wait(1.0);
         CHECK(hasButton(driver.frame, button_id::resume));
-        CHECK(driver.count("pause") == 1);
-        CHECK(driver.count("resume") == 0);
+        CHECK(driver.count(NoteKind::pause) == 1);
+        CHECK(driver.count(NoteKind::resume) == 0);
     }
 
     TEST_CASE("quitting ends at once, by the window or on the pause panel, and a resume asks only the rest") {
@@ -126,7 +126,7 @@ TEST_SUITE("studies/session_pause") {
                 driver.answerSomehow(i);
             }
             if (by_panel) {
-                driver.step(pauseFor("escape"));
+                driver.step(pauseFor(PauseReason::escape));
                 driver.wait(0.5);
                 driver.press(button_id::end_session);
                 CHECK_FALSE(driver.hasQuit());
@@ -144,7 +144,7 @@ TEST_SUITE("studies/session_pause") {
             }
             CHECK(driver.hasQuit());
             CHECK_FALSE(driver.finished());
-            CHECK(driver.count("quit") == 1);
+            CHECK(driver.count(NoteKind::quit) == 1);
             std::set<int> answered;
             for (const Response& response : driver.responses) answered.insert(response.trial_index);
             CHECK(answered == std::set<int>{1, 2, 3});  // the first of the four was practice
@@ -160,7 +160,7 @@ TEST_SUITE("studies/session_pause") {
             CHECK(asked == std::vector<int>{1, 2, 3, 4, 6, 7, 8, 9});
             // The begun stage is not practised again, the one not begun is.
             CHECK(driver.practised.size() == 2);
-            CHECK(driver.last("session_start").detail == "resumed after 3 of 8 answers");
+            CHECK(driver.last(NoteKind::session_start).detail == "resumed after 3 of 8 answers");
         }
     }
 

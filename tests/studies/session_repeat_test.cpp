@@ -20,7 +20,7 @@ struct Interrupted : Driver {
         wait(0.6);
     }
     void interrupt() {
-        step(pauseFor("headset taken off"));
+        step(pauseFor(PauseReason::headset_taken_off));
         wait(0.6);
         press(button_id::resume);
         wait(0.6);
@@ -30,7 +30,7 @@ struct Interrupted : Driver {
         REQUIRE(one != nullptr);
         return one->value;
     }
-    [[nodiscard]] int shownClips() const { return count("stimulus_onset"); }
+    [[nodiscard]] int shownClips() const { return count(NoteKind::stimulus_onset); }
 };
 
 Stage confidenceGame(const Scale& scale) {
@@ -126,7 +126,7 @@ TEST_SUITE("studies/session_repeat") {
                     driver.press(step_id);
                 driver.step();
                 driver.interrupt();
-                CHECK(driver.count("trial_repeated") == (repeats ? 1 : 0));
+                CHECK(driver.count(NoteKind::trial_repeated) == (repeats ? 1 : 0));
                 const bool set = slides ? driver.valueOf(button_id::first_slider).has_value()
                                         : buttonOf(driver.frame, step_id)->chosen;
                 CHECK(set != repeats);
@@ -201,7 +201,7 @@ TEST_SUITE("studies/session_repeat") {
         driver.start();
         driver.wait(0.6);
         type(driver, "half");
-        driver.step(pauseFor("escape"));
+        driver.step(pauseFor(PauseReason::escape));
         driver.wait(0.6);
         driver.press(button_id::resume);
         CHECK(driver.frame.panel->fields.at(0).text == "half");

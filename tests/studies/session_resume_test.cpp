@@ -51,7 +51,7 @@ struct Everything : Driver {
 std::string courseOf(const Driver& driver) {
     std::string course;
     for (const Note& note : driver.notes)
-        if (note.kind == "instructions_read") course += note.detail + " ";
+        if (note.kind == NoteKind::instructions_read) course += note.detail + " ";
     return course;
 }
 
@@ -94,7 +94,7 @@ TEST_SUITE("studies/session_resume") {
         CHECK(driver.finished());
         CHECK(trialsOf(driver.responses) == std::vector<int>{0, 1, 2, 5, 6, 7, 8, 9});
         CHECK(courseOf(driver) == "welcome how thanks ");
-        CHECK(driver.count("break_end") == 2);
+        CHECK(driver.count(NoteKind::break_end) == 2);
     }
 
     TEST_CASE("killed after any event, a further sitting asks exactly what was not kept") {
@@ -119,7 +119,7 @@ TEST_SUITE("studies/session_resume") {
             driver.restart();
             REQUIRE(carryOnUntil(driver, [&] { return !driver.running(); }));
             CHECK(driver.finished());
-            CHECK((driver.last("session_start").detail.empty() == before.empty()));
+            CHECK((driver.last(NoteKind::session_start).detail.empty() == before.empty()));
             CHECK_MESSAGE(trialsLeft(driver.study, driver.plan, driver.left.answered).empty(), left.size());
             std::vector<int> all = trialsOf(driver.responses);
             CHECK(all == std::vector<int>{0, 1, 2, 5, 6, 7, 8, 9});
@@ -166,7 +166,7 @@ TEST_SUITE("studies/session_resume") {
                 }
                 CHECK(driver.state() == states[nth]);
                 const std::size_t kept = driver.left.answered.size();
-                driver.step(pauseFor("escape"));
+                driver.step(pauseFor(PauseReason::escape));
                 CHECK(driver.state() == "paused");
                 CHECK_FALSE(driver.frame.sign.has_value());
                 driver.wait(0.5);
@@ -177,7 +177,7 @@ TEST_SUITE("studies/session_resume") {
                 REQUIRE(carryOnUntil(driver, [&] { return !driver.running(); }));
                 CHECK(driver.finished());
                 CHECK(trialsOf(driver.responses) == std::vector<int>{0, 1, 2, 5, 6, 7, 8, 9});
-                CHECK(driver.count("pause") == 1);
+                CHECK(driver.count(NoteKind::pause) == 1);
                 int pauses = 0;
                 for (const Response& response : driver.responses) pauses += response.pauses;
                 CHECK(pauses <= 1);
@@ -217,11 +217,11 @@ TEST_SUITE("studies/session_resume") {
         REQUIRE(driver.superseded.size() == 1);
         CHECK(driver.superseded[0].trial_index == 0);
         CHECK(driver.superseded[0].reason == "slipped");
-        CHECK(driver.last("operator_repeat").detail == "slipped");
+        CHECK(driver.last(NoteKind::operator_repeat).detail == "slipped");
         CHECK(driver.session->trialUnderWay() == 0);
         driver.order(OperatorAction::repeat_last);
         CHECK(driver.superseded.size() == 1);
-        CHECK(driver.last("operator_repeat").detail == "nothing to repeat");
+        CHECK(driver.last(NoteKind::operator_repeat).detail == "nothing to repeat");
         REQUIRE(driver.toAnswer());
         driver.digit(5);
         REQUIRE(driver.finish());
@@ -234,7 +234,7 @@ TEST_SUITE("studies/session_resume") {
         driver.start();
         REQUIRE(driver.toAnswer());
         driver.digit(1);
-        REQUIRE(driver.waitUntil([&] { return driver.count("stimulus_onset") == 2; }));
+        REQUIRE(driver.waitUntil([&] { return driver.count(NoteKind::stimulus_onset) == 2; }));
         driver.order(OperatorAction::repeat_last);
         CHECK(driver.session->trialUnderWay() == 1);
         REQUIRE(driver.finish());
@@ -258,7 +258,7 @@ TEST_SUITE("studies/session_resume") {
             const int last = at_end ? 3 : 1;
             if (std::string(when) == "paused") {
                 REQUIRE(driver.waitUntil([&] { return driver.state() == "break"; }));
-                driver.step(pauseFor("operator"));
+                driver.step(pauseFor(PauseReason::experimenter));
             }
             REQUIRE(driver.waitUntil([&] { return driver.state() == when; }));
             driver.order(OperatorAction::repeat_last);
@@ -306,7 +306,7 @@ TEST_SUITE("studies/session_resume") {
             driver.start();
             const bool in_pause = std::string(when) == "paused";
             REQUIRE(driver.toState(in_pause ? "pointing" : when));
-            if (in_pause) driver.step(pauseFor("operator"));
+            if (in_pause) driver.step(pauseFor(PauseReason::experimenter));
             driver.order(OperatorAction::skip, "fire alarm");
             REQUIRE(driver.responses.size() == 1);
             const Response& response = driver.responses[0];
@@ -315,7 +315,7 @@ TEST_SUITE("studies/session_resume") {
             CHECK(response.answers.empty());
             CHECK(response.onset.time_s > 0.0);
             CHECK(response.answered.time_s >= response.motion_end.time_s);
-            CHECK(driver.last("operator_skip").detail == "fire alarm");
+            CHECK(driver.last(NoteKind::operator_skip).detail == "fire alarm");
             if (in_pause) {
                 driver.wait(0.5);
                 CHECK(driver.state() == "paused");
@@ -332,7 +332,7 @@ TEST_SUITE("studies/session_resume") {
         driver.start();
         driver.step();
         driver.order(OperatorAction::skip, "?");
-        CHECK(driver.last("operator_skip").detail == "nothing to skip");
+        CHECK(driver.last(NoteKind::operator_skip).detail == "nothing to skip");
         REQUIRE(driver.toState("consent"));
         driver.order(OperatorAction::skip, "?");
         CHECK(driver.responses.empty());
@@ -349,16 +349,16 @@ TEST_SUITE("studies/session_resume") {
         driver.start();
         REQUIRE(driver.toState("playing"));
         driver.order(OperatorAction::note, "laughs");
-        CHECK(driver.last("operator_note").detail == "laughs");
-        CHECK(driver.last("operator_note").trial_index == 0);
+        CHECK(driver.last(NoteKind::operator_note).detail == "laughs");
+        CHECK(driver.last(NoteKind::operator_note).trial_index == 0);
         driver.order(OperatorAction::abort, "unwell");
-        CHECK(driver.last("operator_abort").detail == "unwell");
+        CHECK(driver.last(NoteKind::operator_abort).detail == "unwell");
         CHECK(driver.session->outcome() == SessionOutcome::aborted);
         CHECK(driver.state() == "over");
         CHECK(driver.session->trialUnderWay() == -1);
         CHECK(driver.responses.empty());
         driver.order(OperatorAction::note, "late");
-        CHECK(driver.count("operator_note") == 1);
+        CHECK(driver.count(NoteKind::operator_note) == 1);
     }
 
     TEST_CASE("over 20 seeds of an impatient operator every trial has one answer that counts") {
@@ -374,7 +374,7 @@ TEST_SUITE("studies/session_resume") {
                 else if (dice < 0.006)
                     driver.order(OperatorAction::skip, "skip");
                 else if (dice < 0.010)
-                    driver.step(pauseFor("operator"));
+                    driver.step(pauseFor(PauseReason::experimenter));
                 else if (hasButton(driver.frame, button_id::resume))
                     driver.press(button_id::resume);
                 else if (dice < 0.012)

@@ -82,25 +82,26 @@ TEST_SUITE("studies/session_select") {
 
         driver.step(driver.pointing(ball, true));
         CHECK(driver.responses.empty());
-        REQUIRE(driver.count("early_select") == 1);
-        CHECK(driver.last("early_select").trial_index == 2);
-        CHECK(driver.last("early_select").at.time_s == driver.time_s);
-        CHECK(driver.last("early_select").at.utc_s == doctest::Approx(driver.time_s + 1.0e9).epsilon(1e-13));
+        REQUIRE(driver.count(NoteKind::early_select) == 1);
+        CHECK(driver.last(NoteKind::early_select).trial_index == 2);
+        CHECK(driver.last(NoteKind::early_select).at.time_s == driver.time_s);
+        CHECK(driver.last(NoteKind::early_select).at.utc_s ==
+              doctest::Approx(driver.time_s + 1.0e9).epsilon(1e-13));
 
         while (driver.time_s < displayed_s) driver.step();
         driver.select_ago_s = driver.time_s + driver.frame_time_s - displayed_s + 0.001;
         driver.step(driver.pointing(ball, true));
         CHECK(driver.responses.empty());
-        CHECK(driver.count("early_select") == 2);
-        CHECK(driver.last("early_select").detail == "0.001 s before the answer was open");
-        CHECK(driver.last("early_select").at.time_s == doctest::Approx(displayed_s - 0.001));
+        CHECK(driver.count(NoteKind::early_select) == 2);
+        CHECK(driver.last(NoteKind::early_select).detail == "0.001 s before the answer was open");
+        CHECK(driver.last(NoteKind::early_select).at.time_s == doctest::Approx(displayed_s - 0.001));
 
         driver.select_ago_s = driver.time_s + driver.frame_time_s - displayed_s - 0.001;
         driver.step(driver.pointing(ball, true));
         REQUIRE(driver.responses.size() == 1);
         CHECK(driver.responses[0].answered.time_s == doctest::Approx(displayed_s + 0.001));
         CHECK(driver.responses[0].response_time_s > 0.0);
-        CHECK(driver.count("early_select") == 2);
+        CHECK(driver.count(NoteKind::early_select) == 2);
     }
 
     TEST_CASE("a key that went down before the open answer was displayed is no answer either") {
@@ -119,24 +120,24 @@ TEST_SUITE("studies/session_select") {
         Driver driver(1, 0.5, false);
         driver.start(ratings_answered);
         toFirstTrial(driver);
-        CHECK(driver.count("early_select") == 0);
+        CHECK(driver.count(NoteKind::early_select) == 0);
         while (driver.state() != "playing-across") driver.step();
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));
-        CHECK(driver.count("early_select") == 1);
-        CHECK(driver.last("early_select").trial_index == 2);
-        CHECK(driver.last("early_select").detail == "playing-across");
+        CHECK(driver.count(NoteKind::early_select) == 1);
+        CHECK(driver.last(NoteKind::early_select).trial_index == 2);
+        CHECK(driver.last(NoteKind::early_select).detail == "playing-across");
         CHECK(driver.responses.empty());
 
         REQUIRE(driver.toAnswer());
         driver.choose(0);
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));  // a double click is not early
-        CHECK(driver.count("early_select") == 1);
+        CHECK(driver.count(NoteKind::early_select) == 1);
         REQUIRE(driver.waitUntil([&] { return driver.state() == "waiting-side-by-side"; }));
         driver.step(driver.pointing(driver.frame.balls[0].centre, true));
-        CHECK(driver.count("early_select") == 2);
-        CHECK(driver.last("early_select").trial_index == 3);
-        CHECK(driver.last("early_select").detail == "waiting-side-by-side");
+        CHECK(driver.count(NoteKind::early_select) == 2);
+        CHECK(driver.last(NoteKind::early_select).trial_index == 3);
+        CHECK(driver.last(NoteKind::early_select).detail == "waiting-side-by-side");
     }
 
     TEST_CASE("presses on pages and on the pause page are not early") {
@@ -149,7 +150,7 @@ TEST_SUITE("studies/session_select") {
         driver.wait(0.5);
         driver.press(button_id::resume);
         REQUIRE(driver.toAnswer());
-        CHECK(driver.count("early_select") == 0);
+        CHECK(driver.count(NoteKind::early_select) == 0);
     }
 
     TEST_CASE("a ball out of sight is neither lit nor chosen; within 60 degrees it is") {

@@ -125,12 +125,12 @@ inline std::vector<int> markedOptions(const PresentedFrame& frame) {
 
 /// Plays a clip of a page to its end.
 inline bool playToEnd(Driver& driver, int stimulus) {
-    const int ends = driver.count("motion_end");
+    const int ends = driver.count(NoteKind::motion_end);
     if (!driver.waitUntil([&] { return hasButton(driver.frame, button_id::first_play + stimulus); }))
         return false;
     driver.wait(0.45);
     driver.press(button_id::first_play + stimulus);
-    const bool ended = driver.waitUntil([&] { return driver.count("motion_end") > ends; });
+    const bool ended = driver.waitUntil([&] { return driver.count(NoteKind::motion_end) > ends; });
     driver.wait(0.05);
     return ended;
 }

@@ -34,8 +34,9 @@ TEST_SUITE("studies/session") {
 
         std::vector<std::string> course;
         for (const Note& note : driver.notes)
-            if (note.kind != "stimulus_onset" && note.kind != "motion_end")
-                course.push_back(note.kind + (note.detail.empty() ? "" : ": " + note.detail));
+            if (note.kind != NoteKind::stimulus_onset && note.kind != NoteKind::motion_end)
+                course.push_back(std::string(noteKindName(note.kind)) +
+                                 (note.detail.empty() ? "" : ": " + note.detail));
         // Rating has a break after two of its four trials, the game none.
         const std::vector<std::string> wanted{"session_start",
                                               "stage_start: welcome",
@@ -58,8 +59,8 @@ TEST_SUITE("studies/session") {
                                               "instructions_read: goodbye",
                                               "finished"};
         CHECK(joined(course) == joined(wanted));
-        CHECK(driver.count("stimulus_onset") == 10);
-        CHECK(driver.count("motion_end") == 10);
+        CHECK(driver.count(NoteKind::stimulus_onset) == 10);
+        CHECK(driver.count(NoteKind::motion_end) == 10);
         CHECK(driver.practised.size() == 2);
         CHECK(driver.practised[1].trial_index == 5);
     }
@@ -130,7 +131,7 @@ TEST_SUITE("studies/session") {
         driver.leavePage();
         while (!answersOpen(driver.frame))
             driver.step(driver.pointing(driver.plan.trials[2].ball(0), true),
-                        driver.count("motion_end") == 0);
+                        driver.count(NoteKind::motion_end) == 0);
         CHECK(driver.responses.empty());
         driver.step(driver.pointing(driver.frame.balls[0].centre, true), false);
         CHECK(driver.responses.empty());
@@ -186,7 +187,7 @@ TEST_SUITE("studies/session") {
         std::vector<Pose> first_pose;
         for (int i = 0; i < 150; ++i) {
             driver.step({}, false);
-            CHECK(driver.count("stimulus_onset") == 0);
+            CHECK(driver.count(NoteKind::stimulus_onset) == 0);
             if (driver.frame.key_moment && first_s == 0.0 && i > 20) {
                 first_s = driver.time_s;
                 first_pose = driver.frame.avatar_joints;
@@ -200,11 +201,12 @@ TEST_SUITE("studies/session") {
 
         driver.display_delay_s = 0.02;
         driver.step();
-        REQUIRE(driver.count("stimulus_onset") == 1);
-        CHECK(driver.last("stimulus_onset").at.time_s == doctest::Approx(driver.time_s + 0.02));
-        CHECK(driver.last("stimulus_onset").at.utc_s == doctest::Approx(driver.time_s + 0.02 + 1.0e9));
+        REQUIRE(driver.count(NoteKind::stimulus_onset) == 1);
+        CHECK(driver.last(NoteKind::stimulus_onset).at.time_s == doctest::Approx(driver.time_s + 0.02));
+        CHECK(driver.last(NoteKind::stimulus_onset).at.utc_s ==
+              doctest::Approx(driver.time_s + 0.02 + 1.0e9));
         driver.wait(0.5);
-        const double clip_s = driver.time_s - driver.last("stimulus_onset").at.time_s;
+        const double clip_s = driver.time_s - driver.last(NoteKind::stimulus_onset).at.time_s;
         const auto half = motion::worldPose(driver.avatar, motion::sample(driver.clips.clip({}), clip_s));
         CHECK(glm::length(driver.frame.avatar_joints[hand].position - half[hand].position) < 1e-9);
     }
@@ -218,7 +220,7 @@ TEST_SUITE("studies/session") {
         while (!driver.finished()) {
             if (answersOpen(driver.frame))
                 driver.answerSomehow(++answers);
-            else if (resting(driver.frame) && driver.count("pause") == 0) {
+            else if (resting(driver.frame) && driver.count(NoteKind::pause) == 0) {
                 InputFrame confirm;
                 confirm.confirm = true;
                 driver.step(confirm);
@@ -253,8 +255,9 @@ TEST_SUITE("studies/session") {
                     ++moves;
                     CHECK_FALSE(was_open);
                     const double moved_s = driver.time_s;
-                    const int onsets = driver.count("stimulus_onset");
-                    REQUIRE(driver.waitUntil([&] { return driver.count("stimulus_onset") > onsets; }));
+                    const int onsets = driver.count(NoteKind::stimulus_onset);
+                    REQUIRE(
+                        driver.waitUntil([&] { return driver.count(NoteKind::stimulus_onset) > onsets; }));
                     CHECK(driver.time_s - moved_s >= 1.2 - 1e-9);
                     CHECK(driver.time_s - moved_s < 1.3);
                 }
@@ -290,17 +293,17 @@ TEST_SUITE("studies/session") {
         driver.start();
         driver.step();
         driver.press(button_id::go_on);
-        CHECK(driver.count("instructions_read") == 0);
+        CHECK(driver.count(NoteKind::instructions_read) == 0);
         driver.wait(0.5);
         driver.press(button_id::go_on);
-        CHECK(driver.count("instructions_read") == 1);
+        CHECK(driver.count(NoteKind::instructions_read) == 1);
         driver.press(button_id::go_on);
-        CHECK(driver.count("instructions_read") == 1);
+        CHECK(driver.count(NoteKind::instructions_read) == 1);
         driver.wait(0.5);
         InputFrame confirm;
         confirm.confirm = true;
         driver.step(confirm);
-        CHECK(driver.count("instructions_read") == 2);
+        CHECK(driver.count(NoteKind::instructions_read) == 2);
     }
 
     TEST_CASE("the clip can be seen again as often as the study allows, and each time counts") {
@@ -315,11 +318,11 @@ TEST_SUITE("studies/session") {
             REQUIRE(driver.toAnswer());
         }
         CHECK_FALSE(hasButton(driver.frame, button_id::replay));
-        CHECK(driver.count("stimulus_onset") == 3);
+        CHECK(driver.count(NoteKind::stimulus_onset) == 3);
         driver.press(button_id::first_rating);
         REQUIRE(driver.responses.size() == 1);
         CHECK(driver.responses[0].replays == 2);
-        CHECK(driver.responses[0].onset.time_s == driver.last("stimulus_onset").at.time_s);
+        CHECK(driver.responses[0].onset.time_s == driver.last(NoteKind::stimulus_onset).at.time_s);
 
         driver.stage("game").max_replays = 1;
         driver.press(button_id::first_rating);

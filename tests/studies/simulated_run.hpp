@@ -74,7 +74,7 @@ class GeneratedClips : public ClipSource {
 struct Prepared {
     explicit Prepared(Study made, int number = 1)
         : study(std::move(made)),
-          stood(atStation(study, "simulated")),
+          stood(standingAs(study, Standing::desktop)),
           targets(sampled(study)),
           plan(planned(study, targets, number)),
           clips(study, targets) {}
@@ -109,9 +109,9 @@ struct Outcome {
     int presses = 0;
     int not_looked_at = 0;  ///< presses on what lay more than 15 degrees off the looking direction
 
-    [[nodiscard]] int count(const std::string& kind) const {
+    [[nodiscard]] int count(NoteKind kind) const {
         return static_cast<int>(std::count_if(notes.begin(), notes.end(),
-                                              [&kind](const Note& note) { return note.kind == kind; }));
+                                              [kind](const Note& note) { return note.kind == kind; }));
     }
 };
 
@@ -183,8 +183,9 @@ inline void checkWhole(const Prepared& prepared, const Outcome& outcome) {
         CHECK((response.response_time_s > 0.2) == asked);
     }
     CHECK(trialsLeft(prepared.study, prepared.plan, answered).empty());
-    for (const char* const kind : {"early_select", "pointer_lost", "off_place", "pause", "replay"}) {
-        CAPTURE(kind);
+    for (const NoteKind kind : {NoteKind::early_select, NoteKind::pointer_lost, NoteKind::off_place,
+                                NoteKind::pause, NoteKind::replay}) {
+        CAPTURE(noteKindName(kind));
         CHECK(outcome.count(kind) == 0);
     }
     CHECK(outcome.not_looked_at == 0);

@@ -20,7 +20,7 @@ SimulatedParameters slowDisplay() {
     return parameters;
 }
 
-PresentedFrame frameOf(const std::string& status) {
+PresentedFrame frameOf(const SessionStatus& status) {
     PresentedFrame frame;
     frame.stage_from_viewer = {{0.0, 0.0, 3.4}, no_rotation};
     frame.avatar_joints = Room::idle();

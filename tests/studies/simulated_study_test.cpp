@@ -100,7 +100,7 @@ TEST_SUITE("studies/simulated_study") {
                 CAPTURE(seed);
                 const Outcome outcome = simulate(prepared, seed, {}, keyboard);
                 checkWhole(prepared, outcome);
-                CHECK(outcome.count("check_failed") <= 2);  // catch trials may be missed
+                CHECK(outcome.count(NoteKind::check_failed) <= 2);  // catch trials may be missed
                 for (const Response& response : outcome.responses) {
                     const Trial& trial = prepared.plan.trials[static_cast<std::size_t>(response.trial_index)];
                     CAPTURE(trial.stage);
@@ -153,8 +153,8 @@ TEST_SUITE("studies/simulated_study") {
         for (std::uint64_t seed = 1; seed <= 3; ++seed) {
             const Outcome outcome = simulate(prepared, seed, inattentive);
             CHECK(outcome.session == SessionOutcome::finished);
-            failed += outcome.count("check_failed");
-            warned += outcome.count("warned");
+            failed += outcome.count(NoteKind::check_failed);
+            warned += outcome.count(NoteKind::warned);
         }
         CHECK(failed >= 3);
         CHECK(warned >= 1);
@@ -168,7 +168,7 @@ TEST_SUITE("studies/simulated_study") {
             int pauses = 0;
             const auto pause = [&](InputFrame& input) {
                 input.pause = chance.below(300) == 0;
-                input.pause_reason = "escape";
+                input.pause_reason = PauseReason::escape;
                 if (input.pause) ++pauses;
             };
             SimulatedStation station({}, prepared.avatar, seed);

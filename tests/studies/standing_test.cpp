@@ -18,17 +18,15 @@ TEST_SUITE("studies/standing") {
         Study study;
         study.layouts = {{"across", 0.0, 3.4, 180.0},
                          {"side-by-side", -1.2, 0.0, 30.0, ViewerPlace{-1.2, -1.0, 20.0}}};
-        const Study headset = atStation(study, "headset");
+        const Study headset = standingAs(study, Standing::headset);
         CHECK(headset.layouts[1].viewer_z_m == 0.0);
         CHECK(headset.layouts[1].heading_deg == 30.0);
-        for (const char* kind : {"desktop", "simulated"}) {
-            const Study screen = atStation(study, kind);
-            CHECK(screen.layouts[0].viewer_z_m == 3.4);
-            CHECK(screen.layouts[1].viewer_x_m == -1.2);
-            CHECK(screen.layouts[1].viewer_z_m == -1.0);
-            CHECK(screen.layouts[1].heading_deg == 20.0);
-            CHECK_FALSE(screen.layouts[1].desktop.has_value());
-        }
+        const Study screen = standingAs(study, Standing::desktop);
+        CHECK(screen.layouts[0].viewer_z_m == 3.4);
+        CHECK(screen.layouts[1].viewer_x_m == -1.2);
+        CHECK(screen.layouts[1].viewer_z_m == -1.0);
+        CHECK(screen.layouts[1].heading_deg == 20.0);
+        CHECK_FALSE(screen.layouts[1].desktop.has_value());
         // The place is what the pose stands on, and -z of it looks along the heading.
         const Pose pose = viewerPose(ViewerPlace{-1.2, -1.0, 90.0});
         CHECK(pose.position.x == -1.2);
@@ -58,7 +56,7 @@ TEST_SUITE("studies/standing") {
     TEST_CASE("Every answer says where the participant was asked to stand.") {
         Driver driver(2, 0.5, false);
         driver.study.layouts[1].desktop = ViewerPlace{0.9, -1.1, -20.0};
-        driver.study = atStation(driver.study, "desktop");
+        driver.study = standingAs(driver.study, Standing::desktop);
         driver.start();
         while (driver.running() && driver.frame.number < 20000) {
             if (resting(driver.frame))

@@ -40,7 +40,7 @@ class GameTrial : public ClipTrial {
         if (since_s < chosen_shown_s) return false;
         if (!revealed_) {
             revealed_ = true;
-            core_.note("feedback");
+            core_.note(NoteKind::feedback);
             showDone();
         }
         return since_s >= chosen_shown_s + feedback_s;

@@ -15,8 +15,8 @@ class PageUnit : public Unit {
 
     void enter(const InputFrame& input, bool /*moved*/) override {
         core_.standAlone();
-        if (page_.kind == PageKind::rest) core_.note("break_start");
-        if (page_.kind == PageKind::attention) core_.note("warned");
+        if (page_.kind == PageKind::rest) core_.note(NoteKind::break_start);
+        if (page_.kind == PageKind::attention) core_.note(NoteKind::warned);
         resume(input, 0.0);
     }
 
@@ -42,16 +42,16 @@ class PageUnit : public Unit {
         if (!input.confirm && !(input.select && met.button == button_id::go_on)) return;
         done_ = true;
         if (page_.kind == PageKind::rest)
-            core_.note("break_end");
+            core_.note(NoteKind::break_end);
         else if (page_.kind != PageKind::closing && page_.kind != PageKind::attention)
-            core_.note("instructions_read", page_.name);
+            core_.note(NoteKind::instructions_read, page_.name);
     }
 
     [[nodiscard]] bool wantsPointer() const override { return true; }
 
   private:
     CoursePage page_;
-    std::string status_;
+    SessionStatus status_;
     LeastTime least_;
     int shown_left_ = 0;
 
@@ -74,7 +74,7 @@ class PageUnit : public Unit {
     }
 
     void tellLeft() {
-        core_.view.frame.status = status_ + (shown_left_ > 0 ? fmt::format(", {} s", shown_left_) : "");
+        core_.view.frame.status = status_.with(shown_left_ > 0 ? fmt::format("{} s", shown_left_) : "");
     }
 };
 

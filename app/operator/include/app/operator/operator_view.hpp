@@ -19,8 +19,8 @@ struct OperatorView {
     OperatorFeed feed{};  ///< what the session tells
 
     // What is presented.
-    std::string status;  ///< "game 12/40"; empty: nothing was presented yet
-    std::string doing;   ///< stateInWords()
+    studies::SessionStatus status{};
+    std::string doing;  ///< stateInWords()
     bool paused = false;
 
     // The station.

@@ -11,30 +11,18 @@
 
 namespace deixis::app {
 
-/// A session's status line, taken apart: "game 12/40, paused: focus lost".
-struct StudyProgress {
-    std::string stage;   ///< "Game"
-    int trial = 0;       ///< 12: the trial under way; 0 where the status counts none
-    int trials = 0;      ///< 40; 0 likewise
-    std::string remark;  ///< "Paused: focus lost"; empty: none
-
-    /// How much lies behind: the trial under way does not. None where nothing is counted.
-    [[nodiscard]] std::optional<double> done() const;
-};
-
-[[nodiscard]] StudyProgress studyProgress(std::string_view status);
+/// With a capital letter to begin with.
+[[nodiscard]] std::string capitalised(std::string_view text);
 
 /// What the participant does in a frame, for somebody who knows the study but not the program: "Aims at a
 /// ball (side-by-side)". Empty before the first.
 [[nodiscard]] std::string stateInWords(const studies::PresentedFrame& frame);
 
+/// What somebody does with the device.
 struct DeviceWords {
     std::string words;
     bool in_use = false;  ///< the person sees the pictures and can answer
 };
-
-/// The name of an OpenXR session state, or the station's own words, which come back as they are.
-[[nodiscard]] DeviceWords headsetInWords(std::string_view state);
 
 /// "12 cm", "1.40 m"; whole centimetres below a metre.
 [[nodiscard]] std::string distanceInWords(double metres);
@@ -48,7 +36,7 @@ struct DeviceWords {
 /// "640 MB", "2.4 GB", "118 GB", in powers of ten as disks are sold.
 [[nodiscard]] std::string bytesInWords(std::uintmax_t bytes);
 
-/// "Skipped: the clip did not move". Kinds of others come back as they are.
+/// "Skipped: the clip did not move". Kinds that operators are not told are named as in the record.
 [[nodiscard]] std::string eventInWords(const OperatorEvent& event);
 
 }  // namespace deixis::app

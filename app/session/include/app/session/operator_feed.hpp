@@ -21,7 +21,7 @@ namespace deixis::app {
 /// Something that happened, for the operator to see that it did.
 struct OperatorEvent {
     double elapsed_s = 0.0;
-    std::string kind;    ///< Note::kind, "exclusion", or "recording_failed"
+    studies::NoteKind kind{};
     std::string detail;  ///< Note::detail, the reason of an exclusion, or why nothing more can be kept
 };
 
@@ -56,7 +56,7 @@ class OperatorFeedWriter : public Recorder {
     void presented(const studies::InputFrame& input, const studies::PresentedFrame& frame) override;
 
   private:
-    void note(double time_s, std::string kind, std::string detail);
+    void note(double time_s, studies::NoteKind kind, std::string detail);
     [[nodiscard]] studies::SessionProgress progressOfSitting();
 
     std::shared_ptr<OperatorFeed> feed_;

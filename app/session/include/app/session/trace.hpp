@@ -45,7 +45,8 @@ class Trace : public Recorder {
     // As last told.
     bool begun_ = false;
     double told_s_ = 0.0;
-    std::string state_, stage_, place_, status_, notice_, sign_;
+    std::string state_, stage_, place_, notice_, sign_;
+    studies::SessionStatus status_;
     std::optional<studies::Panel> panel_;
     std::vector<studies::BallLook> looks_;
 };

@@ -16,7 +16,7 @@
 namespace deixis::app {
 
 struct StationRequest {
-    std::string kind = "desktop";  ///< "desktop", "headset" or "simulated"
+    studies::StationKind kind = studies::StationKind::desktop;
     std::string size;  ///< "WIDTHxHEIGHT" of the window or of what the simulated participant sees; or empty
     bool fullscreen = false;
     bool operator_window = false;  ///< desktop: the experimenter's beside the participant's

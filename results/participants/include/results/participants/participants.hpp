@@ -3,18 +3,23 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
+#include "results/database/participant_status.hpp"
 #include "studies/design/plan.hpp"
 
 namespace deixis::results {
+
+enum class Consent : unsigned char { not_asked, agreed, declined };
+[[nodiscard]] std::string_view consentName(Consent consent);  ///< "" where it was not asked
 
 struct ParticipantRow {
     std::string id;
     int number = 0;
     std::string language;
-    std::string status;  ///< "active", "excluded", "dropped"; without consent nobody is active
+    ParticipantStatus status = ParticipantStatus::active;  ///< without consent nobody is
     std::string reason;
     studies::Groups groups;
     bool synthetic = false;
@@ -23,7 +28,7 @@ struct ParticipantRow {
     int planned = 0;   ///< of the same; further attempts at a practice once they have begun
     int checks_failed = 0;
     double last_utc_s = 0.0;
-    std::string consent;  ///< "agreed", "declined", "" where none was asked
+    Consent consent = Consent::not_asked;
 };
 
 /// Whether a session of the participant may begin: only with consent, or to ask for it anew.

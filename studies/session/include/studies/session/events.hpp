@@ -9,6 +9,7 @@
 
 #include "core/pose.hpp"
 #include "studies/design/plan.hpp"
+#include "studies/station/note_kind.hpp"
 
 namespace deixis::studies {
 
@@ -33,7 +34,10 @@ enum class ResponseStatus : unsigned char {
     timed_out,  ///< the time limit passed; there may be no answers
     skipped     ///< by the operator, with Response::reason; there are no answers
 };
+/// "answered", "timed_out", "skipped", as databases have it.
 [[nodiscard]] std::string_view responseStatusName(ResponseStatus status);
+/// Throws std::invalid_argument for any other name.
+[[nodiscard]] ResponseStatus responseStatusNamed(std::string_view name);
 
 /// An answered unit, complete: the store writes it in one transaction. Practice is kept in the same way,
 /// marked by its trial.
@@ -79,22 +83,9 @@ struct Exclusion {
     Moment at{};
 };
 
-/// Anything else worth keeping. Kinds, with their details:
-/// - the course: "session_start", "stage_start" (name), "instructions_read" (page), "break_start",
-///   "break_end", "finished", "quit" (reason);
-/// - of a trial: "stimulus_onset" (which stimulus, replay), "motion_end" (which stimulus), "replay",
-///   "check_failed" (what), "warned", "feedback";
-/// - "practice_met", "practice_failed" (share correct);
-/// - interruptions: "pause" (reason), "resume" (after how long), "trial_repeated";
-/// - the operator's: "operator_repeat", "operator_skip", "operator_abort" (reason), "operator_note" (text);
-/// - "early_select": select went down in a trial before its answer was open (what was shown, at most once a
-///   trial), or so shortly before that it was told afterwards (by how much); it was no answer;
-/// - "off_place" (how far, "0.42 m"; in a trial once, and once more where it gets worse by 10 cm),
-///   "back_on_place";
-/// - "pointer_lost" (in a trial, for 2 s while its answer was open), "pointer_found";
-/// - whatever the station told, see StationNote.
+/// Anything else worth keeping.
 struct Note {
-    std::string kind;
+    NoteKind kind = NoteKind::session_start;
     int trial_index = -1;  ///< of the trial under way; -1: none
     Moment at{};
     std::string detail{};

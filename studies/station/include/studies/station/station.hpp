@@ -15,14 +15,18 @@
 #include "core/error.hpp"
 #include "core/pose.hpp"
 #include "studies/station/first_look.hpp"
+#include "studies/station/note_kind.hpp"
+#include "studies/station/pause_reason.hpp"
 #include "studies/station/presented_state.hpp"
+#include "studies/station/session_status.hpp"
+#include "studies/station/station_kind.hpp"
 
 namespace deixis::studies {
 
 /// Something that a station has to say for the record; kept as a Note of the session at its own time, with
 /// the trial under way.
 struct StationNote {
-    std::string kind;  ///< "xr_state", "recentre", "placement", "input_profile", "pointing_hand", ...
+    NoteKind kind = NoteKind::xr_state;
     std::string detail;
     double time_s = 0.0;  ///< on the station's clock
 };
@@ -63,9 +67,7 @@ struct InputFrame {
     bool pause = false;        ///< Esc went down, or focus or tracking was lost
     bool resume = false;       ///< the operator ends the pause
     std::vector<OperatorCommand> commands{};
-    /// "escape", "focus lost", "headset taken off", "tracking lost", "operator", "menu", ...: decides what
-    /// the participant reads.
-    std::string pause_reason{};
+    PauseReason pause_reason = PauseReason::unsaid;
     bool quit = false;          ///< the window was closed or the operator ends the session
     std::string quit_reason{};  ///< empty: "quit"
     /// How far the person stands from the layout's place, along the floor; 0 where the station keeps it
@@ -195,7 +197,7 @@ struct PresentedFrame {
     Pose stage_from_viewer{};  ///< where the participant is asked to stand: on the floor, -z is forward
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
     bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
-    std::string status;        ///< one line for the operator, such as "game 12/40"
+    SessionStatus status{};    ///< for the operator
     /// One calm sentence to the participant beside all else ("Please step back to your place."); empty:
     /// none.
     std::string notice;
@@ -250,7 +252,7 @@ struct FrameReport {
 };
 
 struct StationInfo {
-    std::string kind;        ///< "desktop", "headset" or "simulated"
+    StationKind kind = StationKind::desktop;
     std::string details;     ///< device, driver, display and refresh rate in words
     bool synthetic = false;  ///< no person answers here
     std::string controls{};  ///< how to take part, one line; empty where there is nothing to tell

@@ -19,9 +19,9 @@ enum class Standing : unsigned char { headset, desktop };
 [[nodiscard]] Pose viewerPose(const ViewerPlace& place);
 [[nodiscard]] Pose viewerPose(const Layout& layout);
 
-/// The study as participants meet it at a station of this kind (StationInfo::kind): its layouts have one
-/// place each. Simulated participants stand as at a desktop: their picture, where one is drawn, is flat.
-[[nodiscard]] Study atStation(Study study, std::string_view station_kind);
+/// The study as participants meet it: its layouts have one place each. Simulated participants stand as at a
+/// desktop: their picture, where one is drawn, is flat.
+[[nodiscard]] Study standingAs(Study study, Standing standing);
 
 /// Places of a pair of avatars, left and right as the participant sees them.
 [[nodiscard]] std::array<Vec3, 2> pairPlaces(const Pose& stage_from_viewer);
