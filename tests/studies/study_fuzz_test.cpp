@@ -51,8 +51,10 @@ TEST_SUITE("studies/study_fuzz") {
             const std::vector<std::string> lines = linesOf(readText(path));
             constexpr const char* values[] = {"-1", "1e300", "\"\"", "\"@\"",      "true", "[]",
                                               "{}", "[[1]]", "[{}]", "1979-05-27", "nan",  "\"x\""};
-            // The shipped study is long: a few values for each of its lines, all of them over its lines.
-            const std::size_t values_a_line = path.filename() == "full.toml" ? std::size(values) : 2;
+            // full.toml has every key, and takes a third of the values for each; the shipped study is long, with
+            // texts in its midst: some of its lines.
+            const bool full = path.filename() == "full.toml";
+            const std::size_t values_a_line = full ? 4 : 2;
             int failures = 0;
             int tries = 0;
             const auto attempt = [&](const std::vector<std::string>& edited) {
@@ -61,7 +63,8 @@ TEST_SUITE("studies/study_fuzz") {
                 ++tries;
                 CHECK_NOTHROW(checkErrors(file, bytes, failures));
             };
-            for (std::size_t i = 0; i < lines.size(); ++i) {
+            for (std::size_t i = 0; i < lines.size(); i += full ? 1 : 3) {
+                if (lines[i].empty() || lines[i].starts_with("#")) continue;  // which change nothing
                 CAPTURE(i);
                 CAPTURE(lines[i]);
                 std::vector<std::string> edited = lines;
