@@ -92,19 +92,26 @@ TEST_SUITE("motion/demonstration_library") {
         CHECK(median(eye) < median(shoulder));
     }
 
-    TEST_CASE("phases last as long as the parameters say, to a frame at each end") {
-        for (const Demonstration& d : library()) {
+    TEST_CASE("phases last as long as was asked for, to a frame at each end") {
+        DemonstrationParameters parameters;
+        auto& asked = parameters.timing;
+        asked.raise_s = {0.9, 1.1};
+        asked.hold_s = {0.5, 0.6};
+        asked.retract_s = {1.2, 1.5};
+        const auto made = makeDemonstrations(referenceHumanoid(), parameters);
+        REQUIRE(made.has_value());
+        const auto within = [](double found_s, const auto& range, double slack_s) {
+            return found_s >= range.low - slack_s && found_s <= range.high + slack_s;
+        };
+        for (const Demonstration& d : *made) {
             const GeneratedClip& g = d.gesture;
             const double raise = (g.peak_frame - g.onset_frame) / 30.0;
             const double hold = (g.hold_frame - g.peak_frame) / 30.0;
             const double retract = (g.end_frame - g.hold_frame) / 30.0;
             constexpr double slack = 2.0 / 30.0;
-            CHECK(raise >= 0.65 - slack);
-            CHECK(raise <= 0.95 + slack);
-            CHECK(hold >= 0.70 - slack);
-            CHECK(hold <= 1.30 + slack);
-            CHECK(retract >= 0.70 - slack);
-            CHECK(retract <= 1.05 + slack);
+            CHECK(within(raise, asked.raise_s, slack));
+            CHECK(within(hold, asked.hold_s, slack));
+            CHECK(within(retract, asked.retract_s, slack));
         }
     }
 

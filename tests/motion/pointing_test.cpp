@@ -121,8 +121,8 @@ TEST_SUITE("motion/pointing") {
         const auto choice = motion::chosenBall(ray, balls);
         REQUIRE(choice.has_value());
         CHECK(choice->ball == 1);
-        CHECK(degreesFromRadians(choice->error_rad) == Approx(9.46232));
-        CHECK(degreesFromRadians(choice->margin_rad.value()) == Approx(16.69924 - 9.46232));
+        CHECK(choice->error_rad == Approx(std::atan2(0.5, 3.0)));
+        CHECK(choice->margin_rad.value() == Approx(std::atan2(0.3, 1.0) - std::atan2(0.5, 3.0)));
         // The best comes first: the margin is still to the second best.
         const auto first = motion::chosenBall(ray, {balls[1], balls[2], balls[0]});
         CHECK(first->ball == 0);

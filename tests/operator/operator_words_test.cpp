@@ -12,39 +12,6 @@ namespace studies = deixis::studies;
 using namespace deixis::app;
 
 TEST_SUITE("operator/operator_words") {
-    TEST_CASE("a trial's status gives stage, place and how much lies behind") {
-        const StudyProgress progress = studyProgress("game 12/40");
-        CHECK(progress.stage == "Game");
-        CHECK(progress.trial == 12);
-        CHECK(progress.trials == 40);
-        CHECK(progress.remark.empty());
-        REQUIRE(progress.done());
-        CHECK(*progress.done() == doctest::Approx(11.0 / 40.0));
-        CHECK(*studyProgress("naturalness 1/1").done() == 0.0);
-    }
-
-    TEST_CASE("practice keeps its name, and a pause its reason") {
-        const StudyProgress progress = studyProgress("naturalness practice 2/3, paused: headset taken off");
-        CHECK(progress.stage == "Naturalness practice");
-        CHECK(progress.trial == 2);
-        CHECK(progress.trials == 3);
-        CHECK(progress.remark == "Paused: headset taken off");
-    }
-
-    TEST_CASE("a status without a count is shown as it is, without a bar") {
-        for (const char* status : {"Time for a break", "Part 1", "game", "game 0/40", "game 41/40", "game 4/",
-                                   "game /4", "game 4/x", "game 4/40a", "12/40"}) {
-            CAPTURE(status);
-            const StudyProgress progress = studyProgress(status);
-            CHECK_FALSE(progress.done());
-            CHECK(progress.trials == 0);
-            CHECK(progress.stage.substr(1) == std::string(status).substr(1));
-        }
-        CHECK(studyProgress("").stage.empty());
-        CHECK(studyProgress("finished").stage == "Finished");
-        CHECK(studyProgress("Welcome, paused: escape").remark == "Paused: escape");
-    }
-
     TEST_CASE("every state that a session presents has words of its own") {
         studies::PresentedFrame frame;
         CHECK(stateInWords(frame).empty());
@@ -67,16 +34,6 @@ TEST_SUITE("operator/operator_words") {
         CHECK(stateInWords(frame) == "Watches the clip (side-by-side)");
         frame.in_game = false;
         CHECK(stateInWords(frame) == "Watches the clip");
-    }
-
-    TEST_CASE("the headset is in use only when it has focus") {
-        for (const char* state : {"unknown", "idle", "ready", "synchronized", "visible", "stopping",
-                                  "loss pending", "exiting", "taken off"}) {
-            CAPTURE(state);
-            CHECK_FALSE(headsetInWords(state).in_use);
-        }
-        CHECK(headsetInWords("focused").in_use);
-        CHECK(headsetInWords("taken off").words == "Taken off");
     }
 
     TEST_CASE("distances are whole centimetres below a metre, metres from there") {

@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "answers_text.hpp"
 #include "core/files.hpp"
+#include "csv_table.hpp"
 #include "fixtures.hpp"
 #include "page_text.hpp"
 #include "results/copies/data_export.hpp"
@@ -82,8 +84,13 @@ TEST_SUITE("results/accuracy_by_angle") {
                                                             {"right", 1},
                                                             {"choices", 3}});
         CHECK(out["accuracy_by_angle"][4]["below_deg"].is_null());
-        for (const auto& [name, bytes] : analysisTables(result, TableFormat::csv))
-            if (name == "angles.csv") CHECK(contains(bytes, "avatar,x,0,3,1,2"));
+        CHECK(tests::CsvTable(fixtures::csvOf(result, "angles.csv"))
+                  .has({{"eyes", "avatar"},
+                        {"system", "x"},
+                        {"from_deg", "0"},
+                        {"below_deg", "3"},
+                        {"right", "1"},
+                        {"choices", "2"}}));
         const std::string page = renderReport(result);
         CHECK(contains(pageText(page), "33\u00a0% (1 of 3)|"));
         CHECK(contains(page, "as the participant sees it, beside"));
@@ -105,7 +112,7 @@ TEST_SUITE("results/accuracy_by_angle") {
                 Store store = fixtures::open((folder / "") / (station + ".sqlite"));
                 fixtures::store(store, study, plan);
                 auto session = fixtures::session("P01", false);
-                session.station.kind = station;
+                session.station.kind = kind;
                 store.beginSession(session);
                 for (const std::size_t trial : {2, 3})
                     store.record(fixtures::answer(plan.trials[trial], 1), study, plan, clips);
@@ -119,11 +126,15 @@ TEST_SUITE("results/accuracy_by_angle") {
             CHECK_FALSE(table->choices[1].avatar_angle_deg.has_value());
             CHECK_FALSE(table->choices[1].participant_angle_deg.has_value());
             REQUIRE(exportCsv((folder / "") / (station + ".sqlite"), (folder / "") / station, {}));
-            const std::string trials = readFile((folder / "") / (station + "/trials.csv")).value();
-            CHECK(contains(
-                trials,
-                R"({""avatar"":[7.5,4.25],""headset"":[3.5,9.0],""desktop"":[12.5,2.25]}",4.25,3.5,2.25,)"));
-            CHECK(contains(readFile((folder / "") / (station + "/responses.csv")).value(), ",0,A07,2,"));
+            const tests::CsvTable trials(readFile((folder / "") / (station + "/trials.csv")).value());
+            CHECK(
+                nlohmann::json::parse(trials.cell(2, "angles")) ==
+                nlohmann::json{{"avatar", {7.5, 4.25}}, {"headset", {3.5, 9.0}}, {"desktop", {12.5, 2.25}}});
+            CHECK(trials.cell(2, "least_angle_avatar_deg") == "4.25");
+            CHECK(trials.cell(2, "least_angle_headset_deg") == "3.5");
+            CHECK(trials.cell(2, "least_angle_desktop_deg") == "2.25");
+            const tests::CsvTable responses(readFile((folder / "") / (station + "/responses.csv")).value());
+            CHECK(responses.has({{"clip", "0"}, {"author", "A07"}, {"author_trial", "2"}}));
         }
     }
 }

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "answers_text.hpp"
+#include "csv_table.hpp"
 #include "fixtures.hpp"
 #include "page_text.hpp"
 #include "results/outputs/analysis_json.hpp"
@@ -73,10 +75,12 @@ TEST_SUITE("results/analysis_choices") {
         const json out = json::parse(analysisJson(result));
         CHECK(out["confusion"][0] == json{{"system", "x"}, {"role", "target"}, {"chosen", 1}, {"shown", 4}});
         CHECK(out["target_space"][0]["z_m"] == 1.0);
-        std::string csv;
-        for (const auto& [name, bytes] : analysisTables(result, TableFormat::csv))
-            if (name == "confusion.csv") csv = bytes;
-        CHECK(contains(csv, "x,nearest 1,2,4,0.5"));
+        CHECK(tests::CsvTable(fixtures::csvOf(result, "confusion.csv"))
+                  .has({{"system", "x"},
+                        {"role", "nearest 1"},
+                        {"chosen", "2"},
+                        {"shown", "4"},
+                        {"share", "0.5"}}));
         CHECK(contains(pageText(renderReport(result)), "50.0\u00a0% (2 of 4)|"));
     }
 

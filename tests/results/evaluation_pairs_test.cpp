@@ -1,14 +1,15 @@
 // Systems of an evaluation against each other, by answers that NumPy and SciPy gave.
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/csv.hpp"
 #include "oracles.hpp"
-#include "page_text.hpp"
 #include "results/evaluation/evaluation.hpp"
 #include "text.hpp"
+#include "xml.hpp"
 
 using namespace deixis;
 using namespace deixis::results;
@@ -84,11 +85,23 @@ TEST_SUITE("results/evaluation_pairs") {
     TEST_CASE("The page has a table of the pairs, and none of a single system") {
         const auto example = oracles("evaluation_pairs")[1];
         const std::string page = renderEvaluation(evaluatedClips(example["clips"]));
-        CHECK(contains(page, ">Systems compared</h2>"));
-        // a - b: p 0.0158 and 0.121 after Holm; a - elsewhere: no target in common.
-        CHECK(contains(pageText(page), "a \u2013 b|60|0.024|0.070|0.5|"));
-        CHECK(contains(pageText(page), "|0.016|0.121|\n"));
-        CHECK(contains(pageText(page), "a \u2013 elsewhere|0|\u2013|"));
+        const deixis::tests::XmlDocument document(page);
+        CHECK(document.count("//h:h2[.='Systems compared']") == 1);
+        const auto& right = example["pairs"][0];
+        REQUIRE(right["b"] == "b");
+        const auto cells = document.texts("//h:tr[h:th='a \u2013 b']/*");
+        REQUIRE(cells.size() >= 7);
+        CHECK(cells[1] == right["n"].dump());
+        CHECK(cells[2] == fmt::format("{:.3f}", right["mean_difference"].get<double>()));
+        CHECK(cells[3] == fmt::format("{:.3f}", right["sd"].get<double>()));
+        CHECK(cells[4] == fmt::format("{:.1f}", right["mean_difference_deg"].get<double>()));
+        CHECK(cells[cells.size() - 2] == fmt::format("{:.3f}", right["p"].get<double>()));
+        CHECK(cells.back() == fmt::format("{:.3f}", right["p_holm"].get<double>()));
+        // No target in common.
+        const auto none = document.texts("//h:tr[h:th='a \u2013 elsewhere']/*");
+        REQUIRE(none.size() == cells.size());
+        CHECK(none[1] == "0");
+        CHECK(none[2] == "\u2013");
         nlohmann::json alone = nlohmann::json::array();
         for (const auto& clip : example["clips"])
             if (clip["system"] == "a") alone.push_back(clip);

@@ -10,6 +10,7 @@
 
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "csv_table.hpp"
 #include "fixtures.hpp"
 #include "results/copies/data_export.hpp"
 #include "results/participants/participants.hpp"
@@ -22,28 +23,8 @@ using deixis::tests::contains;
 
 namespace {
 
-struct Table {
-    std::vector<std::string> header;
-    std::vector<std::vector<std::string>> rows;
-    [[nodiscard]] std::size_t column(const std::string& name) const {
-        const auto found = std::find(header.begin(), header.end(), name);
-        REQUIRE_MESSAGE(found != header.end(), name);
-        return static_cast<std::size_t>(found - header.begin());
-    }
-    [[nodiscard]] const std::string& cell(std::size_t row, const std::string& name) const {
-        return rows.at(row).at(column(name));
-    }
-};
-
-Table tableOf(const std::filesystem::path& file) {
-    const auto bytes = readFile(file);
-    REQUIRE(bytes);
-    const auto records = parseCsv(*bytes, file.string());
-    REQUIRE(records);
-    Table table;
-    table.header = records->front().fields;
-    for (std::size_t i = 1; i < records->size(); ++i) table.rows.push_back((*records)[i].fields);
-    return table;
+tests::CsvTable tableOf(const std::filesystem::path& file) {
+    return tests::CsvTable(readFile(file).value());
 }
 
 const std::string formula = "=HYPERLINK(\"http://x\",\"y\")";
@@ -108,7 +89,7 @@ TEST_SUITE("results/export") {
               std::set<std::string>{"responses.csv", "trials.csv", "sessions.csv", "events.csv",
                                     "participants.csv", "scores.csv", "questions.csv", "tracking.csv",
                                     "codebook.json"});
-        const Table responses = tableOf(folder / "out/responses.csv");
+        const tests::CsvTable responses = tableOf(folder / "out/responses.csv");
         std::map<std::string, std::size_t> by_question;
         for (std::size_t i = 0; i < responses.rows.size(); ++i)
             if (responses.cell(i, "participant") == "Anna7") by_question[responses.cell(i, "question")] = i;
@@ -125,7 +106,7 @@ TEST_SUITE("results/export") {
         CHECK(responses.cell(choice, "balls") == "3");
         CHECK(responses.cell(choice, "group_style") == "calm");
         CHECK(responses.cell(choice, "field_age") == "31");
-        const Table people = tableOf(folder / "out/participants.csv");
+        const tests::CsvTable people = tableOf(folder / "out/participants.csv");
         REQUIRE(people.rows.size() == 2);
         CHECK(people.cell(0, "participant") == "Anna7");
         CHECK(people.cell(0, "number") == "7");
@@ -134,10 +115,10 @@ TEST_SUITE("results/export") {
         CHECK(people.cell(0, "group_style") == "calm");
         CHECK(people.cell(0, "answered") == "4");
         CHECK(people.cell(0, "planned") == "10");
-        const Table scores = tableOf(folder / "out/scores.csv");
+        const tests::CsvTable scores = tableOf(folder / "out/scores.csv");
         REQUIRE(scores.rows.size() == 2);
         CHECK(scores.cell(0, "value") == "70");  // (12 + (20 - 4)) / 2 x 5
-        const Table tracking = tableOf(folder / "out/tracking.csv");
+        const tests::CsvTable tracking = tableOf(folder / "out/tracking.csv");
         REQUIRE(tracking.rows.size() == 200);
         CHECK(std::stod(tracking.cell(9, "display_time_s")) == doctest::Approx(10.0 / 90.0).epsilon(1e-5));
         CHECK(std::stod(tracking.cell(9, "head_y_m")) == doctest::Approx(1.65).epsilon(1e-4));
@@ -155,7 +136,7 @@ TEST_SUITE("results/export") {
         const auto codebook = nlohmann::json::parse(readFile(folder / "out/codebook.json").value());
         int columns = 0;
         for (const auto& part : codebook["hasPart"]) {
-            const Table table = tableOf(folder / "out" / part["name"].get<std::string>().c_str());
+            const tests::CsvTable table = tableOf(folder / "out" / part["name"].get<std::string>().c_str());
             CHECK(table.rows.size() == part["rows"].get<std::size_t>());
             REQUIRE(table.header.size() == part["variableMeasured"].size());
             for (std::size_t i = 0; i < table.header.size(); ++i) {
@@ -176,13 +157,13 @@ TEST_SUITE("results/export") {
         const std::string all = everythingIn(folder / "out");
         for (const char* secret : {"Anna", "Bert", "HYPERLINK", "glasses", "2023-11", "made by a test"})
             CHECK_MESSAGE(!contains(all, secret), secret);
-        const Table people = tableOf(folder / "out/participants.csv");
+        const tests::CsvTable people = tableOf(folder / "out/participants.csv");
         REQUIRE(people.rows.size() == 2);
         CHECK(people.cell(0, "participant") == "A001");
         CHECK(people.cell(1, "participant") == "A002");
         CHECK(people.cell(0, "field_age") == "31");
         CHECK(people.cell(0, "field_remark").empty());
-        const Table events = tableOf(folder / "out/events.csv");
+        const tests::CsvTable events = tableOf(folder / "out/events.csv");
         CHECK(events.cell(0, "kind") == "session_start");
         CHECK(events.cell(0, "time_s") == "0");
         CHECK(events.cell(1, "time_s") == "1");
@@ -257,7 +238,7 @@ TEST_SUITE("results/export") {
             store.record(fixtures::answer(plan.trials[1], 4), study, plan, fixtures::clips(plan));
         }
         REQUIRE(exportCsv(folder / "a.sqlite", folder / "out", {}));
-        const Table responses = tableOf(folder / "out/responses.csv");
+        const tests::CsvTable responses = tableOf(folder / "out/responses.csv");
         REQUIRE(responses.rows.size() == 1);
         CHECK(responses.cell(0, "value") == "4");
     }
@@ -281,7 +262,7 @@ TEST_SUITE("results/export") {
             }
         }
         REQUIRE(exportCsv(folder / "a.sqlite", folder / "out", {}));
-        const Table trials = tableOf(folder / "out/trials.csv");
+        const tests::CsvTable trials = tableOf(folder / "out/trials.csv");
         CHECK(trials.cell(2, "visibility").empty());
         CHECK(trials.cell(2, "least_seen_headset").empty());
         CHECK(trials.cell(3, "visibility") ==
@@ -289,7 +270,7 @@ TEST_SUITE("results/export") {
               R"("desktop":{"at_rest":[1.0,0.3,1.0],"pointing":[0.9,1.0,1.0]}})");
         CHECK(trials.cell(3, "least_seen_headset") == "0.942");
         CHECK(trials.cell(3, "least_seen_desktop") == "0.3");
-        const Table responses = tableOf(folder / "out/responses.csv");
+        const tests::CsvTable responses = tableOf(folder / "out/responses.csv");
         REQUIRE(responses.rows.size() == 2);
         CHECK(responses.cell(1, "viewer_x_m") == "0.75");
         CHECK(responses.cell(1, "viewer_z_m") == "-1.25");

@@ -5,6 +5,7 @@
 
 #include "answers_text.hpp"
 #include "core/files.hpp"
+#include "csv_table.hpp"
 #include "fixtures.hpp"
 #include "results/answers/long_table.hpp"
 #include "results/outputs/analysis_tables.hpp"
@@ -175,7 +176,7 @@ TEST_SUITE("results/long_table_foreign") {
             "participant,system,rating,\"=a, b\"\nP1,-x,1,\"+1,\"\nP1,y,2,q\nP2,-x,3,q\nP2,y,4,\"+1,\"\n",
             {{}, {"=a, b"}});
         const std::string answers = fixtures::csvOf(result, "answers.csv");
-        CHECK(contains(answers, ",\"'=a, b\"\r\n"));
+        CHECK(tests::CsvTable(answers).header.back() == "'=a, b");
         const fixtures::Folder folder;
         const auto again = foreignTable(answers, {{}, {"=a, b"}});
         REQUIRE(again.within.size() == 1);

@@ -102,7 +102,7 @@ TEST_SUITE("results/recording thread") {
             expected += (i > 0 ? "," : "") + ("n" + std::to_string(i));
         }
         session.thread->finish();
-        CHECK(session.text("SELECT group_concat(kind) FROM (SELECT kind FROM events ORDER BY id)") ==
+        CHECK(session.text("SELECT group_concat(detail) FROM (SELECT detail FROM events ORDER BY id)") ==
               expected);
         CHECK(session.thread->allKept());
     }

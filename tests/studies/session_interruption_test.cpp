@@ -149,10 +149,10 @@ TEST_SUITE("studies/session_interruption") {
             Driver driver(1);
             driver.start();
             driver.step();
-            driver.step(pauseFor(reason));
+            driver.step(pauseFor(page.reason));
             REQUIRE(driver.frame.panel.has_value());
             const std::string text = textOf(*driver.frame.panel);
-            for (const std::string& word : words) CHECK(text.find(word) != std::string::npos);
+            for (const std::string& word : page.words) CHECK(text.find(word) != std::string::npos);
             CHECK(text.find("your answers so far are kept") != std::string::npos);
             CHECK(hasButton(driver.frame, button_id::resume));
             CHECK(hasButton(driver.frame, button_id::end_session));

@@ -36,7 +36,7 @@ constexpr double minute_s = 60.0;
 TEST_SUITE("studies/simulated_stall") {
     TEST_CASE("a trial without an answer for half an hour ends the session, with what it waited for") {
         SimulatedStation station(slowDisplay(), motion::referenceHumanoid(), 1);
-        PresentedFrame frame = frameOf("game 12/40");
+        PresentedFrame frame = frameOf({"game", 12, 40});
         for (const double x : {-0.3, 0.3})
             frame.balls.push_back({{x, 1.65, 0.4}, 0.05, BallLook::selectable});
         show(station, frame, 29.0 * minute_s);
@@ -52,16 +52,16 @@ TEST_SUITE("studies/simulated_stall") {
 
     TEST_CASE("another trial, or a page that counts down, is progress") {
         SimulatedStation station(slowDisplay(), motion::referenceHumanoid(), 1);
-        for (int trial = 1; trial <= 5; ++trial)
-            show(station, frameOf("game " + std::to_string(trial) + "/5"), 20.0 * minute_s);
-        for (int left = 3600; left > 0; --left) show(station, frameOf("break, " + std::to_string(left)), 1.0);
+        for (int trial = 1; trial <= 5; ++trial) show(station, frameOf({"game", trial, 5}), 20.0 * minute_s);
+        for (int left = 3600; left > 0; --left)
+            show(station, frameOf({"break", 0, 0, std::to_string(left)}), 1.0);
         CHECK_FALSE(station.failure().has_value());
     }
 
     TEST_CASE("a board is told by what it asks for") {
         const auto failureOf = [](const BoardByHand& board) {
             SimulatedStation station(slowDisplay(), motion::referenceHumanoid(), 1);
-            PresentedFrame frame = frameOf("rating 1/2");
+            PresentedFrame frame = frameOf({"rating", 1, 2});
             frame.panel = board.panel;
             show(station, frame, 31.0 * minute_s);
             REQUIRE(station.failure().has_value());

@@ -24,8 +24,8 @@ struct Tally {
     [[nodiscard]] double accuracy() const { return static_cast<double>(correct) / chosen; }
 };
 
-/// Thirty targets, each shown by the systems in both stages.
-std::string thirtyTargets(const std::vector<std::string>& systems) {
+/// Thirty targets, each shown by the systems in both stages; with fewer to be rated, no game.
+std::string thirtyTargets(const std::vector<std::string>& systems, int ratings = 30) {
     std::string text = R"(
 [study]
 name = "thirty"
@@ -63,6 +63,9 @@ layouts = ["across", "side-by-side"]
 distances = ["near"]
 question = "Which ball?"
 )";
+    const std::string items = "items = 30";  // of the ratings, which come first
+    text.replace(text.find(items), items.size(), fmt::format("items = {}", ratings));
+    if (ratings < 30) text = text.substr(0, text.find("[[stages]]\nname = \"game\""));
     for (const std::string& system : systems)
         text += fmt::format("[[systems]]\nname = \"{0}\"\ngenerator = \"{0}\"\n", system);
     return text;
@@ -232,22 +235,40 @@ TEST_SUITE("studies/simulated_study") {
     }
 
     TEST_CASE(
-        "over 30 targets stiff is the least natural of the accurate systems and drifting the least "
-        "accurate") {
+        "over 30 targets drifting is the least accurate, and the nearest demonstration less than direct") {
         const Prepared prepared(written(thirtyTargets(motion::generatorNames())));
         auto found = tallies(prepared, {}, 3);
         REQUIRE(found.size() == 4);
-        CHECK(found["demonstration-nn"].naturalness() > 3.7);
-        CHECK(found["demonstration-nn"].naturalness() < 4.3);
-        CHECK(found["direct"].naturalness() > 3.7);
-        CHECK(found["stiff"].naturalness() > 2.1);
-        CHECK(found["stiff"].naturalness() < 2.9);
-        CHECK(found["drifting"].naturalness() > 2.3);
-        CHECK(found["drifting"].naturalness() < 3.2);
         CHECK(found["drifting"].accuracy() < found["demonstration-nn"].accuracy() - 0.1);
         CHECK(found["demonstration-nn"].accuracy() < found["direct"].accuracy());
-        CHECK(found["direct"].accuracy() > 0.85);
-        CHECK(found["stiff"].accuracy() > 0.85);
+        CHECK(found["demonstration-nn"].accuracy() < found["stiff"].accuracy());
+    }
+
+    // What docs/systems.md says of how each moves, whatever weight a cue is given.
+    TEST_CASE("who minds one cue only finds the systems that lack it") {
+        const Prepared prepared(written(thirtyTargets(motion::generatorNames(), 10)));
+        const auto ratings = [&prepared](double SimulatedParameters::*cue) {
+            SimulatedParameters minds;
+            minds.rating_base = 1.0;
+            minds.rating_profile_weight = minds.rating_participation_weight = minds.rating_steadiness_weight =
+                0.0;
+            minds.rating_bias_between = minds.rating_noise_within = 0.0;
+            minds.*cue = 4.0;
+            std::map<std::string, double> out;
+            for (const auto& [system, tally] : tallies(prepared, minds, 1)) out[system] = tally.naturalness();
+            return out;
+        };
+        auto profile = ratings(&SimulatedParameters::rating_profile_weight);
+        auto participation = ratings(&SimulatedParameters::rating_participation_weight);
+        auto steadiness = ratings(&SimulatedParameters::rating_steadiness_weight);
+        for (const std::string human_like : {"demonstration-nn", "direct"}) {
+            CAPTURE(human_like);
+            CHECK(profile["stiff"] < profile[human_like] - 1.0);  // a steady speed against minimum jerk
+            CHECK(participation["stiff"] < participation[human_like] - 1.0);
+            CHECK(steadiness["drifting"] < steadiness[human_like] - 1.0);
+        }
+        CHECK(participation["stiff"] == 1.0);  // nothing but the arm moves
+        CHECK(steadiness["drifting"] < steadiness["stiff"] - 1.0);
     }
 
     TEST_CASE("without noise it finds every target of a system that points exactly") {

@@ -13,8 +13,7 @@ using namespace deixis;
 using namespace deixis::tests;
 
 TEST_SUITE("studies/standing") {
-    TEST_CASE(
-        "A layout's place for a desktop is used there and by simulated participants, not in a headset.") {
+    TEST_CASE("A layout's place for a desktop is used there, not in a headset") {
         Study study;
         study.layouts = {{"across", 0.0, 3.4, 180.0},
                          {"side-by-side", -1.2, 0.0, 30.0, ViewerPlace{-1.2, -1.0, 20.0}}};

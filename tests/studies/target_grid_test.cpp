@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "csv_table.hpp"
+
 using namespace deixis;
 using namespace deixis::studies;
 
@@ -29,7 +31,9 @@ TEST_SUITE("studies/target_grid") {
             for (const auto& item : *grid) places.insert(item.target[axis]);
             CHECK(places.size() == 10);
         }
-        CHECK(targetsCsv(*grid, {}).find("\nG1000,2.0000,2.2000,2.2000\n") != std::string::npos);
+        const deixis::tests::CsvTable table(targetsCsv(*grid, {}));
+        REQUIRE(table.rows.size() == 1000);
+        CHECK(table.has({{"target_id", "G1000"}, {"x", "2.0000"}, {"y", "2.2000"}, {"z", "2.2000"}}));
     }
 
     TEST_CASE("A number that is no third power is refused with the nearest that are") {

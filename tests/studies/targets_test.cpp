@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/hash.hpp"
+#include "xml.hpp"
 
 using namespace deixis;
 using namespace deixis::studies;
@@ -339,32 +340,36 @@ TEST_SUITE("studies/targets") {
         space.from_manifest = "clips.csv";
         std::vector<TargetItem> items{{"a", {0.5, 1.0, 2.0}}, {"b", {-0.5, 1.2, 1.0}}, {"c", {}, false}};
         const std::string svg = targetsSvg(space, items, {});
-        CHECK(svg.find("2 targets") != std::string::npos);
-        CHECK(svg.find("limits of the ranges") == std::string::npos);
-        CHECK(svg.find("stroke-dasharray") == std::string::npos);
+        const deixis::tests::XmlDocument picture(svg);
+        CHECK(picture.text().find("2 targets") != std::string::npos);
+        CHECK(picture.text().find("limits of the ranges") == std::string::npos);
+        CHECK(picture.count("//@stroke-dasharray") == 0);
         CHECK(svg.find("nan") == std::string::npos);
-        CHECK(targetsSvg(paperLike(), items, {}).find("stroke-dasharray") != std::string::npos);
+        CHECK(deixis::tests::XmlDocument(targetsSvg(paperLike(), items, {})).count("//@stroke-dasharray") >
+              0);
     }
 
     TEST_CASE("The picture shows every target in all three views, and demonstrations in their own colour.") {
         const std::vector<TargetItem> targets = sampled(paperLike(), 9);
-        const auto count = [](const std::string& text, const std::string& part) {
-            int found = 0;
-            for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-            return found;
+        // One view is shaded; each of the two others has a plain disc of the shade's own colour.
+        const auto drawn = [](const deixis::tests::XmlDocument& picture, const std::string& what) {
+            const auto colours = picture.texts("//s:radialGradient[@id='" + what + "']/s:stop/@stop-color");
+            int flat = 0;
+            for (const std::string& colour : colours)
+                flat += picture.count("//s:circle[@fill='" + colour + "']");
+            return std::pair(picture.count("//s:circle[@fill='url(#" + what + ")']"), flat);
         };
-        const std::string alone = targetsSvg(paperLike(), targets, {});
-        CHECK(alone.rfind("<svg ", 0) == 0);
-        CHECK(alone.find("</svg>\n") == alone.size() - 7);
-        CHECK(count(alone, "fill=\"url(#target)\"") == 101);  // and one in the legend
-        CHECK(count(alone, "fill=\"#d1263c\"") == 200);
-        CHECK(count(alone, "demonstrations") == 0);
-        const std::string both = targetsSvg(paperLike(), targets, {{0.5, 1.0, 2.0}, {-0.5, 1.0, 2.0}});
-        CHECK(count(both, "fill=\"url(#demonstration)\"") == 3);
-        CHECK(count(both, "fill=\"#2468b2\"") == 4);
-        CHECK(both.find("2 demonstrations") != std::string::npos);
-        CHECK(count(both, "nan") == 0);
-        CHECK(count(both, "inf") == 0);
+        const deixis::tests::XmlDocument alone(targetsSvg(paperLike(), targets, {}));
+        CHECK(alone.count("/s:svg") == 1);
+        CHECK(drawn(alone, "target") == std::pair(101, 200));  // and one in the legend
+        CHECK(alone.text().find("demonstrations") == std::string::npos);
+        const std::string svg = targetsSvg(paperLike(), targets, {{0.5, 1.0, 2.0}, {-0.5, 1.0, 2.0}});
+        const deixis::tests::XmlDocument both(svg);
+        CHECK(drawn(both, "target") == std::pair(101, 200));
+        CHECK(drawn(both, "demonstration") == std::pair(3, 4));
+        CHECK(both.text().find("2 demonstrations") != std::string::npos);
+        CHECK(svg.find("nan") == std::string::npos);
+        CHECK(svg.find("inf") == std::string::npos);
     }
 
     TEST_CASE("Kept targets come back bit by bit, with those that have no place") {
