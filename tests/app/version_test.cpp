@@ -5,6 +5,7 @@
 
 #include "program.hpp"
 #include "text.hpp"
+#include "xml.hpp"
 
 using namespace deixis::tests;
 using deixis::tests::contains;
@@ -81,7 +82,9 @@ TEST_SUITE("app/version") {
             CHECK(build["libraries"] == lineOf(told, "libraries"));
         }
         for (const char* page : {"r.html", "e.html"})
-            CHECK(contains(slurp(scratch / page), "<dt>Compiler</dt><dd>" + lineOf(told, "compiler")));
+            for (const std::string& compiler :
+                 XmlDocument(slurp(scratch / page)).texts("//h:dt[.='Compiler']/following-sibling::h:dd[1]"))
+                CHECK(compiler.starts_with(lineOf(told, "compiler")));
     }
 
     TEST_CASE(
