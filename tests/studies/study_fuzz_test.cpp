@@ -51,8 +51,8 @@ TEST_SUITE("studies/study_fuzz") {
             const std::vector<std::string> lines = linesOf(readText(path));
             constexpr const char* values[] = {"-1", "1e300", "\"\"", "\"@\"",      "true", "[]",
                                               "{}", "[[1]]", "[{}]", "1979-05-27", "nan",  "\"x\""};
-            // full.toml has every key, and takes a third of the values for each; the shipped study is long, with
-            // texts in its midst: some of its lines.
+            // full.toml has every key, and takes a third of the values for each; the shipped study is long,
+            // with texts in its midst: some of its lines.
             const bool full = path.filename() == "full.toml";
             const std::size_t values_a_line = full ? 4 : 2;
             int failures = 0;
