@@ -12,6 +12,7 @@
 #include "core/csv.hpp"
 #include "core/files.hpp"
 #include "core/foreign_csv.hpp"
+#include "core/text.hpp"
 #include "results/statistics/rounded_fraction.hpp"
 
 namespace deixis::app {
@@ -20,12 +21,6 @@ namespace {
 
 using results::Rational;
 using Cell = std::optional<Rational>;
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// As the answers of `deixis report`.
 bool isMissing(std::string_view text) {

@@ -3,6 +3,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace deixis::app {
 
 namespace {
@@ -12,10 +14,7 @@ constexpr double double_click_s = 0.4;
 
 // Without the blanks at its ends.
 std::string trimmed(const OperatorDesk::Text& text) {
-    const std::string whole(text.data());
-    const auto first = whole.find_first_not_of(" \t\r\n");
-    if (first == std::string::npos) return "";
-    return whole.substr(first, whole.find_last_not_of(" \t\r\n") - first + 1);
+    return std::string(deixis::trimmed(text.data()));
 }
 
 }  // namespace

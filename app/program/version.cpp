@@ -10,13 +10,12 @@
 #include <libpq-fe.h>
 #endif
 
-#include <algorithm>
-#include <cctype>
 #include <glm/detail/setup.hpp>
 #include <sstream>
 #include <string_view>
 
 #include "core/files.hpp"
+#include "core/text.hpp"
 
 namespace deixis::app {
 
@@ -37,9 +36,7 @@ std::string compiler() {
 }
 
 std::string buildType() {
-    std::string type = DEIXIS_BUILD_TYPE;
-    std::transform(type.begin(), type.end(), type.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::string type = lowerCase(DEIXIS_BUILD_TYPE);
     if (type.empty()) type = "none";
     const std::string_view sanitizers = DEIXIS_SANITIZERS;
     return sanitizers.empty() ? type : fmt::format("{}, sanitizers {}", type, sanitizers);

@@ -25,6 +25,7 @@
 #include "app/study/study_under_way.hpp"
 #include "app/study_commands/study_commands.hpp"
 #include "assets/data/data_paths.hpp"
+#include "core/text.hpp"
 #include "core/utc.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "results/participants/participants.hpp"
@@ -338,8 +339,7 @@ void addRunCommand(Parser cli, Command& chosen) {
                    "Why the study's files were changed since it began; the reason is kept, and new "
                    "participants get the new files")
         .check([](const std::string& reason) {
-            return reason.find_first_not_of(" \t") == std::string::npos ? "needs a reason in words"
-                                                                        : std::string();
+            return trimmed(reason).empty() ? "needs a reason in words" : std::string();
         });
     command.addOption("--report", options->report, "HTML report to write [beside the database]");
     command.addOption("--stimuli", options->stimuli,

@@ -10,6 +10,7 @@
 #include "assets/joints/bvh.hpp"
 #include "bvh_motion.hpp"
 #include "bvh_text.hpp"
+#include "core/text.hpp"
 #include "length_unit.hpp"
 #include "packed_file.hpp"
 
@@ -52,7 +53,7 @@ class Parser {
     }
 
     Result<void> expect(std::string_view word) {
-        if (const auto found = in_.word(); !sameWord(found, word))
+        if (const auto found = in_.word(); !sameLetters(found, word))
             return wrong(in_.wordLine(), "found " + quoted(found) + ", expected '" + std::string(word) + "'");
         return {};
     }
@@ -108,7 +109,7 @@ class Parser {
         for (int i = 0; i < static_cast<int>(*count); ++i) {
             const auto word = in_.word();
             const auto at = std::find_if(channel_names.begin(), channel_names.end(),
-                                         [&](std::string_view name) { return sameWord(name, word); });
+                                         [&](std::string_view name) { return sameLetters(name, word); });
             if (at == channel_names.end())
                 return wrong(in_.wordLine(), "found channel " + quoted(word) +
                                                  ", expected Xposition, Yposition, Zposition, Xrotation, "
@@ -144,18 +145,18 @@ class Parser {
             const auto word = in_.word();
             const auto joint = static_cast<std::size_t>(open.back());
             Result<void> done{};
-            if (sameWord(word, "}")) {
+            if (sameLetters(word, "}")) {
                 open.pop_back();
-            } else if (sameWord(word, "OFFSET")) {
+            } else if (sameLetters(word, "OFFSET")) {
                 const auto value = offset();
                 if (!value) return tl::unexpected(value.error());
                 clip_.skeleton.joints[joint].rest.position = *value;
-            } else if (sameWord(word, "CHANNELS")) {
+            } else if (sameLetters(word, "CHANNELS")) {
                 done = channelList(joint);
-            } else if (sameWord(word, "JOINT")) {
+            } else if (sameLetters(word, "JOINT")) {
                 done = openJoint(open.back());
                 open.push_back(clip_.skeleton.size() - 1);
-            } else if (sameWord(word, "End")) {
+            } else if (sameLetters(word, "End")) {
                 done = endSite(joint);
             } else {
                 return wrong(in_.wordLine(), "found " + quoted(word) + " in joint '" +
@@ -165,10 +166,10 @@ class Parser {
             if (!done) return done;
         }
         const auto word = in_.word();
-        if (sameWord(word, "ROOT"))
+        if (sameLetters(word, "ROOT"))
             return wrong(in_.wordLine(), "found a second ROOT, expected one figure in a file",
                          "Split the file into one file for each figure");
-        if (!sameWord(word, "MOTION"))
+        if (!sameLetters(word, "MOTION"))
             return wrong(in_.wordLine(), "found " + quoted(word) + ", expected 'MOTION'");
         if (values_per_frame_ == 0)
             return wrong(in_.wordLine(), "found no channels, expected a figure that can move");

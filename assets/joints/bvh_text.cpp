@@ -2,25 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "assets/joints/decimal.hpp"
-
 namespace deixis::assets {
-
-namespace {
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-}  // namespace
-
-bool sameWord(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return lower(x) == lower(y); });
-}
 
 std::string quoted(std::string_view word) {
     constexpr std::size_t longest = 40;
@@ -29,13 +11,8 @@ std::string quoted(std::string_view word) {
 }
 
 Result<double> wholeNumber(std::string_view word, const std::string& where, const char* what) {
-    double value = 0.0;
-    std::string_view digits = word;
-    if (digits.size() > 1 && digits.front() == '+' && digits[1] != '-') digits.remove_prefix(1);
-    const char* end = digits.data() + digits.size();
-    if (digits.empty() || readDecimal(digits.data(), end, value) != end || !std::isfinite(value))
-        return fail(where, "found " + quoted(word) + ", expected a finite number for " + what);
-    return value;
+    if (const auto value = finiteNumber(word)) return *value;
+    return fail(where, "found " + quoted(word) + ", expected a finite number for " + what);
 }
 
 std::string_view BvhText::word() {

@@ -10,9 +10,6 @@
 
 namespace deixis::assets {
 
-/// Letters in any case.
-[[nodiscard]] bool sameWord(std::string_view a, std::string_view b);
-
 /// The word as errors show it: cut where it is long, "the end of the file" where it is empty.
 [[nodiscard]] std::string quoted(std::string_view word);
 

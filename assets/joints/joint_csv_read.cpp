@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -20,8 +19,8 @@ bool joins(char c) {
 }
 
 int axisOf(char c) {
-    const int lower = std::tolower(static_cast<unsigned char>(c));
-    return lower >= 'x' && lower <= 'z' ? lower - 'x' : -1;
+    const auto found = std::string_view("xyzXYZ").find(c);
+    return found == std::string_view::npos ? -1 : static_cast<int>(found % 3);
 }
 
 struct Coordinate {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "assets/tables/target_list.hpp"
 #include "core/csv.hpp"
 #include "core/files.hpp"
+#include "core/number.hpp"
 
 namespace deixis::assets {
 
@@ -81,12 +81,15 @@ class RowReader {
     template <typename Number>
     Number number(Column column, std::string_view expected) {
         const std::string& found = record_.fields[places_[column]];
-        Number value{};
-        const auto [last, code] = std::from_chars(found.data(), found.data() + found.size(), value);
-        bool good = code == std::errc() && last == found.data() + found.size();
-        if constexpr (std::is_floating_point_v<Number>) good = good && std::isfinite(value);
-        if (!good) problem(column, fmt::format("found '{}', expected {}", found, expected));
-        return value;
+        if constexpr (std::is_floating_point_v<Number>) {
+            if (const auto value = finiteNumber(found)) return *value;
+        } else if constexpr (std::is_unsigned_v<Number>) {
+            if (const auto value = naturalNumber(found)) return *value;
+        } else if (const auto value = wholeNumber(found); value && std::in_range<Number>(*value)) {
+            return static_cast<Number>(*value);
+        }
+        problem(column, fmt::format("found '{}', expected {}", found, expected));
+        return {};
     }
 
     double coordinate(Column column) {

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace deixis::motion {
 
 namespace {
@@ -88,16 +90,15 @@ PlainName plainName(std::string_view name) {
             plain.core += word;
         word.clear();
     };
-    for (const char c : name) {
+    for (const char c : lowerCase(name)) {
         if (c == '_' || c == ' ' || c == '.' || c == '-')
             finishWord();
         else
-            word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            word += c;
     }
     finishWord();
     if (takePrefix(plain.core, "mixamorig"))
-        while (!plain.core.empty() && std::isdigit(static_cast<unsigned char>(plain.core.front())) != 0)
-            plain.core.erase(0, 1);
+        while (!plain.core.empty() && isDigit(plain.core.front())) plain.core.erase(0, 1);
     if (takePrefix(plain.core, "left"))
         plain.side = Side::left;
     else if (takePrefix(plain.core, "right"))

@@ -153,7 +153,7 @@ Result<ParticipantDetails> showParticipant(const std::filesystem::path& database
 
 Result<void> excludeParticipant(const std::filesystem::path& database, const std::string& participant,
                                 const std::string& reason) {
-    if (reason.find_first_not_of(" \t\n") == std::string::npos)
+    if (trimmed(reason).empty())
         return fail(database.string(),
                     fmt::format("participant {} is to be excluded, but no reason is given", participant),
                     "Say why: the reason is kept and reported");

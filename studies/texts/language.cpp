@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "core/text.hpp"
 #include "studies/texts/language_words.hpp"
 #include "studies/texts/toml_table.hpp"
 
@@ -68,7 +69,7 @@ void checkText(std::string_view key, std::string_view english, const toml::node&
         problems.push_back({line, key, "this must be a text in quotation marks"});
         return;
     }
-    if (text->get().find_first_not_of(" \t\r\n") == std::string::npos) {
+    if (trimmed(text->get()).empty()) {
         problems.push_back({line, key, fmt::format("the text is empty; in English it is \"{}\"", english)});
         return;
     }

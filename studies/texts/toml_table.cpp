@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "studies/texts/study_texts.hpp"
 
 namespace deixis::studies {
@@ -31,14 +32,14 @@ std::string unwrapped(std::string_view text) {
     bool new_paragraph = false;
     std::istringstream lines{std::string(text)};
     for (std::string line; std::getline(lines, line);) {
-        const auto begin = line.find_first_not_of(" \t\r");
-        if (begin == std::string::npos) {
+        const std::string_view words = trimmed(line);
+        if (words.empty()) {
             new_paragraph = true;
             continue;
         }
         if (!out.empty()) out += new_paragraph ? "\n\n" : " ";
         new_paragraph = false;
-        out += line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);
+        out += words;
     }
     return out;
 }
