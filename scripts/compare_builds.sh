@@ -17,7 +17,7 @@ for which in 1 2; do
         "$program" report study.sqlite -o "$study.html" --json "$study.json" --csv "$study-csv" --latex "$study-latex" >/dev/null
         sqlite3 -readonly study.sqlite \
             "select participant, trial_index, status, chosen_place, response_time_s, question, stimulus, value, text
-             from responses left join answers on response = id order by 1, 2, position" >"$study-answers.txt"
+             from responses_flat order by 1, 2, question, stimulus" >"$study-answers.txt"
         sed -i -E 's#<dt>(Compiler|Build type|Libraries)</dt><dd>[^<]*</dd>##g' "$study.html"
         sed -i -E '/^ +"(compiler|build_type|libraries)": /d' "$study.json"
         [ "$(wc -l <"$study-answers.txt")" -ge 40 ]

@@ -50,7 +50,7 @@ struct ChoicesMade {
 
 bool choiceCounts(const results::RecordedAnswer& answer) {
     const studies::Trial& trial = answer.trial.trial;
-    return !answer.superseded && trial.scored() && answer.trial.chosen_place >= 0;
+    return !answer.superseded && trial.scored() && answer.trial.chosenPlace() >= 0;
 }
 
 /// All scored choices of participants who count, one recording each.

@@ -70,19 +70,19 @@ Result<void> printChoices(const results::Recording& recording, const studies::Cl
     int choices = 0, same = 0, tracked = 0, tracked_same = 0;
     for (const results::RecordedAnswer& answer : recording.answers) {
         const studies::RecordedTrial& trial = answer.trial;
-        if (trial.chosen_place < 0 || !trial.pointer) continue;
+        if (trial.chosenPlace() < 0 || !trial.pointer) continue;
         ++choices;
         const int by_ray = studies::ballMetBy(trial, *trial.pointer);
-        same += by_ray == trial.chosen_place;
+        same += by_ray == trial.chosenPlace();
         std::string also;
         if (const auto ray = trackedRay(trial, clips, avatar, idle)) {
             ++tracked;
             const int by_tracking = studies::ballMetBy(trial, *ray);
-            tracked_same += by_tracking == trial.chosen_place;
+            tracked_same += by_tracking == trial.chosenPlace();
             also = fmt::format(", by the tracked hand {}", placeInWords(by_tracking));
         }
         fmt::print("trial {:>3}: chose {}, by the ray kept with the answer {}{}\n", trial.trial.index,
-                   placeInWords(trial.chosen_place), placeInWords(by_ray), also);
+                   placeInWords(trial.chosenPlace()), placeInWords(by_ray), also);
     }
     fmt::print("{} choices: {} the same from the ray kept with the answer; {} of {} from the tracked hand\n",
                choices, same, tracked_same, tracked);

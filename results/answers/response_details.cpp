@@ -106,14 +106,18 @@ void readBalls(SQLite::Database& database, const std::string& people, ResponseTa
     Statement rows(
         database,
         fmt::format(
-            "SELECT r.participant, s.system, t.target_id, t.balls, t.target_place, r.chosen_place, "
+            "SELECT r.participant, s.system, t.target_id, b.text, g.value, h.value, "
             "r.head_x_m, r.head_z_m, CASE WHEN e.synthetic THEN 'simulated' ELSE e.station END, t.angles, "
             "t.layout "
             "FROM responses AS r JOIN sessions AS e ON e.id = r.session JOIN {} AS p ON p.id = r.participant "
             "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+            "JOIN trial_values AS b ON b.participant = r.participant AND b.trial_index = r.trial_index AND "
+            "b.name = 'balls' JOIN trial_values AS g ON g.participant = r.participant AND g.trial_index = "
+            "r.trial_index AND g.name = 'target_place' "
+            "JOIN response_values AS h ON h.response = r.id AND h.name = 'chosen_place' "
             "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = "
             "r.trial_index AND s.position = 0 WHERE r.superseded IS NULL AND p.status = 'active' AND "
-            "s.scored AND t.balls IS NOT NULL AND r.chosen_place IS NOT NULL "
+            "s.scored "
             "ORDER BY r.participant, r.trial_index",
             people));
     while (rows.executeStep()) {

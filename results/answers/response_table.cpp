@@ -133,8 +133,10 @@ std::set<std::string> nameByScale(std::vector<StageScale>& scales) {
 std::pair<int, int> ballsIn(SQLite::Database& database, const std::string& stage) {
     Statement balls(
         database,
-        "SELECT coalesce(max(json_array_length(balls)), 0), coalesce(min(json_array_length(balls)), "
-        "0) FROM trials WHERE stage = ? AND check_kind IS NOT 'catch'");
+        "SELECT coalesce(max(json_array_length(b.text)), 0), coalesce(min(json_array_length(b.text)), 0) "
+        "FROM "
+        "trials JOIN trial_values AS b USING (participant, trial_index) WHERE stage = ? AND b.name = 'balls' "
+        "AND check_kind IS NOT 'catch'");
     balls.bind(1, stage);
     balls.executeStep();
     return {balls.getColumn(0).getInt(), balls.getColumn(1).getInt()};
@@ -290,11 +292,15 @@ void readRatings(SQLite::Database& database, const std::string& people, const Me
 void readChoices(SQLite::Database& database, const std::string& people, ResponseTable& table) {
     Statement rows(
         database,
-        fmt::format("SELECT {}, r.correct, json_array_length(t.balls), r.chosen_place IS NULL, r.status "
-                    "{}JOIN trial_stimuli AS s ON s.participant = r.participant AND "
-                    "s.trial_index = r.trial_index AND s.position = 0 WHERE {} AND t.balls IS NOT NULL "
-                    "ORDER BY r.participant, r.trial_index",
-                    row_columns, rowTables(people), row_counts));
+        fmt::format(
+            "SELECT {}, c.value, json_array_length(b.text), h.value IS NULL, r.status {}"
+            "JOIN trial_values AS b ON b.participant = r.participant AND b.trial_index = r.trial_index AND "
+            "b.name = 'balls' "
+            "LEFT JOIN response_values AS h ON h.response = r.id AND h.name = 'chosen_place' "
+            "LEFT JOIN response_values AS c ON c.response = r.id AND c.name = 'correct' "
+            "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = r.trial_index AND "
+            "s.position = 0 WHERE {} ORDER BY r.participant, r.trial_index",
+            row_columns, rowTables(people), row_counts));
     while (rows.executeStep()) {
         ResponseRow row = baseRow(rows, "accuracy");
         row.value = rows.getColumn(next_column).getInt();
@@ -348,9 +354,7 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
     return table;
 }
 
-}  // namespace
-
-Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& path) {
+Result<ResponseTable> readSound(SQLite::Database& database, const fs::path& path) {
     if (database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
         return fail(path.string(), "the database holds no study yet", "Run a session with it first");
     ResponseTable table = readTable(database, path, participantsStanding());
@@ -368,6 +372,19 @@ Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& 
                                 table.planned_participants),
                     "Run a session with it first");
     return table;
+}
+
+}  // namespace
+
+Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& path) {
+    try {
+        return readSound(database, path);
+    } catch (const nlohmann::json::exception& problem) {
+        return fail(
+            path.string(),
+            fmt::format("the database is damaged: a text that is to be JSON is none ({})", problem.what()),
+            "Go on with a copy from before the damage");
+    }
 }
 
 std::vector<Factor> withinFactors(const ResponseTable& table) {

@@ -17,7 +17,7 @@ struct ColumnFates {
     const char* made = "";      ///< by rules of their own (anonymous_copy.cpp)
 };
 
-inline constexpr std::array<ColumnFates, 23> column_fates{{
+inline constexpr std::array<ColumnFates, 25> column_fates{{
     {"study", "id, name, title, hash, alpha, ball_diameter_m, analysis", "", "", "", "source, locked_hash"},
     {"stages", "position, name, kind, sitting, practice_of, measure, scale_low, scale_high, question"},
     {"systems", "position, name, generator, levels", "", "", "", "manifest"},
@@ -32,16 +32,16 @@ inline constexpr std::array<ColumnFates, 23> column_fates{{
     {"trials",
      "trial_index, stage, kind, practice, attempt, page, layout, distance, target_id, target_x_m, "
      "target_y_m, "
-     "target_z_m, distractors, balls, target_place, check_kind, check_stimulus, check_expected, "
-     "check_of_trial, visibility, angles",
+     "target_z_m, check_kind, check_stimulus, check_expected, check_of_trial, visibility, angles",
      "", "", "", "participant"},
+    {"trial_values", "trial_index, name, value, text", "", "", "", "participant"},
     {"trial_stimuli", "trial_index, position, system, item, scored, clip", "", "", "", "participant"},
     {"sessions", "station, synthetic, program_version, avatar_hash, outcome", "",
      "started_utc_s, ended_utc_s", "station_details", "id, participant"},
     {"session_properties", "name", "", "", "", "session, value"},
     {"consents", "stage, agreed, language, text", "", "utc_s", "", "participant, session"},
     {"responses",
-     "trial_index, status, chosen_place, correct, check_passed, response_time_s, paused_s, replays, pauses, "
+     "trial_index, status, check_passed, response_time_s, paused_s, replays, pauses, "
      "begun_before, input, head_x_m, head_y_m, head_z_m, head_qw, head_qx, head_qy, head_qz, ray_x_m, "
      "ray_y_m, ray_z_m, ray_dx, ray_dy, ray_dz, viewer_x_m, viewer_z_m, viewer_heading_deg",
      "onset_s, motion_end_s, answered_s", "onset_utc_s, motion_end_utc_s, answered_utc_s, superseded_utc_s",
@@ -49,6 +49,7 @@ inline constexpr std::array<ColumnFates, 23> column_fates{{
     {"response_stimuli", "position, clip_hash, plays, author_trial", "", "", "",
      "response, clip_file, author"},
     {"answers", "position, question, stimulus, value", "", "", "", "response, text"},
+    {"response_values", "name, value, text", "", "", "", "response"},
     {"events", "kind, trial_index", "time_s", "utc_s", "", "id, session, detail"},
     {"tracking_blocks", "trial_index, first_frame, frames", "first_display_time_s, last_display_time_s", "",
      "", "id, session, data"},
@@ -60,7 +61,7 @@ inline constexpr std::array<ColumnFates, 23> column_fates{{
 
 /// Of who refused consent no more is kept.
 inline constexpr std::string_view tables_of_refusal =
-    "participants, participant_groups, plans, trials, trial_stimuli, sessions, consents";
+    "participants, participant_groups, plans, trials, trial_values, trial_stimuli, sessions, consents";
 
 /// Whose details the program or its station worded, without names of devices or what an experimenter typed.
 inline constexpr std::string_view events_kept_whole =

@@ -173,8 +173,11 @@ ExportTable trialsTable() {
             {{"target_y_m", number, "", "m"}, "target_y_m"},
             {{"target_z_m", number, "", "m"}, "target_z_m"},
             {{"balls", text, "Game: centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},
-             "balls"},
-            {{"target_place", whole, "Game: which of the balls is the target, from 0"}, "target_place"},
+             "(SELECT text FROM trial_values AS v WHERE v.participant = t.participant AND v.trial_index = "
+             "t.trial_index AND v.name = 'balls')"},
+            {{"target_place", whole, "Game: which of the balls is the target, from 0"},
+             "(SELECT CAST(value AS INTEGER) FROM trial_values AS v WHERE v.participant = t.participant AND "
+             "v.trial_index = t.trial_index AND v.name = 'target_place')"},
             {{"visibility", text,
               "Game: share of each ball's disc that is seen from the layout's places, with the avatar at "
               "rest and pointing, JSON"},

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -15,10 +16,16 @@ namespace {
 
 using SQLite::Statement;
 
-// The columns of version 5. A later version's come behind, in hashes of its own answers only.
-constexpr int first_hashed = 4;  ///< of response_columns: id, hash, participant and trial_index come before
+// The columns of version 5, in which what the game keeps stood among them: kept values of these names are
+// told where they were, so that its answers keep their hashes. All other kept values come behind, and so does
+// what a later version adds, in hashes of its own answers only.
+constexpr const char* once_in_trials[]{"distractors", "balls", "target_place"};
+constexpr const char* once_in_responses[]{"chosen_place", "correct"};
+constexpr int first_hashed = 4;   ///< of response_columns: id, hash, participant and trial_index come before
+constexpr int before_chosen = 5;  ///< of response_columns: they stood from here on
+constexpr int before_balls = 11;  ///< of trial_columns: likewise
 constexpr const char* response_columns =
-    "r.id, r.hash, r.participant, r.trial_index, r.status, r.chosen_place, r.correct, r.check_passed, "
+    "r.id, r.hash, r.participant, r.trial_index, r.status, r.check_passed, "
     "r.onset_s, r.onset_utc_s, r.motion_end_s, r.motion_end_utc_s, r.answered_s, r.answered_utc_s, "
     "r.response_time_s, r.paused_s, r.replays, r.pauses, r.begun_before, r.reason, r.input, r.head_x_m, "
     "r.head_y_m, r.head_z_m, r.head_qw, r.head_qx, r.head_qy, r.head_qz, r.ray_x_m, r.ray_y_m, r.ray_z_m, "
@@ -26,7 +33,7 @@ constexpr const char* response_columns =
     "r.superseded_utc_s, s.station, s.synthetic";
 constexpr const char* trial_columns =
     "stage, kind, practice, attempt, page, layout, distance, target_id, target_x_m, target_y_m, target_z_m, "
-    "distractors, balls, target_place, check_kind, check_stimulus, check_expected, check_of_trial, "
+    "check_kind, check_stimulus, check_expected, check_of_trial, "
     "visibility, angles";
 
 // What is the same in each database of a study, whatever the language of its texts.
@@ -65,6 +72,37 @@ void appendRow(std::string& content, const Statement& row, int from) {
     content += '\n';
 }
 
+/// The same, with kept values told before column `at`.
+void appendRow(std::string& content, const Statement& row, int from, int at, const std::string& kept) {
+    for (int i = from; i < at; ++i) append(content, row.getColumn(i));
+    content += kept;
+    appendRow(content, row, at);
+}
+
+/// Whole numbers as such: version 5 had columns of that type.
+std::string keptContent(const SQLite::Column& value, const SQLite::Column& text) {
+    std::string content;
+    const double number = value.getDouble();
+    if (value.isNull())
+        append(content, text);
+    else if (number == std::trunc(number) && std::abs(number) < 1e15)
+        content = fmt::format("i{};", static_cast<std::int64_t>(number));
+    else
+        append(content, value);
+    return content;
+}
+
+/// Those of these names, which are taken out.
+template <std::size_t N>
+std::string taken(std::map<std::string, std::string>& kept, const char* const (&names)[N]) {
+    std::string content;
+    for (const char* name : names) {
+        const auto found = kept.extract(name);
+        content += found ? found.mapped() : "n";
+    }
+    return content;
+}
+
 std::string studyContent(SQLite::Database& database) {
     std::string content;
     for (const char* query : study_queries) {
@@ -88,20 +126,26 @@ AnswerHasher::AnswerHasher(SQLite::Database& database, Scope scope)
           Statement(database, select("response, position, clip_file, clip_hash, plays, author, author_trial "
                                      "FROM response_stimuli",
                                      "response", "response, position", scope))},
+      kept_{Statement(database, select("response, name, value, text FROM response_values", "response",
+                                       "response, name", scope))},
       trial_(database,
              fmt::format("SELECT {} FROM trials WHERE participant = ? AND trial_index = ?", trial_columns)),
+      trial_kept_(database,
+                  "SELECT name, value, text FROM trial_values WHERE participant = ? AND trial_index = ? "
+                  "ORDER BY name"),
       stimuli_(database,
                "SELECT position, system, item, scored, clip FROM trial_stimuli WHERE participant = ? AND "
                "trial_index = ? ORDER BY position"),
       groups_(database, "SELECT factor, level FROM participant_groups WHERE participant = ? ORDER BY factor"),
       study_(studyContent(database)) {
     if (scope == Scope::one) return;
+    kept_.there = kept_.rows.executeStep();
     answers_.there = answers_.rows.executeStep();
     clips_.there = clips_.rows.executeStep();
 }
 
 std::string AnswerHasher::of(std::int64_t response) {
-    for (Statement* rows : {&responses_, &answers_.rows, &clips_.rows}) {
+    for (Statement* rows : {&responses_, &answers_.rows, &clips_.rows, &kept_.rows}) {
         rows->reset();
         rows->bind(1, response);
     }
@@ -109,14 +153,25 @@ std::string AnswerHasher::of(std::int64_t response) {
         throw std::logic_error(fmt::format("AnswerHasher: there is no response {}", response));
     answers_.there = answers_.rows.executeStep();
     clips_.there = clips_.rows.executeStep();
+    kept_.there = kept_.rows.executeStep();
     std::string computed = hashed().computed;
-    for (Statement* rows : {&responses_, &answers_.rows, &clips_.rows}) rows->reset();
+    for (Statement* rows : {&responses_, &answers_.rows, &clips_.rows, &kept_.rows}) rows->reset();
     return computed;
 }
 
 std::optional<HashedAnswer> AnswerHasher::next() {
     if (!responses_.executeStep()) return std::nullopt;
     return hashed();
+}
+
+template <typename Take>
+void AnswerHasher::Part::of(std::int64_t response, const Take& take) {
+    // Rows of no response come before: what they refer to is looked at elsewhere.
+    while (there && rows.getColumn(0).getInt64() < response) there = rows.executeStep();
+    while (there && rows.getColumn(0).getInt64() == response) {
+        take(rows);
+        there = rows.executeStep();
+    }
 }
 
 HashedAnswer AnswerHasher::hashed() {
@@ -127,22 +182,21 @@ HashedAnswer AnswerHasher::hashed() {
     out.trial_index = responses_.getColumn(3).getInt();
     std::string content =
         fmt::format("{}\n{}{}|{}\n", study_, groupsOf(out.participant), out.participant, out.trial_index);
-    appendRow(content, responses_, first_hashed);
-    appendTrial(content, out.participant, out.trial_index);
-    answers_.append(content, out.id);
-    clips_.append(content, out.id);
+    Kept given;
+    kept_.of(out.id, [&](const Statement& row) {
+        given[row.getColumn(1).getString()] = keptContent(row.getColumn(2), row.getColumn(3));
+    });
+    appendRow(content, responses_, first_hashed, before_chosen, taken(given, once_in_responses));
+    Kept planned = appendTrial(content, out.participant, out.trial_index);
+    const auto row = [&](const Statement& rows) { appendRow(content, rows, 1); };
+    for (Part* part : {&answers_, &clips_}) {
+        content += '|';
+        part->of(out.id, row);
+    }
+    for (const Kept& others : {planned, given})
+        for (const auto& [name, value] : others) content += fmt::format("|{}:{}", name, value);
     out.computed = sha256Hex(content);
     return out;
-}
-
-void AnswerHasher::Part::append(std::string& content, std::int64_t response) {
-    content += '|';
-    // Rows of no response come before: what they refer to is looked at elsewhere.
-    while (there && rows.getColumn(0).getInt64() < response) there = rows.executeStep();
-    while (there && rows.getColumn(0).getInt64() == response) {
-        appendRow(content, rows, 1);
-        there = rows.executeStep();
-    }
 }
 
 const std::string& AnswerHasher::groupsOf(const std::string& participant) {
@@ -156,15 +210,24 @@ const std::string& AnswerHasher::groupsOf(const std::string& participant) {
     return known_groups_;
 }
 
-void AnswerHasher::appendTrial(std::string& content, const std::string& participant, int trial_index) {
-    for (Statement* rows : {&trial_, &stimuli_}) {
+AnswerHasher::Kept AnswerHasher::appendTrial(std::string& content, const std::string& participant,
+                                             int trial_index) {
+    for (Statement* rows : {&trial_, &trial_kept_, &stimuli_}) {
         rows->reset();
         rows->bind(1, participant);
         rows->bind(2, trial_index);
-        content += '|';
-        while (rows->executeStep()) appendRow(content, *rows, 0);
-        rows->reset();
     }
+    Kept planned;
+    while (trial_kept_.executeStep())
+        planned[trial_kept_.getColumn(0).getString()] =
+            keptContent(trial_kept_.getColumn(1), trial_kept_.getColumn(2));
+    content += '|';
+    const std::string balls = taken(planned, once_in_trials);
+    while (trial_.executeStep()) appendRow(content, trial_, 0, before_balls, balls);
+    content += '|';
+    while (stimuli_.executeStep()) appendRow(content, stimuli_, 0);
+    for (Statement* rows : {&trial_, &trial_kept_, &stimuli_}) rows->reset();
+    return planned;
 }
 
 }  // namespace deixis::results

@@ -7,6 +7,7 @@
 #include "migration_3.hpp"
 #include "results/database/migration_5.hpp"
 #include "results/database/schema.hpp"
+#include "results/database/views.hpp"
 
 namespace deixis::results {
 
@@ -26,6 +27,10 @@ Result<void> step(SQLite::Database& database, int version, const std::filesystem
         case 5:
             migrateTo5(database);
             return {};
+        case 6:
+            database.exec(step_6);
+            database.exec(step_6_trials);
+            return {};
         default:
             throw std::logic_error(fmt::format("no step leads to version {} of the database", version));
     }
@@ -34,17 +39,20 @@ Result<void> step(SQLite::Database& database, int version, const std::filesystem
 }  // namespace
 
 Result<void> migrate(SQLite::Database& database, int from_version, const std::filesystem::path& path) {
-    if (from_version == schema_version) return {};
+    if (from_version == schema_version) {
+        database.exec(createMissingViews());
+        return {};
+    }
     if (from_version == 0) {
         database.exec(newest_tables);
     } else {
-        // What a step takes out of the file is overwritten. The view is made anew at the end, and would stand
-        // in the way of what changes the tables.
-        database.exec("PRAGMA secure_delete = ON; DROP VIEW IF EXISTS responses_flat");
+        // What a step takes out of the file is overwritten. The views are made anew at the end, and would
+        // stand in the way of what changes the tables.
+        database.exec("PRAGMA secure_delete = ON;" + dropViews());
         for (int version = from_version + 1; version <= schema_version; ++version)
             if (auto done = step(database, version, path); !done) return done;
     }
-    database.exec(newest_views);
+    database.exec(createViews());
     if (database.execAndGet("SELECT count(*) FROM pragma_foreign_key_check").getInt() != 0)
         return fail(path.string(),
                     fmt::format("the database of version {} has rows that refer to rows which are not there",

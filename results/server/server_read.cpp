@@ -8,6 +8,7 @@
 #include "results/database/database_open.hpp"
 #include "results/database/schema.hpp"
 #include "results/database/tables.hpp"
+#include "results/database/views.hpp"
 #include "results/server/server.hpp"
 #include "server_schema.hpp"
 
@@ -70,7 +71,7 @@ SQLite::Database fetchStudy(ServerTransaction& server) {
     SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     database.exec("PRAGMA foreign_keys = OFF");
     database.exec(newest_tables);
-    database.exec(newest_views);
+    database.exec(createViews());
     database.exec("BEGIN");
     for (const char* table : study_tables) fetchTable(server, database, table);
     fetchTable(server, database, "withdrawals");

@@ -10,6 +10,7 @@
 
 #include "results/database/migration_5.hpp"
 #include "results/database/schema.hpp"
+#include "results/database/views.hpp"
 
 namespace deixis::results {
 
@@ -60,6 +61,11 @@ void step(ServerTransaction& server, long long version) {
             server.run(inPostgresWords(step_5));
             giveTokens(server);
             return;
+        case 6:
+            server.run(inPostgresWords(step_6));
+            for (const char* column : {"distractors", "balls", "target_place"})
+                server.run(fmt::format("ALTER TABLE trials DROP COLUMN {}", column));
+            return;
         default:
             throw std::logic_error(fmt::format("no step leads to version {} of a server's tables", version));
     }
@@ -88,7 +94,7 @@ Result<void> upgrade(ServerTransaction& server, const ServerAddress& address, co
                     fmt::format("the schema {} has version {}, from which no way leads to this program's, {}",
                                 schema, from, schema_version),
                     "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
-    server.run("DROP VIEW IF EXISTS responses_flat");
+    server.run(dropViews());
     for (long long version = from + 1; version <= schema_version; ++version) step(server, version);
     server.run(postgresViews());
     server.run(fmt::format("UPDATE {} SET version = {}", version_table, schema_version));
@@ -106,7 +112,7 @@ std::string postgresTables() {
 }
 
 std::string postgresViews() {
-    std::string sql = newest_views;
+    std::string sql = createViews();
     const auto at = sql.find(sqlite_moment);
     if (at == std::string::npos)
         throw std::logic_error("postgresViews: the view writes moments in another way");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "response_values.hpp"
 #include "results/database/database_open.hpp"
 #include "results/database/tracking_blocks.hpp"
 
@@ -128,14 +129,14 @@ void readClips(SQLite::Database& database, long long response, RecordedAnswer& o
     }
 }
 
-std::string inWords(const studies::RecordedTrial& trial, studies::ResponseStatus status, bool correct,
+std::string inWords(const studies::RecordedTrial& trial, studies::ResponseStatus status,
                     double response_time_s) {
-    if (status != studies::ResponseStatus::answered && trial.chosen_place < 0)
+    if (status != studies::ResponseStatus::answered && trial.chosenPlace() < 0)
         return status == studies::ResponseStatus::timed_out ? "no answer in time" : "skipped";
     std::string words;
-    if (trial.chosen_place >= 0)
-        words = fmt::format("chose ball {} of {}, {}", trial.chosen_place + 1, trial.trial.ball_order.size(),
-                            correct ? "correct" : "wrong");
+    if (trial.chosenPlace() >= 0)
+        words = fmt::format("chose ball {} of {}, {}", trial.chosenPlace() + 1, trial.trial.ball_order.size(),
+                            studies::keptNumber(trial.values, "correct") == 1.0 ? "correct" : "wrong");
     for (const studies::Answer& answer : trial.answers) {
         if (!words.empty()) words += ", ";
         words += answer.question;
@@ -156,7 +157,7 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
     recording.study_source = database.execAndGet("SELECT coalesce(source, '') FROM study").getString();
     Statement responses(
         database,
-        "SELECT r.id, r.trial_index, r.session, r.status, r.chosen_place, r.correct, r.motion_end_s, "
+        "SELECT r.id, r.trial_index, r.session, r.status, r.motion_end_s, "
         "r.answered_s, "
         "r.response_time_s, r.superseded IS NOT NULL, e.station, e.synthetic, "
         "r.head_x_m, r.head_y_m, r.head_z_m, r.head_qw, r.head_qx, r.head_qy, r.head_qz, "
@@ -175,25 +176,25 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
         RecordedAnswer& out = recording.answers.emplace_back();
         const long long response = responses.getColumn(0).getInt64();
         out.session = responses.getColumn(2).getInt64();
-        out.superseded = responses.getColumn(9).getInt() != 0;
-        out.avatar_hash = responses.getColumn(25).getString();
+        out.superseded = responses.getColumn(7).getInt() != 0;
+        out.avatar_hash = responses.getColumn(23).getString();
         studies::RecordedTrial& trial = out.trial;
         trial.trial = *planned;
         trial.layout = setting->layouts[planned->layout];
-        if (!responses.getColumn(26).isNull())  // else from before it was kept: the layout's own
-            trial.layout = {planned->layout, responses.getColumn(26).getDouble(),
-                            responses.getColumn(27).getDouble(), responses.getColumn(28).getDouble()};
+        if (!responses.getColumn(24).isNull())  // else from before it was kept: the layout's own
+            trial.layout = {planned->layout, responses.getColumn(24).getDouble(),
+                            responses.getColumn(25).getDouble(), responses.getColumn(26).getDouble()};
         trial.ball_diameter_m = setting->ball_diameter_m;
-        trial.station = responses.getColumn(10).getString();
-        trial.synthetic = responses.getColumn(11).getInt() != 0;
-        if (!responses.getColumn(4).isNull()) trial.chosen_place = responses.getColumn(4).getInt();
-        trial.open_s = responses.getColumn(6).getDouble();
-        trial.answered_s = responses.getColumn(7).getDouble();
+        trial.station = responses.getColumn(8).getString();
+        trial.synthetic = responses.getColumn(9).getInt() != 0;
+        trial.values = readResponseValues(database, response);
+        trial.open_s = responses.getColumn(4).getDouble();
+        trial.answered_s = responses.getColumn(5).getDouble();
         const auto number = [&](int column) { return responses.getColumn(column).getDouble(); };
-        trial.stage_from_head = {{number(12), number(13), number(14)},
-                                 {number(15), number(16), number(17), number(18)}};
-        if (!responses.getColumn(19).isNull())
-            trial.pointer = Ray{{number(19), number(20), number(21)}, {number(22), number(23), number(24)}};
+        trial.stage_from_head = {{number(10), number(11), number(12)},
+                                 {number(13), number(14), number(15), number(16)}};
+        if (!responses.getColumn(17).isNull())
+            trial.pointer = Ray{{number(17), number(18), number(19)}, {number(20), number(21), number(22)}};
         constexpr double confirmed_s = 1.0;
         double& answered_before_s = before.try_emplace({out.session, index}, -1.0).first->second;
         trial.plays = readPlays(database, out.session, index, answered_before_s, trial.answered_s);
@@ -207,7 +208,7 @@ Result<Recording> readRecording(SQLite::Database& database, const std::string& p
         readAnswers(database, response, trial);
         readClips(database, response, out);
         out.outcome = inWords(trial, studies::responseStatusNamed(responses.getColumn(3).getString()),
-                              responses.getColumn(5).getInt() != 0, responses.getColumn(8).getDouble());
+                              responses.getColumn(6).getDouble());
     }
     return recording;
 }

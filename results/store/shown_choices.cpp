@@ -17,16 +17,20 @@ ShownChoices readShown(SQLite::Database& database) {
     SQLite::Statement rows(
         database,
         fmt::format(
-            "SELECT r.participant, s.system, s.item, t.layout, t.balls, t.target_place, r.chosen_place, "
+            "SELECT r.participant, s.system, s.item, t.layout, b.text, g.value, h.value, "
             "r.head_x_m, r.head_y_m, r.head_z_m, c.clip_file, c.clip_hash, e.avatar_hash, s.clip "
             "FROM responses AS r JOIN {} AS p ON p.id = r.participant "
             "JOIN sessions AS e ON e.id = r.session "
             "JOIN trials AS t ON t.participant = r.participant AND t.trial_index = r.trial_index "
+            "JOIN trial_values AS b ON b.participant = r.participant AND b.trial_index = r.trial_index AND "
+            "b.name = 'balls' JOIN trial_values AS g ON g.participant = r.participant AND g.trial_index = "
+            "r.trial_index AND g.name = 'target_place' "
+            "JOIN response_values AS h ON h.response = r.id AND h.name = 'chosen_place' "
             "JOIN trial_stimuli AS s ON s.participant = r.participant AND s.trial_index = r.trial_index AND "
             "s.position = 0 "
             "JOIN response_stimuli AS c ON c.response = r.id AND c.position = 0 "
-            "WHERE r.superseded IS NULL AND p.status = 'active' AND s.scored AND t.balls IS NOT NULL AND "
-            "r.chosen_place IS NOT NULL ORDER BY r.participant, r.trial_index",
+            "WHERE r.superseded IS NULL AND p.status = 'active' AND s.scored "
+            "ORDER BY r.participant, r.trial_index",
             participantsStanding()));
     while (rows.executeStep()) {
         ShownChoice& one = out.choices.emplace_back();

@@ -16,15 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string positionsJson(const std::vector<Vec3>& positions) {
-    std::string out = "[";
-    for (const Vec3& p : positions) {
-        if (out.size() > 1) out += ",";
-        out += fmt::format("[{},{},{}]", p.x, p.y, p.z);
-    }
-    return out + "]";
-}
-
 const char* kindName(studies::QuestionKind kind) {
     switch (kind) {
         case studies::QuestionKind::scale:
@@ -254,9 +245,9 @@ void Store::Impl::insertTrial(const std::string& participant, const studies::Tri
     auto row = query(
         "INSERT INTO trials (participant, trial_index, stage, kind, practice, attempt, page, layout, "
         "distance, visibility, angles, "
-        "target_id, target_x_m, target_y_m, target_z_m, distractors, balls, target_place, check_kind, "
+        "target_id, target_x_m, target_y_m, target_z_m, check_kind, "
         "check_stimulus, check_expected, check_of_trial) "
-        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     row << participant << trial.index << trial.stage << studies::stageKindName(trial.kind) << trial.practice
         << trial.attempt << trial.page;
     row.textOrNull(trial.layout).textOrNull(trial.distance).textOrNull(studies::visibilityJson(trial));
@@ -269,14 +260,6 @@ void Store::Impl::insertTrial(const std::string& participant, const studies::Tri
         row << trial.target;
     else if (!trial.stimuli.empty())
         row.null(3);
-    if (!trial.ball_order.empty()) {
-        std::vector<Vec3> balls;
-        for (std::size_t place = 0; place < trial.ball_order.size(); ++place)
-            balls.push_back(trial.ball(static_cast<int>(place)));
-        row << positionsJson(trial.distractors) << positionsJson(balls) << trial.targetPlace();
-    } else {
-        row.null(3);
-    }
     if (trial.check) {
         using studies::CheckKind;
         const studies::TrialCheck& check = *trial.check;
@@ -289,6 +272,12 @@ void Store::Impl::insertTrial(const std::string& participant, const studies::Tri
         if (check.kind == CheckKind::repeat) row << check.of_trial;
     }
     row.run();
+    for (const studies::KeptValue& kept : studies::keptValues(trial)) {
+        auto insert = query("INSERT INTO trial_values VALUES (?, ?, ?, ?, ?)");
+        insert << participant << trial.index << kept.name << kept.value;
+        if (!kept.value) insert << kept.text;
+        insert.run();
+    }
     for (std::size_t i = 0; i < trial.stimuli.size(); ++i) {
         auto stimulus = query("INSERT INTO trial_stimuli VALUES (?, ?, ?, ?, ?, ?, ?)");
         stimulus << participant << trial.index << i << trial.stimuli[i].system << trial.stimuli[i].item

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "response_values.hpp"
 #include "results/database/standing.hpp"
 #include "store_impl.hpp"
+#include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
 
@@ -91,12 +93,18 @@ studies::GroupSizes Store::groupsRegistered() const {
 studies::Resume Store::resume(const std::string& participant, double now_utc_s) const {
     studies::Resume out;
     auto answer = impl_->query(
-        "SELECT r.trial_index, t.balls IS NULL OR coalesce(r.correct, 0) FROM responses AS r "
+        "SELECT r.trial_index, t.kind, coalesce((SELECT value FROM response_values WHERE response = r.id AND "
+        "name "
+        "= 'correct'), 0) FROM responses AS r "
         "JOIN trials AS t USING (participant, trial_index) WHERE r.participant = ? AND r.superseded IS NULL "
         "AND NOT EXISTS (SELECT 1 FROM consents AS c WHERE c.participant = r.participant AND c.stage = "
         "t.stage AND c.session = r.session AND NOT c.agreed)");
     answer << participant;
-    while (answer.next()) out.answered[answer[0].getInt()] = answer[1].getInt() != 0;
+    while (answer.next()) {
+        const studies::StageDeclaration* kind = studies::findDeclaration(answer.text(1));
+        const bool can_be_wrong = kind != nullptr && kind->right_or_wrong;
+        out.answered[answer[0].getInt()] = !can_be_wrong || answer[2].getInt() != 0;
+    }
     auto failed = impl_->query(
         "SELECT t.stage, t.check_kind FROM responses AS r JOIN trials AS t USING (participant, trial_index) "
         "WHERE r.participant = ?1 AND r.superseded IS NULL AND r.check_passed = 0 AND r.session > coalesce("
@@ -119,7 +127,7 @@ studies::Resume Store::resume(const std::string& participant, double now_utc_s) 
     if (last.next() && !last[0].isNull()) out.gap_s = std::max(0.0, now_utc_s - last[0].getDouble());
     // What a repeat is held against.
     auto first = impl_->query(
-        "SELECT r.id, r.trial_index, r.status, r.chosen_place, coalesce(r.correct, 0) FROM responses AS r "
+        "SELECT r.id, r.trial_index, r.status FROM responses AS r "
         "WHERE r.participant = ?1 AND r.superseded IS NULL AND r.trial_index IN (SELECT check_of_trial FROM "
         "trials WHERE participant = ?1 AND check_of_trial IS NOT NULL) ORDER BY r.trial_index");
     first << participant;
@@ -127,8 +135,7 @@ studies::Resume Store::resume(const std::string& participant, double now_utc_s) 
         studies::Response& response = out.first_answers.emplace_back();
         response.trial_index = first[1].getInt();
         response.status = studies::responseStatusNamed(first.text(2));
-        if (!first[3].isNull()) response.chosen_place = first[3].getInt();
-        response.correct = first[4].getInt() != 0;
+        response.values = readResponseValues(impl_->database, first[0].getInt64());
         auto answers = impl_->query(
             "SELECT question, stimulus, value, text FROM answers WHERE response = ? ORDER BY "
             "position");

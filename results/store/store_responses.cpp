@@ -35,19 +35,15 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
     if (studies::declarationOf(stage.kind).asks_consent)
         supersedeRefusal(response.trial_index, response.answered);
     auto row = query(
-        "INSERT INTO responses (participant, trial_index, session, status, chosen_place, correct, "
+        "INSERT INTO responses (participant, trial_index, session, status, "
         "check_passed, onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, "
         "response_time_s, paused_s, replays, pauses, begun_before, viewer_x_m, viewer_z_m, "
         "viewer_heading_deg, reason, input, head_x_m, head_y_m, "
         "head_z_m, head_qw, head_qx, head_qy, head_qz, ray_x_m, ray_y_m, ray_z_m, ray_dx, ray_dy, ray_dz) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?, ?, ?, ?, ?, ?)");
+        "?, ?, ?, ?)");
     row << plan.participant << response.trial_index << session
         << studies::responseStatusName(response.status);
-    if (response.chosen_place >= 0)
-        row << response.chosen_place << response.correct;
-    else
-        row.null(2);
     row << response.check_passed << response.onset.time_s << response.onset.utc_s
         << response.motion_end.time_s << response.motion_end.utc_s << response.answered.time_s
         << response.answered.utc_s << response.response_time_s << response.paused_s << response.replays
@@ -67,6 +63,12 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
                  << (i < response.plays.size() ? response.plays[i] : 0);
         stimulus.textOrNull(clip.author) << clip.trial;
         stimulus.run();
+    }
+    for (const studies::KeptValue& kept : response.values) {
+        auto insert = query("INSERT INTO response_values VALUES (?, ?, ?, ?)");
+        insert << id << kept.name << kept.value;
+        if (!kept.value) insert << kept.text;
+        insert.run();
     }
     int position = 0;
     for (const studies::Answer& answer : response.answers) {

@@ -223,4 +223,8 @@ Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& t
     return plan;
 }
 
+std::vector<KeptValue> keptValues(const Trial& trial) {
+    return declarationOf(trial.kind).balls ? ballValues(trial) : std::vector<KeptValue>();
+}
+
 }  // namespace deixis::studies

@@ -14,4 +14,7 @@ void drawBalls(Trial& trial, const Study& study, const TargetItem& item, int ban
 /// What is seen of the balls, and how far the distractors look from the target, of all trials that have any.
 void noteBalls(const Study& study, std::vector<Trial>& trials);
 
+/// Trial::distractors, the balls as shown, and which of them is the target.
+[[nodiscard]] std::vector<KeptValue> ballValues(const Trial& trial);
+
 }  // namespace deixis::studies

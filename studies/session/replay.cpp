@@ -142,7 +142,7 @@ PresentedFrame TrialReplay::at(double time_s) const {
         BallLook& look = frame.balls[i].look;
         if (open) look = BallLook::selectable;
         if (open && !answered && place == met.place) look = BallLook::hovered;
-        if (answered && place == recorded_.chosen_place) look = BallLook::chosen;
+        if (answered && place == recorded_.chosenPlace()) look = BallLook::chosen;
     }
     if (pointed && open) frame.ray = RayView{*pointed, met.place >= 0 ? met.distance_m : free_ray_m};
     return frame;

@@ -17,7 +17,7 @@ constexpr double patience_with_disk_s = 1.5;
 
 /// Where nothing can be got wrong every answer is correct.
 bool countsAsCorrect(const Trial& trial, const Response& response) {
-    return !declarationOf(trial.kind).right_or_wrong || response.correct;
+    return !declarationOf(trial.kind).right_or_wrong || response.correct();
 }
 
 std::string practiceFailed(const Stage& practice) {

@@ -70,7 +70,7 @@ std::optional<CheckResult> CheckJudge::judge(const Response& response) const {
                                fmt::format("number: {} expected, {} given", expected, *given)};
         }
         case CheckKind::catch_trial:
-            return CheckResult{response.correct, "catch"};
+            return CheckResult{response.correct(), "catch"};
         case CheckKind::repeat: {
             const auto first = kept_.find(trial.check->of_trial);
             const bool comparable = first != kept_.end() &&

@@ -52,8 +52,7 @@ bool TrialUnit::skip(const InputFrame& input, const std::string& reason) {
     draft_.status = ResponseStatus::skipped;
     draft_.reason = reason;
     draft_.answers.clear();
-    draft_.chosen_place = -1;
-    draft_.correct = false;
+    draft_.values.clear();
     if (draft_.onset.time_s > draft_.motion_end.time_s) draft_.motion_end = draft_.answered;
     draft_.response_time_s = draft_.answered.time_s - draft_.motion_end.time_s - draft_.paused_s;
     core_.view.closePanel();

@@ -94,7 +94,7 @@ std::optional<SeenChoice> seenChoice(const RecordedTrial& recorded, const ClipSo
                                      const motion::Skeleton& avatar, const motion::LocalPose& idle_pose,
                                      const Reading& reading, double elevation_bias_deg,
                                      double frame_rate_hz) {
-    if (recorded.chosen_place < 0 || recorded.trial.ball_order.size() < 2 || recorded.plays.empty())
+    if (recorded.chosenPlace() < 0 || recorded.trial.ball_order.size() < 2 || recorded.plays.empty())
         return std::nullopt;
     constexpr double before_s = 0.2;  // of standing still, so that the raise is seen to begin
     const TrialReplay replay(recorded, clips, avatar, idle_pose);
@@ -113,7 +113,7 @@ std::optional<SeenChoice> seenChoice(const RecordedTrial& recorded, const ClipSo
     out.arm.observer_eye = replay.head(gesture.hold_middle_s).value_or(recorded.stage_from_head).position;
     for (int place = 0; place < static_cast<int>(recorded.trial.ball_order.size()); ++place)
         out.balls.push_back(recorded.trial.ball(place));
-    out.chosen = static_cast<std::size_t>(recorded.chosen_place);
+    out.chosen = static_cast<std::size_t>(recorded.chosenPlace());
     return out;
 }
 

@@ -125,15 +125,15 @@ TEST_SUITE("app/push") {
         pushed(stations().a, url);
         const auto before = onServer(*server, name, answers_sql);
         fs::copy_file(stations().both, other);
-        change(other,
-               "UPDATE responses SET hash = NULL, chosen_place = (chosen_place + 1) % 3 WHERE participant = "
-               "'S002' AND "
-               "chosen_place "
-               "IS NOT NULL AND trial_index = (SELECT max(trial_index) FROM responses WHERE participant = "
-               "'S002' AND "
-               "chosen_place IS NOT NULL)");
-        CHECK_FAILS_SAYING(push(other, url), "other.sqlite", "table responses, participant S002, id ",
-                           "chosen_place", "never altered");
+        change(
+            other,
+            "UPDATE responses SET hash = NULL WHERE participant = 'S002';"
+            "UPDATE response_values SET value = (value + 1) % 3 WHERE name = 'chosen_place' AND response = "
+            "(SELECT max(response) FROM game_choices WHERE participant = 'S002' AND chosen_place IS NOT "
+            "NULL)");
+        CHECK_FAILS_SAYING(push(other, url), "other.sqlite",
+                           "table response_values, participant S002, response ",
+                           "name chosen_place: value is not what", "never altered");
         fs::remove(other);
         fs::copy_file(stations().b, other);
         change(other, "UPDATE participants SET number = 2 WHERE id = 'S005'");

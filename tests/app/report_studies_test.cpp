@@ -57,7 +57,7 @@ TEST_SUITE("app/report_studies") {
         CHECK(second["data"][0]["file"] == "rushed.sqlite");
         CHECK(second["data"][0]["simulated"] == 3);
         CHECK(second["data"][0]["people"] == 0);
-        CHECK(second["data"][0]["schema_version"] == 5);
+        CHECK(second["data"][0]["schema_version"] == 6);
         REQUIRE(report(rushed, "alone").status == 0);
         const json alone = json::parse(slurp(scratch / "alone.json"));
         CHECK(second["systems"] == alone["systems"]);

@@ -43,8 +43,7 @@ void fillChoices(const std::filesystem::path& path, const std::vector<std::strin
             if (what == 't' || what == 's') {
                 response.status =
                     what == 't' ? studies::ResponseStatus::timed_out : studies::ResponseStatus::skipped;
-                response.chosen_place = -1;
-                response.correct = false;
+                response.values.clear();
                 response.reason = what == 's' ? "noise" : "";
             }
             into.record(response, study, plan, fixtures::clips(plan));

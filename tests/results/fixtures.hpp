@@ -138,8 +138,9 @@ inline studies::Response response(const studies::Trial& trial) {
 inline studies::Response answer(const studies::Trial& trial, int value) {
     studies::Response out = response(trial);
     if (trial.kind == studies::StageKind::game) {
-        out.correct = value != 0;
-        out.chosen_place = out.correct ? trial.targetPlace() : (trial.targetPlace() + 1) % 3;
+        const bool correct = value != 0;
+        out.values = {{"chosen_place", correct ? trial.targetPlace() : (trial.targetPlace() + 1) % 3, {}},
+                      {"correct", correct ? 1.0 : 0.0, {}}};
     } else {
         out.answers = {{"rating", 0, static_cast<double>(value)}};
     }

@@ -74,15 +74,17 @@ const Told told[]{
      "target_place FROM trials ORDER BY 1, 2",
      "SELECT t.participant, t.trial_index, stage, practice, s.system, target_id, layout, target_x_m, "
      "target_y_m, target_z_m, distractors, balls, target_place FROM trials AS t JOIN trial_stimuli AS s "
-     "USING "
-     "(participant, trial_index) ORDER BY 1, 2"},
+     "USING (participant, trial_index) LEFT JOIN game_trials USING (participant, trial_index) ORDER BY 1, 2"},
     {"sessions", "SELECT * FROM sessions ORDER BY id", same},
     {"responses",
      "SELECT id, participant, trial_index, session, chosen_place, correct, onset_s, onset_utc_s, "
      "motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, response_time_s, replays, pauses, input, "
      "head_x_m, head_y_m, head_z_m, head_qw, head_qx, head_qy, head_qz, ray_x_m, ray_y_m, ray_z_m, ray_dx, "
      "ray_dy, ray_dz FROM responses ORDER BY id",
-     same},
+     "SELECT id, r.participant, r.trial_index, session, chosen_place, correct, onset_s, onset_utc_s, "
+     "motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, response_time_s, replays, pauses, input, "
+     "head_x_m, head_y_m, head_z_m, head_qw, head_qx, head_qy, head_qz, ray_x_m, ray_y_m, ray_z_m, ray_dx, "
+     "ray_dy, ray_dz FROM responses AS r LEFT JOIN game_choices AS g ON g.response = r.id ORDER BY id"},
     {"ratings", "SELECT id, 'rating', 1.0 * rating FROM responses WHERE rating IS NOT NULL ORDER BY id",
      "SELECT response, question, value FROM answers ORDER BY response"},
     {"clips", "SELECT id, clip_file, clip_hash, replays + 1 FROM responses ORDER BY id",
@@ -114,7 +116,7 @@ TEST_SUITE("results/migration") {
         const fixtures::Folder folder;
         { Store store = fixtures::open(folder / "new.sqlite"); }
         const std::string fresh = plainSchema(folder / "new.sqlite");
-        for (const int version : {1, 2, 3, 4}) {
+        for (const int version : {1, 2, 3, 4, 5}) {
             INFO("version " << version);
             const auto path = folder / fmt::format("{}.sqlite", version).c_str();
             makeVersion(version, path);
@@ -129,8 +131,8 @@ TEST_SUITE("results/migration") {
         }
     }
 
-    TEST_CASE("What versions 3 and 4 hold is there afterwards, each value in each column") {
-        for (const int version : {3, 4}) {
+    TEST_CASE("What versions 3, 4 and 5 hold is there afterwards, each value in each column") {
+        for (const int version : {3, 4, 5}) {
             const fixtures::Folder folder;
             makeVersion(version, folder / "old.sqlite");
             makeVersion(version, folder / "a.sqlite");
@@ -149,12 +151,53 @@ TEST_SUITE("results/migration") {
                     if (column.getColumn(0).getString() != "participant_hash")
                         columns += fmt::format("{}quote({})", columns.empty() ? "" : ", ",
                                                column.getColumn(0).getString());
-                const std::string query = fmt::format("SELECT {0} FROM {1} ORDER BY {0}", columns, name);
-                CHECK_FALSE(rows(old, query).empty());
-                CHECK(rows(now, query) == rows(old, query));
+                const auto query = [&](const char* of_game) {
+                    return fmt::format("SELECT {0} FROM {1}{2} ORDER BY {0}", columns, name, of_game);
+                };
+                const std::string before = rows(old, query(""));
+                CHECK_FALSE(before.empty());
+                // What the game kept in these two stands as columns of its views.
+                CHECK(before ==
+                      rows(now, query(name == "trials" ? " LEFT JOIN game_trials USING (participant, "
+                                                         "trial_index)"
+                                      : name == "responses"
+                                          ? " LEFT JOIN (SELECT response AS id, chosen_place, correct "
+                                            "FROM game_choices) USING (id)"
+                                          : "")));
                 ++tables;
             }
-            CHECK(tables == 24);
+            CHECK(tables == (version == 5 ? 25 : 24));
+        }
+    }
+
+    TEST_CASE(
+        "Answers of version 5 keep the hashes that they had, and a kept value that was changed is noticed") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        makeVersion(5, path);
+        const std::string hashes = "SELECT id, hash FROM responses ORDER BY id";
+        const std::string before = rows(path, hashes);
+        { Store store = fixtures::open(path); }
+        CHECK(rows(path, hashes) == before);
+        // Opened once more they are all compared with what is stored: those of the game, too.
+        REQUIRE(results::listParticipants(path));
+        CHECK(rows(path,
+                   "SELECT count(*) FROM responses AS r JOIN game_choices AS g ON g.response = r.id "
+                   "WHERE r.hash IS NOT NULL AND g.correct IS NOT NULL") == "4\n");
+        const char* changes[]{"UPDATE response_values SET value = 1 - value WHERE name = 'correct'",
+                              "UPDATE response_values SET value = value + 0.25 WHERE name = 'chosen_place'",
+                              "DELETE FROM response_values",
+                              "INSERT INTO response_values SELECT id, 'more', NULL, 'x' FROM responses",
+                              "UPDATE trial_values SET value = value + 1 WHERE name = 'target_place'",
+                              "UPDATE trial_values SET text = '[]' WHERE name = 'balls'"};
+        for (const char* change : changes) {
+            INFO(change);
+            const auto changed = folder / "changed.sqlite";
+            std::filesystem::copy_file(path, changed, std::filesystem::copy_options::overwrite_existing);
+            SQLite::Database(changed.string(), SQLite::OPEN_READWRITE).exec(change);
+            const auto refused = results::listParticipants(changed);
+            REQUIRE_FALSE(refused);
+            CHECK(refused.error().message.find("not as it was written") != std::string::npos);
         }
     }
 

@@ -13,7 +13,7 @@
 
 namespace fixtures {
 
-/// Versions 1 to 4; see the files' heads.
+/// Versions 1 to 5; see the files' heads.
 inline void makeVersion(int version, const std::filesystem::path& path) {
     const auto sql = deixis::readFile(
         deixis::tests::sourceDir() / fmt::format("tests/results/reference/database_version_{}.sql", version));

@@ -144,8 +144,7 @@ TEST_SUITE("results/store answers") {
         db.record(db.response(3, {{"rating", 0, 80.0}, {"rating", 1, 15.0}}));
         db.record(db.response(4, {{"preference", -1, -2.0}, {"reasons", -1, {}, "speed;arm"}}));
         auto choice = db.response(5, {{"confidence", -1, 6.0}});
-        choice.chosen_place = 1;
-        choice.correct = true;
+        choice.values = {{"chosen_place", 1, {}}, {"correct", 1, {}}};
         db.record(choice);
         db.record(db.response(9, {{"effort", -1, 12.0}, {"calm", -1, 3.0}}));
         CHECK(db.rows(answers_of_all) ==
@@ -225,8 +224,8 @@ TEST_SUITE("results/store answers") {
         skipped.status = ResponseStatus::skipped;
         skipped.reason = "the avatar was hidden";
         db.record(skipped);
-        CHECK(db.rows("SELECT trial_index, status, reason, chosen_place, correct, input FROM responses") ==
-              "5|timed_out|NULL|NULL|NULL|\n6|skipped|the avatar was hidden|NULL|NULL|ray\n");
+        CHECK(db.rows("SELECT trial_index, status, reason, (SELECT count(*) FROM response_values), input "
+                      "FROM responses") == "5|timed_out|NULL|0|\n6|skipped|the avatar was hidden|0|ray\n");
         CHECK(db.rows("SELECT trial_index, status, question FROM responses_flat") ==
               "5|timed_out|NULL\n6|skipped|NULL\n");
         CHECK(db.store.resume("P01", 1.8e9).answered == std::map<int, bool>{{5, false}, {6, false}});
@@ -240,8 +239,10 @@ TEST_SUITE("results/store answers") {
         CHECK(db.store.resume("P01", 1.8e9).answered.empty());
         db.record(fixtures::answer(db.plan.trials[5], 1));
         CHECK(db.store.resume("P01", 1.8e9).answered == std::map<int, bool>{{5, true}});
-        CHECK(db.rows("SELECT correct, superseded, superseded_utc_s FROM responses ORDER BY id") ==
-              "0|a phone rang|1700000050.0\n1|NULL|NULL\n");
+        CHECK(
+            db.rows(
+                "SELECT correct, superseded, superseded_utc_s FROM responses AS r JOIN game_choices AS g ON "
+                "g.response = r.id ORDER BY id") == "0|a phone rang|1700000050.0\n1|NULL|NULL\n");
         CHECK(db.rows("SELECT correct FROM responses_flat") == "1\n");
         CHECK_THROWS_AS(db.record(studies::Superseded{6, "no answer yet", {}}), std::logic_error);
         CHECK(db.rows("SELECT count(*) FROM responses") == "2\n");
@@ -311,7 +312,7 @@ TEST_SUITE("results/store answers") {
         REQUIRE(kept.size() == 1);
         CHECK(kept[0].trial_index == 5);
         CHECK(kept[0].status == studies::ResponseStatus::answered);
-        CHECK(kept[0].chosen_place == choice.chosen_place);
+        CHECK(kept[0].chosenPlace() == choice.chosenPlace());
         REQUIRE(kept[0].answers.size() == 1);
         CHECK(kept[0].answers[0].value == 6.0);
         store.record(studies::Superseded{5, "noise", {1.0, 1.7e9}}, study, plan, fixtures::clips(plan));

@@ -108,7 +108,9 @@ TEST_SUITE("results/store plan") {
         const auto path = folder / "a.sqlite";
         CHECK(rows(path,
                    "SELECT trial_index, stage, page, layout, distance, target_id, target_place, "
-                   "check_kind, check_stimulus, check_expected, check_of_trial FROM trials") ==
+                   "check_kind, check_stimulus, check_expected, check_of_trial FROM trials LEFT JOIN "
+                   "game_trials "
+                   "USING (participant, trial_index) ORDER BY trial_index") ==
               "0|consent|0|across|NULL|NULL|NULL|NULL|NULL|NULL|NULL\n"
               "1|about you|0|across|NULL|NULL|NULL|NULL|NULL|NULL|NULL\n"
               "2|about you|1|across|NULL|NULL|NULL|NULL|NULL|NULL|NULL\n"
@@ -123,7 +125,7 @@ TEST_SUITE("results/store plan") {
               "3|0|stiff|T001|1\n3|1|direct|T001|1\n4|0|direct|T002|1\n4|1|stiff|T002|1\n"
               "5|0|direct|T003|1\n6|0|direct|T004|0\n7|0|stiff|T005|1\n7|1|direct|T005|0\n"
               "8|0|direct|T003|0\n");
-        CHECK(rows(path, "SELECT distractors, balls FROM trials WHERE trial_index = 5") ==
+        CHECK(rows(path, "SELECT distractors, balls FROM game_trials WHERE trial_index = 5") ==
               "[[0.3,1.5,0.5],[-0.3,1,0.5]]|[[-0.3,1,0.5],[0.5,1.25,0.75],[0.3,1.5,0.5]]\n");
     }
 

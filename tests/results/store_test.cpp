@@ -222,7 +222,7 @@ TEST_SUITE("results/store opening") {
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
         const auto message = refusalToOpen(folder / "a.sqlite");
         CHECK(contains(message, "version 7"));
-        CHECK(contains(message, "up to 5"));
+        CHECK(contains(message, "up to 6"));
     }
 
     TEST_CASE("A database locked by another program is refused") {

@@ -57,7 +57,7 @@ RecordedTrial game() {
     recorded.plays = {{0, 10.0, 11.0}};
     recorded.open_s = 11.0;
     recorded.answered_s = 12.0;
-    recorded.chosen_place = 1;
+    recorded.values = {{"chosen_place", 1, {}}};
     recorded.pointer = Ray{{0.0, 1.0, 2.5}, {0.0, 0.0, -1.0}};
     const Ray hanging{{0.3, 0.8, 2.8}, {0.0, -1.0, 0.0}};
     for (int i = 0; i <= 30; ++i) {

@@ -135,7 +135,7 @@ TEST_SUITE("studies/session_checks") {
             driver.choose(turn);
             const bool right = turn == driver.plan.trials[0].targetPlace();
             CHECK(driver.responses[0].check_passed == right);
-            CHECK(driver.responses[0].correct == right);
+            CHECK(driver.responses[0].correct() == right);
         }
     }
 

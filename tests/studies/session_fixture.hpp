@@ -148,7 +148,7 @@ struct Driver {
         const Trial& trial = plan.trials[static_cast<std::size_t>(response.trial_index)];
         (trial.practice ? practised : responses).push_back(response);
         if (answerTo(response, "consent") != 0.0)
-            left.answered[trial.index] = trial.kind != StageKind::game || response.correct;
+            left.answered[trial.index] = trial.kind != StageKind::game || response.correct();
         left.first_answers.push_back(response);
         if (response.check_passed == false) ++left.check_failures[{trial.stage, trial.check->kind}];
         if (!response.exclusion.empty()) exclusions.push_back({response.exclusion, response.answered});

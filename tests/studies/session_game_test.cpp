@@ -80,8 +80,8 @@ TEST_SUITE("studies/session_game") {
         REQUIRE(driver.waitUntil([&] { return !driver.responses.empty(); }));
         const Response& late = driver.responses[0];
         CHECK(late.status == ResponseStatus::timed_out);
-        CHECK(late.chosen_place == -1);
-        CHECK_FALSE(late.correct);
+        CHECK(late.chosenPlace() == -1);
+        CHECK_FALSE(late.correct());
         CHECK(late.answers.empty());
         CHECK(late.input.empty());
         CHECK(late.response_time_s == doctest::Approx(12.0));
@@ -117,7 +117,7 @@ TEST_SUITE("studies/session_game") {
             Playing driver(stage, 1);
             choose(driver, rightly);
             REQUIRE(driver.responses.size() == 1);
-            CHECK(driver.responses[0].correct == rightly);
+            CHECK(driver.responses[0].correct() == rightly);
             CHECK(driver.state() == "chosen-across");
             for (const BallView& ball : driver.frame.balls) CHECK(ball.look != BallLook::revealed);
             REQUIRE(driver.waitUntil([&] { return driver.state() == "feedback-across"; }));
@@ -173,7 +173,7 @@ TEST_SUITE("studies/session_game") {
             }
             REQUIRE(driver.responses.size() == 1);
             const Response& response = driver.responses[0];
-            CHECK(response.chosen_place == 1);
+            CHECK(response.chosenPlace() == 1);
             CHECK(answerTo(response, "confidence") == (slides ? 83.0 : 4.0));
             CHECK(response.answered.time_s == chosen_s);
             CHECK(response.response_time_s == doctest::Approx(chosen_s - response.motion_end.time_s));

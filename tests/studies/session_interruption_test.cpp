@@ -300,8 +300,8 @@ TEST_SUITE("studies/session_interruption") {
                     CHECK(given.response_time_s > 0.0);
                     CHECK(answered.insert(given.trial_index).second);
                     CHECK(given.trial_index == driver.session->trialUnderWay());
-                    if (given.input == "ray" && given.chosen_place >= 0) {
-                        const auto place = static_cast<std::size_t>(given.chosen_place);
+                    if (given.input == "ray" && given.chosenPlace() >= 0) {
+                        const auto place = static_cast<std::size_t>(given.chosenPlace());
                         const Vec3 looking = given.stage_from_head.orientation * Vec3(0.0, 0.0, -1.0);
                         const Vec3 towards =
                             driver.frame.balls[place].centre - given.stage_from_head.position;

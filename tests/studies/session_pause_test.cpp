@@ -212,7 +212,7 @@ TEST_SUITE("studies/session_pause") {
                       response.answered.time_s - response.motion_end.time_s + 1e-9);
                 const bool game = response.trial_index >= 5;
                 CHECK((ratingOf(response) >= 1 && ratingOf(response) <= 5) == !game);
-                CHECK((response.chosen_place >= 0 && response.chosen_place <= 2) == game);
+                CHECK((response.chosenPlace() >= 0 && response.chosenPlace() <= 2) == game);
             }
         }
     }

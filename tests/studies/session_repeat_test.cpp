@@ -94,7 +94,7 @@ TEST_SUITE("studies/session_repeat") {
             driver.step();
             driver.press(button_id::go_on);
             REQUIRE(driver.responses.size() == 1);
-            CHECK(driver.responses[0].chosen_place == 2);
+            CHECK(driver.responses[0].chosenPlace() == 2);
             CHECK(answerTo(driver.responses[0], "confidence") == 20.0);
             CHECK(driver.shownClips() == 1);
         }

@@ -173,7 +173,7 @@ TEST_SUITE("studies/session_select") {
         CHECK(driver.frame.balls[0].look == BallLook::hovered);
         driver.step(driver.pointing(ball, true));
         REQUIRE(driver.responses.size() == 1);
-        CHECK(driver.responses[0].chosen_place == 0);
+        CHECK(driver.responses[0].chosenPlace() == 0);
     }
 
     TEST_CASE("a ball is lit and chosen however far away, up to the floor; the ray is drawn up to it") {
@@ -197,7 +197,7 @@ TEST_SUITE("studies/session_select") {
             CHECK(driver.frame.ray->length_m == doctest::Approx(away_m - 0.05).epsilon(0.01));
             driver.step(driver.pointing(ball, true));
             REQUIRE(driver.responses.size() == 1);
-            CHECK(driver.responses[0].chosen_place == place);
+            CHECK(driver.responses[0].chosenPlace() == place);
         }
         Driver driver(1, 0.5, false);
         driver.start(ratings_answered);

@@ -75,7 +75,7 @@ TEST_SUITE("studies/session") {
         REQUIRE(driver.responses.size() == 1);
         const Response& rating = driver.responses[0];
         CHECK(ratingOf(rating) == 4);
-        CHECK(rating.chosen_place == -1);
+        CHECK(rating.chosenPlace() == -1);
         CHECK(rating.input == "ray");
         CHECK(rating.pointer.has_value());
         CHECK(rating.stage_from_head.position.y == doctest::Approx(1.65));
@@ -99,8 +99,8 @@ TEST_SUITE("studies/session") {
             driver.choose(place);
             const Response& choice = driver.responses.back();
             CHECK(ratingOf(choice) == 0);
-            CHECK(choice.chosen_place == place);
-            CHECK(choice.correct == (trial.ball_order[static_cast<std::size_t>(place)] == 0));
+            CHECK(choice.chosenPlace() == place);
+            CHECK(choice.correct() == (trial.ball_order[static_cast<std::size_t>(place)] == 0));
         }
     }
 
@@ -168,7 +168,7 @@ TEST_SUITE("studies/session") {
 
         driver.choose(2);
         REQUIRE(driver.responses.size() == 1);
-        CHECK(driver.responses[0].chosen_place == 2);
+        CHECK(driver.responses[0].chosenPlace() == 2);
         CHECK(driver.frame.balls[2].look == BallLook::chosen);
         CHECK_FALSE(driver.frame.ray.has_value());
         const double answered_s = driver.time_s;

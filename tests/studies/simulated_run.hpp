@@ -156,7 +156,7 @@ inline Outcome simulate(const Prepared& prepared, const StudyPlan& plan, std::ui
     for (int sitting = 0; sitting < 5; ++sitting) {
         sit(prepared, plan, station, keyboard, resume, outcome);
         for (const Response& response : outcome.responses)
-            resume.answered[response.trial_index] = response.correct || response.chosen_place < 0;
+            resume.answered[response.trial_index] = response.correct() || response.chosenPlace() < 0;
         if (outcome.session != SessionOutcome::finished ||
             trialsLeft(prepared.study, plan, resume.answered).empty())
             break;
@@ -177,7 +177,7 @@ inline void checkWhole(const Prepared& prepared, const Outcome& outcome) {
         CHECK(response.status == ResponseStatus::answered);
         CHECK(answered.count(response.trial_index) == 0);
         const Trial& trial = prepared.plan.trials.at(static_cast<std::size_t>(response.trial_index));
-        answered[response.trial_index] = response.correct || trial.kind != StageKind::game;
+        answered[response.trial_index] = response.correct() || trial.kind != StageKind::game;
         // Without a keyboard a page of texts alone asks nothing.
         const bool asked = trial.kind != StageKind::questionnaire || !response.answers.empty();
         CHECK((response.response_time_s > 0.2) == asked);

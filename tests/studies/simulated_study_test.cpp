@@ -85,7 +85,7 @@ std::map<std::string, Tally> tallies(const Prepared& prepared, const SimulatedPa
                 ++tally.rated;
             } else {
                 ++tally.chosen;
-                tally.correct += response.correct ? 1 : 0;
+                tally.correct += response.correct() ? 1 : 0;
             }
         }
     }
@@ -196,7 +196,7 @@ TEST_SUITE("studies/simulated_study") {
         const auto told = [&prepared](std::uint64_t seed) {
             std::string text;
             for (const Response& response : simulate(prepared, seed).responses) {
-                text += fmt::format("{} {} {:.17g}", response.trial_index, response.chosen_place,
+                text += fmt::format("{} {} {:.17g}", response.trial_index, response.chosenPlace(),
                                     response.answered.time_s);
                 for (const Answer& answer : response.answers)
                     text +=
@@ -225,10 +225,10 @@ TEST_SUITE("studies/simulated_study") {
             const Outcome there = simulate(prepared, other, seed);
             REQUIRE(here.responses.size() == there.responses.size());
             for (std::size_t i = 0; i < here.responses.size(); ++i) {
-                CHECK(here.responses[i].chosen_place == there.responses[i].chosen_place);
+                CHECK(here.responses[i].chosenPlace() == there.responses[i].chosenPlace());
                 CHECK(here.responses[i].answered.time_s == there.responses[i].answered.time_s);
-                correct += here.responses[i].correct ? 1 : 0;
-                correct_other += there.responses[i].correct ? 1 : 0;
+                correct += here.responses[i].correct() ? 1 : 0;
+                correct_other += there.responses[i].correct() ? 1 : 0;
             }
         }
         CHECK(correct > 5 * correct_other);

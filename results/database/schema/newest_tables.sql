@@ -134,18 +134,24 @@ CREATE TABLE trials (
     target_x_m     REAL,
     target_y_m     REAL,
     target_z_m     REAL,
-    distractors    TEXT,                 -- game: JSON [[x,y,z],...]
-    balls          TEXT,                 -- game: likewise, in the order shown
-    target_place   INTEGER,              -- game: which of balls
     check_kind     TEXT CHECK (check_kind IN ('number', 'catch', 'repeat')),
     check_stimulus INTEGER,
     check_expected REAL,
     check_of_trial INTEGER,
     visibility     TEXT,                 -- JSON: what is seen of each ball
     angles         TEXT,                 -- JSON: how far the distractors look from the target
-    PRIMARY KEY (participant, trial_index),
-    CHECK ((balls IS NOT NULL) = (kind = 'referential-game')),
-    CHECK ((balls IS NULL) = (target_place IS NULL))
+    PRIMARY KEY (participant, trial_index)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE trial_values (              -- what a trial's kind plans beside: its declaration says what and of which type
+    participant TEXT NOT NULL,
+    trial_index INTEGER NOT NULL,
+    name        TEXT NOT NULL,
+    value       REAL,
+    text        TEXT,
+    PRIMARY KEY (participant, trial_index, name),
+    FOREIGN KEY (participant, trial_index) REFERENCES trials (participant, trial_index),
+    CHECK ((value IS NULL) <> (text IS NULL))
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE trial_stimuli (
@@ -209,8 +215,6 @@ CREATE TABLE responses (
     trial_index      INTEGER NOT NULL,
     session          INTEGER NOT NULL,
     status           TEXT NOT NULL CHECK (status IN ('answered', 'timed_out', 'skipped')),
-    chosen_place     INTEGER,
-    correct          INTEGER CHECK (correct IN (0, 1)),
     check_passed     INTEGER CHECK (check_passed IN (0, 1)),
     onset_s          REAL NOT NULL,
     onset_utc_s      REAL NOT NULL,
@@ -273,6 +277,15 @@ CREATE TABLE answers (
     value    REAL,
     text     TEXT,
     PRIMARY KEY (response, position)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE response_values (           -- what a response's kind keeps beside answers: likewise
+    response INTEGER NOT NULL REFERENCES responses (id),
+    name     TEXT NOT NULL,
+    value    REAL,
+    text     TEXT,
+    PRIMARY KEY (response, name),
+    CHECK ((value IS NULL) <> (text IS NULL))
 ) STRICT, WITHOUT ROWID;
 
 CREATE TABLE events (

@@ -1,5 +1,3 @@
-DROP VIEW IF EXISTS responses_flat;
-
 -- One row for each answer to a question or rating, and one for each response without any (a choice of the game
 -- without confidence, a skipped trial): everything in it.
 CREATE VIEW responses_flat AS
@@ -12,11 +10,22 @@ SELECT p.id AS participant, p.number AS participant_number,
        r.trial_index, t.stage, t.kind, t.practice, t.attempt, r.status,
        a.question, CASE WHEN t.kind <> 'pairwise' THEN s.position END AS stimulus, s.system, s.item,
        coalesce(s.scored, 0) AS scored,
-       a.value, a.text, r.chosen_place, t.target_place, r.correct, t.check_kind, r.check_passed,
+       a.value, a.text,
+       (SELECT CAST(v.value AS INTEGER) FROM response_values AS v WHERE v.response = r.id AND v.name = 'chosen_place')
+           AS chosen_place,
+       (SELECT CAST(v.value AS INTEGER) FROM trial_values AS v WHERE v.participant = t.participant
+           AND v.trial_index = t.trial_index AND v.name = 'target_place') AS target_place,
+       (SELECT CAST(v.value AS INTEGER) FROM response_values AS v WHERE v.response = r.id AND v.name = 'correct')
+           AS correct,
+       t.check_kind, r.check_passed,
        t.layout, t.distance, t.target_id, r.response_time_s, r.replays, x.plays, r.pauses, r.paused_s,
        r.begun_before, r.input, k.dropped_frames, k.samples_missing, k.max_off_place_m,
        s.clip, x.clip_file, x.clip_hash, x.author, x.author_trial,
-       t.target_x_m, t.target_y_m, t.target_z_m, t.distractors, t.balls,
+       t.target_x_m, t.target_y_m, t.target_z_m,
+       (SELECT v.text FROM trial_values AS v WHERE v.participant = t.participant AND v.trial_index = t.trial_index
+           AND v.name = 'distractors') AS distractors,
+       (SELECT v.text FROM trial_values AS v WHERE v.participant = t.participant AND v.trial_index = t.trial_index
+           AND v.name = 'balls') AS balls,
        coalesce(r.viewer_x_m, l.viewer_x_m) AS viewer_x_m, coalesce(r.viewer_z_m, l.viewer_z_m) AS viewer_z_m,
        coalesce(r.viewer_heading_deg, l.heading_deg) AS heading_deg,
        r.onset_s, r.motion_end_s, r.answered_s, r.onset_utc_s, r.motion_end_utc_s, r.answered_utc_s,

@@ -42,7 +42,6 @@ class ConsentUnit : public TrialUnit {
         if (!agrees && met.button != button_id::end_for_good) return;
         give(input, selectTime(input), "ray");
         draft_.answers.push_back({"consent", -1, agrees ? 1.0 : 0.0, {}});
-        draft_.correct = false;
         core_.view.confirmButton(met.button);
         complete();
     }

@@ -12,6 +12,13 @@ constexpr std::string_view keys_of_kind[] = {"system_meets", "max_run_of_system"
 constexpr CheckKind checks[] = {CheckKind::catch_trial};
 constexpr DeclaredMeasure measures[] = {{"", AskedKind::accuracy, "accuracy"},
                                         {"confidence", AskedKind::rating, "confidence"}};
+constexpr KeptField planned[] = {
+    {"distractors", KeptType::text, "Centres of the distractors, JSON [[x,y,z],...]", "m"},
+    {"balls", KeptType::text, "Centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},
+    {"target_place", KeptType::whole, "Which of the balls is the target, from 0"}};
+constexpr KeptField chosen[] = {
+    {"chosen_place", KeptType::whole, "The ball chosen, from 0 in the order shown"},
+    {"correct", KeptType::truth, "1 where the target was chosen"}};
 
 Question readConfidence(TomlTable& parent) {
     TomlTable table = parent.below("confidence", parent.section("confidence", true), keys::confidence);
@@ -50,6 +57,8 @@ extern const StageDeclaration game_declaration{.name = "referential-game",
                                                .right_or_wrong = true,
                                                .checks = game::checks,
                                                .questions = game::questions,
-                                               .measures = game::measures};
+                                               .measures = game::measures,
+                                               .trial_values = {"game_trials", game::planned},
+                                               .response_values = {"game_choices", game::chosen}};
 
 }  // namespace deixis::studies

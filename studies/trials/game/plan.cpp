@@ -1,4 +1,6 @@
 // What is planned of the game beside what its design says: the balls.
+#include <fmt/core.h>
+
 #include <array>
 #include <map>
 #include <numeric>
@@ -47,6 +49,15 @@ void noteVisibility(const Study& study, std::vector<Trial>& trials) {
     }
 }
 
+std::string positionsJson(const std::vector<Vec3>& positions) {
+    std::string out = "[";
+    for (const Vec3& p : positions) {
+        if (out.size() > 1) out += ",";
+        out += fmt::format("[{},{},{}]", p.x, p.y, p.z);
+    }
+    return out + "]";
+}
+
 }  // namespace
 
 void drawBalls(Trial& trial, const Study& study, const TargetItem& item, int band, Random& random) {
@@ -60,6 +71,16 @@ void drawBalls(Trial& trial, const Study& study, const TargetItem& item, int ban
 void noteBalls(const Study& study, std::vector<Trial>& trials) {
     noteVisibility(study, trials);
     noteAngles(study, trials);
+}
+
+std::vector<KeptValue> ballValues(const Trial& trial) {
+    if (trial.ball_order.empty()) return {};
+    std::vector<Vec3> balls;
+    for (std::size_t place = 0; place < trial.ball_order.size(); ++place)
+        balls.push_back(trial.ball(static_cast<int>(place)));
+    return {{"distractors", {}, positionsJson(trial.distractors)},
+            {"balls", {}, positionsJson(balls)},
+            {"target_place", trial.targetPlace(), {}}};
 }
 
 }  // namespace deixis::studies

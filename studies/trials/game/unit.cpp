@@ -53,7 +53,7 @@ class GameTrial : public ClipTrial {
     [[nodiscard]] std::string notice() const override {
         const LanguageTable& words = core_.words();
         if (done_ && draft_.status == ResponseStatus::timed_out) return words("notice_time_up");
-        if (revealed_) return words(draft_.correct ? "feedback_correct" : "feedback_wrong");
+        if (revealed_) return words(draft_.correct() ? "feedback_correct" : "feedback_wrong");
         if (done_ || seconds_left_ == 0) return {};
         return words.seconds("notice_time_left", "notice_second_left", seconds_left_);
     }
@@ -149,8 +149,8 @@ class GameTrial : public ClipTrial {
     }
 
     void choose(const InputFrame& input, int place) {
-        draft_.chosen_place = place;
-        draft_.correct = place == trial_.targetPlace();
+        draft_.values = {{"chosen_place", place, {}},
+                         {"correct", place == trial_.targetPlace() ? 1.0 : 0.0, {}}};
         chosen_ = true;
         seconds_left_ = 0;
         give(input, selectTime(input), "ray");
@@ -162,7 +162,7 @@ class GameTrial : public ClipTrial {
 
     void openConfidence(const InputFrame& input) {
         showState(PresentedState::confidence);
-        core_.view.lookAtBalls(BallLook::waiting, draft_.chosen_place, BallLook::chosen);
+        core_.view.lookAtBalls(BallLook::waiting, draft_.chosenPlace(), BallLook::chosen);
         confidence_->open(
             input, std::nullopt,
             [balls = core_.view.frame.balls](const Panel& panel, const Pose& viewer, double eye_m) {
@@ -191,12 +191,12 @@ class GameTrial : public ClipTrial {
     }
 
     void showDone() {
-        const bool chosen = draft_.chosen_place >= 0;
+        const bool chosen = draft_.chosenPlace() >= 0;
         showState(revealed_ ? PresentedState::feedback
                   : chosen  ? PresentedState::chosen
                             : PresentedState::waiting);
         core_.view.lookAtBalls(chosen && !confidence_ ? BallLook::selectable : BallLook::waiting,
-                               draft_.chosen_place, BallLook::chosen);
+                               draft_.chosenPlace(), BallLook::chosen);
         if (!revealed_) return;
         core_.view.closePanel();
         lookAtTask();
@@ -208,7 +208,7 @@ class GameTrial : public ClipTrial {
 
 /// Which ball was chosen, whatever its place.
 int ballOf(const GivenAnswer& given) {
-    const int place = given.response.chosen_place;
+    const int place = given.response.chosenPlace();
     return place < 0 ? -1 : given.trial.ball_order.at(static_cast<std::size_t>(place));
 }
 

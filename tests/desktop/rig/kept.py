@@ -31,9 +31,15 @@ def check_whole_session(path, meant, station="desktop"):
         require(outcomes and outcomes[-1] == "finished", f"the outcomes of the sessions are {outcomes}")
         kinds = {(row["station"], row["synthetic"]) for row in db.rows("select station, synthetic from sessions")}
         require(kinds == {(station, 0)}, f"the stations recorded are {sorted(kinds)}")
-        trials = {row["trial_index"]: row for row in db.rows("select * from trials")}
+        trials = {
+            row["trial_index"]: row
+            for row in db.rows("select * from trials left join game_trials using (participant, trial_index)")
+        }
         responses = {}
-        for row in db.rows("select * from responses where superseded is null order by id"):
+        for row in db.rows(
+            "select r.*, g.chosen_place, g.correct from responses as r left join game_choices as g on g.response = r.id "
+            "where r.superseded is null order by r.id"
+        ):
             require(row["trial_index"] not in responses, f"trial {row['trial_index']} was answered twice")
             responses[row["trial_index"]] = row
         require(

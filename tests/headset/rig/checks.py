@@ -99,8 +99,8 @@ def check_balls(path, given):
     """The chosen place is the ball that the participant saw and aimed at; `correct` follows from it."""
     with Database(path) as db:
         for row in db.rows(
-            "select t.trial_index, t.balls, t.target_place, r.chosen_place, r.correct from trials t join responses r "
-            "on r.participant = t.participant and r.trial_index = t.trial_index where t.kind = 'referential-game'"
+            "select trial_index, balls, target_place, chosen_place, correct from game_trials join game_choices "
+            "using (participant, trial_index)"
         ):
             balls = json.loads(row["balls"])
             aimed = given[row["trial_index"]].ball

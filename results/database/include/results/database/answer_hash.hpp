@@ -4,6 +4,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -17,10 +18,10 @@ struct HashedAnswer {
     std::string computed;
 };
 
-/// SHA-256 of all that is stored of a response: its own columns, answers and clips, its trial as planned, its
-/// session's station, the participant's groups, and what the study's tables say but for texts. Numbers that
-/// each database counts for itself are left out, so that a copied answer keeps its hash; so is what changes
-/// later, but for `superseded`. Each value is told with its type and length.
+/// SHA-256 of all that is stored of a response: its own columns, kept values, answers and clips, its trial as
+/// planned, its session's station, the participant's groups, and what the study's tables say but for texts.
+/// Numbers that each database counts for itself are left out, so that a copied answer keeps its hash; so is
+/// what changes later, but for `superseded`. Each value is told with its type and length.
 class AnswerHasher {
   public:
     enum class Scope : unsigned char { one, all };
@@ -37,17 +38,24 @@ class AnswerHasher {
     struct Part {
         SQLite::Statement rows;
         bool there = false;
-        void append(std::string& content, std::int64_t response);
+        /// Calls `take` with each row of the response.
+        template <typename Take>
+        void of(std::int64_t response, const Take& take);
     };
 
     [[nodiscard]] HashedAnswer hashed();
     [[nodiscard]] const std::string& groupsOf(const std::string& participant);
-    void appendTrial(std::string& content, const std::string& participant, int trial_index);
+    /// Kept values by name, each as it is hashed.
+    using Kept = std::map<std::string, std::string>;
+    /// Returns the trial's that have not been told.
+    Kept appendTrial(std::string& content, const std::string& participant, int trial_index);
 
     SQLite::Statement responses_;
     Part answers_;
     Part clips_;
+    Part kept_;
     SQLite::Statement trial_;
+    SQLite::Statement trial_kept_;
     SQLite::Statement stimuli_;
     SQLite::Statement groups_;
     std::string study_;

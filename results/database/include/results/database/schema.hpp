@@ -9,7 +9,7 @@ inline constexpr int application_id = 0x44584953;
 
 /// SQLite's user_version. Raise it with every change of the tables, and add the step to migrate() and
 /// to server_schema.cpp.
-inline constexpr int schema_version = 5;
+inline constexpr int schema_version = 6;
 
 // The files of results/schema. A step, once released, is never changed: it knows only tables as they were in
 // its two versions.
@@ -18,7 +18,9 @@ extern const char* const step_3_tables;  ///< of version 3, beside those of vers
 extern const char* const step_3_rows;    ///< brings over what migration_3.cpp does not
 extern const char* const step_4;         ///< brings version 3 to version 4
 extern const char* const step_5;         ///< brings version 4 to version 5, but for tokens
+extern const char* const step_6;         ///< brings version 5 to version 6, but for columns of trials,
+extern const char* const step_6_trials;  ///< which SQLite takes out so
 extern const char* const newest_tables;  ///< for an empty database
-extern const char* const newest_views;   ///< replaces them
+extern const char* const newest_views;   ///< those of no kind of trial, see views.hpp
 
 }  // namespace deixis::results

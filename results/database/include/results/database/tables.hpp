@@ -33,12 +33,13 @@ inline constexpr const char* of_sessions = "session IN (SELECT id FROM sessions 
 inline constexpr const char* of_responses = "response IN (SELECT id FROM responses WHERE participant = ?1)";
 
 /// In an order in which each row finds what it refers to.
-inline constexpr std::array<PeopleTable, 16> people_tables{{
+inline constexpr std::array<PeopleTable, 18> people_tables{{
     {"participants", nullptr, nullptr, nullptr, "id = ?1", "id", "status, reason, registered_utc_s", "token"},
     {"participant_groups", nullptr, nullptr, nullptr, of_participant, "factor"},
     {"participant_fields", nullptr, nullptr, nullptr, of_participant, "field", "value, text"},
     {"plans", nullptr, nullptr, nullptr, of_participant, "participant", "locked_hash"},
     {"trials", nullptr, nullptr, nullptr, of_participant, "trial_index"},
+    {"trial_values", nullptr, nullptr, nullptr, of_participant, "trial_index, name"},
     {"trial_stimuli", nullptr, nullptr, nullptr, of_participant, "trial_index, position"},
     {"sessions", "id", nullptr, nullptr, of_participant, "id", "ended_utc_s, outcome"},
     {"session_properties", nullptr, "session", nullptr, of_sessions, "session, name"},
@@ -47,6 +48,7 @@ inline constexpr std::array<PeopleTable, 16> people_tables{{
     {"responses", "id", "session", nullptr, of_participant, "id", "superseded, superseded_utc_s, hash"},
     {"response_stimuli", nullptr, nullptr, "response", of_responses, "response, position"},
     {"answers", nullptr, nullptr, "response", of_responses, "response, position"},
+    {"response_values", nullptr, nullptr, "response", of_responses, "response, name"},
     {"events", "id", "session", nullptr, of_sessions, "id"},
     {"tracking_blocks", "id", "session", nullptr, of_sessions, "session, first_frame"},
     {"hand_joints", nullptr, "session", nullptr, of_sessions, "session, frame, hand"},

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "studies/design/angles.hpp"
 #include "studies/design/targets.hpp"
+#include "studies/study_file/kept_values.hpp"
 #include "studies/study_file/study.hpp"
 
 namespace deixis::studies {
@@ -149,6 +150,9 @@ struct Turn {
 /// Trial::angles as JSON: {"avatar": [...], "headset": [...], "desktop": [...]}, degrees, in the order of the
 /// distractors; empty where they were not kept.
 [[nodiscard]] std::string anglesJson(const Trial& trial);
+
+/// What the trial's kind keeps of it beside, as it declares (kept_values.hpp).
+[[nodiscard]] std::vector<KeptValue> keptValues(const Trial& trial);
 
 /// The same for people: a table, one line a trial.
 [[nodiscard]] std::string planTable(const StudyPlan& plan);

@@ -45,8 +45,7 @@ struct Response {
     int trial_index = 0;
     ResponseStatus status = ResponseStatus::answered;
     std::vector<Answer> answers{};
-    int chosen_place = -1;               ///< game: which ball, by place; -1 else
-    bool correct = false;                ///< game only
+    std::vector<KeptValue> values{};     ///< what its kind keeps beside, as it declares
     std::optional<bool> check_passed{};  ///< of an attention check
     Moment onset{};                ///< first frame of the last clip's last play, as shown; pages: when shown
     Moment motion_end{};           ///< last frame of that clip shown; selection opened here; pages: as onset
@@ -63,6 +62,11 @@ struct Response {
     Pose stage_from_head{};        ///< at the answer
     std::optional<Ray> pointer{};  ///< at the answer
     ViewerPlace viewer{};          ///< where the participant was asked to stand
+
+    /// Of kinds with wrong answers; false where nothing was chosen.
+    [[nodiscard]] bool correct() const { return keptNumber(values, "correct") == 1.0; }
+    /// Of kinds with balls: which was chosen, by its place; -1: none.
+    [[nodiscard]] int chosenPlace() const { return keptPlace(values, "chosen_place"); }
 };
 
 /// The operator has the last answered trial done again: its answer is kept, and marked.

@@ -30,11 +30,14 @@ struct RecordedTrial {
     std::vector<RecordedPlay> plays{};
     double open_s = 0.0;      ///< the answer was open from here on
     double answered_s = 0.0;  ///< or skipped, or timed out
-    int chosen_place = -1;    ///< game
     std::vector<Answer> answers{};
+    std::vector<KeptValue> values{};         ///< as Response::values
     std::optional<Ray> pointer{};            ///< at the answer
     Pose stage_from_head{};                  ///< at the answer
     std::vector<TrackingSample> tracking{};  ///< in order of time; empty where nothing was tracked
+
+    /// As Response::chosenPlace().
+    [[nodiscard]] int chosenPlace() const { return keptPlace(values, "chosen_place"); }
 };
 
 /// The place of the ball that a ray meets first, in the order shown; -1: none.

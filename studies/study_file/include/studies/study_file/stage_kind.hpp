@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "studies/study_file/kept_values.hpp"
 #include "studies/study_file/study.hpp"
 
 namespace deixis::studies {
@@ -64,6 +65,11 @@ struct StageDeclaration {
     /// All that is asked, under the names that the answers have.
     std::vector<Question> (*questions)(const Stage& stage, const LanguageTable& words) = nullptr;
     std::span<const DeclaredMeasure> measures{};
+
+    // What is kept of a trial as planned, and of a response, beside what every kind keeps. A kind in which an
+    // answer can be wrong keeps a truth `correct` of each choice.
+    KeptFields trial_values{};
+    KeptFields response_values{};
 
     [[nodiscard]] bool showsClips() const { return max_stimuli > 0; }
     [[nodiscard]] bool has(std::string_view key) const;

@@ -1,0 +1,17 @@
+// The views of a database: responses_flat, and for each kind of trial that keeps values of its own
+// (kept_values.hpp) those in which they stand as columns, made from the kind's declaration.
+#pragma once
+
+#include <string>
+
+namespace deixis::results {
+
+/// SQL that makes all of them; they must not be there. Understood by SQLite and, but for how responses_flat
+/// writes moments, by PostgreSQL.
+[[nodiscard]] std::string createViews();
+/// SQL that makes those of kinds that are missing, as after a kind was added. SQLite's.
+[[nodiscard]] std::string createMissingViews();
+/// SQL that takes all of them away, those that are there.
+[[nodiscard]] std::string dropViews();
+
+}  // namespace deixis::results
