@@ -1,5 +1,5 @@
-// What most files read first. Compiled once for all of them (DEIXIS_PCH, CMakeLists.txt); every file includes what it
-// needs all the same, which builds without it see to.
+// What most files read first. Compiled once for all of them (DEIXIS_PCH); every file includes what it needs
+// all the same.
 #pragma once
 
 #include <fmt/format.h>
