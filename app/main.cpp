@@ -20,7 +20,7 @@
 #include "app/program/version.hpp"
 #include "core/server_address.hpp"
 #include "core/text.hpp"
-#include "results/database/long_check.hpp"
+#include "results/database/check_progress.hpp"
 
 namespace {
 
@@ -36,7 +36,7 @@ std::optional<std::string> misplacedServer(const std::vector<std::string>& argum
 /// What is typed ends up in databases, tables and pages, which are UTF-8.
 std::optional<std::string> unkeepable(const std::vector<std::string>& arguments) {
     for (const std::string& one : arguments)
-        if (!deixis::keepableText(one)) return deixis::keepable(one);
+        if (!deixis::storableText(one)) return deixis::storable(one);
     return std::nullopt;
 }
 
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
     addCommands(cli, chosen);
 
     const std::vector<std::string> arguments =
-        inTodaysSpelling(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+        inCurrentSpelling(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     if (const auto text = unkeepable(arguments)) {
         fmt::print(
             stderr,
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
             deixis::withoutPasswords(*address));
         return 2;
     }
-    deixis::results::watchChecks([](const std::filesystem::path& database) {
+    deixis::results::observeChecks([](const std::filesystem::path& database) {
         return std::make_shared<ElapsedOnTerminal>("checking " + database.string());
     });
     try {

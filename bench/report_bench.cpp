@@ -18,8 +18,8 @@ namespace {
 
 using namespace deixis;
 
-constexpr double most_seconds_for_a_report = 1.0;
-constexpr double most_seconds_for_a_page = 0.15;  // of one study
+constexpr double max_seconds_for_a_report = 1.0;
+constexpr double max_seconds_for_a_page = 0.15;  // of one study
 constexpr int answers_each = 60;
 
 std::filesystem::path wholeStudy(const fixtures::Folder& folder, int participants) {
@@ -41,7 +41,7 @@ void load(benchmark::State& state, int participants) {
     const fixtures::Folder folder;
     const auto file = wholeStudy(folder, participants);
     for (auto _ : state) benchmark::DoNotOptimize(loaded(file, participants).rows.data());
-    state.counters["limit_s"] = most_seconds_for_a_report;
+    state.counters["limit_s"] = max_seconds_for_a_report;
 }
 BENCHMARK_CAPTURE(load, study, 39)->Name("report/load_2340_answers")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(load, ten_studies, 390)->Name("report/load_23400_answers")->Unit(benchmark::kMillisecond);
@@ -52,10 +52,10 @@ void analyseAndRender(benchmark::State& state, int participants, double limit_s)
     for (auto _ : state) benchmark::DoNotOptimize(results::renderReport(results::analyse(table)).data());
     state.counters["limit_s"] = limit_s;
 }
-BENCHMARK_CAPTURE(analyseAndRender, study, 39, most_seconds_for_a_page)
+BENCHMARK_CAPTURE(analyseAndRender, study, 39, max_seconds_for_a_page)
     ->Name("report/analyse_and_render_2340_answers")
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(analyseAndRender, ten_studies, 390, most_seconds_for_a_report)
+BENCHMARK_CAPTURE(analyseAndRender, ten_studies, 390, max_seconds_for_a_report)
     ->Name("report/analyse_and_render_23400_answers")
     ->Unit(benchmark::kMillisecond);
 
@@ -88,7 +88,7 @@ void analyseMany(benchmark::State& state) {
         benchmark::DoNotOptimize(results::renderReport(result).data());
         benchmark::DoNotOptimize(results::analysisTables(result, results::TableFormat::csv).data());
     }
-    state.counters["limit_s"] = most_seconds_for_a_report;
+    state.counters["limit_s"] = max_seconds_for_a_report;
 }
 BENCHMARK(analyseMany)
     ->Name("report/100000_answers_to_all_tables")

@@ -128,7 +128,7 @@ void stereo(benchmark::State& state) {
     state.counters["over_twice_one_eye"] = bench::median(real_ratios);
     state.counters["over_twice_one_eye_cpu"] = bench::median(processor_ratios);
     if (multiview) {
-        // Apart from the rest, since the samples' textures are made anew where the way of drawing changes.
+        // Apart from the rest, since the samples' textures are made again where the way of drawing changes.
         constexpr int frames = 15;
         std::vector<double> passes_s(frames);
         std::vector<double> together_s(frames);

@@ -23,8 +23,8 @@ constexpr double frames_per_s = 90.0;
 constexpr double session_s = 40.0 * 60.0;
 constexpr std::uint64_t session_frames = 216'000;
 constexpr std::uint64_t trial_frames = 900;
-constexpr double most_megabytes = 30.0;
-constexpr double most_percent_of_a_core = 2.0;
+constexpr double max_megabytes = 30.0;
+constexpr double max_percent_of_a_core = 2.0;
 
 // Of good inside-out tracking, frame to frame.
 constexpr double position_noise_m = 0.0005;
@@ -122,13 +122,13 @@ void session(benchmark::State& state) {
         percent = 100.0 * processor_s / session_s;
     }
     state.counters["MB"] = megabytes;
-    state.counters["MB_limit"] = most_megabytes;
+    state.counters["MB_limit"] = max_megabytes;
     state.counters["bytes_a_frame"] = 1e6 * megabytes / static_cast<double>(session_frames);
     state.counters["core_percent"] = percent;
-    state.counters["core_percent_limit"] = most_percent_of_a_core;
-    if (megabytes > most_megabytes || percent > most_percent_of_a_core) {
+    state.counters["core_percent_limit"] = max_percent_of_a_core;
+    if (megabytes > max_megabytes || percent > max_percent_of_a_core) {
         const std::string reason = fmt::format("over a limit: {:.1f} MB of {}, {:.2f} % of a core of {}",
-                                               megabytes, most_megabytes, percent, most_percent_of_a_core);
+                                               megabytes, max_megabytes, percent, max_percent_of_a_core);
         state.SkipWithError(reason.c_str());
     }
 }
@@ -145,7 +145,7 @@ BENCHMARK(session)
 void pack(benchmark::State& state) {
     Person person;
     std::vector<studies::TrackingSample> samples;
-    for (std::uint64_t i = 1; i <= results::most_frames_in_block; ++i)
+    for (std::uint64_t i = 1; i <= results::max_frames_in_block; ++i)
         samples.push_back(person.frame(i).sample);
     std::size_t bytes = 0;
     for (auto _ : state) {
@@ -160,7 +160,7 @@ BENCHMARK(pack)->Name("store/pack_tracking_block")->Unit(benchmark::kMicrosecond
 void unpack(benchmark::State& state) {
     Person person;
     std::vector<studies::TrackingSample> samples;
-    for (std::uint64_t i = 1; i <= results::most_frames_in_block; ++i)
+    for (std::uint64_t i = 1; i <= results::max_frames_in_block; ++i)
         samples.push_back(person.frame(i).sample);
     const std::string data = results::packTracking(samples);
     for (auto _ : state) {

@@ -25,7 +25,7 @@
 #include "core/hash.hpp"
 #include "core/number.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/synthesis/generator.hpp"
 #include "results/evaluation/evaluation.hpp"
 #include "studies/study_file/stage_kind.hpp"
@@ -63,7 +63,7 @@ Result<std::variant<results::BandwidthRule, std::vector<double>>> bandwidthFrom(
         const auto rule = results::bandwidthRuleFromName(text);
         if (!rule)
             return fail("--bandwidth", rule.error().message,
-                        rule.error().mend + ", or three lengths hx,hy,hz");
+                        rule.error().hint + ", or three lengths hx,hy,hz");
         return *rule;
     }
     std::vector<double> lengths;

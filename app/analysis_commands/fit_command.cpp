@@ -274,7 +274,7 @@ Result<void> fitDatabase(const FitArguments& options) {
     if (!base) return tl::unexpected(base.error());
     if (!options.ray.empty()) {
         const auto reading = studies::readingFromName(options.ray);
-        if (!reading) return fail("--ray", reading.error().message, reading.error().mend);
+        if (!reading) return fail("--ray", reading.error().message, reading.error().hint);
         base->observer.reading = *reading;
     }
     for (const std::string& file : {options.output, options.json})

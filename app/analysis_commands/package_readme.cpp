@@ -22,9 +22,9 @@ std::string whoTookPart(const PackageFacts& facts) {
     const long left = count([](const auto& one) { return one.status != results::ParticipantStatus::active; });
     std::string out = counted(static_cast<long>(rows.size()), "participant", "participants");
     if (left > 0) out += fmt::format(", {} of them excluded or dropped out", left);
-    if (facts.counts.refused > 0)
+    if (facts.counts.declined > 0)
         out += fmt::format("; {} refused consent: that they did is here, and no answer of theirs",
-                           facts.counts.refused);
+                           facts.counts.declined);
     if (facts.people.withdrawn > 0)
         out += fmt::format("; {} withdrew and left nothing", facts.people.withdrawn);
     out += ".\n\n";

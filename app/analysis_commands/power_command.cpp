@@ -63,8 +63,8 @@ Result<void> analysePower(const PowerArguments& options) {
     }
     auto asked = options.options;
     if (asked.threads == 0) asked.threads = std::thread::hardware_concurrency();
-    const int most = *std::max_element(options.participants.begin(), options.participants.end());
-    auto power = results::PowerAnalysis::make(setup->study, setup->targets, *effects, most, asked);
+    const int max = *std::max_element(options.participants.begin(), options.participants.end());
+    auto power = results::PowerAnalysis::make(setup->study, setup->targets, *effects, max, asked);
     if (!power) return tl::unexpected(power.error());
     power->simulate(options.participants, progressOnTerminal("studies"));
     if (options.search) results::searchParticipants(*power, *options.goal, progressOnTerminal("search"));

@@ -19,7 +19,7 @@
 #include "app/program/progress_line.hpp"
 #include "app/program/version.hpp"
 #include "app/program/written_output.hpp"
-#include "app/study/watched_choices.hpp"
+#include "app/study/observed_choices.hpp"
 #include "assets/data/data_paths.hpp"
 #include "core/files.hpp"
 #include "core/number.hpp"
@@ -117,13 +117,13 @@ std::string watchAgain(const std::vector<std::string>& data, const std::string& 
     std::set<std::string> missing;
     for (std::size_t i = 0; i < data.size(); ++i) {
         if (!isDatabase(data[i])) continue;
-        if (auto choices = watchedChoices(data[i], stimuli))
+        if (auto choices = observedChoices(data[i], stimuli))
             tables[i].watched = std::move(*choices);
         else
             missing.insert(choices.error().text());
     }
     for (results::ResponseTable& table : tables)
-        std::erase_if(table.watched, [&](const results::WatchedChoice& one) {
+        std::erase_if(table.watched, [&](const results::ObservedChoice& one) {
             return std::any_of(
                 table.left_out.begin(), table.left_out.end(),
                 [&](const results::LeftOut& left) { return left.participant == one.participant; });

@@ -78,7 +78,7 @@ Result<Json> statsDensity(const StatsTable& table, const DensityOptions& options
     const auto density = fitted(rows.points, options.bandwidth, table.columns.size(), out);
     if (!density)
         return fail(density.error().where.empty() ? table.name : density.error().where,
-                    density.error().message, density.error().mend);
+                    density.error().message, density.error().hint);
     PointRows asked = rows;
     if (!options.at.empty()) {
         ColumnChoice choice{.file = options.at};
@@ -113,7 +113,7 @@ Result<Json> statsMeanShift(const StatsTable& table, const ClusterOptions& optio
                     fmt::format("found \"{}\", expected auto or a number above 0", options.bandwidth));
     }
     const auto found = results::meanShift(rows.points, bandwidth);
-    if (!found) return fail(table.name, found.error().message, found.error().mend);
+    if (!found) return fail(table.name, found.error().message, found.error().hint);
     std::vector<int> counts(found->centres.size(), 0);
     for (const int label : found->labels) ++counts[static_cast<std::size_t>(label)];
     Json out = statsObject(table, "meanshift");

@@ -47,14 +47,13 @@ class Note {
     std::string text_;
 };
 
-Result<void> needColumns(const StatsTable& table, std::size_t least, std::size_t most,
-                         const std::string& test) {
+Result<void> needColumns(const StatsTable& table, std::size_t min, std::size_t max, const std::string& test) {
     const std::size_t found = table.columns.size();
-    if (found >= least && found <= most) return {};
-    const std::string wanted = least == most ? fmt::format("{}", least)
-                               : most == std::numeric_limits<std::size_t>::max()
-                                   ? fmt::format("at least {}", least)
-                                   : fmt::format("{} or {}", least, most);
+    if (found >= min && found <= max) return {};
+    const std::string wanted = min == max ? fmt::format("{}", min)
+                               : max == std::numeric_limits<std::size_t>::max()
+                                   ? fmt::format("at least {}", min)
+                                   : fmt::format("{} or {}", min, max);
     return fail(table.name, fmt::format("{} takes {} column{}, but {} {} chosen", test, wanted,
                                         wanted == "1" ? "" : "s", found, found == 1 ? "is" : "are"));
 }

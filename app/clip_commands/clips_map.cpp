@@ -27,7 +27,7 @@ const std::string& jointOf(const motion::HumanoidMapping& mapping, const motion:
 }
 
 void printJson(const motion::HumanoidMapping& mapping, const motion::Skeleton& skeleton,
-               const std::vector<std::string>& doubts) {
+               const std::vector<std::string>& warnings) {
     nlohmann::ordered_json out;
     out["scheme"] = mapping.scheme;
     out["joints"] = skeleton.size();
@@ -42,12 +42,12 @@ void printJson(const motion::HumanoidMapping& mapping, const motion::Skeleton& s
     auto& missing = out["missing"] = nlohmann::ordered_json::array();
     for (const motion::Bone bone : mapping.missing()) missing.push_back(std::string(motion::boneName(bone)));
     out["remarks"] = mapping.remarks;
-    out["doubts"] = doubts;
+    out["doubts"] = warnings;
     fmt::print("{}\n", out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void printTable(const motion::HumanoidMapping& mapping, const motion::Skeleton& skeleton,
-                const std::vector<std::string>& doubts) {
+                const std::vector<std::string>& warnings) {
     fmt::print("scheme: {}\n", mapping.scheme);
     std::size_t found = 0;
     for (std::size_t b = 0; b < motion::bone_count; ++b) {
@@ -63,7 +63,7 @@ void printTable(const motion::HumanoidMapping& mapping, const motion::Skeleton& 
         missing += fmt::format("{}{}", missing.empty() ? "" : ", ", motion::boneName(bone));
     if (!missing.empty()) fmt::print("missing: {}\n", missing);
     for (const std::string& remark : mapping.remarks) fmt::print("remark: {}\n", remark);
-    for (const std::string& doubt : doubts) fmt::print("doubt: {}\n", doubt);
+    for (const std::string& warning : warnings) fmt::print("doubt: {}\n", warning);
 }
 
 Result<void> printMap(const ClipsMapArguments& options) {
@@ -72,14 +72,14 @@ Result<void> printMap(const ClipsMapArguments& options) {
     const motion::Skeleton& skeleton = file->clip.skeleton;
     const auto mapping = assets::mapClip(options.file, skeleton, file->humanoid ? &*file->humanoid : nullptr);
     if (!mapping) return tl::unexpected(mapping.error());
-    const auto doubts =
-        motion::mappingDoubts(skeleton, mapping->map, motion::worldPose(skeleton, file->clip.frames.front()));
+    const auto warnings = motion::mappingWarnings(skeleton, mapping->map,
+                                                  motion::worldPose(skeleton, file->clip.frames.front()));
     if (options.json)
-        printJson(*mapping, skeleton, doubts);
+        printJson(*mapping, skeleton, warnings);
     else if (options.toml)
         fmt::print("{}", assets::humanoidToml(*mapping, skeleton));
     else
-        printTable(*mapping, skeleton, doubts);
+        printTable(*mapping, skeleton, warnings);
     return {};
 }
 

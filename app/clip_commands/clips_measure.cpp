@@ -15,8 +15,8 @@
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
 #include "core/csv.hpp"
-#include "motion/pointing/pointing.hpp"
-#include "motion/pointing/pointing_measures.hpp"
+#include "motion/pointing/measures.hpp"
+#include "motion/pointing/rays.hpp"
 
 namespace deixis::app {
 
@@ -56,7 +56,7 @@ void addRay(Entries& out, motion::PointingRay kind, const std::optional<motion::
     };
     out.push_back(optionalEntry(name + "_error_deg", ray, degrees(&motion::RayMeasures::error_rad)));
     out.push_back(
-        optionalEntry(name + "_least_error_deg", ray, degrees(&motion::RayMeasures::least_error_rad)));
+        optionalEntry(name + "_least_error_deg", ray, degrees(&motion::RayMeasures::min_error_rad)));
     out.push_back(optionalEntry(name + "_distance_m", ray, [](const auto& r) { return r.distance_m; }));
     out.push_back(optionalEntry(name + "_points_away", ray, [](const auto& r) { return r.points_away; }));
     const motion::Steadiness* steadiness = ray && ray->steadiness ? &*ray->steadiness : nullptr;
@@ -84,11 +84,11 @@ void addChoices(Entries& out, const motion::PointingMeasures& m, const std::vect
 
 void addBody(Entries& out, const motion::PointingMeasures& m) {
     out.push_back(optionalEntry("foot_skate_cmps", m.foot_skate,
-                                [](const motion::FootSkate& s) { return 100.0 * s.speed_mps; }));
+                                [](const motion::FootSkate& s) { return 100.0 * s.speed_m_s; }));
     std::string names;
     double excess = 0.0;
     for (const auto& violation : m.limit_violations) {
-        excess = std::max(excess, violation.greatest_deg);
+        excess = std::max(excess, violation.max_deg);
         names += (names.empty() ? "" : "; ") +
                  (violation.side ? std::string(motion::sideName(*violation.side)) + " " : std::string()) +
                  std::string(motion::jointLimitName(violation.limit));
@@ -134,7 +134,7 @@ Entries entries(const NamedClip& clip, const motion::PointingMeasures& m) {
     out.push_back(optionalEntry("log_dimensionless_jerk", m.log_dimensionless_jerk));
     out.push_back(optionalEntry("sparc", m.spectral_arc_length));
     out.push_back(optionalEntry("reward", m.reward));
-    out.push_back(optionalEntry("greatest_reward", m.greatest_reward));
+    out.push_back(optionalEntry("greatest_reward", m.max_reward));
     for (const motion::PointingRay kind : motion::all_pointing_rays)
         addRay(out, kind, m.rays[static_cast<std::size_t>(kind)]);
     addBody(out, m);

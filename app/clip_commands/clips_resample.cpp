@@ -24,7 +24,7 @@ Result<void> resample(const ClipsResampleArguments& options) {
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
     const auto resampled = motion::resample(source->clip, 1.0 / options.fps);
-    if (!resampled) return fail(options.in, resampled.error().message, resampled.error().mend);
+    if (!resampled) return fail(options.in, resampled.error().message, resampled.error().hint);
     return writeClip(*resampled, options.out, options.force);
 }
 

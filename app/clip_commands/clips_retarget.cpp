@@ -46,15 +46,15 @@ Result<void> retargetAll(const ClipsRetargetArguments& options) {
     if (!manifest) return tl::unexpected(manifest.error());
     const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
-    const RetargetManner manner{*motion::keepFromName(options.keep), options.fingers == "pointing",
-                                options.feet == "planted"};
+    const RetargetSettings settings{*motion::keepFromName(options.keep), options.fingers == "pointing",
+                                    options.feet == "planted"};
     double apart_deg = 0.0;
     std::size_t compared = 0;
     std::size_t far_apart = 0;
     double farthest_deg = 0.0;
     std::string farthest;
     const auto rows =
-        retargetClips(*manifest, *avatar, manner, options.folder, options.force,
+        retargetClips(*manifest, *avatar, settings, options.folder, options.force,
                       [&](const assets::ManifestRow& row, const motion::RetargetReport& report) {
                           printRow(row, report);
                           if (!row.source_error_deg || !row.avatar_error_deg) return;

@@ -194,7 +194,7 @@ Result<void> segment(const ClipsSegmentArguments& options) {
     how.rest_frame = options.rest_frame;
     const auto segmentation = motion::segment(source->clip, source->map, how);
     if (!segmentation)
-        return fail(options.recording, segmentation.error().message, segmentation.error().mend);
+        return fail(options.recording, segmentation.error().message, segmentation.error().hint);
     std::vector<PointingClip> clips = clipsOf(*segmentation, *source, options);
     const auto attached = attachTargets(clips, *source, options);
     print(*segmentation, clips, source->clip.frame_time_s);

@@ -21,7 +21,7 @@ namespace deixis::app {
 
 namespace {
 
-using motion::JointCourses;
+using motion::JointTrajectories;
 using Json = nlohmann::ordered_json;
 
 struct ClipsStatisticsArguments {
@@ -36,9 +36,9 @@ struct ClipsStatisticsArguments {
 /// What is asked of each clip, at the rate that each measure is defined for.
 struct Corpus {
     std::vector<std::string> files;
-    std::vector<JointCourses> compared;
+    std::vector<JointTrajectories> compared;
     std::vector<std::vector<motion::Style>> styles;
-    std::vector<JointCourses> poses;  ///< at the files' own rates
+    std::vector<JointTrajectories> poses;  ///< at the files' own rates
 };
 
 /// Style of a set of clips, and its z-scores by a set's mean and deviation.
@@ -86,11 +86,12 @@ Result<Corpus> readCorpus(const std::vector<std::string>& files, double fps) {
         out.files.push_back(named.file.string());
         const auto compared = atRate(read->clip, 1.0 / fps, out.files.back());
         if (!compared) return tl::unexpected(compared.error());
-        out.compared.push_back(motion::jointCourses(*compared, read->map, motion::comparedBones()));
-        out.poses.push_back(motion::jointCourses(read->clip, read->map, motion::poseBones()));
+        out.compared.push_back(motion::jointTrajectories(*compared, read->map, motion::comparedBones()));
+        out.poses.push_back(motion::jointTrajectories(read->clip, read->map, motion::poseBones()));
         const auto styled = atRate(read->clip, motion::style_frame_time_s, out.files.back());
         if (!styled) return tl::unexpected(styled.error());
-        auto style = motion::gestureStyle(motion::jointCourses(*styled, read->map, motion::styleBones()));
+        auto style =
+            motion::gestureStyle(motion::jointTrajectories(*styled, read->map, motion::styleBones()));
         if (!style) return tl::unexpected(placed(style.error(), out.files.back()));
         out.styles.push_back(std::move(*style));
     }
@@ -118,11 +119,11 @@ Result<Compliance> complianceOf(const Corpus& corpus, const ClipsStatisticsArgum
                     fmt::format("found poses of {} clips, expected 1{}", asked->size(),
                                 n == 1 ? "" : fmt::format(" or {}", n)),
                     "Give one for each clip, in their order, or one for all");
-    std::vector<JointCourses> poses;
+    std::vector<JointTrajectories> poses;
     for (const NamedClip& named : *asked) {
         const auto read = readMappedClip(named.file);
         if (!read) return tl::unexpected(read.error());
-        poses.push_back(motion::jointCourses(read->clip, read->map, motion::poseBones()));
+        poses.push_back(motion::jointTrajectories(read->clip, read->map, motion::poseBones()));
     }
     Compliance out;
     double sum = 0.0;

@@ -28,14 +28,14 @@ struct ClipsTrimArguments {
 
 /// "30": frame 30; "1.5s": the frame nearest to that time.
 Result<int> frameFrom(std::string_view option, const std::string& text, const motion::Clip& clip) {
-    constexpr double most_frames = 1e9;  // a file may have far fewer
+    constexpr double max_frames = 1e9;  // a file may have far fewer
     if (text.ends_with('s')) {
         const auto time_s = finiteNumber(std::string_view(text).substr(0, text.size() - 1));
         if (time_s)
-            if (const double frame = std::round(*time_s / clip.frame_time_s); std::abs(frame) < most_frames)
+            if (const double frame = std::round(*time_s / clip.frame_time_s); std::abs(frame) < max_frames)
                 return static_cast<int>(frame);
     } else if (const auto frame = wholeNumber(text);
-               frame && std::abs(static_cast<double>(*frame)) < most_frames) {
+               frame && std::abs(static_cast<double>(*frame)) < max_frames) {
         return static_cast<int>(*frame);
     }
     return fail(std::string(option),
@@ -51,7 +51,7 @@ Result<void> trim(const ClipsTrimArguments& options) {
                                          : frameFrom("--to", options.to, source->clip);
     if (!last) return tl::unexpected(last.error());
     const auto part = motion::trimmed(source->clip, *first, *last);
-    if (!part) return fail(options.in, part.error().message, part.error().mend);
+    if (!part) return fail(options.in, part.error().message, part.error().hint);
     return writeClip(*part, options.out, options.force);
 }
 

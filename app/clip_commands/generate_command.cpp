@@ -23,7 +23,7 @@ struct GenerateArguments {
     std::string targets;
     std::string folder;
     std::uint64_t seed = 1;
-    motion::HoldManner manner;
+    motion::HoldSettings settings;
     bool force = false;
 };
 
@@ -38,7 +38,7 @@ Result<void> generate(const GenerateArguments& options) {
     if (!targets) return tl::unexpected(targets.error());
     auto working = std::make_optional<ElapsedOnTerminal>("generating");
     const auto rows =
-        generateClips(**generator, *targets, options.seed, options.manner, options.folder, options.force);
+        generateClips(**generator, *targets, options.seed, options.settings, options.folder, options.force);
     working.reset();
     if (!rows) return tl::unexpected(rows.error());
     fmt::print("{} clips of {}: {}\n", rows->size(), options.system,
@@ -65,10 +65,11 @@ void addGenerateCommand(Parser cli, Command& chosen) {
     addOutput(command, options->folder, "Folder for the clips and their manifest", "DIR").required();
     addForce(command, options->force);
     addSeed(command, options->seed, "what varies from clip to clip");
-    command.addOption("--hold", options->manner.hold_s, "Seconds that a gesture is held [as the system does]")
+    command
+        .addOption("--hold", options->settings.hold_s, "Seconds that a gesture is held [as the system does]")
         .check(Range(0.1, 30.0));
     command
-        .addOption("--unsteadiness", options->manner.unsteadiness_m,
+        .addOption("--unsteadiness", options->settings.unsteadiness_m,
                    "Metres that the fingertip wanders during the hold [as the system does]")
         .check(Range(0.0, 0.5));
     command.callback([options, &chosen] { chosen = [options] { return generate(*options); }; });

@@ -14,10 +14,10 @@ double metresOf(const std::string& unit) {
     static const std::map<std::string, double> names{
         {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"mm", 0.001}, {"inch", 0.0254}};
     if (const auto found = names.find(unit); found != names.end()) return found->second;
-    constexpr double least = 1e-6, greatest = 1e3;
+    constexpr double min = 1e-6, max = 1e3;
     const auto metres = finiteNumber(unit);
-    if (!metres || *metres < least || *metres > greatest)
-        refuseUsage("--unit", "found '" + unit +
+    if (!metres || *metres < min || *metres > max)
+        rejectUsage("--unit", "found '" + unit +
                                   "', expected m, dm, cm, mm, inch, or a unit's length in "
                                   "metres, from 0.000001 to 1000");
     return *metres;

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 Result<void> makeClips(const studies::SystemSource& system, std::uint64_t seed,
                        const std::vector<assets::ListedTarget>& targets, const assets::Avatar& maker,
-                       const motion::HoldManner& manner, const fs::path& folder) {
+                       const motion::HoldSettings& settings, const fs::path& folder) {
     const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
     if (!parameters) return tl::unexpected(parameters.error());
     const auto generator = motion::makeGenerator(system.generator, maker.skeleton, *parameters);
@@ -30,7 +30,7 @@ Result<void> makeClips(const studies::SystemSource& system, std::uint64_t seed,
     // Whole, or not there: whoever makes the same clips at the same time finds those of whoever was first.
     const fs::path making = folder.parent_path() / (".making-" + uniqueName());
     std::error_code code;
-    auto rows = generateClips(**generator, targets, seed, manner, making, true, false);
+    auto rows = generateClips(**generator, targets, seed, settings, making, true, false);
     if (rows) {
         // One without a manifest was left half by a program that was killed.
         if (!fs::exists(folder / "manifest.csv", code)) fs::remove_all(folder, code);
@@ -52,12 +52,12 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, std::uint6
                                  const assets::Avatar& maker, const fs::path& folder) {
     const auto parameter_bytes = readFile(assets::dataFile("demonstrations.toml"));
     if (!parameter_bytes) return tl::unexpected(parameter_bytes.error());
-    const motion::HoldManner manner{system.hold_s, system.unsteadiness_m};
+    const motion::HoldSettings settings{system.hold_s, system.unsteadiness_m};
     // Another version of the program may make other clips.
     std::string made_from = fmt::format("{}\n{}\n{}\n{}\n{}\n", programVersion(), system.generator, seed,
                                         *parameter_bytes, maker.content_hash);
-    if (manner.hold_s) made_from += fmt::format("hold {}\n", *manner.hold_s);
-    if (manner.unsteadiness_m) made_from += fmt::format("unsteadiness {}\n", *manner.unsteadiness_m);
+    if (settings.hold_s) made_from += fmt::format("hold {}\n", *settings.hold_s);
+    if (settings.unsteadiness_m) made_from += fmt::format("unsteadiness {}\n", *settings.unsteadiness_m);
     for (const auto& [id, target] : targets)
         made_from += fmt::format("{} {} {} {}\n", id, target.x, target.y, target.z);
     const std::string key = sha256Hex(made_from);
@@ -65,7 +65,7 @@ Result<fs::path> builtInManifest(const studies::SystemSource& system, std::uint6
     const fs::path manifest = clips / "manifest.csv";
     std::error_code code;
     if (!fs::exists(manifest, code))
-        if (auto made = makeClips(system, seed, targets, maker, manner, clips); !made)
+        if (auto made = makeClips(system, seed, targets, maker, settings, clips); !made)
             return tl::unexpected(made.error());
     return manifest;
 }

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<void> refuseToReplace(const fs::path& file, bool force) {
+Result<void> rejectReplacing(const fs::path& file, bool force) {
     std::error_code code;
     if (!force && fs::exists(file, code))
         return fail(file.string(), "is there already", "Give another name, or --force to replace it");
@@ -50,7 +50,7 @@ Result<std::string> clipBytes(const motion::Clip& clip, const fs::path& file) {
 }
 
 Result<void> writeClip(const motion::Clip& clip, const fs::path& file, bool force) {
-    if (auto free = refuseToReplace(file, force); !free) return free;
+    if (auto free = rejectReplacing(file, force); !free) return free;
     const auto bytes = clipBytes(clip, file);
     if (!bytes) return tl::unexpected(bytes.error());
     return writeFile(file, *bytes);
@@ -77,7 +77,7 @@ OutputFolder::~OutputFolder() {
 }
 
 Result<void> OutputFolder::add(const fs::path& name, std::string_view bytes) {
-    if (auto free = refuseToReplace(folder_ / name, force_); !free) return free;
+    if (auto free = rejectReplacing(folder_ / name, force_); !free) return free;
     if (!names_.insert(name).second)
         return fail((folder_ / name).string(), "two clips would have this name",
                     "Give the clips names of their own");

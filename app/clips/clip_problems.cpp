@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "assets/tables/humanoid_file.hpp"
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 
 namespace deixis::app {
 
@@ -37,17 +37,17 @@ class Inspection {
         findJumps();
         findSunkFeet();
         findOddSize(imported.unit);
-        for (const std::string& text : motion::mappingDoubts(clip_.skeleton, map_, world_.front()))
-            doubt(text);
-        if (clip_.frameCount() == 1) doubt("has one frame: a pose, not a motion");
-        for (const std::string& remark : imported.remarks) doubt(remark);
+        for (const std::string& text : motion::mappingWarnings(clip_.skeleton, map_, world_.front()))
+            warning(text);
+        if (clip_.frameCount() == 1) warning("has one frame: a pose, not a motion");
+        for (const std::string& remark : imported.remarks) warning(remark);
     }
 
     std::vector<ClipProblem> problems{};
 
   private:
     void fatal(std::string text) { problems.push_back({true, std::move(text)}); }
-    void doubt(std::string text) { problems.push_back({false, std::move(text)}); }
+    void warning(std::string text) { problems.push_back({false, std::move(text)}); }
 
     [[nodiscard]] Vec3 at(std::size_t frame, motion::Bone bone) const {
         return world_[frame][static_cast<std::size_t>(map_[bone])].position;
@@ -60,7 +60,7 @@ class Inspection {
                 "a line such as {} = \"NAME OF THE JOINT\"; 'deixis clips joints' lists them",
                 fmt::join(missing, ", "), assets::humanoidFileOf(file).filename().string(), missing.front()));
         for (const auto& [side, bone] : {std::pair{"left", leftIndexProximal}, {"right", rightIndexProximal}})
-            if (!map_.has(bone)) doubt(fmt::format("has no {} index finger: the hand is relaxed", side));
+            if (!map_.has(bone)) warning(fmt::format("has no {} index finger: the hand is relaxed", side));
     }
 
     void findEmptyLimbs() {
@@ -89,10 +89,10 @@ class Inspection {
                     first = f;
             if (jumps == 0) continue;
             const double length_m = glm::length(at(first, bone) - at(first - 1, bone));
-            doubt(fmt::format("{} jumps by {:.2f} m from frame {} to {} ({:.0f} m/s){}",
-                              motion::boneName(bone), length_m, first - 1, first,
-                              length_m / clip_.frame_time_s,
-                              jumps > 1 ? fmt::format(", and {} times more", jumps - 1) : ""));
+            warning(fmt::format("{} jumps by {:.2f} m from frame {} to {} ({:.0f} m/s){}",
+                                motion::boneName(bone), length_m, first - 1, first,
+                                length_m / clip_.frame_time_s,
+                                jumps > 1 ? fmt::format(", and {} times more", jumps - 1) : ""));
         }
     }
 
@@ -108,7 +108,7 @@ class Inspection {
             lowest = std::min(lowest, here);
         }
         if (frames > 0)
-            doubt(fmt::format(
+            warning(fmt::format(
                 "feet are up to {:.2f} m below the floor (y = 0) in {} of {} frames; on the avatar "
                 "they are put on it",
                 -lowest, frames, world_.size()));
@@ -119,7 +119,8 @@ class Inspection {
         constexpr double leg_of_stature = 0.491;  // thigh and shin (Drillis & Contini 1966)
         constexpr double smallest_m = 0.8, tallest_m = 2.3;
         if (unit.origin == assets::Origin::assumed) {
-            doubt(fmt::format("the unit is taken to be the {}: where it is another, give --unit", unit.name));
+            warning(
+                fmt::format("the unit is taken to be the {}: where it is another, give --unit", unit.name));
             return;
         }
         for (const motion::Bone bone : {leftUpperLeg, leftLowerLeg, leftFoot})
@@ -127,7 +128,7 @@ class Inspection {
         const double leg = glm::length(at(0, leftLowerLeg) - at(0, leftUpperLeg)) +
                            glm::length(at(0, leftFoot) - at(0, leftLowerLeg));
         if (const double stature = leg / leg_of_stature; stature < smallest_m || stature > tallest_m)
-            doubt(
+            warning(
                 fmt::format("by its legs the figure is {:.2f} m tall: is its unit really the {}? --unit "
                             "gives another",
                             stature, unit.name));

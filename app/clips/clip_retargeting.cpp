@@ -36,7 +36,7 @@ std::optional<motion::PointingGesture> gestureOf(const assets::ManifestRow& row)
 }
 
 Result<motion::Clip> retargetRow(assets::ImportedClip clip, const std::string& file,
-                                 const assets::Avatar& avatar, const RetargetManner& manner,
+                                 const assets::Avatar& avatar, const RetargetSettings& settings,
                                  assets::ManifestRow& row, motion::RetargetReport* report) {
     if (row.target) {
         const auto mapping = mapImported(clip, file);
@@ -52,9 +52,9 @@ Result<motion::Clip> retargetRow(assets::ImportedClip clip, const std::string& f
                 "the manifest: target_frame is figure");
     }
     motion::RetargetOptions options;
-    options.keep = manner.keep;
-    options.close_hand = manner.close_hand;
-    options.plant_feet = manner.plant_feet;
+    options.keep = settings.keep;
+    options.close_hand = settings.close_hand;
+    options.plant_feet = settings.plant_feet;
     options.gesture = gestureOf(row);
     motion::RetargetReport made;
     auto out = clipOnAvatar(clip, file, avatar, options, &made);
@@ -70,7 +70,7 @@ Result<motion::Clip> retargetRow(assets::ImportedClip clip, const std::string& f
 }
 
 Result<std::vector<assets::ManifestRow>> retargetClips(
-    const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetManner& manner,
+    const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetSettings& settings,
     const fs::path& folder, bool force,
     const std::function<void(const assets::ManifestRow&, const motion::RetargetReport&)>& each) {
     std::error_code code;
@@ -84,7 +84,7 @@ Result<std::vector<assets::ManifestRow>> retargetClips(
         const auto read = assets::importClip(file);
         if (!read) return tl::unexpected(read.error());
         motion::RetargetReport report;
-        const auto clip = retargetRow(*read, file.string(), avatar, manner, row, &report);
+        const auto clip = retargetRow(*read, file.string(), avatar, settings, row, &report);
         if (!clip) return tl::unexpected(clip.error());
         row.clip = newName(row.clip, taken);
         if (auto added = output.add(row.clip, assets::writeBvh(*clip)); !added)

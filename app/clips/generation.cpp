@@ -8,16 +8,14 @@
 
 namespace deixis::app {
 
-Result<std::vector<assets::ManifestRow>> generateClips(const motion::Generator& generator,
-                                                       const std::vector<assets::ListedTarget>& targets,
-                                                       std::uint64_t seed, const motion::HoldManner& manner,
-                                                       const std::filesystem::path& folder, bool force,
-                                                       bool durable) {
+Result<std::vector<assets::ManifestRow>> generateClips(
+    const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
+    const motion::HoldSettings& settings, const std::filesystem::path& folder, bool force, bool durable) {
     OutputFolder output(folder, force, durable);
     std::vector<assets::ManifestRow> rows;
     for (const auto& [id, position] : targets) {
         const std::uint64_t clip_seed = deriveSeed(seed, id);
-        const motion::GeneratedClip made = generator.generate({id, position, clip_seed, manner});
+        const motion::GeneratedClip made = generator.generate({id, position, clip_seed, settings});
         assets::ManifestRow row;
         row.clip = fmt::format("{}_{}.bvh", generator.name(), id);
         row.system = std::string(generator.name());

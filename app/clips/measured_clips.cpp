@@ -16,9 +16,9 @@
 
 #include "app/clips/clip_files.hpp"
 #include "core/hash.hpp"
+#include "motion/pointing/phases.hpp"
 #include "motion/pointing/placement.hpp"
-#include "motion/pointing/pointing.hpp"
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/pointing/rays.hpp"
 
 namespace deixis::app {
 
@@ -96,7 +96,7 @@ Result<OneClip> measure(const ClipToMeasure& job, const motion::AccuracyRule& ru
     const auto world = motion::worldPoses(clip);
     const Side side = phases ? phases->hand : motion::recognisedHand(world, map).hand;
     const auto arm = motion::armTrack(world, map, side, clip.frame_time_s);
-    if (!arm) return fail(name, arm.error().message, arm.error().mend);
+    if (!arm) return fail(name, arm.error().message, arm.error().hint);
     const Vec3& target = *job.row.target;
     OneClip one;
     one.digest = digestOf(*arm);

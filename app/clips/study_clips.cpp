@@ -61,9 +61,9 @@ class SystemClips {
         problems_.push_back(std::move(error));
     }
     void problem(const assets::ManifestRow& row, const char* column, std::string message,
-                 std::string mend = {}) {
+                 std::string hint = {}) {
         problem(Error{fmt::format("{}:{}: {}", manifest_.file.string(), row.line, column), std::move(message),
-                      std::move(mend)});
+                      std::move(hint)});
     }
 
     /// A built-in system points at targets.
@@ -124,16 +124,16 @@ class SystemClips {
                                       "centimetres, expected metres",
                                       in_centimetres),
                           "Divide target_x, target_y and target_z by 100"});
-        constexpr std::size_t most_told = 10;
+        constexpr std::size_t max_listed = 10;
         if (!lacking.empty())
             problem(Error{manifest_.file.string(),
                           fmt::format("has no clip of system '{}' for {} of {} targets: {}{}", system_.name,
                                       lacking.size(), sources_.setup.targets.size(),
                                       fmt::join(lacking.begin(),
                                                 lacking.begin() + static_cast<std::ptrdiff_t>(
-                                                                      std::min(most_told, lacking.size())),
+                                                                      std::min(max_listed, lacking.size())),
                                                 ", "),
-                                      lacking.size() > most_told ? ", ..." : ""),
+                                      lacking.size() > max_listed ? ", ..." : ""),
                           "Make the clips for the targets that 'deixis targets' prints for this study"});
         checkEarlier(rows);
         return out;
@@ -172,7 +172,7 @@ class SystemClips {
         const std::size_t before = problems_.size();
         const auto broken = [&](const Error& error) {
             problem(row, "clip", error.where.empty() ? error.message : error.where + ": " + error.message,
-                    error.mend);
+                    error.hint);
         };
         std::error_code code;
         if (!fs::is_regular_file(file, code)) {
@@ -212,9 +212,9 @@ class SystemClips {
             out.bytes = bytes;
             return out;
         }
-        const RetargetManner manner{system_.keep, system_.pointing_fingers};
+        const RetargetSettings settings{system_.keep, system_.pointing_fingers};
         std::string made_from = bytes + avatar.content_hash + assets::manifestCsv({row}) +
-                                fmt::format("{} {}", motion::keepName(manner.keep), manner.close_hand);
+                                fmt::format("{} {}", motion::keepName(settings.keep), settings.close_hand);
         if (const auto words = readFile(assets::humanoidFileOf(file))) made_from += *words;
         for (const fs::path& part : assets::partsOfClip(file))
             if (const auto part_bytes = readFile(part)) made_from += sha256Hex(*part_bytes);
@@ -230,7 +230,7 @@ class SystemClips {
             out.bytes = std::move(*kept);
             return out;
         }
-        const auto clip = retargetRow(read, file.string(), avatar, manner, out.row);
+        const auto clip = retargetRow(read, file.string(), avatar, settings, out.row);
         if (!clip) return tl::unexpected(clip.error());
         out.bytes = assets::writeBvh(*clip);
         if (!sources_.made.empty())
@@ -285,7 +285,7 @@ class SystemClips {
         // The kept file may have suffered since it was made.
         if (const auto read = assets::importClip(file); !read) {
             Error error = read.error();
-            error.mend = fmt::format("Remove the folder {}: its clips are then made anew",
+            error.hint = fmt::format("Remove the folder {}: its clips are then made anew",
                                      manifest.parent_path().string());
             return problem(std::move(error));
         }

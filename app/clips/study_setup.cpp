@@ -77,7 +77,7 @@ tl::expected<void, std::vector<Error>> fillTargetSpace(studies::Study& study) {
     const auto fitted = studies::fitTargetSpace(study.targets, positions);
     if (!fitted)
         return tl::unexpected(std::vector<Error>{
-            {study.place(key) + ": " + file, fitted.error().message, fitted.error().mend}});
+            {study.place(key) + ": " + file, fitted.error().message, fitted.error().hint}});
     study.targets = *fitted;
     return {};
 }
@@ -187,8 +187,8 @@ tl::expected<StudySetup, std::vector<Error>> checkStudySetup(const std::string& 
 Error firstOf(const std::vector<Error>& problems, const std::string& study) {
     Error first = problems.front();
     if (const std::size_t others = problems.size() - 1; others > 0) {
-        if (!first.mend.empty()) first.mend += ". ";
-        first.mend += fmt::format("'deixis check {}' lists {} more {}", study, others,
+        if (!first.hint.empty()) first.hint += ". ";
+        first.hint += fmt::format("'deixis check {}' lists {} more {}", study, others,
                                   others == 1 ? "problem" : "problems");
     }
     return first;

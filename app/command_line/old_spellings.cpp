@@ -21,7 +21,7 @@ constexpr std::array old_spellings{
 
 }  // namespace
 
-std::vector<std::string> inTodaysSpelling(const std::vector<std::string>& words) {
+std::vector<std::string> inCurrentSpelling(const std::vector<std::string>& words) {
     if (words.empty()) return {};
     const std::string command = words[0] == "clips" && words.size() > 1 ? "clips " + words[1] : words[0];
     std::vector<std::string> out;

@@ -373,7 +373,7 @@ studies::InputFrame DesktopStation::beginFrame() {
 
 studies::FrameReport DesktopStation::present(const studies::PresentedFrame& frame) {
     State& s = *state_;
-    if (looksAnew(frame, s.presented)) s.look = lookAtTask(frame, s.options.eye_height_m);
+    if (looksAgain(frame, s.presented)) s.look = lookAtTask(frame, s.options.eye_height_m);
     if (frame.status != s.presented.status)
         glfwSetWindowTitle(s.window->handle(),
                            (s.options.title + " - " + studies::sessionStatusText(frame.status)).c_str());

@@ -24,7 +24,7 @@ bool pageOpen(const PresentedFrame& frame) {
 // Whether clips are to be played by buttons: the board and who is shown belong together.
 bool playsByButtons(const PresentedFrame& frame) {
     return frame.panel &&
-           (frame.state == PresentedState::listening || frame.state == PresentedState::comparing);
+           (frame.state == PresentedState::watching || frame.state == PresentedState::comparing);
 }
 
 bool beginsTrial(const PresentedFrame& frame, const PresentedFrame& before) {
@@ -44,7 +44,7 @@ Vec3 middleOf(const studies::Panel& panel) {
 
 }  // namespace
 
-bool looksAnew(const PresentedFrame& frame, const PresentedFrame& before) {
+bool looksAgain(const PresentedFrame& frame, const PresentedFrame& before) {
     if (frame.state == PresentedState::rated) return false;  // a page of reasons, for a moment still
     const bool another_page = frame.state != before.state || frame.stage != before.stage;
     return frame.viewer_place != before.viewer_place || pageOpen(frame) != pageOpen(before) ||
@@ -65,7 +65,7 @@ Look lookAtTask(const PresentedFrame& frame, double eye_height_m) {
 
 double verticalView_rad(const PresentedFrame& frame, double aspect) {
     const double wide_rad =
-        frame.first_look ? frame.first_look->verticalView_rad(wide_picture) : studies::least_view_rad;
+        frame.first_look ? frame.first_look->verticalView_rad(wide_picture) : studies::min_view_rad;
     return 2.0 * std::atan(std::tan(0.5 * wide_rad) * std::max(1.0, wide_picture / aspect));
 }
 

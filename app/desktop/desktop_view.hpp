@@ -23,7 +23,7 @@ struct PicturePoint {
 
 /// Whether the view goes back to lookAtTask() with this frame: a page or a trial begins, a pause is over, the
 /// viewer is moved, or a game's board has come or gone.
-[[nodiscard]] bool looksAnew(const studies::PresentedFrame& frame, const studies::PresentedFrame& before);
+[[nodiscard]] bool looksAgain(const studies::PresentedFrame& frame, const studies::PresentedFrame& before);
 
 /// Where a person who has just been placed here would turn: to a page's middle, to between those who are
 /// shown and the board of their buttons, in a game to where all balls are seen with the arm or the board.

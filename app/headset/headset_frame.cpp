@@ -40,13 +40,13 @@ void HeadsetStation::State::handleWindow() {
 }
 
 void HeadsetStation::State::handleRuntime() {
-    XrHappenings happenings = session->poll();
-    for (auto& one : happenings.notes) notes.push_back(std::move(one));
-    if (happenings.recentred_at) recentre_at = happenings.recentred_at;
-    if (happenings.hidden_area) picture->updateHiddenArea();
-    if (happenings.lost) throw XrFailure(*happenings.lost);
-    if (happenings.profiles) noteProfiles();
-    if (!happenings.leave) return;
+    XrEvents events = session->poll();
+    for (auto& one : events.notes) notes.push_back(std::move(one));
+    if (events.recentred_at) recentre_at = events.recentred_at;
+    if (events.hidden_area) picture->updateHiddenArea();
+    if (events.lost) throw XrFailure(*events.lost);
+    if (events.profiles) noteProfiles();
+    if (!events.leave) return;
     quit_reason = "the headset's runtime ended the session";
     failure =
         Error{"headset", "the OpenXR runtime ended the session, as its menu may ask it to",

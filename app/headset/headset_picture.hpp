@@ -35,7 +35,7 @@ class HeadsetPicture {
     /// Draws once all that a session may show, without showing it: drivers compile at the first use, and that
     /// must not fall into a trial.
     void warmUp(const assets::Avatar& avatar);
-    /// Asks the session anew what the lenses hide.
+    /// Asks the session again what the lenses hide.
     void updateHiddenArea();
 
     [[nodiscard]] std::string driver() const { return renderer_.driver(); }

@@ -179,9 +179,9 @@ std::vector<studies::StationNote> HeadsetStation::close() {
         const double until_s = s.session->now_s() + leave_taking_s;
         bool left = s.failure.has_value();
         while (!left && s.session->now_s() < until_s) {
-            XrHappenings happenings = s.session->poll();
-            for (auto& note : happenings.notes) s.notes.push_back(std::move(note));
-            left = happenings.leave || happenings.lost.has_value();
+            XrEvents events = s.session->poll();
+            for (auto& note : events.notes) s.notes.push_back(std::move(note));
+            left = events.leave || events.lost.has_value();
             if (left) break;
             s.frame = s.session->begin();
             if (s.frame)

@@ -1,4 +1,4 @@
-// Where the participant stands: the anchor in the room, what sets it anew, and where the stage lies around
+// Where the participant stands: the anchor in the room, what sets it again, and where the stage lies around
 // it.
 #pragma once
 

@@ -109,9 +109,9 @@ Result<void> XrSessionLoop::createSwapchains(double resolution_scale) {
     check(xrEnumerateViewConfigurationViews(runtime_.instance(), runtime_.system(), stereo, 2, &count,
                                             views.data()),
           "xrEnumerateViewConfigurationViews");
-    const auto scaled = [&](std::uint32_t recommended, std::uint32_t most) {
+    const auto scaled = [&](std::uint32_t recommended, std::uint32_t max) {
         const double wanted = std::round(recommended * resolution_scale);
-        return static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(most)));
+        return static_cast<int>(std::clamp(wanted, 16.0, static_cast<double>(max)));
     };
     XrSwapchainSize size;
     for (const auto& view : views) {
@@ -180,11 +180,11 @@ std::array<renderer::HiddenArea, 2> XrSessionLoop::hiddenArea() const {
     return areas;
 }
 
-void XrSessionLoop::enter(XrSessionState state, XrTime time, XrHappenings& happenings) {
+void XrSessionLoop::enter(XrSessionState state, XrTime time, XrEvents& events) {
     const XrDuty duty = lifecycle_.enter(state);
     // Some runtimes give no time with their events.
     const bool timed = station_zero_ns_ && time > 0;
-    happenings.notes.push_back(
+    events.notes.push_back(
         {studies::NoteKind::xr_state, std::string(nameOf(state)), timed ? stationSeconds(time) : now_s()});
     switch (duty) {
         case XrDuty::begin_session: {
@@ -199,60 +199,60 @@ void XrSessionLoop::enter(XrSessionState state, XrTime time, XrHappenings& happe
             check(xrEndSession(session_), "xrEndSession");
             break;
         case XrDuty::leave:
-            happenings.leave = true;
+            events.leave = true;
             break;
         case XrDuty::lost:
             lost_ = true;
-            happenings.lost.emplace("the runtime announced the loss of the session", XR_ERROR_SESSION_LOST);
+            events.lost.emplace("the runtime announced the loss of the session", XR_ERROR_SESSION_LOST);
             break;
         case XrDuty::none:
             break;
     }
 }
 
-XrHappenings XrSessionLoop::poll() {
-    XrHappenings happenings;
-    while (!happenings.lost) {
+XrEvents XrSessionLoop::poll() {
+    XrEvents events;
+    while (!events.lost) {
         auto event = typed<XrEventDataBuffer>(XR_TYPE_EVENT_DATA_BUFFER);
         const XrResult polled = xrPollEvent(runtime_.instance(), &event);
-        if (polled == XR_EVENT_UNAVAILABLE) return happenings;
+        if (polled == XR_EVENT_UNAVAILABLE) return events;
         if (XR_FAILED(polled)) {
             lost_ = true;
-            happenings.lost.emplace(fmt::format("xrPollEvent failed: {}", nameOf(polled)), polled);
-            return happenings;
+            events.lost.emplace(fmt::format("xrPollEvent failed: {}", nameOf(polled)), polled);
+            return events;
         }
         switch (event.type) {
             case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
                 const auto& changed = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
-                if (changed.session == session_) enter(changed.state, changed.time, happenings);
+                if (changed.session == session_) enter(changed.state, changed.time, events);
                 break;
             }
             case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-                happenings.notes.push_back({studies::NoteKind::xr_state, "instance loss pending", now_s()});
+                events.notes.push_back({studies::NoteKind::xr_state, "instance loss pending", now_s()});
                 lost_ = true;
-                happenings.lost.emplace("the runtime announced its end", XR_ERROR_INSTANCE_LOST);
+                events.lost.emplace("the runtime announced its end", XR_ERROR_INSTANCE_LOST);
                 break;
             case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
                 const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
                 if (change.session == session_ && change.referenceSpaceType == space_type_)
-                    happenings.recentred_at = change.changeTime;
+                    events.recentred_at = change.changeTime;
                 break;
             }
             case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
-                happenings.profiles = true;
+                events.profiles = true;
                 break;
             case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
-                happenings.hidden_area = true;
+                events.hidden_area = true;
                 break;
             case XR_TYPE_EVENT_DATA_EVENTS_LOST:
-                happenings.notes.push_back(
+                events.notes.push_back(
                     {studies::NoteKind::xr_state, "the runtime lost some of its events", now_s()});
                 break;
             default:
                 break;
         }
     }
-    return happenings;
+    return events;
 }
 
 }  // namespace deixis::app

@@ -28,7 +28,7 @@ struct XrSessionOptions {
 };
 
 /// What the runtime's events asked for since the last poll.
-struct XrHappenings {
+struct XrEvents {
     std::vector<studies::StationNote> notes;
     bool leave = false;                  ///< the runtime wants the program to end its session for good
     bool hidden_area = false;            ///< setHiddenArea() is due again
@@ -84,7 +84,7 @@ class XrSessionLoop {
     XrSessionLoop& operator=(const XrSessionLoop&) = delete;
 
     /// Handles the runtime's events; begins and ends the session as they ask.
-    [[nodiscard]] XrHappenings poll();
+    [[nodiscard]] XrEvents poll();
     [[nodiscard]] const XrSessionLifecycle& lifecycle() const { return lifecycle_; }
 
     /// Waits for the next frame and begins it; none where the session is not running.
@@ -122,7 +122,7 @@ class XrSessionLoop {
     Result<void> createSwapchains(double resolution_scale);
     void chooseBlendMode();
     void fixClock();
-    void enter(XrSessionState state, XrTime time, XrHappenings& happenings);
+    void enter(XrSessionState state, XrTime time, XrEvents& events);
 
     const XrRuntime& runtime_;
     std::unique_ptr<XrGraphicsBinding> binding_;

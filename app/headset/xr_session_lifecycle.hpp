@@ -16,7 +16,7 @@ enum class XrDuty : unsigned char {
     begin_session,  ///< ready: xrBeginSession
     end_session,    ///< stopping: xrEndSession
     leave,          ///< exiting: the person or the runtime ended the program's session
-    lost,           ///< loss pending: the session is gone, it may be made anew later
+    lost,           ///< loss pending: the session is gone, it may be made again later
 };
 
 class XrSessionLifecycle {

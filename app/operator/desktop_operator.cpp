@@ -17,7 +17,7 @@ namespace {
 
 // In units of the content scale.
 constexpr WindowSize wanted_size{1280, 960};
-constexpr WindowSize least_size{480, 420};
+constexpr WindowSize min_size{480, 420};
 
 struct Frame {
     int left = 0, top = 0, right = 0, bottom = 0;
@@ -61,7 +61,7 @@ bool place(GLFWwindow* participants, GLFWwindow* operators) {
     float down = 1.0F;
     glfwGetWindowContentScale(participants, &across, &down);
     const auto places = placesOfWindows(whole, monitorAreas(), scaled(wanted_size, across, frame),
-                                        scaled(least_size, across, frame), !fills);
+                                        scaled(min_size, across, frame), !fills);
     if (!places) return false;
     if (places->participant.x != whole.x)
         glfwSetWindowPos(participants, places->participant.x + frame.left, places->participant.y + frame.top);

@@ -7,9 +7,9 @@
 
 namespace deixis::app {
 
-WindowSize fittedSize(WindowSize shown, WindowSize most) {
-    const double scale = std::min({1.0, static_cast<double>(most.width) / std::max(1, shown.width),
-                                   static_cast<double>(most.height) / std::max(1, shown.height)});
+WindowSize fittedSize(WindowSize shown, WindowSize max) {
+    const double scale = std::min({1.0, static_cast<double>(max.width) / std::max(1, shown.width),
+                                   static_cast<double>(max.height) / std::max(1, shown.height)});
     const auto scaled = [scale](int length) {
         return std::max(1, static_cast<int>(std::lround(scale * length)));
     };
@@ -22,8 +22,8 @@ MirrorPicture::~MirrorPicture() {
     glDeleteTextures(1, &kept_.texture);
 }
 
-void MirrorPicture::take(WindowSize shown, WindowSize most) {
-    const WindowSize size = fittedSize(shown, most);
+void MirrorPicture::take(WindowSize shown, WindowSize max) {
+    const WindowSize size = fittedSize(shown, max);
     if (kept_.texture == 0 || size.width != kept_.size.width || size.height != kept_.size.height) {
         glDeleteTextures(1, &kept_.texture);
         glCreateTextures(GL_TEXTURE_2D, 1, &kept_.texture);

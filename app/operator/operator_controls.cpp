@@ -12,10 +12,10 @@ constexpr float question_lines = 86.0F;  ///< title, what it means on two lines
 
 class Controls {
   public:
-    Controls(const PanelPen& pen, const OperatorView& view, OperatorDesk& desk, double now_s)
+    Controls(const PanelPen& pen, const OperatorView& view, OperatorControls& controls, double now_s)
         : pen_(pen),
           view_(view),
-          desk_(desk),
+          controls_(controls),
           now_s_(now_s),
           half_(0.5F * (pen.width() - pen.px(button_gap))),
           high_(pen.px(button_height)) {}
@@ -25,20 +25,20 @@ class Controls {
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                             {pen_.px(10.0F), 0.5F * (high_ - pen_.gui().regular()->FontSize)});
         bool typing = false;
-        if (desk_.question() == OperatorDesk::Question::none) {
+        if (controls_.question() == OperatorControls::Question::none) {
             typing = note();
             buttons();
         } else {
             typing = question();
         }
-        desk_.setTyping(typing);
+        controls_.setTyping(typing);
         ImGui::PopStyleVar(2);
     }
 
   private:
     const PanelPen& pen_;
     const OperatorView& view_;
-    OperatorDesk& desk_;
+    OperatorControls& controls_;
     double now_s_;
     float half_, high_;
 
@@ -50,47 +50,47 @@ class Controls {
         const float add = pen_.px(64.0F);
         ImGui::SetNextItemWidth(pen_.width() - add - pen_.px(button_gap));
         const bool entered =
-            ImGui::InputTextWithHint("##note", "Note for the record", desk_.note().data(),
-                                     desk_.note().size(), ImGuiInputTextFlags_EnterReturnsTrue);
+            ImGui::InputTextWithHint("##note", "Note for the record", controls_.note().data(),
+                                     controls_.note().size(), ImGuiInputTextFlags_EnterReturnsTrue);
         const bool typing = ImGui::IsItemActive();
         ImGui::SameLine();
-        if (button("Add", add) || entered) desk_.addNote();
+        if (button("Add", add) || entered) controls_.addNote();
         return typing;
     }
 
     void buttons() {
         const float first = view_.has_place ? half_ : pen_.width();
         if (view_.paused) {
-            if (button("Resume (P)", first)) desk_.resume();
+            if (button("Resume (P)", first)) controls_.resume();
         } else if (button("Pause (P)", first)) {
-            desk_.pause();
+            controls_.pause();
         }
         if (view_.has_place) {
             ImGui::SameLine();
-            if (button("Recentre (R)", half_)) desk_.recentre();
+            if (button("Recentre (R)", half_)) controls_.recentre();
         }
-        if (const auto left = desk_.repeatLeft(now_s_)) {
+        if (const auto left = controls_.repeatLeft(now_s_)) {
             if (really("repeat", "Really repeat?", "The old answer is kept, and marked.", pen_.width(),
                        *left))
-                desk_.repeatLast(now_s_);
+                controls_.repeatLast(now_s_);
         } else {
-            if (button("Repeat last trial", half_)) desk_.repeatLast(now_s_);
+            if (button("Repeat last trial", half_)) controls_.repeatLast(now_s_);
             ImGui::SameLine();
-            if (button("Skip trial\u2026", half_)) desk_.ask(OperatorDesk::Question::skip);
+            if (button("Skip trial\u2026", half_)) controls_.ask(OperatorControls::Question::skip);
         }
-        if (const auto left = desk_.endLeft(now_s_)) {
+        if (const auto left = controls_.endLeft(now_s_)) {
             if (really("end", "Really end?", "The answers so far are kept; it can be resumed.", pen_.width(),
                        *left))
-                desk_.end(now_s_);
+                controls_.end(now_s_);
         } else {
-            if (button("Abort session\u2026", half_)) desk_.ask(OperatorDesk::Question::abort);
+            if (button("Abort session\u2026", half_)) controls_.ask(OperatorControls::Question::abort);
             ImGui::SameLine();
-            if (button("End session", half_)) desk_.end(now_s_);
+            if (button("End session", half_)) controls_.end(now_s_);
         }
     }
 
     bool question() {
-        const bool skips = desk_.question() == OperatorDesk::Question::skip;
+        const bool skips = controls_.question() == OperatorControls::Question::skip;
         const float top = ImGui::GetCursorPosY();
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {pen_.px(button_gap), pen_.px(PanelPen::line_gap)});
         pen_.write(pen_.gui().bold(), look::text, skips ? "Skip this trial?" : "Abort the session?");
@@ -104,24 +104,24 @@ class Controls {
         const float place = ImGui::GetCursorPosY();
         if (askedAnew()) ImGui::SetKeyboardFocusHere();
         const bool entered =
-            ImGui::InputTextWithHint("##reason", "Reason (required)", desk_.reason().data(),
-                                     desk_.reason().size(), ImGuiInputTextFlags_EnterReturnsTrue);
+            ImGui::InputTextWithHint("##reason", "Reason (required)", controls_.reason().data(),
+                                     controls_.reason().size(), ImGuiInputTextFlags_EnterReturnsTrue);
         const bool typing = ImGui::IsItemActive();
-        if (entered && !desk_.answered()) lastAsked() = -1;  // the field takes the keyboard again
+        if (entered && !controls_.answered()) lastAsked() = -1;  // the field takes the keyboard again
         ImGui::SetCursorPosY(place + high_ + pen_.px(button_gap));
-        const bool ready = desk_.answered();
+        const bool ready = controls_.answered();
         ImGui::BeginDisabled(!ready);
         bool pressed = false;
-        if (const auto left = desk_.abortLeft(now_s_))
+        if (const auto left = controls_.abortLeft(now_s_))
             pressed = really("abort", "Really abort?", "Press once more.", half_, *left);
         else
             pressed = button(skips ? "Skip trial" : "Abort session", half_);
         ImGui::EndDisabled();
         ImGui::SameLine();
         if (button("Back (Esc)", half_))
-            desk_.leaveQuestion();
+            controls_.leaveQuestion();
         else if (pressed || entered)
-            desk_.answer(now_s_);
+            controls_.answer(now_s_);
         return typing;
     }
 
@@ -158,14 +158,14 @@ class Controls {
 
 }  // namespace
 
-float controlsHeight(const PanelPen& pen, const OperatorDesk& desk) {
+float controlsHeight(const PanelPen& pen, const OperatorControls& controls) {
     const float row = pen.px(button_height) + pen.px(button_gap);
-    if (desk.question() == OperatorDesk::Question::none) return 4.0F * row - pen.px(button_gap);
+    if (controls.question() == OperatorControls::Question::none) return 4.0F * row - pen.px(button_gap);
     return pen.px(question_lines) + 2.0F * row - pen.px(button_gap);
 }
 
-void drawControls(const PanelPen& pen, const OperatorView& view, OperatorDesk& desk, double now_s) {
-    Controls(pen, view, desk, now_s).draw();
+void drawControls(const PanelPen& pen, const OperatorView& view, OperatorControls& controls, double now_s) {
+    Controls(pen, view, controls, now_s).draw();
 }
 
 }  // namespace deixis::app

@@ -8,9 +8,9 @@
 namespace deixis::app {
 
 /// Pixels; the same in every state but where a reason is asked for.
-[[nodiscard]] float controlsHeight(const PanelPen& pen, const OperatorDesk& desk);
+[[nodiscard]] float controlsHeight(const PanelPen& pen, const OperatorControls& controls);
 
 /// Draws where ImGui's cursor stands.
-void drawControls(const PanelPen& pen, const OperatorView& view, OperatorDesk& desk, double now_s);
+void drawControls(const PanelPen& pen, const OperatorView& view, OperatorControls& controls, double now_s);
 
 }  // namespace deixis::app

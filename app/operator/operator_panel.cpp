@@ -25,8 +25,12 @@ constexpr double usual_wait_s = 1.0;  // of an answer for the disk
 
 class Panel {
   public:
-    Panel(const WindowGui& gui, const OperatorView& view, OperatorDesk& desk, ImVec2 size)
-        : gui_(gui), view_(view), desk_(desk), size_(size), pen_(gui, size.x - 2.0F * margin * gui.scale()) {}
+    Panel(const WindowGui& gui, const OperatorView& view, OperatorControls& controls, ImVec2 size)
+        : gui_(gui),
+          view_(view),
+          controls_(controls),
+          size_(size),
+          pen_(gui, size.x - 2.0F * margin * gui.scale()) {}
 
     void draw(ImVec2 corner, double now_s) const {
         const float edge = std::max(1.0F, gui_.scale());
@@ -42,7 +46,7 @@ class Panel {
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
         ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + edge, corner.y + size_.y}, look::edge);
         // What can be pressed stays in sight, whatever there is to tell. The scroll bar has the margin.
-        const float foot = controlsHeight(pen_, desk_);
+        const float foot = controlsHeight(pen_, controls_);
         const float told = size_.y - 2.0F * space - foot - px(PanelPen::section_gap);
         ImGui::BeginChild("told", {pen_.width() + 0.5F * space, std::max(1.0F, told)}, false,
                           ImGuiWindowFlags_NoNav);
@@ -55,7 +59,7 @@ class Panel {
         events();
         ImGui::EndChild();
         ImGui::SetCursorPosY(size_.y - space - foot);
-        drawControls(pen_, view_, desk_, now_s);
+        drawControls(pen_, view_, controls_, now_s);
         ImGui::End();
         ImGui::PopStyleVar(4);
     }
@@ -63,7 +67,7 @@ class Panel {
   private:
     const WindowGui& gui_;
     const OperatorView& view_;
-    OperatorDesk& desk_;
+    OperatorControls& controls_;
     ImVec2 size_;
     PanelPen pen_;
 
@@ -146,9 +150,9 @@ class Panel {
     // Whoever knows the condition may let the participant feel it: it is shown only on demand.
     void trial() const {
         ImGui::PushFont(gui_.small());
-        const bool shown = desk_.trialShown();
+        const bool shown = controls_.trialShown();
         if (ImGui::Button(shown ? "Hide trial" : "Show trial (you will know the condition)"))
-            desk_.showTrial(!shown);
+            controls_.showTrial(!shown);
         ImGui::PopFont();
         if (!shown) return;
         const std::string& words = view_.feed.progress.trial;
@@ -279,8 +283,8 @@ class Panel {
 }  // namespace
 
 void drawOperatorPanel(const WindowGui& gui, ImVec2 corner, ImVec2 size, const OperatorView& view,
-                       OperatorDesk& desk, double now_s) {
-    Panel(gui, view, desk, size).draw(corner, now_s);
+                       OperatorControls& controls, double now_s) {
+    Panel(gui, view, controls, size).draw(corner, now_s);
 }
 
 }  // namespace deixis::app

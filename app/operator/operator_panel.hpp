@@ -8,8 +8,8 @@
 namespace deixis::app {
 
 /// Draws between WindowGui::beginFrame() and endFrame(), at this place (pixels, y down). What is pressed and
-/// typed goes to the desk. `now_s`: on the desk's clock.
+/// typed goes to the controls. `now_s`: on the controls' clock.
 void drawOperatorPanel(const WindowGui& gui, ImVec2 corner, ImVec2 size, const OperatorView& view,
-                       OperatorDesk& desk, double now_s);
+                       OperatorControls& controls, double now_s);
 
 }  // namespace deixis::app

@@ -17,8 +17,8 @@ long long area(const ScreenRect& rect) {
     return static_cast<long long>(rect.width) * rect.height;
 }
 
-bool holds(const ScreenRect& room, WindowSize least) {
-    return room.width >= least.width && room.height >= least.height;
+bool holds(const ScreenRect& room, WindowSize min) {
+    return room.width >= min.width && room.height >= min.height;
 }
 
 // In the middle of the room.
@@ -49,7 +49,7 @@ ScreenRect against(const ScreenRect& window, const ScreenRect& room, WindowSize 
 
 std::optional<PlacesOfWindows> placesOfWindows(const ScreenRect& participant,
                                                const std::vector<ScreenRect>& monitors, WindowSize wanted,
-                                               WindowSize least, bool may_move) {
+                                               WindowSize min, bool may_move) {
     if (monitors.empty()) return std::nullopt;
     const ScreenRect own =
         *std::max_element(monitors.begin(), monitors.end(), [&](const ScreenRect& a, const ScreenRect& b) {
@@ -57,14 +57,13 @@ std::optional<PlacesOfWindows> placesOfWindows(const ScreenRect& participant,
         });
     std::optional<ScreenRect> other;
     for (const ScreenRect& monitor : monitors) {
-        if (overlap(monitor, own) > 0 || overlap(monitor, participant) > 0 || !holds(monitor, least))
-            continue;
+        if (overlap(monitor, own) > 0 || overlap(monitor, participant) > 0 || !holds(monitor, min)) continue;
         if (!other || area(monitor) > area(*other)) other = monitor;
     }
     if (other) return PlacesOfWindows{participant, within(*other, wanted)};
     const auto besideOf = [&](const ScreenRect& window) -> std::optional<PlacesOfWindows> {
         const ScreenRect room = beside(window, own);
-        if (!holds(room, least)) return std::nullopt;
+        if (!holds(room, min)) return std::nullopt;
         return PlacesOfWindows{window, against(window, room, wanted)};
     };
     ScreenRect aside = participant;

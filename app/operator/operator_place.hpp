@@ -22,10 +22,10 @@ struct PlacesOfWindows {
 /// Never over the participant's window. On another monitor where there is one (not one that shows the same as
 /// the participant's); else beside the participant's window, which is moved to the side of its monitor
 /// where that is needed, unless it fills it by intent (`may_move` false). None where there is not even room
-/// for `least`. `monitors`: the parts of them that windows may take.
+/// for `min`. `monitors`: the parts of them that windows may take.
 [[nodiscard]] std::optional<PlacesOfWindows> placesOfWindows(const ScreenRect& participant,
                                                              const std::vector<ScreenRect>& monitors,
-                                                             WindowSize wanted, WindowSize least,
+                                                             WindowSize wanted, WindowSize min,
                                                              bool may_move);
 
 }  // namespace deixis::app

@@ -13,7 +13,7 @@ constexpr double answer_within_s = 4.0;
 constexpr double double_click_s = 0.4;
 
 // Without the blanks at its ends.
-std::string trimmed(const OperatorDesk::Text& text) {
+std::string trimmed(const OperatorControls::Text& text) {
     return std::string(deixis::trimmed(text.data()));
 }
 
@@ -59,33 +59,33 @@ std::optional<double> AskTwice::left(double now_s) const {
     return 1.0 - (now_s - *asked_s_) / answer_within_s;
 }
 
-void OperatorDesk::command(studies::OperatorAction action, std::string text) {
+void OperatorControls::command(studies::OperatorAction action, std::string text) {
     asked_.commands.push_back({action, std::move(text)});
 }
 
-void OperatorDesk::repeatLast(double now_s) {
+void OperatorControls::repeatLast(double now_s) {
     if (repeat_.ask(now_s)) command(studies::OperatorAction::repeat_last, "");
 }
 
-void OperatorDesk::end(double now_s) {
+void OperatorControls::end(double now_s) {
     if (end_.ask(now_s)) asked_.end = true;
 }
 
-void OperatorDesk::ask(Question question) {
+void OperatorControls::ask(Question question) {
     question_ = question;
     reason_ = {};
     abort_.forget();
 }
 
-void OperatorDesk::leaveQuestion() {
+void OperatorControls::leaveQuestion() {
     ask(Question::none);
 }
 
-bool OperatorDesk::answered() const {
+bool OperatorControls::answered() const {
     return !trimmed(reason_).empty();
 }
 
-void OperatorDesk::answer(double now_s) {
+void OperatorControls::answer(double now_s) {
     if (question_ == Question::none || !answered()) return;
     if (question_ == Question::abort && !abort_.ask(now_s)) return;
     command(question_ == Question::skip ? studies::OperatorAction::skip : studies::OperatorAction::abort,
@@ -93,18 +93,18 @@ void OperatorDesk::answer(double now_s) {
     leaveQuestion();
 }
 
-void OperatorDesk::addNote() {
+void OperatorControls::addNote() {
     std::string text = trimmed(note_);
     note_ = {};
     if (!text.empty()) command(studies::OperatorAction::note, std::move(text));
 }
 
-void OperatorDesk::showTrial(bool shown) {
+void OperatorControls::showTrial(bool shown) {
     if (shown && !trial_shown_) asked_.saw_trial = true;
     trial_shown_ = shown;
 }
 
-OperatorRequest OperatorDesk::take() {
+OperatorRequest OperatorControls::take() {
     return std::exchange(asked_, {});
 }
 

@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr float panel_width = 340.0F;  // in units of the content scale
-constexpr WindowSize least_window{480, 420};
+constexpr WindowSize min_window{480, 420};
 // A little under 1/15 s and 1/30 s, so that a frame that comes a moment early is not put off by a whole
 // period.
 constexpr double between_pictures_s = 0.059;
@@ -31,14 +31,15 @@ constexpr double longest_share = 0.1;  // of all time that pictures may take
 constexpr double longest_pause_s = 0.5;
 
 // The letters of what the session tells, in any language.
-void requireLetters(WindowGui& gui, const OperatorView& view, OperatorDesk& desk) {
+void requireLetters(WindowGui& gui, const OperatorView& view, OperatorControls& controls) {
     for (const std::string* text : {&view.feed.participant, &view.status.part, &view.status.remark,
                                     &view.device, &view.feed.progress.trial})
         gui.require(*text);
     for (const auto& stage : view.feed.progress.stages) gui.require(stage.name);
     for (const auto& warning : view.warnings) gui.require(warning);
     for (const auto& event : view.feed.events) gui.require(event.detail);
-    for (const OperatorDesk::Text* text : {&desk.note(), &desk.reason()}) gui.require(text->data());
+    for (const OperatorControls::Text* text : {&controls.note(), &controls.reason()})
+        gui.require(text->data());
 }
 
 }  // namespace
@@ -75,8 +76,8 @@ struct OperatorWindow::Impl {
         const auto scaled = [this](int length) {
             return static_cast<int>(std::lround(static_cast<float>(length) * gui->scale()));
         };
-        glfwSetWindowSizeLimits(handle, scaled(least_window.width), scaled(least_window.height),
-                                GLFW_DONT_CARE, GLFW_DONT_CARE);
+        glfwSetWindowSizeLimits(handle, scaled(min_window.width), scaled(min_window.height), GLFW_DONT_CARE,
+                                GLFW_DONT_CARE);
         glfwSwapInterval(0);
     }
     ~Impl() {
@@ -105,24 +106,24 @@ struct OperatorWindow::Impl {
     double used_at_s = -1.0;
     std::vector<int> tapped;  // keys that went down since the last picture
     bool paused = false;      // as last told
-    OperatorDesk desk;
+    OperatorControls controls;
 
     static Impl& self(GLFWwindow* from) { return *static_cast<Impl*>(glfwGetWindowUserPointer(from)); }
     [[nodiscard]] double now_s() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
     void used() { used_at_s = now_s(); }
 
     void onKey(int key) {
-        const bool asks = desk.question() != OperatorDesk::Question::none;
+        const bool asks = controls.question() != OperatorControls::Question::none;
         if (key == GLFW_KEY_ESCAPE && asks)
-            desk.leaveQuestion();
-        else if (desk.typing() || asks)
+            controls.leaveQuestion();
+        else if (controls.typing() || asks)
             return;
         else if (key == GLFW_KEY_R)
-            desk.recentre();
+            controls.recentre();
         else if (key == GLFW_KEY_P && paused)
-            desk.resume();
+            controls.resume();
         else if (key == GLFW_KEY_P || key == GLFW_KEY_ESCAPE)
-            desk.pause();
+            controls.pause();
     }
 
     [[nodiscard]] int panelWidth() const {
@@ -167,7 +168,7 @@ struct OperatorWindow::Impl {
         paused = view.paused;
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         glDisable(GL_FRAMEBUFFER_SRGB);
-        requireLetters(*gui, view, desk);
+        requireLetters(*gui, view, controls);
         holdTapped(true);
         gui->beginFrame();
         if (mirror != nullptr) {
@@ -177,7 +178,7 @@ struct OperatorWindow::Impl {
             if (const MirrorTexture kept = mirror->texture(); kept.texture != 0) drawMirror(kept);
         }
         drawOperatorPanel(*gui, {static_cast<float>(size.width) - panel, 0.0F},
-                          {panel, static_cast<float>(size.height)}, view, desk, begun_s);
+                          {panel, static_cast<float>(size.height)}, view, controls, begun_s);
         gui->endFrame();
         holdTapped(false);
         glfwSwapBuffers(window.handle());
@@ -196,9 +197,9 @@ OperatorRequest OperatorWindow::poll() {
     if (glfwWindowShouldClose(handle) == GLFW_TRUE) {
         glfwSetWindowShouldClose(handle, GLFW_FALSE);
         impl_->used();
-        impl_->desk.end(impl_->now_s());
+        impl_->controls.end(impl_->now_s());
     }
-    return impl_->desk.take();
+    return impl_->controls.take();
 }
 
 bool OperatorWindow::visible() const {

@@ -48,7 +48,7 @@ std::string_view wordsFor(studies::PresentedState state) {
             return "Rates the clip";
         case State::rated:
             return "Has rated the clip";
-        case State::listening:
+        case State::watching:
             return "Plays and rates the clips";
         case State::comparing:
             return "Plays and compares the clips";

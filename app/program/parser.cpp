@@ -6,7 +6,7 @@
 
 namespace deixis::app {
 
-void refuseUsage(const std::string& where, const std::string& what) {
+void rejectUsage(const std::string& where, const std::string& what) {
     throw CLI::ValidationError(where, what);
 }
 

@@ -25,8 +25,8 @@ std::string clockText(double time_s) {
 std::string progressLine(std::string_view what, std::size_t done, std::size_t all, double elapsed_s) {
     constexpr std::size_t width = 24;
     const std::size_t filled = width * done / all;
-    constexpr double least_s = 0.5;  // before that, the time left would jump about
-    const bool known = done > 0 && (elapsed_s >= least_s || done == all);
+    constexpr double min_s = 0.5;  // before that, the time left would jump about
+    const bool known = done > 0 && (elapsed_s >= min_s || done == all);
     const double left_s =
         known ? elapsed_s * static_cast<double>(all - done) / static_cast<double>(done) : 0.0;
     return fmt::format("{} {:>3} % [{:#<{}}{:.<{}}] {} of {}, {} elapsed, {} left", what, 100 * done / all,

@@ -70,18 +70,18 @@ void OperatorFeedWriter::note(double time_s, studies::NoteKind kind, std::string
     if (feed_->events.size() > events_told) feed_->events.pop_front();
 }
 
-// The stages of other sittings are neither ahead nor behind.
-studies::SessionProgress OperatorFeedWriter::progressOfSitting() {
+// The stages of other visits are neither ahead nor behind.
+studies::SessionProgress OperatorFeedWriter::progressOfVisit() {
     studies::SessionProgress progress = progress_();
-    const auto sittingOf = [this](const studies::StageProgress& stage) {
+    const auto visitOf = [this](const studies::StageProgress& stage) {
         const studies::Stage* found = study_.findStage(stage.name);
         return found == nullptr ? 1 : found->session;
     };
     for (const studies::StageProgress& stage : progress.stages)
-        if (stage.current) sitting_ = sittingOf(stage);
-    if (sitting_ == 0) return progress;
+        if (stage.current) visit_ = visitOf(stage);
+    if (visit_ == 0) return progress;
     std::erase_if(progress.stages,
-                  [&](const studies::StageProgress& stage) { return sittingOf(stage) != sitting_; });
+                  [&](const studies::StageProgress& stage) { return visitOf(stage) != visit_; });
     return progress;
 }
 
@@ -101,7 +101,7 @@ void OperatorFeedWriter::presented(const studies::InputFrame& input, const studi
         waiting_since_s_ = now_s;
     feed.waiting_s = waiting_since_s_ ? now_s - *waiting_since_s_ : 0.0;
     if (due(progress_told_s_, now_s, between_progress_s)) {
-        feed.progress = progressOfSitting();
+        feed.progress = progressOfVisit();
         pace_.see(feed.progress.stages, now_s, frame.state == studies::PresentedState::paused);
         feed.left_s = timeLeft_s(feed.progress.stages, history_, pace_);
     }

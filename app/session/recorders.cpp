@@ -14,7 +14,7 @@ void DirectRecorder::record(const studies::SessionEvent& event) {
 }
 
 template <typename Call>
-void CalmRecorder::unlessFailed(const Call& call) const {
+void FailSafeRecorder::unlessFailed(const Call& call) const {
     if (problem_) return;
     try {
         call();
@@ -24,21 +24,21 @@ void CalmRecorder::unlessFailed(const Call& call) const {
     }
 }
 
-void CalmRecorder::record(const studies::SessionEvent& event) {
+void FailSafeRecorder::record(const studies::SessionEvent& event) {
     unlessFailed([&] { kept_by_.record(event); });
 }
 
-void CalmRecorder::sample(const studies::TrackingSample& sample, int trial_index) {
+void FailSafeRecorder::sample(const studies::TrackingSample& sample, int trial_index) {
     unlessFailed([&] { kept_by_.sample(sample, trial_index); });
 }
 
-bool CalmRecorder::answersKept() const {
+bool FailSafeRecorder::answersKept() const {
     bool kept = false;
     unlessFailed([&] { kept = kept_by_.answersKept(); });
     return kept || problem_;  // what cannot be kept is not waited for
 }
 
-void CalmRecorder::finish() {
+void FailSafeRecorder::finish() {
     unlessFailed([&] { kept_by_.finish(); });
     if (problem_) std::rethrow_exception(problem_);
 }

@@ -23,13 +23,13 @@ int unitsOf(const studies::StageProgress& stage) {
 
 }  // namespace
 
-int OwnPace::units() const {
+int SessionPace::units() const {
     std::size_t count = 0;
     for (const auto& [stage, units] : units_s_) count += units.size();
     return static_cast<int>(count);
 }
 
-void OwnPace::see(const std::vector<studies::StageProgress>& stages, double time_s, bool paused) {
+void SessionPace::see(const std::vector<studies::StageProgress>& stages, double time_s, bool paused) {
     const bool first = !last_s_;
     if (!first && !paused) under_way_s_ += std::max(0.0, time_s - *last_s_);
     last_s_ = time_s;
@@ -38,7 +38,7 @@ void OwnPace::see(const std::vector<studies::StageProgress>& stages, double time
         const int more = is_new ? 0 : stage.done - known->second;
         known->second = stage.done;
         if (more == 0) continue;
-        // What is done again was no shorter for it: only the clock starts anew.
+        // What is done again was no shorter for it: only the clock starts again.
         if (more > 0) {
             std::vector<double>& kept = stage.of > 0 ? units_s_[stage.name] : pages_s_;
             kept.insert(kept.end(), static_cast<std::size_t>(more), under_way_s_ / more);
@@ -48,7 +48,7 @@ void OwnPace::see(const std::vector<studies::StageProgress>& stages, double time
 }
 
 std::optional<double> timeLeft_s(const std::vector<studies::StageProgress>& stages,
-                                 const std::map<std::string, double>& history, const OwnPace& own) {
+                                 const std::map<std::string, double>& history, const SessionPace& own) {
     std::vector<double> all_own;
     for (const auto& [stage, units] : own.units_s())
         all_own.insert(all_own.end(), units.begin(), units.end());

@@ -136,7 +136,7 @@ class Sessions {
         for (const studies::SessionEvent& event : session.events) recorder.record(event);
         answered_ += recorder.answered();
         store_.endSession(session.outcome, session.ended_utc_s);
-        if (session.failure) return fail(where(one), session.failure->message, session.failure->mend);
+        if (session.failure) return fail(where(one), session.failure->message, session.failure->hint);
         one.now_utc_s = session.ended_utc_s;
         one.session.events.clear();
         return {};

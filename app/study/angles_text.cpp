@@ -14,14 +14,14 @@ namespace {
 
 constexpr double near_deg = 3.0;  // ours: the noise of the simulated participant's reading
 
-std::string line(const std::string& who, std::vector<double> least_deg) {
-    std::sort(least_deg.begin(), least_deg.end());
-    const std::size_t n = least_deg.size();
-    const double median = (least_deg[(n - 1) / 2] + least_deg[n / 2]) / 2.0;
-    const auto near = std::count_if(least_deg.begin(), least_deg.end(),
-                                    [](double angle_deg) { return angle_deg < near_deg; });
-    return fmt::format("  {}: {:.1f}, median {:.1f}; under {:g} in {} of {}\n", who, least_deg.front(),
-                       median, near_deg, near, n);
+std::string line(const std::string& who, std::vector<double> min_deg) {
+    std::sort(min_deg.begin(), min_deg.end());
+    const std::size_t n = min_deg.size();
+    const double median = (min_deg[(n - 1) / 2] + min_deg[n / 2]) / 2.0;
+    const auto near =
+        std::count_if(min_deg.begin(), min_deg.end(), [](double angle_deg) { return angle_deg < near_deg; });
+    return fmt::format("  {}: {:.1f}, median {:.1f}; under {:g} in {} of {}\n", who, min_deg.front(), median,
+                       near_deg, near, n);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ std::string anglesText(const StudySetup& setup) {
     const std::vector<studies::Viewpoint> places = studies::viewpoints(study);
     std::vector<double> by_avatar;
     std::vector<std::vector<double>> by_place(places.size());
-    const auto least = [](const std::vector<double>& angles_deg) {
+    const auto smallest = [](const std::vector<double>& angles_deg) {
         return *std::min_element(angles_deg.begin(), angles_deg.end());
     };
     for (const auto& item : setup.targets) {
@@ -40,8 +40,8 @@ std::string anglesText(const StudySetup& setup) {
             for (std::size_t i = 0; i < places.size(); ++i) {
                 const auto angles =
                     ballAngles(study, *study.findLayout(places[i].layout), item.target, distractors);
-                by_place[i].push_back(least(angles.of(places[i].standing)));
-                if (i == 0) by_avatar.push_back(least(angles.avatar_deg));
+                by_place[i].push_back(smallest(angles.of(places[i].standing)));
+                if (i == 0) by_avatar.push_back(smallest(angles.avatar_deg));
             }
     }
     if (by_avatar.empty()) return {};

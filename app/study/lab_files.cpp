@@ -65,10 +65,10 @@ std::string manifestDifference(const LockedStudy& locked, const std::string& fil
                                            (*same)->target->x, (*same)->target->y, (*same)->target->z));
         }
     }
-    constexpr std::size_t most = 3;
+    constexpr std::size_t max = 3;
     if (told.empty()) return "";
-    const std::size_t further = told.size() - std::min(most, told.size());
-    told.resize(std::min(most, told.size()));
+    const std::size_t further = told.size() - std::min(max, told.size());
+    told.resize(std::min(max, told.size()));
     return fmt::format(" ({}{})", fmt::join(told, "; "),
                        further > 0 ? fmt::format("; {} more", further) : "");
 }

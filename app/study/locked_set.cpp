@@ -112,13 +112,13 @@ Result<LockedFiles> verifyLocked(const fs::path& database, const std::string& ha
     SeenFiles seen = seenFiles(database);
     const auto found = damages(set, *files, seen);
     if (found.empty()) return files;
-    constexpr std::size_t most_told = 5;
+    constexpr std::size_t max_listed = 5;
     const std::vector<std::string> told(
-        found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min(most_told, found.size())));
+        found.begin(), found.begin() + static_cast<std::ptrdiff_t>(std::min(max_listed, found.size())));
     return tl::unexpected(damaged(
-        set,
-        fmt::format("{}{}", fmt::join(told, ", "),
-                    found.size() > most_told ? fmt::format(" and {} more", found.size() - most_told) : "")));
+        set, fmt::format(
+                 "{}{}", fmt::join(told, ", "),
+                 found.size() > max_listed ? fmt::format(" and {} more", found.size() - max_listed) : "")));
 }
 
 LockedSetWriter::LockedSetWriter(fs::path database, int lock)

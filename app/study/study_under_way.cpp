@@ -168,8 +168,8 @@ Result<std::string> acceptChanges(const StudyRequest& request, results::Store& s
 }
 
 std::string listed(const std::vector<std::string>& changes) {
-    constexpr std::size_t most = 20;
-    const std::size_t told = std::min(most, changes.size());
+    constexpr std::size_t max = 20;
+    const std::size_t told = std::min(max, changes.size());
     std::string out = fmt::format(
         "{}", fmt::join(changes.begin(), changes.begin() + static_cast<std::ptrdiff_t>(told), "; "));
     if (told < changes.size()) out += fmt::format("; and {} more", changes.size() - told);

@@ -13,7 +13,7 @@ namespace deixis::app {
 
 namespace {
 
-constexpr std::size_t most_named = 8;
+constexpr std::size_t max_listed = 8;
 
 // Which sets of balls are not all seen from one viewpoint: by their item and, of several bands, the band.
 std::vector<std::string> hiddenSets(const StudySetup& setup, const studies::Viewpoint& viewpoint,
@@ -44,26 +44,24 @@ std::string visibilityText(const StudySetup& setup, const assets::Avatar& avatar
         "visibility: \"{}\"; sets of balls of which {:.0f} % or more of each is seen, past the avatar at "
         "rest "
         "and pointing\n",
-        study.targets.clear_view ? "clear" : "any", 100.0 * studies::least_visible_share);
+        study.targets.clear_view ? "clear" : "any", 100.0 * studies::min_visible_share);
     for (const auto& viewpoint : from) {
         std::vector<std::string> hidden = hiddenSets(setup, viewpoint, body);
         const std::size_t count = hidden.size();
-        if (count > most_named) hidden.resize(most_named);
+        if (count > max_listed) hidden.resize(max_listed);
         out += fmt::format("  {}, {}: {} of {}", viewpoint.layout, studies::standingName(viewpoint.standing),
                            sets - count, sets);
         if (count > 0)
             out += fmt::format("; not {}{}", fmt::join(hidden, ", "),
-                               count > most_named ? fmt::format(" and {} more", count - most_named) : "");
+                               count > max_listed ? fmt::format(" and {} more", count - max_listed) : "");
         out += "\n";
     }
-    const auto drawn = studies::drawnAnew(study, setup.targets);
+    const auto drawn = studies::redrawn(study, setup.targets);
     if (!drawn || !study.targets.clear_view) return out;
-    const auto count = [&](studies::DrawnAnew what) {
-        return std::count(drawn->begin(), drawn->end(), what);
-    };
+    const auto count = [&](studies::Redrawn what) { return std::count(drawn->begin(), drawn->end(), what); };
     return out +
            fmt::format("  drawn anew, unlike the bare rule's: {} targets, and the distractors of {} others\n",
-                       count(studies::DrawnAnew::target), count(studies::DrawnAnew::distractors));
+                       count(studies::Redrawn::target), count(studies::Redrawn::distractors));
 }
 
 }  // namespace deixis::app

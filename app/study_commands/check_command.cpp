@@ -54,10 +54,10 @@ Result<std::vector<studies::StudyPlan>> plansOf(const StudySetup& setup) {
 }
 
 // What need not be wrong, but would be noticed late.
-std::vector<std::string> doubtsOf(const studies::Study& study) {
+std::vector<std::string> warningsOf(const studies::Study& study) {
     std::vector<std::string> out;
     const fs::path folder = fs::absolute(study.file).parent_path();
-    const auto doubtPath = [&](const std::string& key, const fs::path& file) {
+    const auto warnPath = [&](const std::string& key, const fs::path& file) {
         if (file.empty()) return;
         const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(folder);
         if (relative.empty() || *relative.begin() == "..")
@@ -66,12 +66,12 @@ std::vector<std::string> doubtsOf(const studies::Study& study) {
                             "needs on another machine",
                             study.place(key), file.string()));
     };
-    doubtPath("study.avatar", study.avatar);
-    doubtPath("targets.fit_manifest", study.targets.fit_manifest);
-    doubtPath("targets.from_manifest", study.targets.from_manifest);
+    warnPath("study.avatar", study.avatar);
+    warnPath("targets.fit_manifest", study.targets.fit_manifest);
+    warnPath("targets.from_manifest", study.targets.from_manifest);
     for (const auto& system : study.systems) {
         const std::string key = "systems." + system.name;
-        doubtPath(key, system.manifest);
+        warnPath(key, system.manifest);
         if (system.manifest.empty()) continue;
         const auto manifest = assets::readManifest(system.manifest);
         if (!manifest) continue;
@@ -136,9 +136,9 @@ void describe(const StudySetup& setup, const assets::Avatar& avatar,
             if (const auto of = item.clips.find(system.name); of != item.clips.end())
                 several.push_back(of->second);
         if (several.empty()) continue;
-        const auto [least, most] = std::minmax_element(several.begin(), several.end());
+        const auto [min, max] = std::minmax_element(several.begin(), several.end());
         fmt::print("clips: {} has {} for {} of {} items; a participant is shown one of them\n", system.name,
-                   *least == *most ? fmt::format("{}", *least) : fmt::format("{} to {}", *least, *most),
+                   *min == *max ? fmt::format("{}", *min) : fmt::format("{} to {}", *min, *max),
                    several.size(), setup.targets.size());
     }
     fmt::print("{}{}", visibilityText(setup, avatar), anglesText(setup));
@@ -158,7 +158,7 @@ Result<void> check(const std::string& name) {
     if (!plans) problems.push_back(plans.error());
     if (!problems.empty()) return failWith(name, problems);
     describe(*setup, *avatar, *plans);
-    for (const std::string& doubt : doubtsOf(setup->study)) fmt::print("doubtful: {}\n", doubt);
+    for (const std::string& warning : warningsOf(setup->study)) fmt::print("doubtful: {}\n", warning);
     return {};
 }
 

@@ -63,7 +63,7 @@ Result<studies::StudyPlan> planOfStudy(const PlanArguments& options) {
     if (!groups) return tl::unexpected(groups.error());
     const int number =
         options.number > 0 ? options.number : studies::numberOfParticipant(options.participant).value_or(1);
-    const studies::Turn turn = studies::turnOf(setup->study, number, *groups);
+    const studies::Assignment turn = studies::assignmentOf(setup->study, number, *groups);
     return studies::buildPlan(setup->study, setup->targets, options.participant, number, turn.groups,
                               turn.number_in_cell);
 }
@@ -128,7 +128,7 @@ void addPlanCommand(Parser cli, Command& chosen) {
     addJson(command, options->json, "Print JSON instead of a table");
     command.callback([options, &chosen] {
         if (options->study.empty() && options->database.empty())
-            refuseUsage("plan", "Give STUDY, or with --db the database of a study under way");
+            rejectUsage("plan", "Give STUDY, or with --db the database of a study under way");
         chosen = [options] { return printPlan(*options); };
     });
 }

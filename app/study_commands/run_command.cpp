@@ -221,7 +221,7 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
         else
             recorder =
                 std::make_unique<BackgroundRecorder>(store, setup.study, enrolment.plan, records, recording);
-        CalmRecorder calm(*recorder);
+        FailSafeRecorder calm(*recorder);
         OperatorFeedWriter for_operator(
             feed, participant, setup.study, [&session] { return session.progress(); }, history,
             options.database, calm);
@@ -246,7 +246,7 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     auto reported = report(options);
     if (const auto why = (*station)->failure())
         return fail(fmt::format("{}: {}: {}", setup.study.file.string(), participant, why->where),
-                    why->message, why->mend);
+                    why->message, why->hint);
     const Screenshots& pictures = *options.station.screenshots;
     if (reported && !pictures.wanted.empty())
         return fail("--screenshot",
@@ -368,7 +368,7 @@ void addRunCommand(Parser cli, Command& chosen) {
                       "session runs");
     command.callback([options, &chosen] {
         if (options->study.empty() && options->database.empty())
-            refuseUsage("run", "Give STUDY, or with --db the database of a study under way");
+            rejectUsage("run", "Give STUDY, or with --db the database of a study under way");
         chosen = [options] { return run(*options); };
     });
 }

@@ -32,7 +32,7 @@ Result<void> printGrid(const TargetsArguments& options) {
     const auto training = loadTrainingTargets(options.training);
     if (!training) return tl::unexpected(training.error());
     const auto grid = studies::targetGrid(training->targets, options.grid);
-    if (!grid) return fail("--grid", grid.error().message, grid.error().mend);
+    if (!grid) return fail("--grid", grid.error().message, grid.error().hint);
     fmt::print("{}", studies::targetsCsv(*grid, {}));
     return {};
 }
@@ -83,9 +83,9 @@ void addTargetsCommand(Parser cli, Command& chosen) {
                       "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
     command.callback([options, grid_option, &chosen] {
         const bool grid = grid_option.given();
-        if (grid != options->study.empty()) refuseUsage("targets", "Give either STUDY or --grid");
+        if (grid != options->study.empty()) rejectUsage("targets", "Give either STUDY or --grid");
         if (!grid && !options->training.empty())
-            refuseUsage("--training", "Belongs to --grid: a study says itself where its targets lie");
+            rejectUsage("--training", "Belongs to --grid: a study says itself where its targets lie");
         chosen = [options, grid] { return grid ? printGrid(*options) : printTargets(*options); };
     });
 }

@@ -98,7 +98,7 @@ void WindowGui::setUp(float scale) {
     large_ = add(true, 28.0F);
     fonts.Build();  // now, while the ranges are there
     has_letters_ = true;
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the letters among them; made anew with the next frame
+    ImGui_ImplOpenGL3_DestroyDeviceObjects();  // the letters among them; made again with the next frame
 
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();

@@ -12,11 +12,11 @@
 
 #include "assets/gltf/gltf_values.hpp"
 #include "assets/tables/humanoid_file.hpp"
-#include "avatar_mesh.hpp"
-#include "avatar_nodes.hpp"
-#include "avatar_rig.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "mesh.hpp"
+#include "nodes.hpp"
+#include "rig.hpp"
 
 namespace deixis::assets {
 
@@ -39,17 +39,17 @@ class Assembler {
     }
 
     Avatar run() {
-        if (!isFinite()) gltf::refuse(file_, "its nodes' scales and places give points that are not finite");
+        if (!isFinite()) gltf::reject(file_, "its nodes' scales and places give points that are not finite");
         toMetres();
         toFloor();
         chooseJoints();
         makeSkeleton();
         findTips();
         bindSlots();
-        if (avatar_.skeleton.joints.size() > most_avatar_joints)
-            gltf::refuse(file_,
+        if (avatar_.skeleton.joints.size() > max_avatar_joints)
+            gltf::reject(file_,
                          fmt::format("its skin follows {} joints, at most {} can be drawn",
-                                     avatar_.skeleton.joints.size(), most_avatar_joints),
+                                     avatar_.skeleton.joints.size(), max_avatar_joints),
                          "Merge joints of hair, clothes and face, then export the file anew");
         avatar_.vertices = std::move(mesh_.vertices);
         avatar_.textures = std::move(mesh_.textures);
@@ -107,29 +107,29 @@ class Assembler {
     void toMetres() {
         const auto [low, high] = extent();
         const double height = high - low;
-        const std::string mend = fmt::format(
+        const std::string hint = fmt::format(
             "Say how tall it is to be: avatar_height_m = 1.7 under [study], or height_m = 1.7 in {}",
             humanoidFileOf(file_).string());
         if (!(height > 1e-9 && height < 1e9))
-            gltf::refuse(file_,
+            gltf::reject(file_,
                          fmt::format("stands {:.4g} units tall, expected a figure with a height", height),
                          "Export the file anew");
         const double unit = height_m_ ? *height_m_ / height : likelyUnit(height);
         const double height_m = height * unit;
         if (!height_m_ && !(height_m >= shortest_avatar_m && height_m <= tallest_avatar_m))
-            gltf::refuse(
+            gltf::reject(
                 file_,
                 unit == 1.0 ? fmt::format("stands {:.2f} m tall, expected {:g} to {:g} m, as people do",
                                           height_m, shortest_avatar_m, tallest_avatar_m)
                             : fmt::format("stands {:.4g} units tall, which in no usual unit are {:g} to {:g} "
                                           "m, as people are",
                                           height, shortest_avatar_m, tallest_avatar_m),
-                mend);
+                hint);
         if (unit == 1.0) return;
         scale(unit);
         constexpr double near_m = 1e-3;
         if (const auto [low_m, high_m] = extent(); !(std::abs(high_m - low_m - height_m) < near_m))
-            gltf::refuse(file_, "its mesh is bound so far from its joints that rounding moves it",
+            gltf::reject(file_, "its mesh is bound so far from its joints that rounding moves it",
                          "Export the file anew, with its mesh near its armature");
         avatar_.remarks.push_back(
             height_m_ ? fmt::format("{:.4g} units high: scaled to {:.2f} m, as asked for", height, height_m)
@@ -391,8 +391,8 @@ Result<Avatar> avatarOf(std::string_view bytes, const std::string& file,
     if (said != nullptr) add(sha256Hex(said->text));
     if (options.height_m) add(fmt::format(", {:.17g} m", *options.height_m));
     return avatar;
-} catch (const gltf::Refusal& refusal) {
-    return tl::unexpected(refusal.error);
+} catch (const gltf::Rejection& rejection) {
+    return tl::unexpected(rejection.error);
 }
 
 }  // namespace

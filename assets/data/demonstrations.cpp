@@ -85,7 +85,7 @@ class Section {
     }
 
     /// To be called last: a key that was not asked for is a problem.
-    void refuseOthers() {
+    void rejectOthers() {
         if (table_ == nullptr) return;
         for (const auto& [key, node] : *table_)
             if (known_.count(std::string(key.str())) == 0)
@@ -117,14 +117,14 @@ class Section {
         out = *value;
     }
 
-    void note(std::uint32_t line, std::string_view key, std::string message, std::string mend = {}) {
+    void note(std::uint32_t line, std::string_view key, std::string message, std::string hint = {}) {
         if (problem_) return;
         std::string where = file_name_;
         if (line > 0) where += fmt::format(":{}", line);
         const std::string dotted =
             name_.empty() || key.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
         if (!dotted.empty()) where += ": " + dotted;
-        problem_ = Error{std::move(where), std::move(message), std::move(mend)};
+        problem_ = Error{std::move(where), std::move(message), std::move(hint)};
     }
 
     std::string name_;
@@ -190,7 +190,7 @@ void readTiming(Section& s, motion::TimingParameters& t) {
     s.read("warp", t.warp, {0.2, 5.0});
     s.read("emphasis", t.emphasis, {0.1, 10.0});
     s.read("bulge", t.bulge, share);
-    s.read("least_reach", t.least_reach, share);
+    s.read("least_reach", t.min_reach, share);
 }
 
 void readNoise(Section& s, motion::NoiseParameters& n) {
@@ -247,7 +247,7 @@ Result<DemonstrationParameters> parseDemonstrationParameters(std::string_view te
         whole.know(key);
         Section s(file, key, name, problem);
         reader(s, part);
-        s.refuseOthers();
+        s.rejectOthers();
     };
     section("library", readLibrary, out);
     section("targets", readTargets, out.targets);
@@ -259,7 +259,7 @@ Result<DemonstrationParameters> parseDemonstrationParameters(std::string_view te
     section("direct", readDirect, out.direct);
     section("stiff", readStiff, out.stiff);
     section("drifting", readDrifting, out.drifting);
-    whole.refuseOthers();
+    whole.rejectOthers();
     if (problem) return tl::unexpected(*problem);
     return out;
 }

@@ -15,11 +15,11 @@ namespace deixis::assets {
 
 namespace {
 
-using gltf::refuse;
+using gltf::reject;
 
-constexpr std::size_t most_poses = 20'000'000;  // of single joints: about 1 GB
-constexpr std::size_t most_frames_always = 20'000;
-constexpr std::size_t most_frames_per_key = 100;
+constexpr std::size_t max_poses = 20'000'000;  // of single joints: about 1 GB
+constexpr std::size_t max_frames_always = 20'000;
+constexpr std::size_t max_frames_per_key = 100;
 
 class Importer {
   public:
@@ -40,8 +40,8 @@ class Importer {
         }
         const gltf::FrameGrid grid = chooseGrid(tracks);
         const gltf::JointNodes joints = gltf::chooseJoints(doc_, tracks, out_.remarks);
-        if (grid.frames * joints.nodes.size() > most_poses)
-            refuse(doc_.file,
+        if (grid.frames * joints.nodes.size() > max_poses)
+            reject(doc_.file,
                    fmt::format("{} frames of {} joints are too many", grid.frames, joints.nodes.size()),
                    "Export a shorter animation, or ask for fewer frames per second");
         const gltf::Poser poser(doc_, joints, tracks, out_.metres_per_unit, facing());
@@ -60,10 +60,10 @@ class Importer {
   private:
     void checkOptions() {
         if (options_.fps && !(*options_.fps > 0.0 && *options_.fps <= 1000.0))
-            refuse("fps", fmt::format("found {}, expected more than 0 and at most 1000", *options_.fps), "");
+            reject("fps", fmt::format("found {}, expected more than 0 and at most 1000", *options_.fps), "");
         const double metres = options_.metres_per_unit.value_or(1.0);
         if (!(metres > 0.0 && metres < 1e6))
-            refuse("metres per unit", fmt::format("found {}, expected more than 0", metres), "");
+            reject("metres per unit", fmt::format("found {}, expected more than 0", metres), "");
         out_.metres_per_unit = metres;
         out_.unit = options_.metres_per_unit ? "as given" : "metre (as glTF has it)";
     }
@@ -81,14 +81,14 @@ class Importer {
         if (!options_.animation.empty()) {
             const auto found = std::find(names.begin(), names.end(), options_.animation);
             if (found == names.end())
-                refuse(doc_.file, fmt::format("has no animation \"{}\"", options_.animation),
+                reject(doc_.file, fmt::format("has no animation \"{}\"", options_.animation),
                        fmt::format("It has: {}", listed()));
             chosen = static_cast<std::size_t>(found - names.begin());
         } else {
             if (options_.animation_index < 0 ||
                 (options_.animation_index > 0 &&
                  static_cast<std::size_t>(options_.animation_index) >= names.size()))
-                refuse(doc_.file,
+                reject(doc_.file,
                        fmt::format("has no animation {} (counted from 0)", options_.animation_index),
                        fmt::format("It has: {}", listed()));
             chosen = static_cast<std::size_t>(options_.animation_index);
@@ -119,8 +119,8 @@ class Importer {
         out_.frame_rate = grid.words;
         std::size_t keys = 0;
         for (const auto& track : tracks) keys = std::max(keys, track.times->size());
-        if (grid.frames > most_frames_always + most_frames_per_key * keys)
-            refuse(doc_.file,
+        if (grid.frames > max_frames_always + max_frames_per_key * keys)
+            reject(doc_.file,
                    fmt::format("its {} keys or fewer a node stretch over {} frames", keys, grid.frames),
                    "Give a lower number of frames per second");
         if (grid.uneven)
@@ -151,13 +151,13 @@ class Importer {
     void checkSize() {
         if (options_.metres_per_unit) return;
         const auto world = motion::worldPose(out_.clip.skeleton, out_.clip.frames.front());
-        Vec3 least = world.front().position;
-        Vec3 greatest = least;
+        Vec3 min = world.front().position;
+        Vec3 max = min;
         for (const Pose& joint : world) {
-            least = glm::min(least, joint.position);
-            greatest = glm::max(greatest, joint.position);
+            min = glm::min(min, joint.position);
+            max = glm::max(max, joint.position);
         }
-        const Vec3 size = greatest - least;
+        const Vec3 size = max - min;
         const double longest = std::max({size.x, size.y, size.z});
         if (longest > 10.0 || (longest > 0.0 && longest < 0.1))
             out_.remarks.push_back(fmt::format(
@@ -179,8 +179,8 @@ Result<GltfClipFile> parseGltfClip(std::string_view bytes, const std::string& na
     try {
         const gltf::Document document = gltf::readDocument(bytes, name, gltf::Content::clip);
         return Importer(document, options, folder).run();
-    } catch (const gltf::Refusal& refusal) {
-        return tl::unexpected(refusal.error);
+    } catch (const gltf::Rejection& rejection) {
+        return tl::unexpected(rejection.error);
     }
 }
 
@@ -199,7 +199,7 @@ std::vector<std::filesystem::path> gltfBufferFiles(std::string_view bytes,
             if (!buffer.outside.file.empty() && std::find(files.begin(), files.end(), file) == files.end())
                 files.push_back(std::move(file));
         }
-    } catch (const gltf::Refusal&) {
+    } catch (const gltf::Rejection&) {
         return {};  // whoever reads the clip tells why
     }
     return files;

@@ -11,14 +11,14 @@
 #include <tuple>
 
 #include "gltf_container.hpp"
-#include "gltf_parts.hpp"
+#include "gltf_reading.hpp"
 
 namespace deixis::assets::gltf {
 
 namespace {
 
-constexpr std::size_t most_nodes = 65536;
-constexpr std::size_t most_remarks = 12;
+constexpr std::size_t max_nodes = 65536;
+constexpr std::size_t max_remarks = 12;
 
 /// Whether a required extension leaves alone what is read here, or is read.
 bool isKnown(std::string_view name, Content content) {
@@ -65,8 +65,8 @@ class DocumentReader {
         readList("bufferViews", &DocumentReader::readView);
         readList("accessors", &DocumentReader::readAccessor);
         const std::size_t nodes = root_.count("nodes");
-        if (nodes > most_nodes)
-            refuse(doc_.file, fmt::format("holds {} nodes, expected at most {}", nodes, most_nodes),
+        if (nodes > max_nodes)
+            reject(doc_.file, fmt::format("holds {} nodes, expected at most {}", nodes, max_nodes),
                    "Export the armature alone");
         doc_.nodes.resize(nodes);
         readList("nodes", &DocumentReader::readNode);
@@ -77,15 +77,15 @@ class DocumentReader {
         else
             readFigure(root_, doc_);
         doc_.humanoid = readHumanoid(root_, doc_.nodes.size(), doc_.remarks);
-        if (violations_ > most_remarks)
+        if (violations_ > max_remarks)
             doc_.remarks.push_back(
-                fmt::format("and {} more places break the specification", violations_ - most_remarks));
+                fmt::format("and {} more places break the specification", violations_ - max_remarks));
     }
 
   private:
     /// Tells a breach of the specification that does no harm here.
     void tell(const Cursor& where, std::string_view what) {
-        if (++violations_ <= most_remarks)
+        if (++violations_ <= max_remarks)
             doc_.remarks.push_back(fmt::format("{} {} (against the specification)", where.path(), what));
     }
 
@@ -103,11 +103,11 @@ class DocumentReader {
     void readAsset() {
         const std::string version = root_.at("asset").at("version").text();
         if (version.substr(0, 2) != "2.")
-            refuse(doc_.file, fmt::format("is of glTF version {}, expected 2.0", version),
+            reject(doc_.file, fmt::format("is of glTF version {}, expected 2.0", version),
                    "Export it as glTF 2.0");
         for (const Cursor& one : root_.elements("extensionsRequired"))
             if (const std::string& name = one.text(); !isKnown(name, content_))
-                refuse(doc_.file, fmt::format("requires the extension {}, which is not known", name),
+                reject(doc_.file, fmt::format("requires the extension {}, which is not known", name),
                        content_ == Content::clip
                            ? "Export it without that extension"
                            : "Export without compression, and with PNG or JPEG textures");
@@ -209,7 +209,7 @@ class DocumentReader {
     Quat unitRotation(const Cursor& in, const Quat& found) {
         const double length = glm::length(found);
         if (!(length > 1e-3 && length < 1e3))
-            in.refuse(fmt::format("is a quaternion of length {}, expected 1", length));
+            in.reject(fmt::format("is a quaternion of length {}, expected 1", length));
         if (std::abs(length - 1.0) > 0.01) tell(in, fmt::format("is a quaternion of length {:.4g}", length));
         return content_ == Content::figure ? found : found / length;
     }
@@ -224,15 +224,15 @@ class DocumentReader {
         glm::dmat3 linear(m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]);
         for (int axis = 0; axis < 3; ++axis) {
             node.scale[axis] = glm::length(linear[axis]);
-            if (!(node.scale[axis] > 0.0)) in.refuse("flattens space, which no rotation and scale do");
+            if (!(node.scale[axis] > 0.0)) in.reject("flattens space, which no rotation and scale do");
         }
         if (glm::determinant(linear) < 0.0) node.scale.x = -node.scale.x;
         for (int axis = 0; axis < 3; ++axis) linear[axis] /= node.scale[axis];
         for (int a = 0; a < 3; ++a)
             if (!(std::abs(glm::dot(linear[a], linear[(a + 1) % 3])) < 1e-3))
-                in.refuse("shears, which no translation, rotation and scale do");
+                in.reject("shears, which no translation, rotation and scale do");
         if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
-            in.refuse("has another last row than 0, 0, 0, 1");
+            in.reject("has another last row than 0, 0, 0, 1");
         node.translation = Vec3(m[12], m[13], m[14]);
         if (linear != glm::dmat3(1.0)) node.rotation = glm::normalize(glm::quat_cast(linear));
     }
@@ -243,7 +243,7 @@ class DocumentReader {
             const int child = in.at(i).index(doc_.nodes.size(), "node");
             int& parent = doc_.nodes[static_cast<std::size_t>(child)].parent;
             if (parent >= 0)
-                in.at(i).refuse(
+                in.at(i).reject(
                     fmt::format("node {} is a child of node {} already; expected a tree", child, parent));
             parent = index;
             node.children.push_back(child);
@@ -276,7 +276,7 @@ class DocumentReader {
         }
         for (std::size_t node = 0; node < size; ++node)
             if (root_of_[node] < 0)
-                refuse(doc_.file,
+                reject(doc_.file,
                        fmt::format("node {} is its own ancestor or below such a one; expected a tree", node));
     }
 
@@ -351,7 +351,7 @@ class DocumentReader {
             sampler.interpolation = Interpolation::cubic_spline;
         else if (name != "LINEAR")
             in.at("interpolation")
-                .refuse(fmt::format("found \"{}\", expected STEP, LINEAR or CUBICSPLINE", name));
+                .reject(fmt::format("found \"{}\", expected STEP, LINEAR or CUBICSPLINE", name));
         return sampler;
     }
 

@@ -1,5 +1,5 @@
 // What a figure needs beside its nodes and skins: scenes, meshes, materials and pictures.
-#include "gltf_parts.hpp"
+#include "gltf_reading.hpp"
 
 namespace deixis::assets::gltf {
 
@@ -27,9 +27,9 @@ Material readMaterial(const Cursor& in, const Cursor& root) {
     if (pbr.has("baseColorFactor")) material.colour = readNumbers<4>(pbr.at("baseColorFactor"));
     if (!pbr.has("baseColorTexture")) return material;
     const Cursor texture = pbr.at("baseColorTexture");
-    constexpr std::size_t most_uv_sets = 1000;
+    constexpr std::size_t max_uv_sets = 1000;
     material.texture = texture.at("index").index(root.count("textures"), "texture");
-    if (texture.has("texCoord")) material.uv_set = texture.at("texCoord").index(most_uv_sets, "set");
+    if (texture.has("texCoord")) material.uv_set = texture.at("texCoord").index(max_uv_sets, "set");
     if (!texture.has("extensions") || !texture.at("extensions").has("KHR_texture_transform")) return material;
     const Cursor transform = texture.at("extensions").at("KHR_texture_transform");
     if (transform.has("offset")) {
@@ -41,7 +41,7 @@ Material readMaterial(const Cursor& in, const Cursor& root) {
         material.uv_scale = {scale[0], scale[1]};
     }
     if (transform.has("rotation")) material.uv_rotation_rad = transform.at("rotation").number();
-    if (transform.has("texCoord")) material.uv_set = transform.at("texCoord").index(most_uv_sets, "set");
+    if (transform.has("texCoord")) material.uv_set = transform.at("texCoord").index(max_uv_sets, "set");
     return material;
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gltf_parts.hpp"
+#include "gltf_reading.hpp"
 
 namespace deixis::assets::gltf {
 

@@ -9,7 +9,7 @@ namespace deixis::assets::gltf {
 namespace {
 
 constexpr int deepest = 64;
-constexpr std::size_t most_values = 3'000'000;
+constexpr std::size_t max_values = 3'000'000;
 
 /// Refuses text whose tree would be too deep or too large, by its brackets and commas alone.
 void checkSize(std::string_view text, const std::string& file) {
@@ -28,11 +28,11 @@ void checkSize(std::string_view text, const std::string& file) {
         if (c == '"') in_string = true;
         if (c == '}' || c == ']') --depth;
         if (c != '{' && c != '[' && c != ',') continue;
-        if (++values > most_values)
-            refuse(file, fmt::format("holds more than {} values, which no clip or figure needs", most_values),
+        if (++values > max_values)
+            reject(file, fmt::format("holds more than {} values, which no clip or figure needs", max_values),
                    "Export the armature with its animation or its meshes alone");
         if (c != ',' && ++depth > deepest)
-            refuse(file, fmt::format("nests deeper than {} levels, expected a glTF file", deepest));
+            reject(file, fmt::format("nests deeper than {} levels, expected a glTF file", deepest));
     }
 }
 
@@ -42,10 +42,10 @@ nlohmann::json parseJson(std::string_view text, const std::string& file) {
     checkSize(text, file);
     try {
         nlohmann::json json = nlohmann::json::parse(text.begin(), text.end());
-        if (!json.is_object()) refuse(file, "its JSON is no object, expected a glTF file");
+        if (!json.is_object()) reject(file, "its JSON is no object, expected a glTF file");
         return json;
     } catch (const nlohmann::json::exception& problem) {
-        refuse(file, fmt::format("no readable JSON, expected a glTF file ({})", problem.what()));
+        reject(file, fmt::format("no readable JSON, expected a glTF file ({})", problem.what()));
     }
 }
 
@@ -55,12 +55,12 @@ bool Cursor::has(const char* key) const {
 }
 
 Cursor Cursor::at(const char* key) const {
-    if (!has(key)) refuse(fmt::format("has no \"{}\", which it must have", key));
+    if (!has(key)) reject(fmt::format("has no \"{}\", which it must have", key));
     return {(*value_)[key], *file_, path_ + "/" + key};
 }
 
 Cursor Cursor::at(std::size_t element) const {
-    if (element >= size()) refuse(fmt::format("has {} elements, expected more", size()));
+    if (element >= size()) reject(fmt::format("has {} elements, expected more", size()));
     return {(*value_)[element], *file_, fmt::format("{}/{}", path_, element)};
 }
 
@@ -87,9 +87,9 @@ std::vector<std::string> Cursor::keys() const {
 }
 
 std::size_t Cursor::whole() const {
-    constexpr double most = 9007199254740992.0;
+    constexpr double max = 9007199254740992.0;
     const double found = value_->is_number() ? value_->get<double>() : -1.0;
-    if (!(found >= 0.0 && found <= most && found == std::floor(found)))
+    if (!(found >= 0.0 && found <= max && found == std::floor(found)))
         expected("a whole number, 0 or greater");
     return static_cast<std::size_t>(found);
 }
@@ -97,7 +97,7 @@ std::size_t Cursor::whole() const {
 int Cursor::index(std::size_t count, const char* what) const {
     const std::size_t found = whole();
     if (found >= count)
-        refuse(fmt::format("{} {} does not exist; the file has {} (counted from 0)", what, found, count));
+        reject(fmt::format("{} {} does not exist; the file has {} (counted from 0)", what, found, count));
     return static_cast<int>(found);
 }
 
@@ -130,14 +130,14 @@ std::string Cursor::text(const char* key, const std::string& otherwise) const {
     return has(key) ? at(key).text() : otherwise;
 }
 
-void Cursor::refuse(std::string message) const {
-    gltf::refuse(*file_ + ": " + (path_.empty() ? "/" : path_), std::move(message));
+void Cursor::reject(std::string message) const {
+    gltf::reject(*file_ + ": " + (path_.empty() ? "/" : path_), std::move(message));
 }
 
 void Cursor::expected(const char* what) const {
     std::string found(value_->type_name());
     if (value_->is_number()) found = value_->dump();
-    refuse(fmt::format("found {}, expected {}", found, what));
+    reject(fmt::format("found {}, expected {}", found, what));
 }
 
 }  // namespace deixis::assets::gltf

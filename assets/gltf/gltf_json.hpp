@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "assets/gltf/gltf_refusal.hpp"
+#include "assets/gltf/gltf_rejection.hpp"
 
 namespace deixis::assets::gltf {
 
@@ -43,7 +43,7 @@ class Cursor {
     [[nodiscard]] std::string text(const char* key, const std::string& otherwise) const;
 
     [[nodiscard]] const std::string& path() const { return path_; }
-    [[noreturn]] void refuse(std::string message) const;
+    [[noreturn]] void reject(std::string message) const;
     [[noreturn]] void expected(const char* what) const;
 
   private:

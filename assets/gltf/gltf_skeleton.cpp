@@ -60,7 +60,7 @@ class Chooser {
     }
 
     JointNodes choose() {
-        if (doc_.nodes.empty()) refuse(doc_.file, "has no nodes, expected a skeleton");
+        if (doc_.nodes.empty()) reject(doc_.file, "has no nodes, expected a skeleton");
         mark();
         markEndSites();
         std::vector<int> roots;
@@ -271,7 +271,7 @@ motion::LocalPose Poser::pose(const std::vector<Transform>& transforms) const {
     if (turn_ != no_rotation) out.joints.front() = Pose{Vec3(0.0), turn_} * out.joints.front();
     for (const Pose& joint : out.joints)
         if (const double size = glm::length(joint.position); !(size < 1e9))
-            refuse(document_.file,
+            reject(document_.file,
                    fmt::format("places a joint {} m from its parent, expected a figure", size));
     return out;
 }
@@ -331,7 +331,7 @@ motion::Skeleton Poser::skeleton() const {
         tip = even_ ? tip * scale_below_[j]
                     : glm::conjugate(found.world[j].orientation) * (found.linear[j] * tip);
         if (const double size = glm::length(tip); !(size < 1e9))
-            refuse(document_.file, fmt::format("places an end {} m from its joint, expected a figure", size));
+            reject(document_.file, fmt::format("places an end {} m from its joint, expected a figure", size));
         skeleton.joints[j].end_site = tip;
     }
     return skeleton;

@@ -25,7 +25,7 @@ struct JointNodes {
 
 /// With a skin: its joints, the nodes that move, humanoid bones, and all above them. Without: all nodes under
 /// the roots of those that move; without such: all nodes. A leaf named as its parent and "_End" is its end
-/// site. Throws Refusal where the file has no nodes.
+/// site. Throws Rejection where the file has no nodes.
 [[nodiscard]] JointNodes chooseJoints(const Document& document, const std::vector<Track>& tracks,
                                       std::vector<std::string>& remarks);
 

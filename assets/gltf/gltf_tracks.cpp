@@ -60,12 +60,12 @@ Quat unit(const glm::dvec4& xyzw) {
 }
 
 void checkTimes(const std::vector<double>& times, const std::string& where) {
-    if (times.front() < 0.0) refuse(where, fmt::format("begins at {} s, expected 0 or later", times.front()));
+    if (times.front() < 0.0) reject(where, fmt::format("begins at {} s, expected 0 or later", times.front()));
     if (times.back() > latest_s)
-        refuse(where, fmt::format("ends at {} s, expected {} s or earlier", times.back(), latest_s));
+        reject(where, fmt::format("ends at {} s, expected {} s or earlier", times.back(), latest_s));
     for (std::size_t i = 1; i < times.size(); ++i)
         if (!(times[i] > times[i - 1]))
-            refuse(where, fmt::format("time {} is {} s and time {} is {} s, expected a later one", i - 1,
+            reject(where, fmt::format("time {} is {} s and time {} is {} s, expected a later one", i - 1,
                                       times[i - 1], i, times[i]));
 }
 
@@ -86,12 +86,12 @@ class TracksReader {
         if (checked_times_.insert(sampler.input).second) checkTimes(*track.times, where);
         const bool cubic = track.interpolation == Interpolation::cubic_spline;
         if (cubic && track.times->size() < 2)
-            refuse(where, "is a cubic spline of one key, expected 2 or more");
+            reject(where, "is a cubic spline of one key, expected 2 or more");
         const std::size_t expected = track.times->size() * (cubic ? 3 : 1);
         // Before the values are read: their number is thus bounded by that of the times.
         if (const std::size_t found = doc_.accessors[static_cast<std::size_t>(sampler.output)].count;
             found != expected)
-            refuse(where, fmt::format("has {} values for {} times, expected {}", found, track.times->size(),
+            reject(where, fmt::format("has {} values for {} times, expected {}", found, track.times->size(),
                                       expected));
         track.values = &values_.read(sampler.output, "values");
         if (track.path == Path::rotation && checked_rotations_.insert(sampler.output).second)
@@ -104,13 +104,13 @@ class TracksReader {
         const Accessor& input = doc_.accessors[static_cast<std::size_t>(sampler.input)];
         const Accessor& output = doc_.accessors[static_cast<std::size_t>(sampler.output)];
         if (input.type != "SCALAR" || input.component_type != 5126)
-            refuse(where, fmt::format("has times of type {} and component type {}, expected SCALAR and 5126",
+            reject(where, fmt::format("has times of type {} and component type {}, expected SCALAR and 5126",
                                       input.type, input.component_type));
         const bool turns = track.path == Path::rotation;
         const bool float_or_fraction =
             output.component_type == 5126 || (turns && output.normalised && output.component_type != 5125);
         if (output.type != (turns ? "VEC4" : "VEC3") || !float_or_fraction)
-            refuse(where,
+            reject(where,
                    fmt::format("has values of type {} and component type {}{}, expected {}", output.type,
                                output.component_type, output.normalised ? " (normalised)" : "",
                                turns ? "VEC4 of 5126, or normalised" : "VEC3 of 5126"));
@@ -130,7 +130,7 @@ class TracksReader {
         for (std::size_t key = 0; key < track.times->size(); ++key) {
             const double length = glm::length(keyValue(track, key));
             if (!(length > 1e-3))
-                refuse(where, fmt::format("the rotation of key {} is a quaternion of length {}, expected 1",
+                reject(where, fmt::format("the rotation of key {} is a quaternion of length {}, expected 1",
                                           key, length));
             worst = std::max(worst, std::abs(length - 1.0));
         }
@@ -165,7 +165,7 @@ std::vector<double> allTimes(const std::vector<Track>& tracks) {
 struct Steps {
     double step = 0.0;
     std::size_t count = 0;  // from the first time to the last
-    double residual = 0.0;  // greatest distance of a time from its place
+    double residual = 0.0;  // largest distance of a time from its place
 };
 
 /// How well times stand on a grid of `step`, which is refined so that the last one does exactly.
@@ -255,8 +255,8 @@ FrameGrid frameGrid(const std::vector<Track>& tracks, double fps) {
     }
     std::vector<double> gaps;
     for (std::size_t i = 1; i < times.size(); ++i) gaps.push_back(times[i] - times[i - 1]);
-    const double least = *std::min_element(gaps.begin(), gaps.end());
-    Steps steps = fit(times, least);
+    const double min = *std::min_element(gaps.begin(), gaps.end());
+    Steps steps = fit(times, min);
     if (steps.step > 0.0 && steps.step >= 1.0 / 480.0) {
         roundRate(steps, times.back());
         std::size_t parts = 1;

@@ -24,8 +24,8 @@ struct Track {
     [[nodiscard]] Quat rotation(double time_s, double snap_s) const;
 };
 
-/// The tracks of an animation, but for those of the nodes in `left_out`. Throws Refusal where keys are not as
-/// the specification wants them; `remarks` tells what could be mended.
+/// The tracks of an animation, but for those of the nodes in `left_out`. Throws Rejection where keys are not
+/// as the specification wants them; `remarks` tells what could be mended.
 [[nodiscard]] std::vector<Track> readTracks(const Document& document, int animation,
                                             const std::vector<int>& left_out, Values& values,
                                             std::vector<std::string>& remarks);

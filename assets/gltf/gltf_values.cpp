@@ -13,7 +13,7 @@ namespace deixis::assets::gltf {
 
 namespace {
 
-constexpr std::size_t most_elements = 10'000'000;
+constexpr std::size_t max_elements = 10'000'000;
 
 template <typename T>
 T component(const char* from) {
@@ -23,8 +23,8 @@ T component(const char* from) {
 }
 
 double number(const char* from, int component_type, bool normalised) {
-    const auto fraction = [&](double value, double greatest) {
-        return normalised ? std::max(value / greatest, -1.0) : value;
+    const auto fraction = [&](double value, double max) {
+        return normalised ? std::max(value / max, -1.0) : value;
     };
     switch (component_type) {
         case 5120:
@@ -60,7 +60,7 @@ const std::vector<double>& Values::read(int accessor, const std::string& what) {
 std::vector<std::uint32_t> Values::integers(int accessor, const std::string& what) const {
     Accessor plain = document_.accessors[static_cast<std::size_t>(accessor)];
     if (const int type = plain.component_type; type != 5121 && type != 5123 && type != 5125)
-        refuse(place(accessor, what), fmt::format("component type {} is not an unsigned integer", type));
+        reject(place(accessor, what), fmt::format("component type {} is not an unsigned integer", type));
     plain.normalised = false;
     const std::vector<double> values = decode(plain, place(accessor, what));
     return {values.begin(), values.end()};
@@ -74,11 +74,11 @@ std::string Values::image(std::size_t index) const {
 
 std::vector<Values::Neighbour> Values::neighbours() const {
     std::vector<Neighbour> files;
-    const auto add = [&](const Outside& from, std::size_t at_least, const char* list, std::size_t index) {
+    const auto add = [&](const Outside& from, std::size_t min_bytes, const char* list, std::size_t index) {
         if (from.file.empty()) return;
         const std::string place = fmt::format("{}: /{}/{}/uri", document_.file, list, index);
         files.push_back(
-            {folder_.value_or(std::filesystem::path()) / from.file, outside(from, at_least, place)});
+            {folder_.value_or(std::filesystem::path()) / from.file, outside(from, min_bytes, place)});
     };
     for (std::size_t i = 0; i < document_.buffers.size(); ++i)
         add(document_.buffers[i].outside, document_.buffers[i].length, "buffers", i);
@@ -87,13 +87,13 @@ std::vector<Values::Neighbour> Values::neighbours() const {
     return files;
 }
 
-std::string_view Values::outside(const Outside& from, std::size_t at_least, const std::string& place) const {
+std::string_view Values::outside(const Outside& from, std::size_t min_bytes, const std::string& place) const {
     const auto found = outside_.find(place);
     if (found != outside_.end()) return found->second;
     if (!from.data_uri.empty()) return outside_[place] = decodeDataUri(from.data_uri, place);
     if (from.file.empty()) return {};
-    if (!folder_) refuse(place, "names a file, and there is no folder to read it from");
-    return outside_[place] = readNeighbour(from.file, *folder_, at_least, place);
+    if (!folder_) reject(place, "names a file, and there is no folder to read it from");
+    return outside_[place] = readNeighbour(from.file, *folder_, min_bytes, place);
 }
 
 std::string_view Values::buffer(int index, const std::string& where) const {
@@ -103,7 +103,7 @@ std::string_view Values::buffer(int index, const std::string& where) const {
                        fmt::format("{}: /buffers/{}/uri", document_.file, index))
             .substr(0, buffer.length);
     if (index != 0 || !document_.has_bin)
-        refuse(where, fmt::format("lies in buffer {}, which has no data", index));
+        reject(where, fmt::format("lies in buffer {}, which has no data", index));
     return document_.bin.substr(0, buffer.length);
 }
 
@@ -112,7 +112,7 @@ std::string_view Values::view(int index, const std::string& where) const {
     const std::string_view data = buffer(view.buffer, where);
     // Each bound alone first, so that no sum can overflow.
     if (view.offset > data.size() || view.length > data.size() - view.offset)
-        refuse(where, fmt::format("buffer view {} (bytes {} to {}) leaves its buffer of {} bytes", index,
+        reject(where, fmt::format("buffer view {} (bytes {} to {}) leaves its buffer of {} bytes", index,
                                   view.offset, view.offset + view.length, data.size()));
     return data.substr(view.offset, view.length);
 }
@@ -121,10 +121,10 @@ std::string_view Values::bytes(int view_index, std::size_t offset, std::size_t c
                                std::size_t stride, const std::string& where) const {
     const std::string_view data = view(view_index, where);
     if (stride < element || stride > 4096)
-        refuse(where, fmt::format("stride {} does not fit elements of {} bytes", stride, element));
+        reject(where, fmt::format("stride {} does not fit elements of {} bytes", stride, element));
     if (offset > data.size() || data.size() - offset < element ||
         count - 1 > (data.size() - offset - element) / stride)
-        refuse(where, fmt::format("{} elements from byte {} on leave buffer view {} of {} bytes", count,
+        reject(where, fmt::format("{} elements from byte {} on leave buffer view {} of {} bytes", count,
                                   offset, view_index, data.size()));
     return data.substr(offset, (count - 1) * stride + element);
 }
@@ -134,13 +134,13 @@ std::vector<double> Values::decode(const Accessor& accessor, const std::string& 
     const std::size_t size = componentSize(accessor.component_type);
     // The columns of smaller matrices may be padded, which nothing that is read here needs.
     if (width == 0 || accessor.type == "MAT2" || accessor.type == "MAT3")
-        refuse(where,
+        reject(where,
                fmt::format("found type \"{}\", expected SCALAR, VEC2, VEC3, VEC4 or MAT4", accessor.type));
     if (size == 0)
-        refuse(where, fmt::format("found component type {}, expected 5120, 5121, 5122, 5123, 5125 or 5126",
+        reject(where, fmt::format("found component type {}, expected 5120, 5121, 5122, 5123, 5125 or 5126",
                                   accessor.component_type));
-    if (accessor.count == 0 || accessor.count > most_elements)
-        refuse(where, fmt::format("found {} elements, expected 1 to {}", accessor.count, most_elements));
+    if (accessor.count == 0 || accessor.count > max_elements)
+        reject(where, fmt::format("found {} elements, expected 1 to {}", accessor.count, max_elements));
     std::vector<double> values(accessor.count * width, 0.0);
     if (accessor.view >= 0) {
         const std::size_t given = document_.views[static_cast<std::size_t>(accessor.view)].stride;
@@ -153,7 +153,7 @@ std::vector<double> Values::decode(const Accessor& accessor, const std::string& 
     if (accessor.sparse) replaceSparse(accessor, where, values);
     const auto odd = std::find_if(values.begin(), values.end(), [](double v) { return !std::isfinite(v); });
     if (odd != values.end())
-        refuse(where, fmt::format("element {} is {}, expected a finite number",
+        reject(where, fmt::format("element {} is {}, expected a finite number",
                                   static_cast<std::size_t>(odd - values.begin()) / width, *odd));
     return values;
 }
@@ -163,20 +163,20 @@ std::vector<std::size_t> Values::sparseIndices(const Accessor& accessor, const s
     const Sparse& sparse = *accessor.sparse;
     const int type = sparse.index_type;
     if (type != 5121 && type != 5123 && type != 5125)
-        refuse(where,
+        reject(where,
                fmt::format("found sparse indices of component type {}, expected 5121, 5123 or 5125", type));
     if (sparse.count == 0 || sparse.count > accessor.count)
-        refuse(where, fmt::format("replaces {} of {} elements", sparse.count, accessor.count));
+        reject(where, fmt::format("replaces {} of {} elements", sparse.count, accessor.count));
     const std::size_t size = componentSize(type);
     const auto data = bytes(sparse.index_view, sparse.index_offset, sparse.count, size, size, where);
     std::vector<std::size_t> indices;
-    std::size_t least = 0;
+    std::size_t min = 0;
     for (std::size_t i = 0; i < sparse.count; ++i) {
         const auto index = static_cast<std::size_t>(number(data.data() + i * size, type, false));
-        if (index < least || index >= accessor.count)
-            refuse(where, fmt::format("sparse index {} is {}, expected {} to {}", i, index, least,
+        if (index < min || index >= accessor.count)
+            reject(where, fmt::format("sparse index {} is {}, expected {} to {}", i, index, min,
                                       accessor.count - 1));
-        least = index + 1;
+        min = index + 1;
         indices.push_back(index);
     }
     return indices;

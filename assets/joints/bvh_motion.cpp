@@ -63,15 +63,15 @@ class MotionReader {
         clip_.frames.reserve(std::min(motion_.frame_count, motion_.text.size() / (2 * values_.size()) + 1));
         const LocalPose rest = motion::restPose(clip_.skeleton);
         const std::size_t pose_bytes = sizeof(LocalPose) + rest.joints.size() * sizeof(Pose);
-        const std::size_t most_frames =
+        const std::size_t max_frames =
             (always_allowed_bytes + allowed_bytes_a_character * motion_.text.size()) / pose_bytes;
         for (;;) {
             while (at_ < end_ && (isBlank(*at_) || *at_ == '\n')) ++at_;
             if (at_ == end_) break;
             if (clip_.frames.size() == motion_.frame_count)
                 return wrong("found more lines of motion, expected " + declared);
-            if (clip_.frames.size() == most_frames)
-                return wrong("found more than " + std::to_string(most_frames) + " frames of " +
+            if (clip_.frames.size() == max_frames)
+                return wrong("found more than " + std::to_string(max_frames) + " frames of " +
                              std::to_string(rest.joints.size()) +
                              " joints, of which few have channels; "
                              "expected a figure whose joints move");

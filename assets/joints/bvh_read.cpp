@@ -31,7 +31,7 @@ constexpr double longest_frame_s = 1.0;
 constexpr double shortest_frame_s = 1e-4;
 
 /// A person with fingers and face has some 200.
-constexpr std::size_t most_joints = 10000;
+constexpr std::size_t max_joints = 10000;
 
 class Parser {
   public:
@@ -48,8 +48,8 @@ class Parser {
     std::vector<std::string> remarks{};
 
   private:
-    tl::unexpected<Error> wrong(int line, std::string message, std::string mend = {}) const {
-        return fail(name_ + ":" + std::to_string(line), std::move(message), std::move(mend));
+    tl::unexpected<Error> wrong(int line, std::string message, std::string hint = {}) const {
+        return fail(name_ + ":" + std::to_string(line), std::move(message), std::move(hint));
     }
 
     Result<void> expect(std::string_view word) {
@@ -87,8 +87,8 @@ class Parser {
         const auto name = in_.restOfLine();
         if (name.empty()) return wrong(line, "found no name, expected the joint's name");
         if (auto brace = expect("{"); !brace) return brace;
-        if (clip_.skeleton.joints.size() == most_joints)
-            return wrong(line, "found more than " + std::to_string(most_joints) +
+        if (clip_.skeleton.joints.size() == max_joints)
+            return wrong(line, "found more than " + std::to_string(max_joints) +
                                    " joints, expected a figure of a person");
         Joint joint;
         joint.name = uniqueName(name);

@@ -43,7 +43,7 @@ Kind kindOfTable(std::string_view line) {
                     [](std::string_view field) {  // also wrong ones, to be told so
                         double value = 0.0;
                         const char* end = field.data() + field.size();
-                        return finiteNumber(field) || !mendOfNumber(field).empty() ||
+                        return finiteNumber(field) || !hintOfNumber(field).empty() ||
                                (!field.empty() && std::from_chars(field.data(), end, value).ptr == end);
                     });
     if (!numbers) return fields.size() >= 4 && separatorOf(line) != ' ' ? Kind::joint_csv : Kind::unknown;

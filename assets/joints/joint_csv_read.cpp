@@ -178,7 +178,7 @@ class JointCsvReader {
                             "found '" + std::string(field.substr(0, 40)) + "' in column " +
                                 columns_.joints[static_cast<std::size_t>(bones_.joint[bone])] + "." +
                                 "xyz"[axis] + ", expected a finite number or nothing",
-                            mendOfNumber(field));
+                            hintOfNumber(field));
             position[axis] = *value;
         }
         recording_.tracks[bone].time_s.push_back(time_s);

@@ -55,7 +55,7 @@ Result<KinectRecording> parseLines(std::string_view text, const std::string& nam
                             "found '" + std::string(words[i].substr(0, 40)) + "' in column " +
                                 std::to_string(i + 1) +
                                 ", expected a finite number: time and x,y,z,state of 25 joints",
-                            mendOfNumber(words[i]));
+                            hintOfNumber(words[i]));
             if (i < field_count) fields[i] = *value;
         }
         if (words.size() != field_count)

@@ -10,7 +10,7 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 
 namespace deixis::assets {
 

@@ -49,7 +49,7 @@ std::optional<double> finiteNumber(std::string_view field) {
     return value;
 }
 
-std::string mendOfNumber(std::string_view field) {
+std::string hintOfNumber(std::string_view field) {
     std::string pointed(field);
     if (const auto comma = pointed.find(','); comma != std::string::npos) pointed[comma] = '.';
     if (pointed == field || !finiteNumber(pointed)) return {};

@@ -34,7 +34,7 @@ void splitFields(std::string_view line, char separator, std::vector<std::string_
 [[nodiscard]] std::optional<double> finiteNumber(std::string_view field);
 
 /// What may help where a field is no number: a word on decimal commas where it has one, else empty.
-[[nodiscard]] std::string mendOfNumber(std::string_view field);
+[[nodiscard]] std::string hintOfNumber(std::string_view field);
 
 /// What separates the fields of a line: a tab, a semicolon, a comma, or else blanks.
 [[nodiscard]] char separatorOf(std::string_view line);

@@ -55,13 +55,13 @@ Vec3 JointTrack::smoothAt(double t, double step_s) const {
     return sum;
 }
 
-Result<void> checkStep(double step_s, const std::string& name, std::string mend) {
+Result<void> checkStep(double step_s, const std::string& name, std::string hint) {
     constexpr double shortest_s = 1e-4, longest_s = 1.0;
     if (step_s >= shortest_s && step_s <= longest_s) return {};
     return fail(name,
                 fmt::format("found lines that stand {:.4g} s apart, expected {:g} to {:g} s", step_s,
                             shortest_s, longest_s),
-                std::move(mend));
+                std::move(hint));
 }
 
 Result<std::size_t> framesOver(const std::vector<double>& times_s, double step_s, const std::string& name,
@@ -111,7 +111,7 @@ Result<ImportedClip> clipOfPositions(PositionRecording recording, const std::str
     const motion::Skeleton& avatar = motion::referenceHumanoid();
     const motion::HumanoidMap map = motion::mapByVrmNames(avatar);
     auto clip = motion::clipFromPositions(recording.frames, 1.0 / out.rate.fps, avatar, map);
-    if (!clip) return fail(name, clip.error().message, clip.error().mend);
+    if (!clip) return fail(name, clip.error().message, clip.error().hint);
     out.clip = std::move(*clip);
     out.humanoid = map;
     return out;

@@ -33,9 +33,9 @@ struct PositionRecording {
     std::vector<std::string> remarks{};
 };
 
-/// Fails where lines stand less than 0.1 ms or more than 1 s apart on the whole: no recording does. `mend`:
+/// Fails where lines stand less than 0.1 ms or more than 1 s apart on the whole: no recording does. `hint`:
 /// what may help.
-[[nodiscard]] Result<void> checkStep(double step_s, const std::string& name, std::string mend);
+[[nodiscard]] Result<void> checkStep(double step_s, const std::string& name, std::string hint);
 
 /// Frames from the first to the last of so many lines, at steps of `step_s`. Fails where that is more than
 /// ten times the lines and a thousand: gaps would be filled with motion that nobody recorded. Adds a remark

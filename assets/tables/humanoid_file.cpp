@@ -33,10 +33,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
 /// "Did you mean x?", or nothing where no name is near.
 std::string proposal(std::string_view found, const std::vector<std::string_view>& names) {
     std::string_view nearest;
-    std::size_t least = std::max<std::size_t>(2, found.size() / 3) + 1;
+    std::size_t min = std::max<std::size_t>(2, found.size() / 3) + 1;
     for (const std::string_view name : names)
-        if (const std::size_t d = distance(found, name); d < least) {
-            least = d;
+        if (const std::size_t d = distance(found, name); d < min) {
+            min = d;
             nearest = name;
         }
     return nearest.empty() ? "" : fmt::format("Did you mean {}?", nearest);
@@ -71,9 +71,9 @@ Result<HumanoidWords> parseHumanoidText(std::string_view text, const std::string
         const std::string where = fmt::format("{}:{}: {}", name, line, key.str());
         if (key.str() == "height_m") {
             const auto height_m = node.value<double>();
-            if (!height_m || !(*height_m >= least_height_m && *height_m <= greatest_height_m))
+            if (!height_m || !(*height_m >= min_height_m && *height_m <= max_height_m))
                 return fail(where, fmt::format("expected an avatar's height from {:g} to {:g} metres",
-                                               least_height_m, greatest_height_m));
+                                               min_height_m, max_height_m));
             said.height_m = height_m;
             continue;
         }

@@ -105,10 +105,10 @@ class RowReader {
                            [this](Column column) { return !record_.fields[places_[column]].empty(); });
     }
 
-    void problem(Column column, const std::string& message, std::string mend = {}) {
+    void problem(Column column, const std::string& message, std::string hint = {}) {
         if (!first_)
             first_ = Error{fmt::format("{}:{}: {}", file_, record_.line, manifest_columns[column]), message,
-                           std::move(mend)};
+                           std::move(hint)};
     }
 
     /// Whether an optional column is there and has a value.

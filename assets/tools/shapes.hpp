@@ -94,9 +94,8 @@ class Loft {
         const double b = dv / (dv > 0.0 ? s.plus_v : s.minus_v);
         const double cross = 2.0 * (1.0 - squareness_) * a * a * b * b;
         const double q = std::sqrt(std::sqrt(a * a * a * a + b * b * b * b + cross));
-        const double least = std::min({s.half_u, s.plus_v, s.minus_v});
-        const double side =
-            q < 1e-6 ? -least : std::max(-least, std::sqrt(du * du + dv * dv) * (1.0 - 1.0 / q));
+        const double min = std::min({s.half_u, s.plus_v, s.minus_v});
+        const double side = q < 1e-6 ? -min : std::max(-min, std::sqrt(du * du + dv * dv) * (1.0 - 1.0 / q));
         const double end = std::max(first - p[along_], p[along_] - last);
         return common(side, end, end_rounding_);
     }

@@ -10,7 +10,7 @@ namespace deixis::avatar_maker {
 
 struct SkinWeights {
     std::array<std::uint8_t, 4> joints{};  ///< indices into motion::referenceHumanoid()
-    std::array<float, 4> weights{};        ///< multiples of 1/1024, greatest first; sum exactly 1
+    std::array<float, 4> weights{};        ///< multiples of 1/1024, largest first; sum exactly 1
 };
 
 /// Weights at a place of the T pose.

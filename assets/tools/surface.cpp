@@ -79,25 +79,25 @@ class Grid {
     }
 
   private:
-    void collect(const Key& least, int size, std::vector<Key>& cells) {
+    void collect(const Key& min, int size, std::vector<Key>& cells) {
         if (size == 1) {
-            cells.push_back(least);
+            cells.push_back(min);
             return;
         }
         const int half = size / 2;
-        const Key middle{least[0] + half, least[1] + half, least[2] + half};
+        const Key middle{min[0] + half, min[1] + half, min[2] + half};
         double reach = 0.0;  // from the middle to the farthest corner
         for (int corner = 0; corner < 8; ++corner) {
-            const Key k{least[0] + (corner & 1) * size, least[1] + (corner >> 1 & 1) * size,
-                        least[2] + (corner >> 2) * size};
+            const Key k{min[0] + (corner & 1) * size, min[1] + (corner >> 1 & 1) * size,
+                        min[2] + (corner >> 2) * size};
             reach = std::max(reach, glm::length(cornerPlace(k) - cornerPlace(middle)));
         }
         // The field may grow faster than the distance does, by less than 1.8.
         if (std::abs(value(middle)) > 1.8 * reach) return;
         for (int child = 0; child < 8; ++child)
-            collect({least[0] + (child & 1) * half, least[1] + (child >> 1 & 1) * half,
-                     least[2] + (child >> 2) * half},
-                    half, cells);
+            collect(
+                {min[0] + (child & 1) * half, min[1] + (child >> 1 & 1) * half, min[2] + (child >> 2) * half},
+                half, cells);
     }
 
     std::unordered_map<Key, double, KeyHash> values_;
@@ -164,8 +164,8 @@ std::array<int, 12> sheetsOf(const std::array<bool, 8>& inside) {
     return sheet_of;
 }
 
-Key corner(const Key& least, int index) {
-    return {least[0] + (index & 1), least[1] + (index >> 1 & 1), least[2] + (index >> 2)};
+Key corner(const Key& min, int index) {
+    return {min[0] + (index & 1), min[1] + (index >> 1 & 1), min[2] + (index >> 2)};
 }
 
 /// Evens the mesh out along the surface.
@@ -218,9 +218,9 @@ Mesh extractSurface() {
     Grid grid;
     Mesh mesh;
     std::map<Key, std::array<int, 12>> vertex_of;  // per cell and edge; -1 where there is none
-    for (const Key& least : grid.cellsNearSurface()) {
+    for (const Key& min : grid.cellsNearSurface()) {
         std::array<bool, 8> inside;
-        for (int c = 0; c < 8; ++c) inside[static_cast<std::size_t>(c)] = grid.value(corner(least, c)) < 0.0;
+        for (int c = 0; c < 8; ++c) inside[static_cast<std::size_t>(c)] = grid.value(corner(min, c)) < 0.0;
         if (std::all_of(inside.begin(), inside.end(), [&](bool i) { return i == inside[0]; })) continue;
         const auto sheet_of = sheetsOf(inside);
         std::array<Vec3, 12> sum{};
@@ -228,11 +228,10 @@ Mesh extractSurface() {
         for (int e = 0; e < 12; ++e) {
             const auto [from, to] = cubeEdge(e);
             if (inside[static_cast<std::size_t>(from)] == inside[static_cast<std::size_t>(to)]) continue;
-            const double a = grid.value(corner(least, from));
-            const double b = grid.value(corner(least, to));
+            const double a = grid.value(corner(min, from));
+            const double b = grid.value(corner(min, to));
             const auto sheet = static_cast<std::size_t>(sheet_of[static_cast<std::size_t>(e)]);
-            sum[sheet] +=
-                glm::mix(cornerPlace(corner(least, from)), cornerPlace(corner(least, to)), a / (a - b));
+            sum[sheet] += glm::mix(cornerPlace(corner(min, from)), cornerPlace(corner(min, to)), a / (a - b));
             ++count[sheet];
         }
         std::array<int, 12> vertices;
@@ -242,14 +241,14 @@ Mesh extractSurface() {
             vertices[sheet] = static_cast<int>(mesh.positions.size());
             mesh.positions.push_back(sum[sheet] / static_cast<double>(count[sheet]));
         }
-        auto& of_edge = vertex_of[least];
+        auto& of_edge = vertex_of[min];
         for (std::size_t e = 0; e < 12; ++e) of_edge[e] = vertices[static_cast<std::size_t>(sheet_of[e])];
     }
     // One quadrilateral across each crossed grid edge, from the four cells around it.
-    for (const auto& [least, unused] : vertex_of)
+    for (const auto& [min, unused] : vertex_of)
         for (int axis = 0; axis < 3; ++axis) {
-            const Key end{least[0] + (axis == 0), least[1] + (axis == 1), least[2] + (axis == 2)};
-            const bool starts_inside = grid.value(least) < 0.0;
+            const Key end{min[0] + (axis == 0), min[1] + (axis == 1), min[2] + (axis == 2)};
+            const bool starts_inside = grid.value(min) < 0.0;
             if (starts_inside == (grid.value(end) < 0.0)) continue;
             const auto b = static_cast<std::size_t>((axis + 1) % 3);
             const auto c = static_cast<std::size_t>((axis + 2) % 3);
@@ -257,7 +256,7 @@ Mesh extractSurface() {
             // Seen along the axis, counter-clockwise: cells at (-b,-c), (0,-c), (0,0), (-b,0).
             const std::array<std::array<int, 2>, 4> around{{{1, 1}, {0, 1}, {0, 0}, {1, 0}}};
             for (std::size_t i = 0; i < 4; ++i) {
-                Key at = least;
+                Key at = min;
                 at[b] -= around[i][0];
                 at[c] -= around[i][1];
                 const int e = axis * 4 + around[i][0] + 2 * around[i][1];

@@ -32,7 +32,7 @@ CsvReader::CsvReader(std::string_view text, std::string name, CsvForm form)
     : text_(withoutByteOrderMark(text)), name_(std::move(name)), form_(form) {}
 
 Result<void> CsvReader::checkText() const {
-    const auto bad = firstUnkeepable(text_);
+    const auto bad = firstUnstorable(text_);
     if (!bad) return {};
     const auto before = text_.substr(0, *bad);
     return fail(fmt::format("{}:{}", name_, line_ + std::count(before.begin(), before.end(), '\n')),

@@ -15,10 +15,10 @@ std::optional<std::size_t> CsvSheet::find(std::string_view column) const {
     return static_cast<std::size_t>(found - header.fields.begin());
 }
 
-Result<std::size_t> CsvSheet::column(std::string_view column, std::string mend) const {
+Result<std::size_t> CsvSheet::column(std::string_view column, std::string hint) const {
     if (const auto found = find(column)) return *found;
     return fail(fmt::format("{}:{}", name, header.line),
-                fmt::format("the column '{}' is missing from the header", column), std::move(mend));
+                fmt::format("the column '{}' is missing from the header", column), std::move(hint));
 }
 
 std::string CsvSheet::place(const CsvRecord& row, std::size_t column) const {
@@ -26,10 +26,10 @@ std::string CsvSheet::place(const CsvRecord& row, std::size_t column) const {
 }
 
 Result<double> CsvSheet::number(const CsvRecord& row, std::size_t column, std::string_view expected,
-                                double most) const {
+                                double max) const {
     const std::string& cell = row.fields[column];
     const auto value = finiteNumber(cell);
-    if (value && std::abs(*value) <= most) return *value;
+    if (value && std::abs(*value) <= max) return *value;
     return fail(place(row, column), fmt::format("found '{}', expected {}", cell, expected));
 }
 

@@ -8,7 +8,7 @@ std::string Error::text() const {
     std::string out;
     if (!where.empty()) out += where + ": ";
     out += message;
-    if (!mend.empty()) out += ". " + mend;
+    if (!hint.empty()) out += ". " + hint;
     return withoutPasswords(out);
 }
 

@@ -21,9 +21,9 @@ namespace deixis {
 
 namespace {
 
-tl::unexpected<Error> tooLarge(const std::string& name, std::size_t most_bytes) {
+tl::unexpected<Error> tooLarge(const std::string& name, std::size_t max_bytes) {
     return fail(name,
-                fmt::format("holds more than {} bytes, which is the most that is read at once", most_bytes),
+                fmt::format("holds more than {} bytes, which is the most that is read at once", max_bytes),
                 "Name another file, or a part of it");
 }
 
@@ -80,8 +80,8 @@ Result<void> writeVia(const std::filesystem::path& path, std::string_view bytes,
 }  // namespace
 
 Result<std::string> readAll(std::istream& in, const std::string& name, std::size_t expected_bytes,
-                            std::size_t most_bytes) {
-    if (expected_bytes > most_bytes) return tooLarge(name, most_bytes);
+                            std::size_t max_bytes) {
+    if (expected_bytes > max_bytes) return tooLarge(name, max_bytes);
     std::string bytes;
     constexpr std::size_t at_once = std::size_t{1} << 20U;
     bytes.reserve(std::min(expected_bytes, std::size_t{1} << 30U) + at_once);
@@ -89,13 +89,13 @@ Result<std::string> readAll(std::istream& in, const std::string& name, std::size
         bytes.resize(count + at_once);
         in.read(bytes.data() + count, static_cast<std::streamsize>(at_once));
         count += static_cast<std::size_t>(in.gcount());
-        if (count > most_bytes) return tooLarge(name, most_bytes);
+        if (count > max_bytes) return tooLarge(name, max_bytes);
     }
     if (in.bad()) return fail(name, "could not be read to its end");
     return bytes;
 }
 
-Result<std::string> readFile(const std::filesystem::path& path, std::size_t most_bytes) {
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_bytes) {
     namespace fs = std::filesystem;
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
@@ -106,7 +106,7 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t most
     std::ifstream in(path, std::ios::binary);
     if (!in) return fail(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
     const auto size = fs::is_regular_file(status) ? fs::file_size(path, code) : 0;
-    return readAll(in, path.string(), code ? 0 : static_cast<std::size_t>(size), most_bytes);
+    return readAll(in, path.string(), code ? 0 : static_cast<std::size_t>(size), max_bytes);
 }
 
 FileBytes::FileBytes(FileBytes&& other) noexcept

@@ -69,8 +69,8 @@ char separatorOf(std::string_view text) {
         for (std::size_t i = 0; i < separators.size(); ++i)
             if (c == separators.at(i) && !quoted) ++counts.at(i);
     }
-    const auto most = std::max_element(counts.begin(), counts.end());
-    return *most == 0 ? ',' : separators.at(static_cast<std::size_t>(most - counts.begin()));
+    const auto max = std::max_element(counts.begin(), counts.end());
+    return *max == 0 ? ',' : separators.at(static_cast<std::size_t>(max - counts.begin()));
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ Result<ForeignCsv> readForeignCsv(std::string bytes, const std::string& name) {
         if (!text)
             return fail(name, "is marked as UTF-16 and holds what is none", "Save the file as CSV in UTF-8");
         out.text = std::move(*text);
-    } else if (const auto bad = firstUnkeepable(bytes); !bad) {
+    } else if (const auto bad = firstUnstorable(bytes); !bad) {
         out.text = std::move(bytes);
     } else {
         auto text = fromWindows1252(bytes);

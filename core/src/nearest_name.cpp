@@ -30,11 +30,11 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 std::string_view nearestName(std::string_view found, std::span<const std::string_view> names) {
     std::string_view nearest;
     // Two letters that changed places are two edits; of a name as short as "en" nothing would be left.
-    std::size_t least = (found.size() < 4 ? 1 : std::max<std::size_t>(2, found.size() / 3)) + 1;
+    std::size_t min = (found.size() < 4 ? 1 : std::max<std::size_t>(2, found.size() / 3)) + 1;
     for (const std::string_view name : names) {
         const std::size_t distance = editDistance(found, name);
-        if (distance >= least) continue;
-        least = distance;
+        if (distance >= min) continue;
+        min = distance;
         nearest = name;
     }
     return nearest;

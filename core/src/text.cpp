@@ -72,7 +72,7 @@ bool plainEight(const char* text) {
 
 }  // namespace
 
-std::optional<std::size_t> firstUnkeepable(std::string_view text) {
+std::optional<std::size_t> firstUnstorable(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
         if (text.size() - at >= 8 && plainEight(text.data() + at)) {
             at += 8;
@@ -85,9 +85,9 @@ std::optional<std::size_t> firstUnkeepable(std::string_view text) {
     return std::nullopt;
 }
 
-std::string keepable(std::string_view text) {
+std::string storable(std::string_view text) {
     std::string out;
-    while (const auto bad = firstUnkeepable(text)) {
+    while (const auto bad = firstUnstorable(text)) {
         out.append(text.substr(0, *bad)).append("\xEF\xBF\xBD");
         text.remove_prefix(*bad + 1);
     }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double style_limit = 3.0;
 
-std::ptrdiff_t indexOf(const JointCourses& motion, Bone bone) {
+std::ptrdiff_t indexOf(const JointTrajectories& motion, Bone bone) {
     const auto found = std::find(motion.joints.begin(), motion.joints.end(), bone);
     return found == motion.joints.end() ? -1 : found - motion.joints.begin();
 }
@@ -42,7 +42,7 @@ const std::vector<Bone>& poseBones() {
     return bones;
 }
 
-Result<std::vector<Style>> gestureStyle(const JointCourses& motion, int window) {
+Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int window) {
     const auto left = indexOf(motion, Bone::leftHand);
     const auto right = indexOf(motion, Bone::rightHand);
     if (left < 0 || right < 0) return fail("", "found no left and right hand", "Style is told by both hands");
@@ -51,9 +51,9 @@ Result<std::vector<Style>> gestureStyle(const JointCourses& motion, int window) 
     if (frames < 2) return fail("", fmt::format("found {} frames, style needs at least 2", frames));
 
     const auto step = [&](std::size_t joint, int f) {
-        const auto& course = motion.positions[joint];
+        const auto& trajectory = motion.positions[joint];
         const auto i = static_cast<std::size_t>(f);
-        return glm::length(course[i] - course[i - 1]);
+        return glm::length(trajectory[i] - trajectory[i - 1]);
     };
     const auto l = static_cast<std::size_t>(left);
     const auto r = static_cast<std::size_t>(right);
@@ -108,39 +108,41 @@ Style normalisedStyle(const Style& style, const StyleNorm& norm) {
     });
 }
 
-Result<double> poseCompliance(const JointCourses& asked, const JointCourses& made, int first, int last) {
-    if (asked.joints != made.joints || asked.joints.empty())
+Result<double> poseCompliance(const JointTrajectories& reference, const JointTrajectories& generated,
+                              int first, int last) {
+    if (reference.joints != generated.joints || reference.joints.empty())
         return fail("", "the poses asked for and the motion have different joints",
                     "Give poses of the same kind of skeleton");
-    if (std::abs(asked.frame_time_s - made.frame_time_s) > 0.01 * made.frame_time_s)
+    if (std::abs(reference.frame_time_s - generated.frame_time_s) > 0.01 * generated.frame_time_s)
         return fail("",
                     fmt::format("poses are asked for at {:.4g} frames a second, the motion has {:.4g}",
-                                1.0 / asked.frame_time_s, 1.0 / made.frame_time_s),
+                                1.0 / reference.frame_time_s, 1.0 / generated.frame_time_s),
                     "Frames are counted: bring both to one rate ('deixis clips resample')");
     const auto frames =
-        static_cast<int>(std::min(asked.positions.front().size(), made.positions.front().size()));
+        static_cast<int>(std::min(reference.positions.front().size(), generated.positions.front().size()));
     if (first < 0 || last <= first || last > frames)
         return fail("", fmt::format("found {} frames, expected at least {} (poses are asked for in {} to {})",
                                     frames, last, first, last - 1));
     double sum = 0.0;
-    for (std::size_t j = 0; j < asked.positions.size(); ++j)
+    for (std::size_t j = 0; j < reference.positions.size(); ++j)
         for (int f = first; f < last; ++f) {
             const auto i = static_cast<std::size_t>(f);
-            const Vec3 difference = glm::abs(asked.positions[j][i] - made.positions[j][i]);
+            const Vec3 difference = glm::abs(reference.positions[j][i] - generated.positions[j][i]);
             sum += difference.x + difference.y + difference.z;
         }
-    return sum / (3.0 * static_cast<double>(asked.positions.size()) * (last - first));
+    return sum / (3.0 * static_cast<double>(reference.positions.size()) * (last - first));
 }
 
-Result<double> styleCompliance(const std::vector<Style>& asked, const std::vector<Style>& made) {
-    if (asked.empty() || asked.size() != made.size())
+Result<double> styleCompliance(const std::vector<Style>& reference, const std::vector<Style>& generated) {
+    if (reference.empty() || reference.size() != generated.size())
         return fail("", fmt::format("found styles of {} and {} frames, expected as many of both",
-                                    asked.size(), made.size()));
+                                    reference.size(), generated.size()));
     double sum = 0.0;
-    for (std::size_t i = 0; i < asked.size(); ++i)
-        sum += std::abs(asked[i].speed - made[i].speed) + std::abs(asked[i].space - made[i].space) +
-               std::abs(asked[i].handedness - made[i].handedness);
-    return sum / (3.0 * static_cast<double>(asked.size()));
+    for (std::size_t i = 0; i < reference.size(); ++i)
+        sum += std::abs(reference[i].speed - generated[i].speed) +
+               std::abs(reference[i].space - generated[i].space) +
+               std::abs(reference[i].handedness - generated[i].handedness);
+    return sum / (3.0 * static_cast<double>(reference.size()));
 }
 
 }  // namespace deixis::motion

@@ -35,7 +35,7 @@ std::vector<HandTrack> trackHands(const Clip& recording, const HumanoidMap& map)
     for (std::size_t side = 0; side < 2; ++side) {
         HandTrack& track = tracks[side];
         track.arm_length_m /= static_cast<double>(recording.frames.size());
-        track.course.speed_m_s = speeds(track.reach, recording.frame_time_s);
+        track.trajectory.speed_m_s = speeds(track.reach, recording.frame_time_s);
         const auto& hand = hands[side];
         const std::size_t step = static_cast<std::size_t>(
             std::max(1L, std::lround(difference_half_span_s / recording.frame_time_s)));

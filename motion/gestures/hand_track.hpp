@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/pointing/phases.hpp"
 
 namespace deixis::motion {
 
@@ -12,7 +12,7 @@ struct HandTrack {
     double arm_length_m = 0.0;  ///< shoulder to elbow to wrist, mean over the frames
     /// Hand from the shoulder in the person's axes (x left along the shoulders, y up, z ahead), arm lengths.
     std::vector<Vec3> reach;
-    HandCourse course;  ///< of `reach`, metres a second; displacement is still empty
+    HandTrajectory trajectory;  ///< of `reach`, metres a second; displacement is still empty
     /// Speed of the hand in the recording over the last thirtieth of a second, metres a second.
     std::vector<double> step_speed_m_s;
 };

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/pointing/phases.hpp"
 
 namespace deixis::motion {
 
@@ -29,10 +29,10 @@ Histogram summed(const std::vector<Histogram>& histograms) {
     return out;
 }
 
-Result<void> checkAlike(const std::vector<JointCourses>& clips) {
+Result<void> checkAlike(const std::vector<JointTrajectories>& clips) {
     if (clips.empty()) return fail("", "found no clips", "Give at least one");
     for (std::size_t i = 0; i < clips.size(); ++i) {
-        const JointCourses& clip = clips[i];
+        const JointTrajectories& clip = clips[i];
         if (clip.joints.empty())
             return fail("", fmt::format("clip {} has none of the joints that are compared", i + 1));
         if (clip.joints != clips.front().joints)
@@ -52,17 +52,18 @@ Result<void> checkAlike(const std::vector<JointCourses>& clips) {
 
 }  // namespace
 
-JointCourses jointCourses(const Clip& clip, const HumanoidMap& map, const std::vector<Bone>& bones) {
-    JointCourses out;
+JointTrajectories jointTrajectories(const Clip& clip, const HumanoidMap& map,
+                                    const std::vector<Bone>& bones) {
+    JointTrajectories out;
     out.frame_time_s = clip.frame_time_s;
     const auto world = worldPoses(clip);
-    const std::vector<Vec3> hips = jointCourse(world, map[Bone::hips]);
+    const std::vector<Vec3> hips = jointTrajectory(world, map[Bone::hips]);
     for (const Bone bone : bones) {
         if (!map.has(bone)) continue;
-        std::vector<Vec3> course = jointCourse(world, map[bone]);
-        for (std::size_t f = 0; f < course.size(); ++f) course[f] -= hips[f];
+        std::vector<Vec3> trajectory = jointTrajectory(world, map[bone]);
+        for (std::size_t f = 0; f < trajectory.size(); ++f) trajectory[f] -= hips[f];
         out.joints.push_back(bone);
-        out.positions.push_back(std::move(course));
+        out.positions.push_back(std::move(trajectory));
     }
     return out;
 }
@@ -79,8 +80,9 @@ std::string_view derivativeName(Derivative derivative) {
     return names[static_cast<std::size_t>(derivative)];
 }
 
-std::vector<double> magnitudes(const std::vector<Vec3>& course, double frame_time_s, Derivative derivative) {
-    std::vector<Vec3> values = course;
+std::vector<double> magnitudes(const std::vector<Vec3>& trajectory, double frame_time_s,
+                               Derivative derivative) {
+    std::vector<Vec3> values = trajectory;
     for (std::size_t order = 0; order <= static_cast<std::size_t>(derivative) && !values.empty(); ++order) {
         for (std::size_t i = 1; i < values.size(); ++i)
             values[i - 1] = (values[i] - values[i - 1]) / frame_time_s;
@@ -116,7 +118,7 @@ double hellingerDistance(const Histogram& a, const Histogram& b) {
     return std::sqrt(std::max(0.0, 1.0 - overlap));
 }
 
-Result<MotionStatistics> motionStatistics(const std::vector<JointCourses>& clips) {
+Result<MotionStatistics> motionStatistics(const std::vector<JointTrajectories>& clips) {
     if (auto checked = checkAlike(clips); !checked) return tl::unexpected(checked.error());
     MotionStatistics out;
     out.joints = clips.front().joints;
@@ -124,7 +126,7 @@ Result<MotionStatistics> motionStatistics(const std::vector<JointCourses>& clips
         const auto d = static_cast<std::size_t>(derivative);
         out.histograms[d].assign(out.joints.size(), emptyHistogram(derivative));
         std::vector<double> clip_means;
-        for (const JointCourses& clip : clips) {
+        for (const JointTrajectories& clip : clips) {
             std::vector<double> joint_means;
             for (std::size_t j = 0; j < out.joints.size(); ++j) {
                 const auto values = magnitudes(clip.positions[j], clip.frame_time_s, derivative);

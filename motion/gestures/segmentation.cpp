@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "hand_track.hpp"
-#include "motion/humanoid/humanoid_mapping.hpp"
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/humanoid/mapping.hpp"
+#include "motion/pointing/phases.hpp"
 #include "motion/skeleton/kinematics.hpp"
 
 namespace deixis::motion {
@@ -47,7 +47,7 @@ class Cutter {
             if (!rest) return tl::unexpected(rest.error());
             HandTrack& track = tracks_[static_cast<std::size_t>(side)];
             for (const Vec3& reach : track.reach)
-                track.course.displacement.push_back(glm::length(reach - *rest));
+                track.trajectory.displacement.push_back(glm::length(reach - *rest));
         }
         for (const Side side : sides) holds_[static_cast<std::size_t>(side)] = holdsOf(side);
         if (options_.by == CutBy::returns)
@@ -62,10 +62,10 @@ class Cutter {
   private:
     [[nodiscard]] const HandTrack& track(Side side) const { return tracks_[static_cast<std::size_t>(side)]; }
     [[nodiscard]] double displacement(Side side, int frame) const {
-        return track(side).course.displacement[static_cast<std::size_t>(frame)];
+        return track(side).trajectory.displacement[static_cast<std::size_t>(frame)];
     }
     [[nodiscard]] double speed(Side side, int frame) const {
-        return track(side).course.speed_m_s[static_cast<std::size_t>(frame)];
+        return track(side).trajectory.speed_m_s[static_cast<std::size_t>(frame)];
     }
 
     /// Where the hand rests, from the shoulder, arm lengths.
@@ -86,8 +86,8 @@ class Cutter {
             if (-r.y < hanging * glm::length(r) || speed(side, f) > still_m_s) continue;
             for (int axis = 0; axis < 3; ++axis) at_rest[static_cast<std::size_t>(axis)].push_back(r[axis]);
         }
-        constexpr double least_s = 0.2;
-        if (static_cast<double>(at_rest[0].size()) * dt_ >= least_s - 1e-4)
+        constexpr double min_s = 0.2;
+        if (static_cast<double>(at_rest[0].size()) * dt_ >= min_s - 1e-4)
             return Vec3(upperMedian(at_rest[0]), upperMedian(at_rest[1]), upperMedian(at_rest[2]));
         if (options_.by == CutBy::returns)
             return fail("", handText(side) + " never hangs still with the arm down, expected 0.2 s of it",
@@ -107,7 +107,7 @@ class Cutter {
         });
         runs.erase(
             std::remove_if(runs.begin(), runs.end(),
-                           [&](const Run& run) { return run.frames() < framesFor(options_.least_hold_s); }),
+                           [&](const Run& run) { return run.frames() < framesFor(options_.min_hold_s); }),
             runs.end());
         return runs;
     }
@@ -119,9 +119,9 @@ class Cutter {
 
     [[nodiscard]] std::vector<HandExcursion> excursionsOf(Side side) const {
         std::vector<HandExcursion> out;
-        for (const Excursion& e : motion::excursionsOf(track(side).course.displacement, options_.back,
-                                                       options_.out, framesFor(options_.least_rest_s)))
-            if (e.frames.frames() >= framesFor(options_.least_gesture_s)) out.push_back({e, side});
+        for (const Excursion& e : motion::excursionsOf(track(side).trajectory.displacement, options_.back,
+                                                       options_.out, framesFor(options_.min_rest_s)))
+            if (e.frames.frames() >= framesFor(options_.min_gesture_s)) out.push_back({e, side});
         return out;
     }
 
@@ -174,14 +174,14 @@ class Cutter {
     }
 
     Gesture gestureOf(const HandExcursion& e, std::vector<std::string> remarks) const {
-        const GesturePhases phases = phasesOf(e, track(e.hand).course, e.hand);
+        const GesturePhases phases = phasesOf(e, track(e.hand).trajectory, e.hand);
         double reach = 0.0;
         for (int f = phases.peak_frame; f <= phases.hold_frame; ++f)
             reach = std::max(reach, glm::length(track(e.hand).reach[static_cast<std::size_t>(f)]));
         constexpr double bent = 0.8;
         if (reach < bent) remarks.emplace_back("the arm stays bent");
-        constexpr double least_stop_s = 0.1;
-        if ((phases.hold_frame - phases.peak_frame) * dt_ < least_stop_s)
+        constexpr double min_stop_s = 0.1;
+        if ((phases.hold_frame - phases.peak_frame) * dt_ < min_stop_s)
             remarks.emplace_back("the hand does not stop");
         const auto& holds = holds_[static_cast<std::size_t>(e.hand)];
         const auto several = std::count_if(holds.begin(), holds.end(), [&](const Run& hold) {
@@ -215,7 +215,7 @@ class Cutter {
                     if (std::min(hold.end, other.end) >= std::max(hold.begin, other.begin))
                         remarks.push_back(handText(opposite(side)) + " holds too (frames " +
                                           framesText(other) + ")");
-                out_.gestures.push_back(gesture(phasesAroundHold(hold, around, track(side).course, side),
+                out_.gestures.push_back(gesture(phasesAroundHold(hold, around, track(side).trajectory, side),
                                                 around, std::move(remarks)));
             }
         }

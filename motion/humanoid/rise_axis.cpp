@@ -6,7 +6,7 @@
 namespace deixis::motion {
 
 std::optional<Vec3> riseAxis(const std::vector<Vec3>& rises) {
-    constexpr double shortest_m = 1e-9, least_cosine = 0.707;  // 45 degrees
+    constexpr double shortest_m = 1e-9, min_cosine = 0.707;  // 45 degrees
     Vec3 sum(0.0);
     for (const Vec3& rise : rises)
         if (const double length = glm::length(rise); length > shortest_m && std::isfinite(length))
@@ -15,7 +15,7 @@ std::optional<Vec3> riseAxis(const std::vector<Vec3>& rises) {
     for (int i = 1; i < 3; ++i)
         if (std::abs(sum[i]) > std::abs(sum[axis])) axis = i;
     const double length = glm::length(sum);
-    if (length < shortest_m || std::abs(sum[axis]) < least_cosine * length) return std::nullopt;
+    if (length < shortest_m || std::abs(sum[axis]) < min_cosine * length) return std::nullopt;
     Vec3 out(0.0);
     out[axis] = sum[axis] < 0.0 ? -1.0 : 1.0;
     return out;

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/pointing/pointing.hpp"
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/pointing/phases.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/skeleton/kinematics.hpp"
 
 namespace deixis::motion {
@@ -127,8 +127,8 @@ std::optional<LimitViolation> violation(JointLimit limit, Side side, const Skele
         const double excess = *angle - jointLimitDegrees(limit);
         if (!(excess > 0.0)) continue;
         ++beyond;
-        if (excess > out.greatest_deg) {
-            out.greatest_deg = excess;
+        if (excess > out.max_deg) {
+            out.max_deg = excess;
             out.frame = static_cast<int>(f);
         }
     }
@@ -200,16 +200,16 @@ std::optional<FootSkate> footSkate(const std::vector<World>& world, const Humano
         const LegBones leg = legBones(side);
         const Bone bone = map.has(leg.toes) ? leg.toes : leg.foot;
         if (!map.has(bone)) return std::nullopt;
-        const auto course = jointCourse(world, map[bone]);
-        const auto velocity = velocities(course, frame_time_s);
-        double floor = course.front().y;
-        for (const Vec3& p : course) floor = std::min(floor, p.y);
-        const double share = 0.5 / static_cast<double>(course.size());
-        for (std::size_t f = 0; f < course.size(); ++f) {
-            const double height = course[f].y - floor;
+        const auto trajectory = jointTrajectory(world, map[bone]);
+        const auto velocity = velocities(trajectory, frame_time_s);
+        double floor = trajectory.front().y;
+        for (const Vec3& p : trajectory) floor = std::min(floor, p.y);
+        const double share = 0.5 / static_cast<double>(trajectory.size());
+        for (std::size_t f = 0; f < trajectory.size(); ++f) {
+            const double height = trajectory[f].y - floor;
             if (height >= contact_m) continue;
             out.contact_share += share;
-            out.speed_mps +=
+            out.speed_m_s +=
                 share * std::hypot(velocity[f].x, velocity[f].z) * (2.0 - std::exp2(height / contact_m));
         }
     }

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/pointing/stretched_arm.hpp"
 
 namespace deixis::motion {

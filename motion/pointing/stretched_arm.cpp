@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 
 namespace deixis::motion {
 

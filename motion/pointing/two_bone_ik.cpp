@@ -73,7 +73,7 @@ double flexionForReach(const TwoLinkArm& arm, double reach_m) {
     const HingeTurn turn = turnForReach(arm.elbow, arm.tip, up, reach_m);
     const double flexion =
         arm.side == Side::left ? -(turn.straightest - turn.opening) : turn.straightest + turn.opening;
-    return std::clamp(flexion, least_flexion_rad, greatest_flexion_rad);
+    return std::clamp(flexion, min_flexion_rad, max_flexion_rad);
 }
 
 ArmSolution solveArm(const TwoLinkArm& arm, const Vec3& tip, const Vec3& elbow_direction) {

@@ -7,13 +7,13 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "assembly.hpp"
 #include "core/parallel.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "feet.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/skeleton/bone_index.hpp"
-#include "retarget_assembly.hpp"
-#include "retarget_feet.hpp"
-#include "retarget_pointing.hpp"
-#include "retarget_source.hpp"
+#include "pointing.hpp"
+#include "source.hpp"
 
 namespace deixis::motion {
 
@@ -298,7 +298,7 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
 
     RetargetReport made;
     made.scale = scale;
-    made.remarks = mappingDoubts(source_clip.skeleton, source_map, neutral.world);
+    made.remarks = mappingWarnings(source_clip.skeleton, source_map, neutral.world);
     if (!neutral.is_rest)
         made.remarks.emplace_back("the rest pose is no standing figure: aligned to a frame instead");
     if (up_axis != up) made.remarks.emplace_back("turned so that the figure's up axis is y");

@@ -65,9 +65,9 @@ LocalPose sample(const Clip& clip, double time_s) {
 }
 
 Result<Clip> resample(const Clip& clip, double frame_time_s) {
-    constexpr double most_poses = 2e7;
+    constexpr double max_poses = 2e7;
     const double frames = std::floor(clip.duration_s() / frame_time_s + 1e-6) + 1.0;
-    if (!(frames * clip.skeleton.size() <= most_poses)) {
+    if (!(frames * clip.skeleton.size() <= max_poses)) {
         const auto whole = [](double number) {
             std::string text = std::to_string(number);
             return text.substr(0, text.find('.'));
@@ -76,7 +76,7 @@ Result<Clip> resample(const Clip& clip, double frame_time_s) {
                     "found a clip of " + whole(clip.duration_s()) + " s, which at " +
                         whole(1.0 / frame_time_s) + " frames a second has " + whole(frames) + " frames of " +
                         std::to_string(clip.skeleton.size()) + " joints, expected at most " +
-                        whole(std::floor(most_poses / clip.skeleton.size())) + " frames",
+                        whole(std::floor(max_poses / clip.skeleton.size())) + " frames",
                     "Is the clip's frame rate right? Else give a lower number of frames a second, or cut the "
                     "clip first");
     }

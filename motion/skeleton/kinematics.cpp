@@ -61,7 +61,7 @@ std::optional<double> logDimensionlessJerk(const std::vector<Vec3>& positions, d
 std::optional<double> spectralArcLength(const std::vector<double>& speeds, double frame_time_s) {
     constexpr int padding_level = 4;
     constexpr double highest_hz = 10.0;
-    constexpr double least_share = 0.05;
+    constexpr double min_share = 0.05;
     const std::size_t n = speeds.size();
     if (n < 2) return std::nullopt;
     std::size_t length = 1;
@@ -73,9 +73,9 @@ std::optional<double> spectralArcLength(const std::vector<double>& speeds, doubl
     const double step_hz = 1.0 / (frame_time_s * static_cast<double>(length));
 
     // No value of the spectrum of what is never negative is greater than the one at 0 Hz.
-    double greatest = 0.0;
-    for (const double speed : speeds) greatest += speed;
-    if (greatest <= 0.0) return std::nullopt;
+    double max = 0.0;
+    for (const double speed : speeds) max += speed;
+    if (max <= 0.0) return std::nullopt;
     std::vector<double> magnitude;
     for (std::size_t k = 0; k <= length / 2 && static_cast<double>(k) * step_hz <= highest_hz; ++k) {
         double real = 0.0;
@@ -86,10 +86,10 @@ std::optional<double> spectralArcLength(const std::vector<double>& speeds, doubl
             imaginary += speed * cosine[(phase + length / 4) % length];
             phase = (phase + k) % length;
         }
-        magnitude.push_back(std::sqrt(real * real + imaginary * imaginary) / greatest);
+        magnitude.push_back(std::sqrt(real * real + imaginary * imaginary) / max);
     }
     std::size_t last = magnitude.size() - 1;
-    while (magnitude[last] < least_share) --last;
+    while (magnitude[last] < min_share) --last;
     if (last == 0) return std::nullopt;
     const double step = 1.0 / static_cast<double>(last);
     double arc = 0.0;

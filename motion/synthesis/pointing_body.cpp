@@ -6,7 +6,7 @@
 
 #include "motion/humanoid/hand_shapes.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 
 namespace deixis::motion {
 

@@ -17,14 +17,14 @@ namespace deixis::motion {
 namespace {
 
 /// 0 at rest, 1 in the pointing posture.
-struct Course {
+struct Trajectory {
     double arm = 0.0;
     double trunk = 0.0;
     double head = 0.0;
     double gaze = 0.0;
     double fingers = 0.0;
     double held = 0.0;    ///< share of the hold that has passed
-    double moving = 0.0;  ///< 1 at the greatest speed of the hand, 0 still
+    double moving = 0.0;  ///< 1 at the peak speed of the hand, 0 still
 };
 
 struct Times {
@@ -69,17 +69,18 @@ class Performance {
 
     /// The pose at a time; to be asked for frame by frame, as the noise goes on with each.
     LocalPose at(double time_s) {
-        const Course course = courseAt(time_s);
+        const Trajectory trajectory = trajectoryAt(time_s);
         LocalPose pose = body_.relaxed;
-        turn(pose, trunk_joints_, course.trunk, course.held);
-        turn(pose, head_joints_, course.head, course.held);
-        turn(pose, arm_joints_, course.arm, course.held);
-        turn(pose, finger_joints_, course.fingers, course.held);
-        bendInPassing(pose, course.arm, time_s < times_.peak ? raise_flexion_ : retract_flexion_);
+        turn(pose, trunk_joints_, trajectory.trunk, trajectory.held);
+        turn(pose, head_joints_, trajectory.head, trajectory.held);
+        turn(pose, arm_joints_, trajectory.arm, trajectory.held);
+        turn(pose, finger_joints_, trajectory.fingers, trajectory.held);
+        bendInPassing(pose, trajectory.arm, time_s < times_.peak ? raise_flexion_ : retract_flexion_);
         // A clip begins and ends in the stance at ease itself.
         const double presence = minimumJerk(std::min(time_s, times_.whole - time_s) / fade_s);
-        if (motion_.noise_share > 0.0 || motion_.wander_rad > 0.0) addNoise(pose, course, time_s, presence);
-        if (motion_.gaze) turnEyes(pose, course.gaze);
+        if (motion_.noise_share > 0.0 || motion_.wander_rad > 0.0)
+            addNoise(pose, trajectory, time_s, presence);
+        if (motion_.gaze) turnEyes(pose, trajectory.gaze);
         return pose;
     }
 
@@ -95,23 +96,24 @@ class Performance {
         return warpedMinimumJerk(raised, warp) - warpedMinimumJerk(lowered, warp);
     }
 
-    [[nodiscard]] Course courseAt(double time_s) const {
-        Course course;
+    [[nodiscard]] Trajectory trajectoryAt(double time_s) const {
+        Trajectory trajectory;
         const BodyShareParameters& share = parameters_.body;
-        course.arm = progress(time_s, 0.0);
-        course.trunk = course.arm;
-        course.head = progress(time_s, motion_.gaze ? share.head_lead_s : 0.0);
-        course.gaze = minimumJerk((time_s - times_.onset + share.gaze_lead_s) / share.gaze_shift_s) -
-                      minimumJerk((time_s - times_.hold + 0.5 * share.gaze_lead_s) / share.gaze_shift_s);
+        trajectory.arm = progress(time_s, 0.0);
+        trajectory.trunk = trajectory.arm;
+        trajectory.head = progress(time_s, motion_.gaze ? share.head_lead_s : 0.0);
+        trajectory.gaze = minimumJerk((time_s - times_.onset + share.gaze_lead_s) / share.gaze_shift_s) -
+                          minimumJerk((time_s - times_.hold + 0.5 * share.gaze_lead_s) / share.gaze_shift_s);
         // The hand is shaped before the arm arrives and opens once it is on its way down.
-        course.fingers = motion_.linear ? course.arm
-                                        : minimumJerk((time_s - times_.onset) / (0.75 * motion_.raise_s)) -
-                                              minimumJerk((time_s - times_.hold - 0.1 * motion_.retract_s) /
-                                                          (0.75 * motion_.retract_s));
-        course.held = minimumJerk((time_s - times_.peak) / motion_.hold_s);
-        const double remaining = course.arm * (1.0 - course.arm);
-        course.moving = std::min(1.0, 4.0 * remaining);
-        return course;
+        trajectory.fingers = motion_.linear
+                                 ? trajectory.arm
+                                 : minimumJerk((time_s - times_.onset) / (0.75 * motion_.raise_s)) -
+                                       minimumJerk((time_s - times_.hold - 0.1 * motion_.retract_s) /
+                                                   (0.75 * motion_.retract_s));
+        trajectory.held = minimumJerk((time_s - times_.peak) / motion_.hold_s);
+        const double remaining = trajectory.arm * (1.0 - trajectory.arm);
+        trajectory.moving = std::min(1.0, 4.0 * remaining);
+        return trajectory;
     }
 
     void turn(LocalPose& pose, const std::vector<std::size_t>& joints, double share, double held) const {
@@ -150,7 +152,7 @@ class Performance {
             body_.offset(bones_.hand) + body_.fingertip_in_hand[static_cast<std::size_t>(motion_.hand)]};
         const double longest = glm::length(links.elbow) + glm::length(links.tip);
         const double reach = std::max(glm::length(0.5 * (from + to)) + bulge * straight_way,
-                                      parameters_.timing.least_reach * longest);
+                                      parameters_.timing.min_reach * longest);
         const double without = flexionForReach(links, 0.5 * (glm::length(from) + glm::length(to)));
         return std::max(0.0, flexionForReach(links, reach) - without);
     }
@@ -176,21 +178,21 @@ class Performance {
         *joint = *joint * glm::angleAxis(angle, by / angle);
     }
 
-    void addNoise(LocalPose& pose, const Course& course, double time_s, double presence) {
+    void addNoise(LocalPose& pose, const Trajectory& trajectory, double time_s, double presence) {
         const NoiseParameters& n = parameters_.noise;
         const double share = motion_.noise_share * presence;
         std::array<double, channels> noise{};
         for (std::size_t i = 0; i < channels; ++i) noise[i] = share * noise_[i].step(random_);
         // What is still shakes less (noise grows with the effort of moving).
-        const double arm = n.hold_share + (1.0 - n.hold_share) * course.moving;
-        const double drift = share * radiansFromDegrees(n.hold_drift_deg) * course.arm;
-        const double wander = presence * motion_.wander_rad * course.arm * course.arm;
+        const double arm = n.hold_share + (1.0 - n.hold_share) * trajectory.moving;
+        const double drift = share * radiansFromDegrees(n.hold_drift_deg) * trajectory.arm;
+        const double wander = presence * motion_.wander_rad * trajectory.arm * trajectory.arm;
         const Vec3 slow{0.0, drift * drift_[0].at(time_s) + wander * wander_[0].at(time_s),
                         drift * drift_[1].at(time_s) + wander * wander_[1].at(time_s)};
         rotate(pose, bones_.upper_arm, arm * Vec3(noise[0], noise[1], noise[2]) + slow);
         rotate(pose, bones_.lower_arm, arm * Vec3(noise[3], noise[4], 0.0));
         rotate(pose, bones_.hand, arm * Vec3(0.0, noise[5], noise[6]));
-        if (motion_.jitter_rad > 0.0) shake(pose, presence * course.arm);
+        if (motion_.jitter_rad > 0.0) shake(pose, presence * trajectory.arm);
 
         const ArmBones idle = armBones(opposite(motion_.hand));
         rotate(pose, idle.upper_arm, 0.4 * Vec3(noise[7], noise[8], noise[9]));
@@ -272,16 +274,16 @@ void makeContinuous(std::vector<LocalPose>& frames) {
 
 }  // namespace
 
-PointingMotion heldAs(PointingMotion motion, const HoldManner& manner, const PointingBody& body) {
+PointingMotion heldAs(PointingMotion motion, const HoldSettings& settings, const PointingBody& body) {
     constexpr Interval unsteady_hz{0.5, 1.5};
-    motion.hold_s = manner.hold_s.value_or(motion.hold_s);
-    if (manner.unsteadiness_m) {
+    motion.hold_s = settings.hold_s.value_or(motion.hold_s);
+    if (settings.unsteadiness_m) {
         const ArmBones bones = armBones(motion.hand);
         const Vec3 tip = transformPoint(body.world(motion.peak, body.joint(bones.hand)),
                                         body.fingertip_in_hand[static_cast<std::size_t>(motion.hand)]);
         const double reach_m =
             glm::length(body.world(motion.peak, body.joint(bones.upper_arm)).position - tip);
-        motion.wander_rad = *manner.unsteadiness_m / reach_m;
+        motion.wander_rad = *settings.unsteadiness_m / reach_m;
         motion.wander_hz = unsteady_hz;
         motion.jitter_rad = 0.0;
         motion.hold_end = motion.peak;

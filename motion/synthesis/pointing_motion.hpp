@@ -30,7 +30,7 @@ struct PointingMotion {
 };
 
 /// The motion held as asked for.
-[[nodiscard]] PointingMotion heldAs(PointingMotion motion, const HoldManner& manner,
+[[nodiscard]] PointingMotion heldAs(PointingMotion motion, const HoldSettings& settings,
                                     const PointingBody& body);
 
 constexpr double generated_frame_time_s = 1.0 / 30.0;

@@ -165,7 +165,7 @@ LocalPose solvePosture(const PointingBody& body, const PostureRequest& request,
         TwoLinkArm links{
             request.hand, body.offset(bones.lower_arm),
             turned * (body.offset(bones.hand) + wrist * (knuckle_in_hand + knuckle * index_in_hand))};
-        const double longest = glm::length(tipInUpperArm(links, least_flexion_rad));
+        const double longest = glm::length(tipInUpperArm(links, min_flexion_rad));
         const double radius = std::min(request.extension * (upper_m + fore_m), longest);
         const Vec3 tip = fingertipOnLine(origin, request.aim, shoulder, radius);
         const Vec3 from_shoulder = tip - shoulder;

@@ -27,16 +27,16 @@ class DemonstrationNn : public Generator {
         const auto nearest = std::min_element(
             library_.begin(), library_.end(),
             [&](const Demonstration& a, const Demonstration& b) { return distance(a) < distance(b); });
-        if (!asked.manner.hold_s && !asked.manner.unsteadiness_m) return nearest->gesture;
+        if (!asked.settings.hold_s && !asked.settings.unsteadiness_m) return nearest->gesture;
         // The mirrored half of the library follows the other one.
         const auto index = static_cast<std::size_t>(nearest - library_.begin());
-        Demonstration again = played(plans_[index % plans_.size()], asked.manner);
+        Demonstration again = played(plans_[index % plans_.size()], asked.settings);
         return index < plans_.size() ? again.gesture : mirrored(again).gesture;
     }
 
   private:
-    [[nodiscard]] Demonstration played(const DemonstrationPlan& plan, const HoldManner& manner) const {
-        return {plan.target, perform(body_, heldAs(plan.motion, manner, body_), parameters_, plan.seed)};
+    [[nodiscard]] Demonstration played(const DemonstrationPlan& plan, const HoldSettings& settings) const {
+        return {plan.target, perform(body_, heldAs(plan.motion, settings, body_), parameters_, plan.seed)};
     }
 
     PointingBody body_;

@@ -32,7 +32,7 @@ class Direct : public Generator {
         motion.peak = solvePosture(body_, request, parameters_.arm);
         motion.hold_end = motion.peak;
         motion.noise_share = parameters_.direct.noise_share;
-        return perform(body_, heldAs(motion, asked.manner, body_), parameters_, random.next());
+        return perform(body_, heldAs(motion, asked.settings, body_), parameters_, random.next());
     }
 
   private:

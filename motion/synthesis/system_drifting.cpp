@@ -74,7 +74,7 @@ class Drifting : public Generator {
         motion.wander_rad = radiansFromDegrees(drifting.wander_deg);
         motion.wander_hz = drifting.wander_hz;
         motion.jitter_rad = drifting.jitter_rad;
-        return perform(body_, heldAs(motion, asked.manner, body_), parameters_, random.next());
+        return perform(body_, heldAs(motion, asked.settings, body_), parameters_, random.next());
     }
 
   private:

@@ -33,7 +33,7 @@ class Stiff : public Generator {
         motion.hold_s = stiff.hold_s;
         motion.retract_s = stiff.retract_s;
         motion.linear = true;
-        return perform(body_, heldAs(motion, asked.manner, body_), parameters_, asked.seed);
+        return perform(body_, heldAs(motion, asked.settings, body_), parameters_, asked.seed);
     }
 
   private:

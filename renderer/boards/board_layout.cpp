@@ -8,10 +8,10 @@
 namespace deixis::renderer {
 namespace {
 
-constexpr double least_shrink = 0.6;             // of a text that is too long for its box
-constexpr double least_shrink_for_words = 0.75;  // of one that has a word too long for its line
-constexpr int least_pixels = 9;
-constexpr int most_pixels = 240;
+constexpr double min_shrink = 0.6;             // of a text that is too long for its box
+constexpr double min_shrink_for_words = 0.75;  // of one that has a word too long for its line
+constexpr int min_pixels = 9;
+constexpr int max_pixels = 240;
 constexpr double field_inset_m = 0.018;
 constexpr double field_line_m = 0.046;
 constexpr double slider_label_drop_m = 0.028;  // under the track: its ticks, and the thumb
@@ -55,7 +55,7 @@ float BoardLayout::stroke(double metres) const {
 int BoardLayout::fontPixels(double size_m) const {
     // No larger than laid out: the lines are as wide as their boxes.
     constexpr double rounding = 1e-6;
-    return std::clamp(static_cast<int>(std::floor(size_m * scale_ + rounding)), least_pixels, most_pixels);
+    return std::clamp(static_cast<int>(std::floor(size_m * scale_ + rounding)), min_pixels, max_pixels);
 }
 
 PlacedText BoardLayout::text(const BoardText& text) const {
@@ -145,10 +145,10 @@ FontKey BoardLayout::fittedFont(const PlacedText& placed) const {
     };
     // The largest size that fits, rather somewhat smaller than with a word cut.
     for (const bool may_cut : {false, true}) {
-        const double share = may_cut ? least_shrink : least_shrink_for_words;
-        const int least = std::max(least_pixels, static_cast<int>(share * placed.key.pixels));
+        const double share = may_cut ? min_shrink : min_shrink_for_words;
+        const int min = std::max(min_pixels, static_cast<int>(share * placed.key.pixels));
         int pixels = placed.key.pixels;
-        while (pixels > least && !fits(pixels, may_cut)) pixels = std::max(least, pixels * 15 / 16);
+        while (pixels > min && !fits(pixels, may_cut)) pixels = std::max(min, pixels * 15 / 16);
         if (may_cut || fits(pixels, may_cut)) return {placed.key.bold, pixels};
     }
     return placed.key;
@@ -194,9 +194,9 @@ FittedText BoardLayout::fitted(const PlacedText& placed, const FontKey& key) con
     const float width = widthOf(placed);
     out.lines = wrapText(font, size, *placed.text, placed.wrapped ? width : 0.0F);
     if (!placed.shrinks) {
-        const std::size_t most = fieldLines(placed);
-        if (out.lines.size() > most)
-            out.lines.erase(out.lines.begin(), out.lines.end() - static_cast<std::ptrdiff_t>(most));
+        const std::size_t max = fieldLines(placed);
+        if (out.lines.size() > max)
+            out.lines.erase(out.lines.begin(), out.lines.end() - static_cast<std::ptrdiff_t>(max));
         for (TextLine& line : out.lines) line = endOf(line, font, size, width);
     }
     for (const TextLine& line : out.lines)

@@ -15,7 +15,7 @@ namespace deixis::renderer {
 constexpr int card_margin_px = 4;
 
 /// The fonts that a board needs, its texts shrunk to fit their boxes, and all its characters. Measures with
-/// the fonts at their full sizes, which it requires of `fonts` first (true where the atlas was built anew).
+/// the fonts at their full sizes, which it requires of `fonts` first (true where the atlas was built again).
 bool requireBoardFonts(const Board& board, double pixels_per_metre, BoardFonts& fonts);
 
 /// Adds the board's shapes; requireBoardFonts must have been called with the same board.

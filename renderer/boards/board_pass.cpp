@@ -12,7 +12,7 @@
 namespace deixis::renderer {
 namespace {
 
-constexpr int most_texture_pixels = 2048;
+constexpr int max_texture_pixels = 2048;
 constexpr std::size_t kept_cards = 3;  // a page, a sign and a notice; more only where one scene has more
 
 /// Makes the board's own ImGui context current, and the caller's again at the end: the program may have one
@@ -169,7 +169,7 @@ BoardPass::Resolution BoardPass::resolution(const Board& board) const {
     const double larger_m = std::max({board.width_m, board.height_m, 0.01});
     Resolution found;
     found.pixels_per_metre =
-        std::min(wanted_pixels_per_metre_, (most_texture_pixels - 2 * card_margin_px) / larger_m);
+        std::min(wanted_pixels_per_metre_, (max_texture_pixels - 2 * card_margin_px) / larger_m);
     const auto pixels = [&](double metres) {
         return std::max(1, static_cast<int>(std::ceil(metres * found.pixels_per_metre))) + 2 * card_margin_px;
     };
@@ -201,9 +201,9 @@ void BoardPass::makeTexture(const Resolution& wanted, Card& card) {
     const GLuint picture = card.picture.name();
     glTextureParameteri(picture, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(picture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    GLfloat most = 1.0F;
-    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
-    glTextureParameterf(picture, GL_TEXTURE_MAX_ANISOTROPY, std::min(most, 8.0F));
+    GLfloat max = 1.0F;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &max);
+    glTextureParameterf(picture, GL_TEXTURE_MAX_ANISOTROPY, std::min(max, 8.0F));
     card.target = gl::framebuffer();
     glNamedFramebufferTexture(card.target.name(), GL_COLOR_ATTACHMENT0, picture, 0);
     gl::requireComplete(card.target, "board");

@@ -11,7 +11,7 @@
 namespace deixis::renderer {
 namespace {
 
-constexpr std::size_t most_fonts = 24;  // after these the atlas starts afresh
+constexpr std::size_t max_fonts = 24;  // after these the atlas starts afresh
 constexpr ImWchar first_beyond_latin = 0x100;
 
 Result<std::string> readFont(const std::string& path, bool hangul) {
@@ -78,7 +78,7 @@ bool BoardFonts::require(const std::set<FontKey>& keys, std::string_view charact
 
     characters_ = std::move(wanted);
     std::set<FontKey> all = keys;
-    if (fonts_.size() + keys.size() <= most_fonts)
+    if (fonts_.size() + keys.size() <= max_fonts)
         for (const auto& [key, font] : fonts_) all.insert(key);
     build(all);
     noteMissing();

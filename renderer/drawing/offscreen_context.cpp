@@ -133,17 +133,17 @@ Result<OffscreenContext> OffscreenContext::create() {
         return fail(where, "EGL is needed, but libEGL.so.1 is not on this machine",
                     "Install it (Debian: apt install libegl1 libgl1-mesa-dri)");
     std::string reasons;
-    std::string mend;
+    std::string hint;
     for (const Candidate& candidate : candidates()) {
         auto impl = std::make_unique<Impl>();
         const Result<void> made = tryDisplay(candidate, *impl);
         if (made) return OffscreenContext(std::move(impl));
         reasons +=
             fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", made.error().where, made.error().message);
-        if (mend.empty()) mend = made.error().mend;
+        if (hint.empty()) hint = made.error().hint;
     }
     return fail(where, fmt::format("no OpenGL {}.{} context: {}", needed_gl_major, needed_gl_minor, reasons),
-                mend.empty() ? "Install a driver (Debian: apt install libegl1 libgl1-mesa-dri)" : mend);
+                hint.empty() ? "Install a driver (Debian: apt install libegl1 libgl1-mesa-dri)" : hint);
 }
 
 }  // namespace deixis::renderer

@@ -6,9 +6,9 @@ namespace deixis::renderer {
 namespace {
 
 int supportedBufferSamples(int wanted) {
-    GLint most = 1;
-    glGetIntegerv(GL_MAX_SAMPLES, &most);
-    return std::clamp(wanted, 1, std::max(1, static_cast<int>(most)));
+    GLint max = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &max);
+    return std::clamp(wanted, 1, std::max(1, static_cast<int>(max)));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ namespace {
 
 constexpr int skin_group = 64;
 
-constexpr std::size_t most_joints = assets::most_avatar_joints;
-static_assert(most_joints * 3 <= 1020, "as many fit the smallest uniform block that GL promises");
+constexpr std::size_t max_joints = assets::max_avatar_joints;
+static_assert(max_joints * 3 <= 1020, "as many fit the smallest uniform block that GL promises");
 
 struct BindVertex {
     glm::vec3 position, normal;
@@ -130,9 +130,9 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
       shadow_program_(gl::drawProgram("shadow", {frame_glsl, shadow_vertex_glsl}, {shadow_fragment_glsl})),
       draw_program_("avatar", {draw_vertex_glsl},
                     {frame_glsl, lighting_glsl, plain_surface_glsl, draw_fragment_glsl}) {
-    if (joint_from_bind_.size() > most_joints)
+    if (joint_from_bind_.size() > max_joints)
         throw std::invalid_argument(fmt::format("the avatar has {} joints, at most {} can be drawn",
-                                                joint_from_bind_.size(), most_joints));
+                                                joint_from_bind_.size(), max_joints));
     std::vector<BindVertex> vertices;
     std::vector<glm::vec3> colours;
     std::vector<glm::vec2> uvs;
@@ -157,7 +157,7 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
 
     // Layers of one texture: a shader reads them all.
     shadow_maps_ = gl::sampledLayers(GL_DEPTH_COMPONENT16, shadow_resolution_, shadow_resolution_,
-                                     static_cast<int>(most_avatars), 1);
+                                     static_cast<int>(max_avatars), 1);
     for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTextureParameteri(shadow_maps_.name(), side, GL_CLAMP_TO_EDGE);
     glTextureParameteri(shadow_maps_.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -168,12 +168,12 @@ AvatarPass::AvatarPass(const assets::Avatar& avatar, int shadow_resolution)
     GLuint view = 0;
     glGenTextures(1, &view);
     glTextureView(view, GL_TEXTURE_2D_ARRAY, shadow_maps_.name(), GL_DEPTH_COMPONENT16, 0, 1, 0,
-                  static_cast<GLuint>(most_avatars));
+                  static_cast<GLuint>(max_avatars));
     shadow_depths_view_ = gl::Texture(view);
     glTextureParameteri(view, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(view, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTextureParameteri(view, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-    for (std::size_t i = 0; i < most_avatars; ++i) makeFigure(static_cast<int>(i));
+    for (std::size_t i = 0; i < max_avatars; ++i) makeFigure(static_cast<int>(i));
 }
 
 void AvatarPass::makeParts(const assets::Avatar& avatar) {
@@ -195,7 +195,7 @@ void AvatarPass::makeFigure(int layer) {
     Figure& figure = figures_[static_cast<std::size_t>(layer)];
     figure.skinned = gl::dynamicBuffer(static_cast<GLsizeiptr>(std::max(vertex_count_, 1)) *
                                        static_cast<GLsizeiptr>(sizeof(SkinnedVertex)));
-    figure.joints = gl::dynamicBuffer(static_cast<GLsizeiptr>(most_joints * 12 * sizeof(float)));
+    figure.joints = gl::dynamicBuffer(static_cast<GLsizeiptr>(max_joints * 12 * sizeof(float)));
     figure.vertices = gl::vertexArray();
     const GLuint vao = figure.vertices.name();
     glVertexArrayVertexBuffer(vao, 0, figure.skinned.name(), 0, sizeof(SkinnedVertex));
@@ -223,9 +223,9 @@ void AvatarPass::makeFigure(int layer) {
 }
 
 void AvatarPass::place(const std::vector<std::vector<Pose>>& avatars, FrameBlock& block) {
-    if (avatars.size() > most_avatars)
+    if (avatars.size() > max_avatars)
         throw std::invalid_argument(
-            fmt::format("{} avatars were to be drawn, at most {} can be", avatars.size(), most_avatars));
+            fmt::format("{} avatars were to be drawn, at most {} can be", avatars.size(), max_avatars));
     for (const auto& stage_from_joint : avatars)
         if (stage_from_joint.size() != joint_from_bind_.size())
             throw std::invalid_argument(

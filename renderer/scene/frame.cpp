@@ -16,7 +16,7 @@ glm::mat4 matrixFromPose(const Pose& pose) {
     return matrix;
 }
 
-static_assert(most_avatars == 2 && foot_count == 4 && max_shadow_balls == 64, "as the shader has it");
+static_assert(max_avatars == 2 && foot_count == 4 && max_shadow_balls == 64, "as the shader has it");
 
 const std::string_view frame_glsl = R"(
 layout(std140, binding = 0) uniform Frame {

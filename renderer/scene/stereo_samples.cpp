@@ -7,10 +7,10 @@ namespace deixis::renderer {
 namespace {
 
 int supportedTextureSamples(int wanted) {
-    std::array<GLint, 2> most{1, 1};
-    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &most[0]);
-    glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &most[1]);
-    return std::clamp(wanted, 1, std::max(1, std::min<int>(most[0], most[1])));
+    std::array<GLint, 2> max{1, 1};
+    glGetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &max[0]);
+    glGetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &max[1]);
+    return std::clamp(wanted, 1, std::max(1, std::min<int>(max[0], max[1])));
 }
 
 void attach(const gl::Framebuffer& framebuffer, GLenum attachment, GLuint texture, int layer) {
@@ -70,7 +70,7 @@ void StereoSamples::readLayer(int eye) {
 
 void StereoSamples::resolve(const StereoTarget& target, int eye) {
     readLayer(eye);
-    // Attached anew in each frame: a swapchain has several textures, and a deleted one's name comes again.
+    // Attached again in each frame: a swapchain has several textures, and a deleted one's name comes again.
     const auto side = static_cast<std::size_t>(eye);
     glNamedFramebufferTexture(resolved_.name(), GL_COLOR_ATTACHMENT0, target.colour[side], 0);
     glNamedFramebufferTexture(resolved_.name(), GL_DEPTH_ATTACHMENT, target.depth[side], 0);

@@ -10,10 +10,10 @@
 
 #include <algorithm>
 
-#include "analysis_remarks.hpp"
-#include "results/analysis/analysis_details.hpp"
-#include "results/analysis/analysis_tests.hpp"
+#include "remarks.hpp"
+#include "results/analysis/analysis_steps.hpp"
 #include "results/analysis/several_studies.hpp"
+#include "results/analysis/tests.hpp"
 #include "results/answers/stations.hpp"
 #include "results/statistics/descriptive.hpp"
 
@@ -28,7 +28,7 @@ std::vector<double> participantMeans(const Cells& cells, const std::string& cond
     return means;
 }
 
-/// From the least to the greatest of n values covers the middle of what they were drawn from in 1 - 2^(1-n)
+/// From the smallest to the largest of n values covers the middle of what they were drawn from in 1 - 2^(1-n)
 /// of all samples; a bootstrap interval lies within.
 bool fallsShort(std::size_t n, double level) {
     return 1.0 - std::ldexp(1.0, 1 - static_cast<int>(n)) < level;
@@ -122,7 +122,7 @@ void setUp(AnalysisResult& result) {
 }
 
 /// People's answers and simulated ones are never one mean: where there are both, people's count.
-void takePeopleOnly(AnalysisResult& result) {
+void takeParticipantsOnly(AnalysisResult& result) {
     ResponseTable& table = result.table;
     const auto synthetic = [](const ResponseRow& row) { return row.synthetic; };
     const auto n = std::count_if(table.rows.begin(), table.rows.end(), synthetic);
@@ -189,7 +189,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     AnalysisResult result;
     result.table = std::move(table);
     result.options = options;
-    takePeopleOnly(result);
+    takeParticipantsOnly(result);
     dropEmptyStudies(result.table);
     setUp(result);
     const RowPointers rows = pointersTo(result.table.rows);
@@ -215,7 +215,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     compareAuthorTrials(result);
     compareOtherAnswers(result);
     summariseScores(result);
-    describePeople(result);
+    describeParticipants(result);
     describeChoices(result);
     for (const std::string& study : studiesIn(result.table))
         result.by_study.push_back(analyseStudy(result, study));

@@ -170,9 +170,9 @@ std::optional<std::vector<double>> bradleyTerryAbilities(const WinMatrix& wins,
     if (n == 0 || !hasMaximum(wins)) return std::nullopt;
     std::vector<double> ability = start.empty() ? std::vector<double>(n, 0.0) : start;
     std::vector<double> strength(n);
-    constexpr int most_rounds = 100'000;
+    constexpr int max_rounds = 100'000;
     constexpr double still = 1e-12;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         for (std::size_t i = 0; i < n; ++i) strength[i] = std::exp(ability[i]);
         double moved = 0.0;
         double sum = 0.0;

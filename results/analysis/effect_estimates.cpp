@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "preference_estimates.hpp"
-#include "results/analysis/analysis_tests.hpp"
+#include "results/analysis/tests.hpp"
 #include "results/statistics/descriptive.hpp"
 #include "studies/study_file/answer_curve.hpp"
 
@@ -19,8 +19,8 @@ namespace deixis::results {
 namespace {
 
 using studies::AnswerCurve;
-using studies::AskedKind;
-using studies::AskedMeasure;
+using studies::AnswerKind;
+using studies::StudyMeasure;
 
 /// One answer less the mean of its system.
 struct Residual {
@@ -197,7 +197,7 @@ struct MeasureAnswers {
 };
 
 Result<MeasureAnswers> answersOf(const ResponseTable& table, const studies::Study& study,
-                                 const AskedMeasure& measure, const std::set<std::string>& systems) {
+                                 const StudyMeasure& measure, const std::set<std::string>& systems) {
     MeasureAnswers out;
     std::map<std::string, std::vector<double>> values;
     for (const ResponseRow& row : table.rows)
@@ -224,11 +224,11 @@ Result<MeasureAnswers> answersOf(const ResponseTable& table, const studies::Stud
     return out;
 }
 
-std::set<std::string> systemsAsked(const studies::Study& study, const AskedMeasure& measure) {
+std::set<std::string> systemsAsked(const studies::Study& study, const StudyMeasure& measure) {
     std::set<std::string> out;
     for (const studies::Stage& stage : study.stages) {
         if (!stage.scored()) continue;
-        for (const AskedMeasure& asked : studies::measuresOf(study, stage))
+        for (const StudyMeasure& asked : studies::measuresOf(study, stage))
             if (asked.kind == measure.kind && asked.name == measure.name)
                 out.insert(stage.design.systems.begin(), stage.design.systems.end());
     }
@@ -249,7 +249,7 @@ void addPreference(const ResponseTable& table, const std::set<std::string>& syst
 
 Result<EffectEstimates> estimateEffects(const ResponseTable& table, const studies::Study& study) {
     EffectEstimates out;
-    for (const AskedMeasure& measure : studies::askedMeasures(study)) {
+    for (const StudyMeasure& measure : studies::studyMeasures(study)) {
         const bool answered = std::any_of(table.rows.begin(), table.rows.end(), [&](const ResponseRow& row) {
             return row.measure == measure.name;
         });
@@ -257,13 +257,13 @@ Result<EffectEstimates> estimateEffects(const ResponseTable& table, const studie
             out.notes.push_back(fmt::format("{}: not estimated, there are no answers", measure.name));
             continue;
         }
-        if (measure.kind == AskedKind::preference) {
+        if (measure.kind == AnswerKind::preference) {
             addPreference(table, systemsAsked(study, measure), out);
             continue;
         }
         const auto answers = answersOf(table, study, measure, systemsAsked(study, measure));
         if (!answers) return tl::unexpected(answers.error());
-        const bool rating = measure.kind == AskedKind::rating;
+        const bool rating = measure.kind == AnswerKind::rating;
         const AnswerCurve curve =
             rating ? AnswerCurve::scale(measure.low, measure.high) : AnswerCurve::choice(0.0, measure.balls);
         std::vector<double> means;

@@ -52,7 +52,7 @@ std::vector<StudyData> partByStudy(std::vector<ResponseTable> tables, bool by_st
 /// Without `by_study` only what cannot be meant otherwise is compared: databases of studies of different
 /// names.
 Result<void> checkMeant(const std::vector<StudyData>& studies) {
-    constexpr const char* mend = "Only data of the same study file are one study; --by study compares";
+    constexpr const char* hint = "Only data of the same study file are one study; --by study compares";
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const ResponseTable& table = studies[i].tables.front();
         const ResponseTable& other = studies[i == 0 ? 1 : i - 1].tables.front();
@@ -60,13 +60,13 @@ Result<void> checkMeant(const std::vector<StudyData>& studies) {
             return fail(table.database,
                         fmt::format("is no database and tells no study, while {} is of the study {}",
                                     other.database, other.study_name),
-                        fmt::format("{} the two as studies", mend));
+                        fmt::format("{} the two as studies", hint));
         if (i > 0 && studies[i].name == studies[i - 1].name)
             return fail(table.database,
                         fmt::format("its study {} (SHA-256 {:.12}) is not that of {} ({:.12}), though of the "
                                     "same name",
                                     studies[i].name, studies[i].hash, other.database, studies[i - 1].hash),
-                        fmt::format("{} its two versions as studies", mend));
+                        fmt::format("{} its two versions as studies", hint));
     }
     return {};
 }
@@ -143,7 +143,7 @@ void nameApart(ResponseTable& table, const std::string& study) {
         row.participant = prefix + row.participant;
         row.target_id = prefix + row.target_id;
     }
-    for (WatchedChoice& one : table.watched) one.participant = prefix + one.participant;
+    for (ObservedChoice& one : table.watched) one.participant = prefix + one.participant;
     for (ScoreRow& row : table.scores) row.participant = prefix + row.participant;
     for (FieldRow& row : table.fields) row.participant = prefix + row.participant;
     for (LeftOut& one : table.left_out) one.participant = prefix + one.participant;
@@ -202,23 +202,23 @@ void addNotes(ResponseTable& out, const std::vector<NameSet>& participants, bool
             "The data are of several studies: they are compared by study, as with --by study, each by "
             "itself and pooled.");
     if (!twice.empty()) {
-        constexpr std::size_t most = 5;
+        constexpr std::size_t max = 5;
         NameSet some(twice.begin(),
-                     std::next(twice.begin(), static_cast<std::ptrdiff_t>(std::min(most, twice.size()))));
+                     std::next(twice.begin(), static_cast<std::ptrdiff_t>(std::min(max, twice.size()))));
         notes.push_back(fmt::format(
             "{} ({}{}) in more than one study: they are taken as different people, are called STUDY/ID here, "
             "and nothing of theirs is pooled as one person's. If the same people took part in several "
             "studies, the tests of all studies together and those between studies do not hold.",
             twice.size() == 1 ? "1 participant's name stands"
                               : fmt::format("{} participants' names stand", twice.size()),
-            listed(some), twice.size() > most ? ", ..." : ""));
+            listed(some), twice.size() > max ? ", ..." : ""));
     }
     if (const Measure* accuracy = measureIn(out, "accuracy");
-        accuracy != nullptr && accuracy->fewest_balls < accuracy->balls)
+        accuracy != nullptr && accuracy->min_balls < accuracy->balls)
         notes.push_back(fmt::format(
             "Choices were among {} to {} balls: accuracies of studies with other numbers of balls are not "
             "equally hard to reach.",
-            accuracy->fewest_balls, accuracy->balls));
+            accuracy->min_balls, accuracy->balls));
     out.notes.insert(out.notes.begin(), notes.begin(), notes.end());
 }
 

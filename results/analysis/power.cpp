@@ -94,7 +94,7 @@ const std::map<std::string, std::string>& levelsOf(const studies::Study& study, 
 }
 
 /// All of the table but the rows: what the store reads from a database of the study.
-ResponseTable tableOf(const studies::Study& study, const std::vector<studies::AskedMeasure>& measures,
+ResponseTable tableOf(const studies::Study& study, const std::vector<studies::StudyMeasure>& measures,
                       const std::vector<studies::PlannedAnswer>& planned) {
     ResponseTable table;
     table.study_name = study.name;
@@ -116,20 +116,20 @@ ResponseTable tableOf(const studies::Study& study, const std::vector<studies::As
         if (layouts.contains(layout.name)) table.layouts.push_back(layout.name);
     for (const auto& distance : study.distances)
         if (distances.contains(distance.name)) table.distances.push_back(distance.name);
-    for (const studies::AskedMeasure& measure : measures) {
-        const MeasureKind kind = measure.kind == studies::AskedKind::accuracy     ? MeasureKind::accuracy
-                                 : measure.kind == studies::AskedKind::preference ? MeasureKind::preference
-                                                                                  : MeasureKind::rating;
+    for (const studies::StudyMeasure& measure : measures) {
+        const MeasureKind kind = measure.kind == studies::AnswerKind::accuracy     ? MeasureKind::accuracy
+                                 : measure.kind == studies::AnswerKind::preference ? MeasureKind::preference
+                                                                                   : MeasureKind::rating;
         table.measures.push_back({measure.name, kind, static_cast<double>(measure.low),
                                   static_cast<double>(measure.high), measure.balls, 0, measure.balls});
     }
     return table;
 }
 
-ResponseRow rowOf(const studies::PlannedAnswer& answer, const std::vector<studies::AskedMeasure>& measures,
+ResponseRow rowOf(const studies::PlannedAnswer& answer, const std::vector<studies::StudyMeasure>& measures,
                   const std::string& participant, const studies::Study& study, const ResponseTable& table) {
     const studies::Trial& trial = *answer.trial;
-    const studies::AskedMeasure& measure = measures[answer.measure];
+    const studies::StudyMeasure& measure = measures[answer.measure];
     ResponseRow row;
     row.participant = participant;
     row.measure = measure.name;
@@ -138,7 +138,7 @@ ResponseRow rowOf(const studies::PlannedAnswer& answer, const std::vector<studie
     row.distance = trial.distance;
     row.target_id = trial.stimuli[answer.stimulus].item;
     row.trial = trial.index;
-    if (measure.kind == studies::AskedKind::preference) row.other_system = trial.stimuli[1].system;
+    if (measure.kind == studies::AnswerKind::preference) row.other_system = trial.stimuli[1].system;
     const auto& levels = levelsOf(study, row.system);
     for (const Factor& factor : table.within) {
         const auto level = levels.find(factor.name);
@@ -228,12 +228,12 @@ PowerAnalysis::~PowerAnalysis() = default;
 
 Result<PowerAnalysis> PowerAnalysis::make(const studies::Study& study,
                                           const std::vector<studies::TargetItem>& targets,
-                                          const studies::AssumedEffects& effects, int most_participants,
+                                          const studies::AssumedEffects& effects, int max_participants,
                                           const PowerOptions& options) {
     auto impl = std::make_unique<Impl>();
     impl->study = study;
     studies::GroupSizes taken;
-    for (int number = 1; number <= most_participants; ++number) {
+    for (int number = 1; number <= max_participants; ++number) {
         const studies::Groups groups = studies::assignGroups(study, taken, number);
         const int in_cell = ++taken[groups];
         auto plan = studies::buildPlan(study, targets, fmt::format("S{:04}", number), number, groups,
@@ -255,9 +255,9 @@ Result<PowerAnalysis> PowerAnalysis::make(const studies::Study& study,
     result.study_hash = study.hash;
     result.options = options;
     result.alpha = options.alpha.value_or(study.alpha);
-    for (const studies::AskedMeasure& asked : studies::askedMeasures(study))
+    for (const studies::StudyMeasure& asked : studies::studyMeasures(study))
         if (std::none_of(measures.begin(), measures.end(),
-                         [&](const studies::AskedMeasure& one) { return one.name == asked.name; }))
+                         [&](const studies::StudyMeasure& one) { return one.name == asked.name; }))
             result.not_simulated.push_back(asked.name);
     impl->listContrasts();
     return PowerAnalysis(std::move(impl));

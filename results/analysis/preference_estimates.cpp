@@ -7,8 +7,8 @@
 #include <map>
 #include <vector>
 
-#include "results/analysis/analysis_tests.hpp"
 #include "results/analysis/bradley_terry.hpp"
+#include "results/analysis/tests.hpp"
 #include "results/statistics/descriptive.hpp"
 #include "studies/study_file/answer_curve.hpp"
 
@@ -96,9 +96,9 @@ double climb(double& place, double low, double high, const std::function<double(
 Cuts likeliestCuts(const std::vector<PairAnswers>& pairs, std::size_t systems) {
     Cuts cuts{std::vector<double>(systems, 0.0)};
     const auto height = [&] { return logLikelihood(pairs, cuts); };
-    constexpr int most_rounds = 300;
+    constexpr int max_rounds = 300;
     constexpr double still = 1e-5;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         double moved = 0.0;
         for (double& strength : cuts.strengths)
             moved = std::max(moved, climb(strength, -farthest, farthest, height));

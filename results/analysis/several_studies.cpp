@@ -11,8 +11,8 @@
 #include <set>
 #include <utility>
 
-#include "results/analysis/analysis_details.hpp"
-#include "results/analysis/analysis_tests.hpp"
+#include "results/analysis/analysis_steps.hpp"
+#include "results/analysis/tests.hpp"
 #include "results/statistics/descriptive.hpp"
 
 namespace deixis::results {

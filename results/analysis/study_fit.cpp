@@ -144,7 +144,7 @@ Result<void> keepSharedSystems(std::vector<ResponseTable>& tables) {
             std::erase_if(
                 *rows, [&](const ResponseRow& row) { return goes(row) || gone.contains(row.other_system); });
         std::erase_if(table.choices, goes);
-        std::erase_if(table.watched, [&](const WatchedChoice& one) { return goes(one.seen); });
+        std::erase_if(table.watched, [&](const ObservedChoice& one) { return goes(one.seen); });
         table.notes.push_back(
             fmt::format("not in all studies, and left out here ({} answers): {}. The report of this study "
                         "alone has them.",

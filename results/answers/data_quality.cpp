@@ -32,7 +32,7 @@ double medianOf(std::span<double> x) {
 /// before one with fewer.
 void judgeSame(const std::string& measure, std::vector<double> values, ParticipantQuality& out) {
     std::sort(values.begin(), values.end());
-    const auto enough = [](std::size_t n) { return n >= studies::LeaveOutRule::least_answers; };
+    const auto enough = [](std::size_t n) { return n >= studies::LeaveOutRule::min_answers; };
     for (auto first = values.begin(); first != values.end();) {
         const auto last = std::upper_bound(first, values.end(), *first);
         const double share = static_cast<double>(last - first) / static_cast<double>(values.size());
@@ -129,7 +129,7 @@ struct People {
     std::vector<Rows> rows;                  ///< likewise
 };
 
-People peopleOf(const ResponseTable& table) {
+People participantsOf(const ResponseTable& table) {
     std::map<std::string, Rows> by_name;
     for (const auto* rows : {&table.rows, &table.left_out_rows})
         for (const ResponseRow& row : *rows) by_name[row.participant].push_back(&row);
@@ -146,7 +146,7 @@ People peopleOf(const ResponseTable& table) {
 
 /// Those who count and those who do not, without what hangs on what others answered.
 People judgedAlone(const ResponseTable& table) {
-    People people = peopleOf(table);
+    People people = participantsOf(table);
     judgeTimes(people.rows, people.judged);
     for (std::size_t i = 0; i < people.judged.size(); ++i) {
         judgeRatings(table, people.rows[i], people.judged[i]);
@@ -167,21 +167,21 @@ DataQuality dataQuality(const ResponseTable& table) {
 
 std::map<std::string, std::string> leftOutByRule(const ResponseTable& table) {
     const studies::LeaveOutRule& rule = table.leave_out;
-    constexpr int least = studies::LeaveOutRule::least_answers;
+    constexpr int min = studies::LeaveOutRule::min_answers;
     std::map<std::string, std::string> out;
     if (!rule.declared()) return out;
     for (const ParticipantQuality& one : judgedAlone(table).judged) {
         if (one.left_out) continue;
         std::string why;
         const auto add = [&why](const std::string& reason) { why += (why.empty() ? "" : "; ") + reason; };
-        if (rule.same_rating_share && one.same_of >= least && one.same_share >= *rule.same_rating_share)
+        if (rule.same_rating_share && one.same_of >= min && one.same_share >= *rule.same_rating_share)
             add(fmt::format("rated {:g} in {:.0f} of {} ({})", one.same_rating, one.same_share * one.same_of,
                             one.same_of, one.same_measure));
         const int side = std::max(one.left, one.decided - one.left);
-        if (rule.one_side_share && one.decided >= least && side >= *rule.one_side_share * one.decided)
+        if (rule.one_side_share && one.decided >= min && side >= *rule.one_side_share * one.decided)
             add(fmt::format("preferred the {} one in {} of {} pairs", one.left == side ? "left" : "right",
                             side, one.decided));
-        if (rule.median_time_below_s && one.times >= least && *one.median_s < *rule.median_time_below_s)
+        if (rule.median_time_below_s && one.times >= min && *one.median_s < *rule.median_time_below_s)
             add(fmt::format("median response time {:.2f} s", *one.median_s));
         if (!why.empty()) out[one.participant] = "by the study's rule: " + why;
     }

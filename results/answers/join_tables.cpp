@@ -70,7 +70,7 @@ void joinMeasures(std::vector<Measure>& to, const std::vector<Measure>& from) {
         }
         known->planned += one.planned;
         known->balls = std::max(known->balls, one.balls);
-        known->fewest_balls = std::min(known->fewest_balls, one.fewest_balls);
+        known->min_balls = std::min(known->min_balls, one.min_balls);
         known->low = std::min(known->low, one.low);
         known->high = std::max(known->high, one.high);
     }

@@ -5,8 +5,8 @@
 
 #include "core/files.hpp"
 #include "core/foreign_csv.hpp"
-#include "long_table_doubts.hpp"
 #include "long_table_reader.hpp"
+#include "long_table_warnings.hpp"
 #include "results/database/database_files.hpp"
 
 namespace deixis::results {
@@ -29,7 +29,7 @@ Result<ResponseTable> loadLongTable(const std::filesystem::path& file, const Lon
     const auto csv = readForeignCsv(std::move(*bytes), file.string());
     if (!csv) return tl::unexpected(csv.error());
     auto table = readWhole(file, csv->text, csv->form, options);
-    if (table) addDoubts(*csv, *table);
+    if (table) addWarnings(*csv, *table);
     return table;
 }
 

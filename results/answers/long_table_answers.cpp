@@ -14,8 +14,8 @@ constexpr const char* expected_rating = "a number from -1e12 to 1e12";
 
 /// Sums and squares of such values are doubles.
 bool isSensible(const std::optional<double>& value) {
-    constexpr double most = 1e12;
-    return value && std::abs(*value) <= most;
+    constexpr double max = 1e12;
+    return value && std::abs(*value) <= max;
 }
 
 }  // namespace

@@ -89,14 +89,14 @@ Result<void> LongTableReader::finishMeasures() {
         one.low = 0.0;
         one.high = 1.0;
         one.balls = balls_;
-        one.fewest_balls = std::min(fewest_balls_, balls_);
+        one.min_balls = std::min(min_balls_, balls_);
     }
     std::stable_partition(table_.measures.begin(), table_.measures.end(),
                           [](const Measure& one) { return one.kind == MeasureKind::accuracy; });
     return {};
 }
 
-void LongTableReader::takePeople() {
+void LongTableReader::takeParticipants() {
     for (const auto& [who, person] : people_) {
         table_.planned_participants += person.counts ? 1 : 0;
         for (std::size_t i = 0; i < person.between.size(); ++i)
@@ -126,7 +126,7 @@ void LongTableReader::partLeftOut() {
 
 Result<ResponseTable> LongTableReader::finish() {
     if (auto named = nameResponses(); !named) return tl::unexpected(named.error());
-    takePeople();
+    takeParticipants();
     partLeftOut();
     if (table_.rows.empty())
         return fail(file_, table_.left_out_rows.empty()

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "long_table_doubts.hpp"
+#include "long_table_warnings.hpp"
 
 namespace deixis::results {
 
@@ -40,7 +40,7 @@ Result<void> LongTableReader::readHead() {
     if (!head_.unread.empty() && !head_.exported) {
         table_.notes.push_back(fmt::format("Columns of {} that are not read: {}.", table_.database,
                                            fmt::join(head_.unread, ", ")));
-        if (auto doubt = doubtOfUnread(head_.unread)) table_.notes.push_back(std::move(*doubt));
+        if (auto warning = warningOfUnread(head_.unread)) table_.notes.push_back(std::move(*warning));
     }
     return {};
 }
@@ -187,7 +187,7 @@ Result<void> LongTableReader::readDetails(ResponseRow& row) {
             return bad(balls, "how many balls were shown, from 2 up");
         row.balls = static_cast<int>(*value);
         balls_ = std::max(balls_, row.balls);
-        fewest_balls_ = std::min(fewest_balls_, row.balls);
+        min_balls_ = std::min(min_balls_, row.balls);
     }
     if (const NumberCell found = number(author_trial); !found.missing) {
         const auto value = found.value;

@@ -85,7 +85,7 @@ class LongTableReader {
     [[nodiscard]] Result<void> nameResponses();
     void nameScales();
     [[nodiscard]] Result<void> finishMeasures();
-    void takePeople();
+    void takeParticipants();
     void partLeftOut();
 
     std::string file_;
@@ -110,11 +110,12 @@ class LongTableReader {
     std::string preference_of_;              ///< what the preferences are called in the file
     /// Places and texts of the first numbers that are written so; empty: none is.
     std::string decimal_comma_, decimal_point_;
-    std::map<std::string, bool> declined_;  ///< whether consent was refused when last asked, in responses.csv
-    std::string exported_participant_;      ///< of the line before in responses.csv
+    std::map<std::string, bool>
+        declined_;                      ///< whether consent was declined when last asked, in responses.csv
+    std::string exported_participant_;  ///< of the line before in responses.csv
     std::string exported_trial_;
     int balls_ = 0;
-    int fewest_balls_ = std::numeric_limits<int>::max();
+    int min_balls_ = std::numeric_limits<int>::max();
     int empty_ = 0;
     int unscored_checks_ = 0;
 };

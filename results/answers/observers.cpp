@@ -29,9 +29,9 @@ double shareWithoutError(const studies::ObserverModel& model, const studies::See
     exact.noise_rad = 0.0;
     if (model.reading.twoCue()) return studies::ballChance(exact, arm, balls, 0);
     const std::vector<double> missed = studies::misses(exact, arm, balls);
-    const double least = *std::min_element(missed.begin(), missed.end());
-    if (missed.front() > least) return 0.0;
-    return 1.0 / static_cast<double>(std::count(missed.begin(), missed.end(), least));
+    const double min = *std::min_element(missed.begin(), missed.end());
+    if (missed.front() > min) return 0.0;
+    return 1.0 / static_cast<double>(std::count(missed.begin(), missed.end(), min));
 }
 
 struct ObserverSums {
@@ -89,7 +89,7 @@ std::vector<ObserverReading> readByObservers(const std::vector<ReadTrial>& trial
     return out;
 }
 
-std::vector<DriftResult> countDrift(const std::vector<WatchedChoice>& choices,
+std::vector<DriftResult> countDrift(const std::vector<ObservedChoice>& choices,
                                     const std::vector<std::string>& systems) {
     struct Line {
         const char* name;
@@ -103,7 +103,7 @@ std::vector<DriftResult> countDrift(const std::vector<WatchedChoice>& choices,
             DriftResult counts;
             counts.system = system;
             counts.line = line.name;
-            for (const WatchedChoice& choice : choices) {
+            for (const ObservedChoice& choice : choices) {
                 if (choice.seen.system != system) continue;
                 const auto chosen = static_cast<std::size_t>(choice.chosen);
                 const std::size_t first = motion::chosenBall(choice.first.*line.of, choice.seen.balls)->ball;
@@ -134,10 +134,10 @@ std::array<ObserverRanking, observer_names.size()> observerRankings(
             const auto best = std::max_element(left.begin(), left.end(), [i](const auto* a, const auto* b) {
                 return a->accuracy[i] < b->accuracy[i];
             });
-            const double least = (*best)->accuracy[i] - alike;
+            const double min = (*best)->accuracy[i] - alike;
             std::vector<std::string>& group = out[i].emplace_back();
             std::erase_if(left, [&](const auto* one) {
-                if (one->accuracy[i] < least) return false;
+                if (one->accuracy[i] < min) return false;
                 group.push_back(one->system);
                 return true;
             });

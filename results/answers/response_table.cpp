@@ -8,14 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "people_reading.hpp"
-#include "response_details.hpp"
+#include "participant_fields.hpp"
+#include "response_context.hpp"
 #include "results/answers/data_quality.hpp"
 #include "results/answers/questionnaire_scores.hpp"
 #include "results/answers/response_reading.hpp"
+#include "results/database/counted_participants.hpp"
 #include "results/database/database_open.hpp"
 #include "results/database/locked_history.hpp"
-#include "results/database/standing.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {
@@ -100,7 +100,7 @@ void addMeasure(ResponseTable& table, const Measure& measure) {
     }
     same->planned += measure.planned;
     same->balls = std::max(same->balls, measure.balls);
-    same->fewest_balls = std::min(same->fewest_balls, measure.fewest_balls);
+    same->min_balls = std::min(same->min_balls, measure.min_balls);
 }
 
 /// What the answers to a question of a stage measure, and on which scale.
@@ -159,10 +159,10 @@ MeasureOfAnswers readMeasures(SQLite::Database& database, const std::string& peo
             const bool each = kind->answersEach();
             const std::string measure =
                 declared.name.empty() ? stages.getColumn(2).getString() : std::string(declared.name);
-            if (declared.kind == studies::AskedKind::accuracy) {
-                const auto [most, fewest] = ballsIn(database, name);
-                addMeasure(table, {measure, MeasureKind::accuracy, 0.0, 1.0, most,
-                                   planned(database, people, name, each, measure, table), fewest});
+            if (declared.kind == studies::AnswerKind::accuracy) {
+                const auto [max, min] = ballsIn(database, name);
+                addMeasure(table, {measure, MeasureKind::accuracy, 0.0, 1.0, max,
+                                   planned(database, people, name, each, measure, table), min});
                 continue;
             }
             question.reset();
@@ -171,7 +171,7 @@ MeasureOfAnswers readMeasures(SQLite::Database& database, const std::string& peo
             if (!question.executeStep()) continue;  // it need not be asked
             const double low = question.getColumn(0).getDouble();
             const double high = question.getColumn(1).getDouble();
-            if (declared.kind == studies::AskedKind::preference)
+            if (declared.kind == studies::AnswerKind::preference)
                 preferences.push_back({measure, MeasureKind::preference, low, high, 0,
                                        planned(database, people, name, each, measure, table)});
             else
@@ -344,8 +344,8 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
     readChoices(database, people, table);
     readRatings(database, people, measures, table);
     readPreferences(database, people, table);
-    readResponseDetails(database, people, table);
-    readPeople(database, people, table);
+    readResponseContext(database, people, table);
+    readParticipantFields(database, people, table);
     const auto active =
         textColumn(database, fmt::format("SELECT id FROM {} WHERE status = 'active' ORDER BY id", people));
     for (QuestionnaireScore& score : readQuestionnaireScores(database))
@@ -357,9 +357,9 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
 Result<ResponseTable> readSound(SQLite::Database& database, const fs::path& path) {
     if (database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
         return fail(path.string(), "the database holds no study yet", "Run a session with it first");
-    ResponseTable table = readTable(database, path, participantsStanding());
+    ResponseTable table = readTable(database, path, effectiveParticipants());
     const auto by_rule = leftOutByRule(table);
-    if (!by_rule.empty()) table = readTable(database, path, participantsStanding(by_rule));
+    if (!by_rule.empty()) table = readTable(database, path, effectiveParticipants(by_rule));
     if (table.rows.empty() && table.scores.empty() && !table.left_out_rows.empty())
         return fail(path.string(), "everybody who answered is excluded or dropped out",
                     by_rule.empty() ? "deixis participants include counts them again, without consent only "

@@ -69,7 +69,7 @@ ResponseTable onlyAt(ResponseTable table, const std::optional<std::string>& kind
         std::erase_if(*rows, [&](const ResponseRow& row) { return !taken(kindOf(row)); });
     std::erase_if(table.choices, [&](const ChoiceRow& row) { return !taken(row.station); });
     std::erase_if(table.watched,
-                  [&](const WatchedChoice& one) { return !takenParticipant(one.participant); });
+                  [&](const ObservedChoice& one) { return !takenParticipant(one.participant); });
     std::erase_if(table.scores, [&](const ScoreRow& row) { return !takenParticipant(row.participant); });
     std::erase_if(table.fields, [&](const FieldRow& row) { return !takenParticipant(row.participant); });
     std::erase_if(table.session_minutes, [&](const auto& one) { return !takenParticipant(one.first); });

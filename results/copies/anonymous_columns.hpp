@@ -8,7 +8,7 @@ namespace deixis::results {
 
 /// Columns, parted by ", ". One that stands in none of the lists stops the copy: whoever adds a column
 /// decides.
-struct ColumnFates {
+struct ColumnHandling {
     const char* table;
     const char* kept;
     const char* clock = "";     ///< seconds on the station's clock: counted from the session's start
@@ -17,7 +17,7 @@ struct ColumnFates {
     const char* made = "";      ///< by rules of their own (anonymous_copy.cpp)
 };
 
-inline constexpr std::array<ColumnFates, 25> column_fates{{
+inline constexpr std::array<ColumnHandling, 25> column_handling{{
     {"study", "id, name, title, hash, alpha, ball_diameter_m, analysis", "", "", "", "source, locked_hash"},
     {"stages", "position, name, kind, sitting, practice_of, measure, scale_low, scale_high, question"},
     {"systems", "position, name, generator, levels", "", "", "", "manifest"},
@@ -59,8 +59,8 @@ inline constexpr std::array<ColumnFates, 25> column_fates{{
      "first_display_time_s, last_display_time_s", "", "", "session"},
 }};
 
-/// Of who refused consent no more is kept.
-inline constexpr std::string_view tables_of_refusal =
+/// Of who declined consent no more is kept.
+inline constexpr std::string_view tables_of_decline =
     "participants, participant_groups, plans, trials, trial_values, trial_stimuli, sessions, consents";
 
 /// Whose details the program or its station worded, without names of devices or what an experimenter typed.

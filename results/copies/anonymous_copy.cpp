@@ -1,5 +1,7 @@
 #include "results/copies/anonymous_copy.hpp"
 
+#include <regex>
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
@@ -10,14 +12,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "anonymous.hpp"
 #include "anonymous_columns.hpp"
+#include "anonymous_names.hpp"
 #include "core/hash.hpp"
 #include "results/database/answer_hash.hpp"
 #include "results/database/copied_value.hpp"
+#include "results/database/counted_participants.hpp"
 #include "results/database/database_open.hpp"
 #include "results/database/locked_history.hpp"
-#include "results/database/standing.hpp"
 #include "results/database/tables.hpp"
 #include "results/database/tracking_blocks.hpp"
 #include "studies/design/plan.hpp"
@@ -32,10 +34,10 @@ using SQLite::Statement;
 
 using CopiedRow = std::map<std::string, CopiedValue>;
 
-const ColumnFates& fatesOf(const std::string& table) {
-    const auto found = std::find_if(column_fates.begin(), column_fates.end(),
-                                    [&](const ColumnFates& one) { return table == one.table; });
-    if (found == column_fates.end())
+const ColumnHandling& handlingOf(const std::string& table) {
+    const auto found = std::find_if(column_handling.begin(), column_handling.end(),
+                                    [&](const ColumnHandling& one) { return table == one.table; });
+    if (found == column_handling.end())
         throw std::logic_error(
             fmt::format("copyAnonymously: what becomes of table {} is not decided", table));
     return *found;
@@ -77,12 +79,12 @@ class AnonymousCopier {
   private:
     void participant(const std::string& id) {
         ++counts_.participants;
-        Statement asked(from_, fmt::format("SELECT {}", refusedConsent(quotedSql(id))));
+        Statement asked(from_, fmt::format("SELECT {}", declinedConsent(quotedSql(id))));
         asked.executeStep();
-        const bool refused = asked.getColumn(0).getInt() != 0;
-        counts_.refused += refused ? 1 : 0;
-        for (const PeopleTable& table : people_tables) {
-            if (refused && !isListed(tables_of_refusal, table.name)) continue;
+        const bool declined = asked.getColumn(0).getInt() != 0;
+        counts_.declined += declined ? 1 : 0;
+        for (const ParticipantTable& table : participant_tables) {
+            if (declined && !isListed(tables_of_decline, table.name)) continue;
             const std::string_view name = table.name;
             if (!options_.tracking &&
                 (name == "tracking_blocks" || name == "hand_joints" || name == "trial_tracking"))
@@ -92,7 +94,7 @@ class AnonymousCopier {
     }
 
     void copyTable(const std::string& table, const std::string& which, const std::string& id) {
-        const ColumnFates& fates = fatesOf(table);
+        const ColumnHandling& handling = handlingOf(table);
         Statement rows(from_, fmt::format("SELECT * FROM {} WHERE {} ORDER BY 1, 2", table, which));
         rows.bind(1, id);
         if (!rows.executeStep()) return;
@@ -108,7 +110,7 @@ class AnonymousCopier {
             CopiedRow row;
             for (std::size_t i = 0; i < names.size(); ++i)
                 row[names[i]] = CopiedValue(rows.getColumn(static_cast<int>(i)));
-            if (!change(fates, id, row)) continue;
+            if (!change(handling, id, row)) continue;
             for (std::size_t i = 0; i < names.size(); ++i)
                 row.at(names[i]).bind(insert, static_cast<int>(i) + 1);
             insert.exec();
@@ -118,8 +120,8 @@ class AnonymousCopier {
     }
 
     /// False: the row is left out.
-    bool change(const ColumnFates& fates, const std::string& id, CopiedRow& row) {
-        const std::string table = fates.table;
+    bool change(const ColumnHandling& handling, const std::string& id, CopiedRow& row) {
+        const std::string table = handling.table;
         std::int64_t session = 0;
         if (const auto of = row.find(table == "sessions" ? "id" : "session"); of != row.end())
             session = of->second.whole;
@@ -129,12 +131,12 @@ class AnonymousCopier {
         if (table == "session_properties" && !isListed(properties_kept, row.at("name").text)) return false;
         if (table == "answers" && !row.at("text").isNull()) answerText(row);
         for (auto& [name, value] : row) {
-            if (isListed(fates.kept, name)) continue;
-            if (isListed(fates.left_out, name))
+            if (isListed(handling.kept, name)) continue;
+            if (isListed(handling.left_out, name))
                 value = columns.at(name);
-            else if (isListed(fates.clock, name) || isListed(fates.utc, name))
-                count(value, isListed(fates.utc, name) ? startUtc(session) : startClock(session));
-            else if (isListed(fates.made, name))
+            else if (isListed(handling.clock, name) || isListed(handling.utc, name))
+                count(value, isListed(handling.utc, name) ? startUtc(session) : startClock(session));
+            else if (isListed(handling.made, name))
                 make(table, name, id, row, value);
             else
                 throw std::logic_error(
@@ -318,7 +320,7 @@ class AnonymousCopier {
     SQLite::Database& from_;
     SQLite::Database& to_;
     const AnonymousOptions& options_;
-    Naming naming_;
+    AnonymousNames naming_;
     AnonymousCounts counts_;
     std::optional<Error> problem_;
     std::int64_t old_id_ = 0;
@@ -350,10 +352,15 @@ Result<AnonymousCounts> copyAnonymously(const fs::path& database, const fs::path
 
 Result<std::map<std::string, std::string>> anonymousAuthors(const fs::path& database,
                                                             const std::set<std::string>& authors) {
-    return readDatabase(database,
-                        [&](SQLite::Database& opened) -> Result<std::map<std::string, std::string>> {
-                            return Naming(opened, true).namesFor({authors.begin(), authors.end()}, "author");
-                        });
+    return readDatabase(
+        database, [&](SQLite::Database& opened) -> Result<std::map<std::string, std::string>> {
+            return AnonymousNames(opened, true).namesFor({authors.begin(), authors.end()}, "author");
+        });
+}
+
+std::string withoutWholePaths(std::string_view text) {
+    static const std::regex path(R"((["'])(?:/|~/|[A-Za-z]:[/\\])[^"'\n]*[/\\]([^"'\n/\\]*)(["']))");
+    return std::regex_replace(std::string(text), path, "$1$2$3");
 }
 
 }  // namespace deixis::results

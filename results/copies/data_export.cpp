@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "anonymous.hpp"
+#include "anonymous_names.hpp"
 #include "core/staging.hpp"
-#include "export_more.hpp"
+#include "export_files.hpp"
 #include "export_tables.hpp"
 #include "results/database/database_open.hpp"
 
@@ -25,7 +25,7 @@ bool leftOut(const ExportColumn& column, bool anonymise) {
     return anonymise && column.privacy == Privacy::left_out;
 }
 
-ExportedFile fillTable(SQLite::Database& database, const ExportTable& table, const Naming& naming,
+ExportedFile fillTable(SQLite::Database& database, const ExportTable& table, const AnonymousNames& naming,
                        bool anonymise) {
     std::vector<ColumnSpec> specs;
     std::vector<Privacy> privacies;
@@ -136,7 +136,7 @@ constexpr const char* tracking_name = "tracking.csv";
 /// Tracked frames, too many to be held, go into the folder at once.
 Result<std::vector<ExportedFile>> readAll(SQLite::Database& database, const ExportOptions& options,
                                           const fs::path& folder, std::string& description) {
-    const Naming naming(database, options.anonymise && !options.ids_stand);
+    const AnonymousNames naming(database, options.anonymise && !options.ids_stand);
     std::vector<ExportedFile> files;
     for (const ExportTable& table : exportTables(database))
         files.push_back(fillTable(database, table, naming, options.anonymise));

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "export_more.hpp"
+#include "export_files.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {

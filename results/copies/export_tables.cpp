@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "results/database/standing.hpp"
+#include "results/database/counted_participants.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::results {

@@ -80,7 +80,7 @@ struct Source {
 // All that is kept of a participant but the standing, whatever numbers a database counts by itself.
 std::string contentHash(SQLite::Database& database, const std::string& participant) {
     std::string content;
-    const auto add = [&](const PeopleTable& table) {
+    const auto add = [&](const ParticipantTable& table) {
         Statement rows(database, fmt::format("SELECT * FROM {} WHERE {} ORDER BY 1, 2", table.name,
                                              table.participant_rows));
         rows.bind(1, participant);
@@ -98,7 +98,7 @@ std::string contentHash(SQLite::Database& database, const std::string& participa
                                                    static_cast<std::size_t>(value.getBytes())));
             }
     };
-    for (const PeopleTable& table : people_tables) add(table);
+    for (const ParticipantTable& table : participant_tables) add(table);
     return sha256Hex(content);
 }
 
@@ -205,7 +205,7 @@ std::vector<Error> findClashes(const std::vector<Source>& sources) {
     return problems;
 }
 
-// Copies rows and gives counted numbers anew.
+// Copies rows and gives counted numbers again.
 class Copier {
   public:
     Copier(SQLite::Database& from, SQLite::Database& to) : from_(from), to_(to) {}
@@ -214,11 +214,11 @@ class Copier {
         for (const char* table : study_tables) copy({table, nullptr, nullptr, nullptr, "?1 = ?1", ""}, "");
     }
     void participant(const std::string& id) {
-        for (const PeopleTable& table : people_tables) copy(table, id);
+        for (const ParticipantTable& table : participant_tables) copy(table, id);
     }
 
   private:
-    void copy(const PeopleTable& table, const std::string& participant) {
+    void copy(const ParticipantTable& table, const std::string& participant) {
         Statement rows(
             from_, fmt::format("SELECT * FROM {} WHERE {} ORDER BY 1", table.name, table.participant_rows));
         rows.bind(1, participant);

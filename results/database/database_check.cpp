@@ -6,15 +6,15 @@
 #include <utility>
 
 #include "results/database/answer_hash.hpp"
-#include "results/database/long_check.hpp"
+#include "results/database/check_progress.hpp"
 #include "results/database/schema.hpp"
 
 namespace deixis::results {
 
 namespace {
 
-CheckWatch& theWatch() {
-    static CheckWatch watch;
+CheckObserver& theWatch() {
+    static CheckObserver watch;
     return watch;
 }
 
@@ -73,7 +73,7 @@ Result<void> checkAtOneMoment(SQLite::Database& database, const std::filesystem:
 
 }  // namespace
 
-void watchChecks(CheckWatch watch) {
+void observeChecks(CheckObserver watch) {
     theWatch() = std::move(watch);
 }
 

@@ -57,7 +57,7 @@ Result<SQLite::Database> openOnce(const fs::path& path, Missing missing) {
     std::error_code ignored;
     if (auto kind = checkKindOfFile(path); !kind) return tl::unexpected(kind.error());
     if (auto orphan = orphanBeside(path)) return tl::unexpected(std::move(*orphan));
-    if (missing == Missing::refuse && !fs::is_regular_file(path, ignored)) return noSuchFile(path);
+    if (missing == Missing::reject && !fs::is_regular_file(path, ignored)) return noSuchFile(path);
     const auto folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     if (!fs::is_directory(folder, ignored))
         return fail(path.string(), fmt::format("the folder '{}' does not exist", folder.string()),

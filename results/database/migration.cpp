@@ -46,7 +46,7 @@ Result<void> migrate(SQLite::Database& database, int from_version, const std::fi
     if (from_version == 0) {
         database.exec(newest_tables);
     } else {
-        // What a step takes out of the file is overwritten. The views are made anew at the end, and would
+        // What a step takes out of the file is overwritten. The views are made again at the end, and would
         // stand in the way of what changes the tables.
         database.exec("PRAGMA secure_delete = ON;" + dropViews());
         for (int version = from_version + 1; version <= schema_version; ++version)

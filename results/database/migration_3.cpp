@@ -30,10 +30,10 @@ constexpr std::array old_tables{
 
 /// Up to six digits at the end of an id.
 std::optional<int> numberAtEnd(const std::string& participant) {
-    constexpr std::size_t most_digits = 6;
+    constexpr std::size_t max_digits = 6;
     const auto last_other = participant.find_last_not_of("0123456789");
     const std::string digits = participant.substr(last_other == std::string::npos ? 0 : last_other + 1);
-    if (digits.empty() || digits.size() > most_digits) return std::nullopt;
+    if (digits.empty() || digits.size() > max_digits) return std::nullopt;
     const int number = std::stoi(digits);
     return number > 0 ? std::optional(number) : std::nullopt;
 }
@@ -179,7 +179,7 @@ studies::TrackingSample frameOf(const SQLite::Statement& row) {
 /// Blocks of up to 64 frames of one trial, or of none. Which form the bytes have they say
 /// themselves.
 void packFrames(SQLite::Database& database) {
-    constexpr std::size_t most_frames = 64;
+    constexpr std::size_t max_frames = 64;
     SQLite::Statement row(database, "SELECT * FROM before_3_tracking ORDER BY session, frame");
     SQLite::Statement insert(
         database,
@@ -207,7 +207,7 @@ void packFrames(SQLite::Database& database) {
         const std::int64_t its_session = row.getColumn(0).getInt64();
         const auto its_trial =
             row.getColumn(2).isNull() ? std::nullopt : std::optional(row.getColumn(2).getInt());
-        if (its_session != session || its_trial != trial || frames.size() == most_frames) write();
+        if (its_session != session || its_trial != trial || frames.size() == max_frames) write();
         session = its_session;
         trial = its_trial;
         frames.push_back(frameOf(row));

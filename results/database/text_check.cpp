@@ -17,7 +17,7 @@ std::string rowName(const SQLite::Statement& row, std::string_view key) {
     for (int i = 0; i < row.getColumnCount(); ++i) {
         const std::string name = row.getColumnName(i);
         if (name != "participant" && !isListed(key, name) && !(key.empty() && i == 0)) continue;
-        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", name, keepable(row.getColumn(i).getString()));
+        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", name, storable(row.getColumn(i).getString()));
     }
     return out;
 }
@@ -28,13 +28,13 @@ Result<void> checkTable(SQLite::Database& database, const std::filesystem::path&
     while (row.executeStep())
         for (int i = 0; i < row.getColumnCount(); ++i) {
             const SQLite::Column value = row.getColumn(i);
-            if (!value.isText() || keepableText(value.getString())) continue;
+            if (!value.isText() || storableText(value.getString())) continue;
             return fail(
                 path.string(),
                 fmt::format(
                     "table {}, row with {}: the column {} holds '{}', which is no text in UTF-8, and no "
                     "server can hold it",
-                    table, rowName(row, key), row.getColumnName(i), keepable(value.getString())),
+                    table, rowName(row, key), row.getColumnName(i), storable(value.getString())),
                 "Correct it in a copy with an SQLite browser, and push that");
         }
     return {};
@@ -45,7 +45,7 @@ Result<void> checkTable(SQLite::Database& database, const std::filesystem::path&
 Result<void> checkTexts(SQLite::Database& database, const std::filesystem::path& path) {
     for (const char* table : study_tables)
         if (auto checked = checkTable(database, path, table, ""); !checked) return checked;
-    for (const PeopleTable& table : people_tables)
+    for (const ParticipantTable& table : participant_tables)
         if (auto checked = checkTable(database, path, table.name, table.key); !checked) return checked;
     return {};
 }

@@ -33,7 +33,7 @@ constexpr std::int64_t position_valid = 1, orientation_valid = 2, tracked = 4, n
 
 constexpr std::size_t longest_number = 10;  ///< bytes of a 64-bit number, seven bits in each
 constexpr std::size_t header_bytes = 2;
-constexpr std::size_t most_bytes = header_bytes + columns * most_frames_in_block * longest_number;
+constexpr std::size_t max_bytes = header_bytes + columns * max_frames_in_block * longest_number;
 
 using Row = std::array<std::int64_t, columns>;
 
@@ -129,8 +129,8 @@ tl::unexpected<Error> bad(std::string found, std::string expected) {
 }
 
 Result<std::string> inflated(std::string_view data) {
-    std::string out(most_bytes, '\0');
-    uLongf size = most_bytes;
+    std::string out(max_bytes, '\0');
+    uLongf size = max_bytes;
     auto used = static_cast<uLong>(data.size());
     const int outcome = uncompress2(reinterpret_cast<Bytef*>(out.data()), &size,
                                     reinterpret_cast<const Bytef*>(data.data()), &used);
@@ -195,9 +195,9 @@ studies::TrackingSample sampleOf(const Row& row) {
 }  // namespace
 
 std::string packTracking(std::span<const studies::TrackingSample> samples) {
-    if (samples.empty() || samples.size() > most_frames_in_block)
+    if (samples.empty() || samples.size() > max_frames_in_block)
         throw std::invalid_argument(fmt::format("packTracking: found {} samples, expected 1 to {}",
-                                                samples.size(), most_frames_in_block));
+                                                samples.size(), max_frames_in_block));
     std::vector<Row> rows(samples.size() + 1);  // the first one, all 0, is before the block
     for (std::size_t i = 0; i < samples.size(); ++i) {
         rows[i + 1] = rows[i];
@@ -220,8 +220,8 @@ Result<std::vector<studies::TrackingSample>> unpackTracking(std::string_view dat
         return bad(raw->empty() ? "nothing" : fmt::format("format {}", static_cast<unsigned char>((*raw)[0])),
                    fmt::format("format {}", format));
     const std::size_t count = static_cast<unsigned char>((*raw)[1]);
-    if (count < 1 || count > most_frames_in_block)
-        return bad(fmt::format("{} frames", count), fmt::format("1 to {}", most_frames_in_block));
+    if (count < 1 || count > max_frames_in_block)
+        return bad(fmt::format("{} frames", count), fmt::format("1 to {}", max_frames_in_block));
     std::string_view rest(*raw);
     rest.remove_prefix(header_bytes);
     std::vector<Row> rows(count);

@@ -9,8 +9,8 @@
 #include <map>
 #include <tuple>
 
-#include "evaluation_comparisons.hpp"
-#include "evaluation_observers.hpp"
+#include "comparisons.hpp"
+#include "observers.hpp"
 #include "results/page/figure.hpp"
 #include "results/statistics/descriptive.hpp"
 

@@ -1,7 +1,7 @@
 #include "results/outputs/analysis_json.hpp"
 
 #include "results/outputs/analysis_tables.hpp"
-#include "results/outputs/observers_tables.hpp"
+#include "results/outputs/observers_json.hpp"
 
 namespace deixis::results {
 
@@ -143,12 +143,12 @@ Json qualityJson(const AnalysisResult& result) {
              {{"same_rating_share", jsonOf(rule.same_rating_share)},
               {"one_side_share", jsonOf(rule.one_side_share)},
               {"median_time_below_s", jsonOf(rule.median_time_below_s)},
-              {"least_answers", studies::LeaveOutRule::least_answers}}},
+              {"least_answers", studies::LeaveOutRule::min_answers}}},
             {"reliability", tableJson(tables::reliability(result))},
             {"participants", tableJson(tables::quality(result))}};
 }
 
-void addPeople(Json& out, const AnalysisResult& result) {
+void addParticipants(Json& out, const AnalysisResult& result) {
     const Table scores = tables::scores(result);
     out["scores"] = tableJson(scores.where("factor", ""));
     out["scores_by_group"] = Json::array();
@@ -204,7 +204,7 @@ void addProvenance(Json& out, const AnalysisResult& result) {
                                    {"high", measure.high},
                                    {"planned", measure.planned},
                                    {"balls", measure.balls},
-                                   {"fewest_balls", measure.fewest_balls}});
+                                   {"fewest_balls", measure.min_balls}});
     out["participants"] = result.participants;
     out["synthetic"] = result.synthetic;
     out["alpha"] = result.alpha;
@@ -235,7 +235,7 @@ std::string analysisJson(const AnalysisResult& result) {
     out["by_study"] = byStudyJson(result);
     out["study_medians"] = tableJson(tables::studyMedians(result));
     addAnswers(out, result);
-    addPeople(out, result);
+    addParticipants(out, result);
     out["withdrawn"] = result.table.withdrawn;
     out["remarks"] = result.remarks;
     // Text from a study file may hold bytes that are no UTF-8.

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "results/analysis/analysis_tests.hpp"
+#include "results/analysis/tests.hpp"
 #include "results/tables/csv_table.hpp"
 
 namespace deixis::results {

@@ -371,7 +371,7 @@ Table ratingPairs(const AnalysisResult& result) {
                     {"mean_difference",
                      [](auto& one) { return known(one.test.n_pairs > 0, one.mean_difference); }, in_files},
                     {"rating_verdict",
-                     [](auto& one) { return verdictText(one, "no pairs"); },
+                     [](auto& one) { return decisionText(one, "no pairs"); },
                      {.label = "Result", .in = page_only, .marked = true}}});
     return withScales(
         withZ(tableOf(

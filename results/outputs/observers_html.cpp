@@ -36,9 +36,9 @@ std::string observersFinding(const std::vector<ObserverReading>& readings) {
     for (const ObserverReading& one : readings) {
         if (one.system == last) continue;
         last = one.system;
-        const auto [least, greatest] = std::minmax_element(one.accuracy.begin(), one.accuracy.end());
+        const auto [min, max] = std::minmax_element(one.accuracy.begin(), one.accuracy.end());
         spreads += fmt::format("{}<b>{}</b> {} to {}", spreads.empty() ? "" : ", ", escapeHtml(one.system),
-                               fixedText(100.0 * *least, 1), percent(*greatest));
+                               fixedText(100.0 * *min, 1), percent(*max));
     }
     out += spreads + ".";
     const auto rankings = observerRankings(readings);

@@ -82,7 +82,7 @@ Interval intervalOf(const std::optional<BootstrapInterval>& interval) {
     return interval ? Interval{interval->lower, interval->upper} : Interval{};
 }
 
-std::string verdictText(const AdjustedTest& one, const char* without_pairs) {
+std::string decisionText(const AdjustedTest& one, const char* without_pairs) {
     if (one.test.n_pairs == 0) return without_pairs;
     if (!one.significant) return "not significant";
     return one.test.w_plus > one.test.w_minus ? "A higher" : "B higher";
@@ -128,7 +128,7 @@ Fields<AdjustedTest> testFields(const AnalysisResult& result) {
                                 : one.depends_on_zeros ? " \u2020"
                                 : one.out_of_reach     ? " \u2021"
                                                        : "";
-             return verdictText(one, "no participant has both") + mark;
+             return decisionText(one, "no participant has both") + mark;
          },
          {.in = page_only, .marked = true}}};
     return inJsonOrder(joined(std::move(fields), endOfTest<AdjustedTest>(result)),

@@ -16,7 +16,7 @@ inline constexpr int behind_test = 1000;
 [[nodiscard]] Fields<GroupTest> groupFields(const AnalysisResult& result);
 
 /// "not significant", "A higher".
-[[nodiscard]] std::string verdictText(const AdjustedTest& one, const char* without_pairs);
+[[nodiscard]] std::string decisionText(const AdjustedTest& one, const char* without_pairs);
 
 /// A column of JSON alone with the same text in each row.
 template <typename Row>

@@ -78,17 +78,17 @@ std::vector<double> sidewaysPlaces(const std::vector<double>& values, double apa
     return places;
 }
 
-std::vector<std::size_t> evenPicks(std::size_t count, std::size_t most) {
-    std::vector<std::size_t> picks(std::min(count, most));
+std::vector<std::size_t> evenPicks(std::size_t count, std::size_t max) {
+    std::vector<std::size_t> picks(std::min(count, max));
     for (std::size_t i = 0; i < picks.size(); ++i)
         picks[i] = picks.size() > 1 ? i * (count - 1) / (picks.size() - 1) : 0;
     return picks;
 }
 
-std::vector<double> thinnedValues(std::vector<double> values, std::size_t most) {
+std::vector<double> thinnedValues(std::vector<double> values, std::size_t max) {
     std::sort(values.begin(), values.end());
     std::vector<double> thinned;
-    for (const std::size_t at : evenPicks(values.size(), most)) thinned.push_back(values[at]);
+    for (const std::size_t at : evenPicks(values.size(), max)) thinned.push_back(values[at]);
     return thinned;
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "results/page/report_text.hpp"
+#include "results/page/number_text.hpp"
 #include "results/statistics/descriptive.hpp"
 
 namespace deixis::results {
@@ -120,7 +120,7 @@ void addBox(BoxParts& parts, const BoxPlot& plot, const BoxPlaces& places, const
 void addPoints(BoxParts& parts, const BoxPlot& plot, const BoxPlaces& at, const BoxAxis& axis,
                std::size_t place, double half) {
     const auto& [name, all] = plot.boxes[place];
-    const std::vector<double> values = thinnedValues(all, plot.most_points);
+    const std::vector<double> values = thinnedValues(all, plot.max_points);
     const auto places = sidewaysPlaces(values, 5.0 * axis.perPixel(), 0.85 * half);
     for (std::size_t i = 0; i < values.size(); ++i) {
         parts.points.push_back({{"x", at.x[place] + places[i]},

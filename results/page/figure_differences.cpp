@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "results/page/report_text.hpp"
+#include "results/page/number_text.hpp"
 
 namespace deixis::results {
 
@@ -34,7 +34,7 @@ std::pair<double, double> reachOf(const std::vector<DifferencePlot::Row>& rows) 
 void addRow(DrawnRows& drawn, const DifferencePlot& plot, const DifferencePlot::Row& row, double apart) {
     const auto place = static_cast<double>(drawn.names.size());
     drawn.names.push_back({row.a, "\u2212 " + row.b});
-    const auto values = thinnedValues(row.differences, plot.most_points);
+    const auto values = thinnedValues(row.differences, plot.max_points);
     const auto sideways = sidewaysPlaces(values, apart, 0.24);
     const std::string names = fmt::format("{} \u2212 {}", row.a, row.b);
     for (std::size_t i = 0; i < sideways.size(); ++i)

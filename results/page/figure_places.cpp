@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "results/page/report_text.hpp"
+#include "results/page/number_text.hpp"
 
 namespace deixis::results {
 
@@ -23,9 +23,9 @@ int upAxis(SpaceView view) {
 /// As many lines for each name, so that all stand at the same height.
 std::vector<std::vector<std::string>> namesInLines(const std::vector<std::string>& rows) {
     std::vector<std::vector<std::string>> names;
-    std::size_t most = 1;
-    for (const std::string& row : rows) most = std::max(most, names.emplace_back(brokenName(row)).size());
-    for (auto& name : names) name.resize(most);
+    std::size_t max = 1;
+    for (const std::string& row : rows) max = std::max(max, names.emplace_back(brokenName(row)).size());
+    for (auto& name : names) name.resize(max);
     return names;
 }
 
@@ -105,8 +105,8 @@ void SpacePlot::cell(std::size_t row, SpaceView view, const Vec3& low, const Vec
                       {"tip", tip}});
 }
 
-FigureJson SpacePlot::spec(double low, double high, const char* format, double most_row_px) const {
-    constexpr double least_row_px = 50.0;
+FigureJson SpacePlot::spec(double low, double high, const char* format, double max_row_px) const {
+    constexpr double min_row_px = 50.0;
     const double end = 2.0 + panel_gap;
     FigureJson x = quantity("x");
     x["scale"] = {{"domain", {0.0, end}}, {"nice", false}};
@@ -161,9 +161,9 @@ FigureJson SpacePlot::spec(double low, double high, const char* format, double m
                                  FigureJson::object()));
     const Vec3 length = space_.high - space_.low;
     const double row_of_width = std::max(length.y, length.z) / length.x / end / (2.0 * panel_half);
-    return {{"height", most_row_px * static_cast<double>(rows_.size())},
+    return {{"height", max_row_px * static_cast<double>(rows_.size())},
             {"usermeta", heightByWidth(fmt::format("{} * clamp({:.4f} * width, {}, {})", rows_.size(),
-                                                   row_of_width, least_row_px, most_row_px))},
+                                                   row_of_width, min_row_px, max_row_px))},
             {"encoding", {{"x", x}, {"y", y}}},
             {"layer", std::move(layers)}};
 }

@@ -8,14 +8,14 @@
 
 #include "core/text.hpp"
 #include "participants_change.hpp"
+#include "results/database/counted_participants.hpp"
 #include "results/database/database_open.hpp"
-#include "results/database/standing.hpp"
 
 namespace deixis::results {
 
 namespace {
 
-/// In braces: participantsStanding().
+/// In braces: effectiveParticipants().
 constexpr const char* rows_format = R"sql(
 SELECT p.id, p.number, p.language, p.status, coalesce(p.reason, ''),
        coalesce((SELECT max(synthetic) FROM sessions WHERE participant = p.id), 0),
@@ -40,7 +40,7 @@ std::vector<ParticipantRow> readRows(SQLite::Database& database,
                                      const std::optional<std::string>& participant = std::nullopt) {
     std::vector<ParticipantRow> out;
     SQLite::Statement row(
-        database, fmt::format(rows_format, participantsStanding(), participant ? "WHERE p.id = ?1" : ""));
+        database, fmt::format(rows_format, effectiveParticipants(), participant ? "WHERE p.id = ?1" : ""));
     if (participant) row.bind(1, *participant);
     while (row.executeStep()) {
         ParticipantRow& one = out.emplace_back();
@@ -157,7 +157,7 @@ Result<void> excludeParticipant(const std::filesystem::path& database, const std
         return fail(database.string(),
                     fmt::format("participant {} is to be excluded, but no reason is given", participant),
                     "Say why: the reason is kept and reported");
-    if (!keepableText(reason))
+    if (!storableText(reason))
         return fail(database.string(), "the reason is no text in UTF-8", "Give it in UTF-8");
     return changeParticipant(database, participant, [&](SQLite::Database& open) {
         setStatus(open, participant, ParticipantStatus::excluded, reason);

@@ -14,7 +14,7 @@ tl::unexpected<Error> noParticipant(const std::filesystem::path& database, const
 Result<void> changeParticipant(const std::filesystem::path& path, const std::string& participant,
                                const std::function<void(SQLite::Database&)>& change) {
     try {
-        auto database = openToWrite(path, Missing::refuse);
+        auto database = openToWrite(path, Missing::reject);
         if (!database) return tl::unexpected(database.error());
         SQLite::Transaction transaction(*database, SQLite::TransactionBehavior::IMMEDIATE);
         SQLite::Statement known(*database, "SELECT 1 FROM participants WHERE id = ?");

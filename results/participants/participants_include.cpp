@@ -3,8 +3,8 @@
 
 #include "participants_change.hpp"
 #include "results/database/answer_hash.hpp"
+#include "results/database/counted_participants.hpp"
 #include "results/database/database_open.hpp"
-#include "results/database/standing.hpp"
 #include "results/participants/participants.hpp"
 #include "results/store/participant_lock.hpp"
 #include "studies/session/events.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 using SQLite::Statement;
 
-bool refuses(SQLite::Database& database, const std::string& participant) {
-    Statement row(database, "SELECT " + refusedConsent("?"));
+bool rejects(SQLite::Database& database, const std::string& participant) {
+    Statement row(database, "SELECT " + declinedConsent("?"));
     row.bind(1, participant);
     row.executeStep();
     return row.getColumn(0).getInt() != 0;
@@ -77,7 +77,7 @@ int countFailedChecks(SQLite::Database& database, const std::string& participant
     return row.getColumn(0).getInt();
 }
 
-/// Marks the end of the sittings whose failed checks no rule counts any more. On the clock of the last one.
+/// Marks the end of the sessions whose failed checks no rule counts any more. On the clock of the last one.
 void noteInclusion(SQLite::Database& database, const std::string& participant, double utc_s) {
     Statement insert(
         database,
@@ -103,7 +103,7 @@ Result<Inclusion> includeParticipant(const std::filesystem::path& database, cons
     if (!lock) return tl::unexpected(lock.error());
     Inclusion out;
     const auto changed = changeParticipant(database, participant, [&](SQLite::Database& open) {
-        out.consent_asked_anew = refuses(open, participant);
+        out.consent_asked_anew = rejects(open, participant);
         out.practice = failedPractice(open, participant);
         for (const std::string& stage : out.practice) practiseAnew(open, participant, stage, utc_s);
         out.failed_checks_forgiven = countFailedChecks(open, participant);

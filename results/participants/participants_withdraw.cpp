@@ -50,7 +50,7 @@ void erase(SQLite::Database& database, const std::string& participant, double ut
     count.bind(2, participant);
     count.exec();
     // What refers to something goes before it.
-    for (auto table = people_tables.rbegin(); table != people_tables.rend(); ++table) {
+    for (auto table = participant_tables.rbegin(); table != participant_tables.rend(); ++table) {
         SQLite::Statement statement(
             database, fmt::format("DELETE FROM {} WHERE {}", table->name, table->participant_rows));
         statement.bind(1, participant);
@@ -97,7 +97,7 @@ Result<void> verify(const fs::path& path, const std::string& participant) {
 
 Result<Withdrawn> withdrawParticipant(const fs::path& path, const std::string& participant, double utc_s) {
     try {
-        auto database = openToWrite(path, Missing::refuse);
+        auto database = openToWrite(path, Missing::reject);
         if (!database) return tl::unexpected(database.error());
         const bool there = known(*database, participant);
         if (!there && !isUncleared(*database))

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <map>
 
-#include "report_computed.hpp"
-#include "report_details.hpp"
-#include "report_figures.hpp"
-#include "report_findings.hpp"
-#include "report_paper.hpp"
-#include "report_studies.hpp"
-#include "report_tests.hpp"
+#include "computed.hpp"
+#include "figures.hpp"
+#include "findings.hpp"
+#include "paper.hpp"
 #include "results/outputs/analysis_tables.hpp"
-#include "results/outputs/bradley_terry_outputs.hpp"
-#include "results/outputs/quality_outputs.hpp"
+#include "results/outputs/bradley_terry_html.hpp"
+#include "results/outputs/quality_html.hpp"
 #include "results/page/html_table.hpp"
+#include "results/page/number_text.hpp"
 #include "results/page/page.hpp"
-#include "results/page/report_text.hpp"
 #include "results/report/report.hpp"
+#include "sections.hpp"
+#include "studies.hpp"
+#include "tests.hpp"
 
 namespace deixis::results {
 
@@ -229,7 +229,7 @@ std::string renderReport(const AnalysisResult& result) {
     out += "\n" + sensitivityHtml(result, numbering);
     out += "\n" + betweenHtml(result, numbering);
     out += "\n" + choicesHtml(result, figures, numbering);
-    out += "\n" + detailsHtml(result, numbering);
+    out += "\n" + descriptivesHtml(result, numbering);
     out += "\n" + scoresHtml(result, numbering);
     out += "\n" + qualityHtml(result, numbering);
     out += "\n" + checksAndLeftOut(result, numbering);

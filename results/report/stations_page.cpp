@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "report_details.hpp"
 #include "results/answers/stations.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/page/html_table.hpp"
 #include "results/page/page.hpp"
+#include "sections.hpp"
 
 namespace deixis::results {
 

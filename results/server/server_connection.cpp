@@ -56,7 +56,7 @@ Error notConnected(const ServerAddress& address, const std::string& message) {
             "Check the address, and that the server runs and can be reached from here"};
 }
 
-Error refused(const ServerAddress& address, const pqxx::sql_error& problem) {
+Error rejected(const ServerAddress& address, const pqxx::sql_error& problem) {
     const std::string text = problem.what();
     const std::string line = onOneLine(text.substr(0, text.find('\n')));
     // libpqxx 6 tells the SQLSTATE only of errors that have no class of their own.
@@ -123,7 +123,7 @@ Error describeServer(const ServerAddress& address, const pqxx::failure& problem)
         return {address.shown,
                 "the connection was lost at the very end: the push may be stored whole, or not at all",
                 "Push again: it adds only what is missing"};
-    if (const auto* sql = dynamic_cast<const pqxx::sql_error*>(&problem)) return refused(address, *sql);
+    if (const auto* sql = dynamic_cast<const pqxx::sql_error*>(&problem)) return rejected(address, *sql);
     if (dynamic_cast<const pqxx::broken_connection*>(&problem) != nullptr)
         return {address.shown,
                 fmt::format("the connection to the server was lost ({})", onOneLine(problem.what())),

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "push_people.hpp"
+#include "push_participants.hpp"
 #include "results/database/database_open.hpp"
 #include "results/database/locked_history.hpp"
 #include "results/database/tables.hpp"
@@ -43,7 +43,7 @@ class StudyPush {
         const auto entered = enterSchema(server_, address_, {outcome_.schema, outcome_.study, study_hash_});
         if (!entered) return tl::unexpected(entered.error());
         outcome_.upgraded_from = entered->upgraded_from;
-        PeoplePush people(file_, path_, server_, address_, outcome_);
+        ParticipantPush people(file_, path_, server_, address_, outcome_);
         if (entered->made)
             for (const char* table : study_tables) people.pushWhole(table);
         if (auto locked = pushLocked(); !locked) return tl::unexpected(locked.error());
@@ -141,7 +141,7 @@ class StudyPush {
         for (const auto& [id, person] : onServer()) {
             if (!withdrawals_.include(person.token)) continue;
             // What refers to something goes before it.
-            for (auto table = people_tables.rbegin(); table != people_tables.rend(); ++table)
+            for (auto table = participant_tables.rbegin(); table != participant_tables.rend(); ++table)
                 server_.run(
                     fmt::format("DELETE FROM {} WHERE {}", table->name, rowsOf(*table, server_.quoted(id))));
             outcome_.erased.push_back(id);
@@ -179,7 +179,7 @@ Result<PushOutcome> pushDatabase(const std::filesystem::path& database, const st
     if (!place) return tl::unexpected(place.error());
     return atServer(*place, [&]() -> Result<PushOutcome> {
         std::optional<ServerTransaction> server;
-        // The file may be read a second time, where a session wrote to it meanwhile: then all begins anew,
+        // The file may be read a second time, where a session wrote to it meanwhile: then all begins again,
         // and only what was read whole is committed.
         auto outcome = readDatabase(database, [&](SQLite::Database& file) -> Result<PushOutcome> {
             server.reset();

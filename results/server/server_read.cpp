@@ -76,7 +76,7 @@ SQLite::Database fetchStudy(ServerTransaction& server) {
     for (const char* table : study_tables) fetchTable(server, database, table);
     fetchTable(server, database, "withdrawals");
     fetchTable(server, database, "locked_changes");
-    for (const PeopleTable& table : people_tables) fetchTable(server, database, table.name);
+    for (const ParticipantTable& table : participant_tables) fetchTable(server, database, table.name);
     database.exec("COMMIT");
     return database;
 }

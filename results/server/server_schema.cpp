@@ -120,9 +120,9 @@ std::string postgresViews() {
 }
 
 std::string schemaOf(const std::string& study, const std::string& hash) {
-    constexpr std::size_t most = 40;  // with the rest at most 63 bytes, PostgreSQL's limit
+    constexpr std::size_t max = 40;  // with the rest at most 63 bytes, PostgreSQL's limit
     std::string out = "deixis_";
-    for (const char c : study.substr(0, most)) {
+    for (const char c : study.substr(0, max)) {
         const auto byte = static_cast<unsigned char>(c);
         out += byte < 128 && std::isalnum(byte) != 0 ? static_cast<char>(std::tolower(byte)) : '_';
     }

@@ -24,8 +24,8 @@ class WalshSums {
         std::sort(values_.begin(), values_.end());
     }
     [[nodiscard]] std::uint64_t size() const { return values_.size() * (values_.size() + 1) / 2; }
-    [[nodiscard]] Int least() const { return values_.front() + values_.front(); }
-    [[nodiscard]] Int greatest() const { return values_.back() + values_.back(); }
+    [[nodiscard]] Int min() const { return values_.front() + values_.front(); }
+    [[nodiscard]] Int max() const { return values_.back() + values_.back(); }
     [[nodiscard]] const std::vector<Int>& values() const { return values_; }
     [[nodiscard]] std::uint64_t countUpTo(const Int& sum) const {
         std::uint64_t count = 0;
@@ -51,8 +51,8 @@ class Differences {
         std::sort(b_.begin(), b_.end());
     }
     [[nodiscard]] std::uint64_t size() const { return a_.size() * b_.size(); }
-    [[nodiscard]] Int least() const { return a_.front() - b_.back(); }
-    [[nodiscard]] Int greatest() const { return a_.back() - b_.front(); }
+    [[nodiscard]] Int min() const { return a_.front() - b_.back(); }
+    [[nodiscard]] Int max() const { return a_.back() - b_.front(); }
     [[nodiscard]] const std::vector<Int>& a() const { return a_; }
     [[nodiscard]] const std::vector<Int>& b() const { return b_; }
     [[nodiscard]] std::uint64_t countUpTo(const Int& difference) const {
@@ -73,8 +73,8 @@ class Differences {
 /// The k-th smallest, k from 1.
 template <typename Int, typename Sums>
 Int select(const Sums& sums, std::uint64_t k) {
-    Int low = sums.least();
-    Int high = sums.greatest();
+    Int low = sums.min();
+    Int high = sums.max();
     while (low < high) {
         const Int middle = low + Int(high - low) / 2;
         if (sums.countUpTo(middle) >= k)
@@ -90,8 +90,8 @@ template <typename Int, typename Sums>
 class DifferentSums {
   public:
     explicit DifferentSums(const Sums& sums) : sums_(sums) {}
-    [[nodiscard]] Int least() const { return sums_.least(); }
-    [[nodiscard]] Int greatest() const { return sums_.greatest(); }
+    [[nodiscard]] Int min() const { return sums_.min(); }
+    [[nodiscard]] Int max() const { return sums_.max(); }
     [[nodiscard]] Int before(const Int& sum) const { return select<Int>(sums_, sums_.countUpTo(sum - 1)); }
     [[nodiscard]] Int after(const Int& sum) const { return select<Int>(sums_, sums_.countUpTo(sum) + 1); }
 
@@ -162,7 +162,7 @@ double rankSumP(const std::vector<Int>& a, const std::vector<Int>& b, const Int&
 
 /// So many places further out are looked at for shifts that are not rejected; of larger samples none, since
 /// p then falls evenly.
-constexpr int most_looks_of_few = 64;
+constexpr int max_looks_of_few = 64;
 
 /// About how many places lie below the interval: by the normal approximation of a rank sum without ties.
 std::uint64_t startFrom(double centre, double sd, double level) {
@@ -187,7 +187,7 @@ HodgesLehmann fromSums(const Sums& sums, const Rational& unit, const P& p, std::
     const double alpha = (1.0 - level) * (1.0 + 1e-12);
     const auto interval = invertTest<Int>(DifferentSums<Int, Sums>(sums), p, alpha, select<Int>(sums, start),
                                           select<Int>(sums, all + 1 - start), middle,
-                                          n <= few_differences ? most_looks_of_few : 0);
+                                          n <= few_differences ? max_looks_of_few : 0);
     if (!interval) return out;
     out.lower = value(interval->lower).toDouble();
     out.upper = value(interval->upper).toDouble();

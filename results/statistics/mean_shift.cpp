@@ -24,7 +24,7 @@ struct Mode {
 };
 
 Mode climb(const std::vector<Point>& points, Point from, double bandwidth) {
-    constexpr int most_steps = 300;
+    constexpr int max_steps = 300;
     Mode mode{std::move(from), 0};
     for (int step = 0;; ++step) {
         Point sum(mode.centre.size(), 0.0);
@@ -39,7 +39,7 @@ Mode climb(const std::vector<Point>& points, Point from, double bandwidth) {
         for (double& value : sum) value /= within;
         const double moved = distance(sum, mode.centre);
         mode.centre = std::move(sum);
-        if (moved < 1e-3 * bandwidth || step == most_steps) return mode;
+        if (moved < 1e-3 * bandwidth || step == max_steps) return mode;
     }
 }
 

@@ -11,11 +11,11 @@ namespace {
 
 using boost::math::complement;
 
-double atMost(const boost::math::binomial& counts, std::int64_t k) {
+double lowerTail(const boost::math::binomial& counts, std::int64_t k) {
     return k < 0 ? 0.0 : boost::math::cdf(counts, static_cast<double>(k));
 }
 
-double atLeast(const boost::math::binomial& counts, std::int64_t k) {
+double upperTail(const boost::math::binomial& counts, std::int64_t k) {
     return k <= 0 ? 1.0 : boost::math::cdf(complement(counts, static_cast<double>(k - 1)));
 }
 
@@ -23,7 +23,7 @@ double atLeast(const boost::math::binomial& counts, std::int64_t k) {
 /// tail begins where a bisection finds it. Equal ones may differ in their last digits: R's allowance of 1e-7.
 double noMoreLikely(const boost::math::binomial& counts, std::int64_t found, std::int64_t n) {
     const auto chanceOf = [&](std::int64_t k) { return boost::math::pdf(counts, static_cast<double>(k)); };
-    const double most = chanceOf(found) * (1.0 + 1e-7);
+    const double max = chanceOf(found) * (1.0 + 1e-7);
     const double expected = static_cast<double>(n) * counts.success_fraction();
     if (static_cast<double>(found) == expected) return 1.0;
     if (static_cast<double>(found) < expected) {
@@ -32,23 +32,23 @@ double noMoreLikely(const boost::math::binomial& counts, std::int64_t found, std
         std::int64_t high = n + 1;
         while (low < high) {
             const std::int64_t middle = low + (high - low) / 2;
-            if (chanceOf(middle) <= most)
+            if (chanceOf(middle) <= max)
                 high = middle;
             else
                 low = middle + 1;
         }
-        return std::min(1.0, atMost(counts, found) + (low > n ? 0.0 : atLeast(counts, low)));
+        return std::min(1.0, lowerTail(counts, found) + (low > n ? 0.0 : upperTail(counts, low)));
     }
     std::int64_t low = -1;  // the tail's last count lies in [low, high]
     auto high = static_cast<std::int64_t>(std::floor(expected));
     while (low < high) {
         const std::int64_t middle = low + (high - low + 1) / 2;
-        if (chanceOf(middle) <= most)
+        if (chanceOf(middle) <= max)
             low = middle;
         else
             high = middle - 1;
     }
-    return std::min(1.0, atMost(counts, low) + atLeast(counts, found));
+    return std::min(1.0, lowerTail(counts, low) + upperTail(counts, found));
 }
 
 }  // namespace
@@ -72,8 +72,8 @@ Proportion proportion(std::int64_t successes, std::int64_t n, double level, std:
     if (!chance) return out;
     const boost::math::binomial counts(static_cast<double>(n), *chance);
     out.p_chance = noMoreLikely(counts, successes, n);
-    out.p_greater = atLeast(counts, successes);
-    out.p_less = atMost(counts, successes);
+    out.p_greater = upperTail(counts, successes);
+    out.p_less = lowerTail(counts, successes);
     return out;
 }
 

@@ -82,23 +82,23 @@ double normalTail(double z) {
     return boost::math::cdf(boost::math::normal(), z);
 }
 
-/// For each total excess over the least possible sum, how many subsets of `chosen` give it, up to `most`.
+/// For each total excess over the least possible sum, how many subsets of `chosen` give it, up to `max`.
 std::vector<double> countSubsets(const std::vector<std::int64_t>& sorted, std::size_t chosen,
-                                 std::int64_t most) {
+                                 std::int64_t max) {
     const std::size_t n = sorted.size();
     // counts[j]: of subsets of j so far. The j-th chosen (in order) exceeds the j-th smallest by its share.
     std::vector<std::vector<double>> counts(chosen + 1);
-    for (auto& row : counts) row.assign(static_cast<std::size_t>(most) + 1, 0.0);
+    for (auto& row : counts) row.assign(static_cast<std::size_t>(max) + 1, 0.0);
     std::vector<std::int64_t> tops(chosen + 1, -1);  // the largest excess that occurs
     counts[0][0] = 1.0;
     tops[0] = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const std::size_t still_to_come = n - 1 - i;
-        const std::size_t least = chosen > still_to_come ? chosen - still_to_come : 1;
-        for (std::size_t j = std::min(chosen, i + 1); j >= std::max<std::size_t>(least, 1); --j) {
+        const std::size_t min = chosen > still_to_come ? chosen - still_to_come : 1;
+        for (std::size_t j = std::min(chosen, i + 1); j >= std::max<std::size_t>(min, 1); --j) {
             const std::int64_t excess = sorted[i] - sorted[j - 1];
-            const std::int64_t top = std::min(most, tops[j - 1] + excess);
-            if (tops[j - 1] < 0 || excess > most) continue;
+            const std::int64_t top = std::min(max, tops[j - 1] + excess);
+            if (tops[j - 1] < 0 || excess > max) continue;
             addTo(counts[j].data() + excess, counts[j - 1].data(), top - excess + 1);
             tops[j] = std::max(tops[j], top);
         }
@@ -130,10 +130,10 @@ TailProbability signedRankTail(std::vector<std::int64_t> ranks, std::int64_t w) 
         const SignCounts counted = countSigns(ranks, w, 1e-15 * guess);
         const double sum = std::accumulate(counted.counts.begin() + counted.low, counted.counts.end(), 0.0);
         TailProbability tail;
-        tail.at_most = std::ldexp(sum, counted.exponent);
+        tail.lower_tail = std::ldexp(sum, counted.exponent);
         tail.at = std::ldexp(counted.counts.back(), counted.exponent);
-        if (counted.left_out <= 1e-14 * tail.at_most || guess == 0.0) return tail;
-        guess = std::min(tail.at_most, 0.01 * guess);
+        if (counted.left_out <= 1e-14 * tail.lower_tail || guess == 0.0) return tail;
+        guess = std::min(tail.lower_tail, 0.01 * guess);
     }
 }
 
@@ -141,16 +141,16 @@ TailProbability rankSumTail(std::vector<std::int64_t> ranks, std::size_t chosen,
     std::sort(ranks.begin(), ranks.end());
     const auto split = ranks.begin() + static_cast<std::ptrdiff_t>(chosen);
     const std::int64_t excess = w - std::accumulate(ranks.begin(), split, std::int64_t{0});
-    const std::int64_t least = ranks.front();
+    const std::int64_t min = ranks.front();
     std::int64_t divisor = 0;
-    for (const std::int64_t rank : ranks) divisor = std::gcd(divisor, rank - least);
+    for (const std::int64_t rank : ranks) divisor = std::gcd(divisor, rank - min);
     if (excess < 0) return {0.0, 0.0};
     if (divisor == 0) return {};
-    for (std::int64_t& rank : ranks) rank = (rank - least) / divisor;
+    for (std::int64_t& rank : ranks) rank = (rank - min) / divisor;
     const auto counts = countSubsets(ranks, chosen, excess / divisor);
     const double all = subsets(ranks.size(), chosen);
     TailProbability tail;
-    tail.at_most = std::min(1.0, std::accumulate(counts.begin(), counts.end(), 0.0) / all);
+    tail.lower_tail = std::min(1.0, std::accumulate(counts.begin(), counts.end(), 0.0) / all);
     tail.at = counts.back() / all;
     return tail;
 }

@@ -9,10 +9,10 @@
 namespace deixis::results {
 
 struct TailProbability {
-    double at_most = 1.0;  ///< P(W <= w)
-    double at = 1.0;       ///< P(W = w)
+    double lower_tail = 1.0;  ///< P(W <= w)
+    double at = 1.0;          ///< P(W = w)
 
-    [[nodiscard]] double atLeast() const { return 1.0 - at_most + at; }  ///< P(W >= w)
+    [[nodiscard]] double upperTail() const { return 1.0 - lower_tail + at; }  ///< P(W >= w)
 };
 
 inline constexpr std::size_t signed_rank_exact_limit = 2000;

@@ -46,8 +46,8 @@ RankSumTest rankSumTest(std::span<const Rational> a, std::span<const Rational> b
     const bool exact = all.size() <= rank_sum_exact_limit;
     test.method = !exact ? "normal approximation" : test.ties > 0 ? "exact with ties" : "exact";
     const RankTails tails = rankSumTails(ranks.doubled, a.size());
-    test.p_less = tails.at_most;
-    test.p_greater = tails.at_least;
+    test.p_less = tails.lower_tail;
+    test.p_greater = tails.upper_tail;
     test.p_two_sided = tails.twoSided();
     test.hodges_lehmann = hodgesLehmannShift(a, b, level, *test.p_two_sided);
     return test;

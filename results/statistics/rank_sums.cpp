@@ -43,8 +43,8 @@ SignedRankSums::SignedRankSums(std::vector<std::int64_t> doubled, const std::vec
 RankTails SignedRankSums::exact() const {
     // The distribution is symmetric: both tails follow from the smaller sum's.
     const TailProbability tail = signedRankTail(doubled_, std::min(doubled_plus_, doubled_minus_));
-    if (doubled_plus_ <= doubled_minus_) return {tail.at_most, tail.atLeast()};
-    return {tail.atLeast(), tail.at_most};
+    if (doubled_plus_ <= doubled_minus_) return {tail.lower_tail, tail.upperTail()};
+    return {tail.upperTail(), tail.lower_tail};
 }
 
 double SignedRankSums::standardised(double shift) const {
@@ -91,20 +91,20 @@ RankTails exactSubsetTails(const std::vector<std::int64_t>& ranks, std::size_t c
     // The rank sum of those not chosen is the rest: the smaller sample is the one to count.
     if (2 * chosen > ranks.size()) {
         const RankTails others = exactSubsetTails(ranks, ranks.size() - chosen, total - w);
-        return {others.at_least, others.at_most};
+        return {others.upper_tail, others.lower_tail};
     }
     const auto all = static_cast<std::int64_t>(ranks.size());
     const auto part = static_cast<std::int64_t>(chosen);
     if (w * all <= total * part) {
         const TailProbability tail = rankSumTail(ranks, chosen, w);
-        return {tail.at_most, tail.atLeast()};
+        return {tail.lower_tail, tail.upperTail()};
     }
     // The upper tail is the lower one of the ranks counted from above.
     const std::int64_t turn = 2 * (all + 1);
     std::vector<std::int64_t> turned = ranks;
     for (std::int64_t& rank : turned) rank = turn - rank;
     const TailProbability tail = rankSumTail(turned, chosen, part * turn - w);
-    return {tail.atLeast(), tail.at_most};
+    return {tail.upperTail(), tail.lower_tail};
 }
 
 /// The sum of n_a of the ranks, drawn without putting back; ties are in the ranks' own moments. Its central

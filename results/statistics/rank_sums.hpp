@@ -9,10 +9,10 @@
 namespace deixis::results {
 
 struct RankTails {
-    double at_most = 1.0;   ///< P(sum <= the one found)
-    double at_least = 1.0;  ///< P(sum >= the one found)
+    double lower_tail = 1.0;  ///< P(sum <= the one found)
+    double upper_tail = 1.0;  ///< P(sum >= the one found)
 
-    [[nodiscard]] double twoSided() const { return std::min(1.0, 2.0 * std::min(at_most, at_least)); }
+    [[nodiscard]] double twoSided() const { return std::min(1.0, 2.0 * std::min(lower_tail, upper_tail)); }
 };
 
 /// Of one way to rank differences other than zero, conditional on these ranks.

@@ -16,8 +16,8 @@ namespace deixis::results {
 
 namespace {
 
-constexpr int most_exponent = 1000;
-constexpr std::size_t most_digits = 1000;
+constexpr int max_exponent = 1000;
+constexpr std::size_t max_digits = 1000;
 constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
 
 Int128 magnitude(Int128 value) {
@@ -81,7 +81,7 @@ tl::unexpected<std::string> notANumber(std::string_view text) {
 tl::unexpected<std::string> tooLarge(std::string_view text) {
     return tl::unexpected(
         fmt::format("\"{}\" is too long; at most {} digits and exponents from -{} to {} are read",
-                    text.substr(0, 60), most_digits, most_exponent, most_exponent));
+                    text.substr(0, 60), max_digits, max_exponent, max_exponent));
 }
 
 /// Without sign; `whole` stands in errors.
@@ -109,12 +109,12 @@ tl::expected<Decimal, std::string> parseDecimal(std::string_view text, std::stri
         int power = 0;
         const auto [end, error] = std::from_chars(exponent.data(), exponent.data() + exponent.size(), power);
         if (end != exponent.data() + exponent.size()) return notANumber(whole);
-        if (error != std::errc() || std::abs(power) > most_exponent) return tooLarge(whole);
+        if (error != std::errc() || std::abs(power) > max_exponent) return tooLarge(whole);
         out.exponent += power;
         at = text.size();
     }
     if (at != text.size()) return notANumber(whole);
-    if (text.size() > most_digits + 10) return tooLarge(whole);
+    if (text.size() > max_digits + 10) return tooLarge(whole);
     return out;
 }
 

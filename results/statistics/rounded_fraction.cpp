@@ -10,7 +10,7 @@ namespace deixis::results {
 
 namespace {
 
-constexpr int fewest_decimals = 9;
+constexpr int min_decimals = 9;
 constexpr double largest_denominator = 1000.0;
 
 /// Digits behind the point of "12.5", "1.25e-7".
@@ -38,13 +38,13 @@ std::string_view shortest(double value, std::array<char, 40>& text) {
 }  // namespace
 
 std::optional<Rational> roundedFraction(const Rational& decimal, int decimals) {
-    if (decimals < fewest_decimals) return std::nullopt;
+    if (decimals < min_decimals) return std::nullopt;
     // Long decimals come from floating-point arithmetic, whose last digit is off by more than a rounding.
     constexpr int of_arithmetic = 12;
     const double value = decimal.toDouble();
     const double last_digits = std::max(2.0 * std::pow(10.0, -decimals), 4e-16 * std::abs(value));
     const double off = decimals >= of_arithmetic ? last_digits : std::pow(10.0, -decimals);
-    const double most = std::min(largest_denominator, std::floor(std::sqrt(1e-6 / (0.6 * off))));
+    const double max = std::min(largest_denominator, std::floor(std::sqrt(1e-6 / (0.6 * off))));
     const double whole = std::floor(value);
     // Beyond that a double has not so many decimals.
     if (!(std::abs(whole) < 1e6)) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<Rational> roundedFraction(const Rational& decimal, int decimals) {
         const double term = std::floor(rest);
         const auto next_p = static_cast<std::int64_t>(term) * p + before_p;
         const auto next_q = static_cast<std::int64_t>(term) * q + before_q;
-        if (step > 0 && static_cast<double>(next_q) > most) return std::nullopt;
+        if (step > 0 && static_cast<double>(next_q) > max) return std::nullopt;
         before_p = step == 0 ? 1 : p;
         before_q = step == 0 ? 0 : q;
         p = step == 0 ? static_cast<std::int64_t>(term) : next_p;
@@ -76,7 +76,7 @@ std::optional<Rational> roundedFraction(double value) {
     if (value == std::floor(value)) return std::nullopt;
     std::array<char, 40> text{};
     const int decimals = decimalsOf(shortest(value, text));
-    if (decimals < fewest_decimals) return std::nullopt;
+    if (decimals < min_decimals) return std::nullopt;
     return roundedFraction(Rational::fromShortestDecimal(value), decimals);
 }
 

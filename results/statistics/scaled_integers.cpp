@@ -8,7 +8,7 @@ namespace deixis::results {
 namespace {
 
 /// Of all numerators together; beyond it the work would take minutes.
-constexpr std::size_t most_bits = std::size_t{1} << 27U;
+constexpr std::size_t max_bits = std::size_t{1} << 27U;
 
 /// Least common multiple; nothing where it grows beyond what `count` numbers may take.
 std::optional<BigInt> commonDenominator(std::span<const Rational> values) {
@@ -19,7 +19,7 @@ std::optional<BigInt> commonDenominator(std::span<const Rational> values) {
         const BigInt denominator = denominatorOf(value);
         if (common % denominator != 0) {
             common = boost::multiprecision::lcm(common, denominator);
-            if (msb(common) * values.size() > most_bits) return std::nullopt;
+            if (msb(common) * values.size() > max_bits) return std::nullopt;
         }
         last = value.big() == nullptr ? value.smallDenominator() : 1;
     }

@@ -82,9 +82,9 @@ double pValue(double one_minus_w, std::size_t n) {
 ShapiroWilk shapiroWilk(std::span<const Rational> x) {
     ShapiroWilk out;
     out.n = static_cast<int>(x.size());
-    constexpr std::size_t least = 3;
-    constexpr std::size_t most = 5000;
-    if (x.size() < least || x.size() > most) return out;
+    constexpr std::size_t min = 3;
+    constexpr std::size_t max = 5000;
+    if (x.size() < min || x.size() > max) return out;
     std::vector<Rational> sorted(x.begin(), x.end());
     std::sort(sorted.begin(), sorted.end());
     const Rational range = sorted.back() - sorted.front();

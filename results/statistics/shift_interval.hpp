@@ -22,7 +22,7 @@ struct ShiftInterval {
     double outside_p = 0.0;  ///< the largest p just outside its ends
 };
 
-/// One end. `Places` has least(), greatest(), before(place) and after(place); p(place, near) is the p of the
+/// One end. `Places` has min(), max(), before(place) and after(place); p(place, near) is the p of the
 /// test of a shift there.
 template <typename Int, typename Places, typename P>
 class IntervalEnd {
@@ -31,9 +31,9 @@ class IntervalEnd {
         : places_(places), p_(p), alpha_(alpha), is_lower_(is_lower) {}
 
     /// Begins at `place`; looks for shifts that are not rejected beyond those that are, too, up to
-    /// `most_looks` places further out. False where every shift from `place` inwards is rejected. A place by
+    /// `max_looks` places further out. False where every shift from `place` inwards is rejected. A place by
     /// itself, at which values vanish or tie, does not make the interval longer.
-    bool find(Int place, int most_looks) {
+    bool find(Int place, int max_looks) {
         place_ = place;
         while (!accepts(place_, outer()) && !accepts(place_, inner())) {
             if (place_ == innermost()) return false;
@@ -43,7 +43,7 @@ class IntervalEnd {
             while (place_ != outermost() && accepts(place_, outer())) place_ = outwards(place_);
             Int beyond = place_;
             bool found = false;
-            for (int looks = 0; looks < most_looks && beyond != outermost() && !found; ++looks) {
+            for (int looks = 0; looks < max_looks && beyond != outermost() && !found; ++looks) {
                 beyond = outwards(beyond);
                 const double p = pOf(beyond, outer());
                 found = p > alpha_;
@@ -71,8 +71,8 @@ class IntervalEnd {
     }
     [[nodiscard]] Near outer() const { return is_lower_ ? Near::below : Near::above; }
     [[nodiscard]] Near inner() const { return is_lower_ ? Near::above : Near::below; }
-    [[nodiscard]] Int outermost() const { return is_lower_ ? places_.least() : places_.greatest(); }
-    [[nodiscard]] Int innermost() const { return is_lower_ ? places_.greatest() : places_.least(); }
+    [[nodiscard]] Int outermost() const { return is_lower_ ? places_.min() : places_.max(); }
+    [[nodiscard]] Int innermost() const { return is_lower_ ? places_.max() : places_.min(); }
     [[nodiscard]] Int outwards(const Int& place) const {
         return is_lower_ ? places_.before(place) : places_.after(place);
     }
@@ -92,20 +92,20 @@ class IntervalEnd {
     std::optional<Known> last_{};
 };
 
-/// From the least to the greatest shift with p > alpha; `low` and `high` are places near the
+/// From the smallest to the largest shift with p > alpha; `low` and `high` are places near the
 /// ends, `middle` the one in the middle. It holds 0
 /// exactly where the test itself does not reject 0: where the test does and shifts on both sides of it are
 /// not rejected, the interval ends at 0, on the side that is rejected less. None where every shift is
 /// rejected.
 template <typename Int, typename Places, typename P>
 std::optional<ShiftInterval<Int>> invertTest(const Places& places, const P& p, double alpha, const Int& low,
-                                             const Int& high, const Int& middle, int most_looks) {
+                                             const Int& high, const Int& middle, int max_looks) {
     const Int zero(0);
     const double p_of_zero = p(zero, Near::at);
     IntervalEnd<Int, Places, P> lower(places, p, alpha, true);
     IntervalEnd<Int, Places, P> upper(places, p, alpha, false);
     ShiftInterval<Int> out;
-    if (lower.find(low, most_looks) && upper.find(high, most_looks)) {
+    if (lower.find(low, max_looks) && upper.find(high, max_looks)) {
         out = {lower.place(), upper.place(), lower.included(), upper.included(),
                std::max(lower.outsideP(), upper.outsideP())};
     } else {

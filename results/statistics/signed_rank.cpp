@@ -50,8 +50,8 @@ SignedRankTest signedRankTest(std::span<const Rational> differences, double leve
     const RankTails tails = sums.tails();
     test.p_two_sided = tails.twoSided();
     test.hodges_lehmann = hodgesLehmann(differences, level, test.p_two_sided);
-    test.p_greater = tails.at_least;
-    test.p_less = tails.at_most;
+    test.p_greater = tails.upper_tail;
+    test.p_less = tails.lower_tail;
     test.smallest_p = std::ldexp(1.0, 1 - static_cast<int>(magnitudes.size()));
 
     const SignedRankSums pratt(prattRanks(ranks.doubled, test.n_zero), positive);

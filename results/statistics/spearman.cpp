@@ -26,19 +26,19 @@ std::int64_t productSum(const Ranks& x, const Ranks& y) {
 /// Shares of the n! pairings whose sum of products is at most, or at least, that found.
 void exactTails(const Ranks& x, Ranks y, SpearmanTest& test) {
     const std::int64_t found = productSum(x, y);
-    std::int64_t at_most = 0;
-    std::int64_t at_least = 0;
+    std::int64_t lower_tail = 0;
+    std::int64_t upper_tail = 0;
     std::int64_t all = 0;
     // Different orders of equal ranks are the same pairing: each is counted once, all as often as the others.
     std::sort(y.begin(), y.end());
     do {
         const std::int64_t sum = productSum(x, y);
-        at_most += sum <= found ? 1 : 0;
-        at_least += sum >= found ? 1 : 0;
+        lower_tail += sum <= found ? 1 : 0;
+        upper_tail += sum >= found ? 1 : 0;
         ++all;
     } while (std::next_permutation(y.begin(), y.end()));
-    test.p_less = static_cast<double>(at_most) / static_cast<double>(all);
-    test.p_greater = static_cast<double>(at_least) / static_cast<double>(all);
+    test.p_less = static_cast<double>(lower_tail) / static_cast<double>(all);
+    test.p_greater = static_cast<double>(upper_tail) / static_cast<double>(all);
     test.method = "exact";
 }
 

@@ -17,7 +17,7 @@ namespace deixis::results {
 
 namespace {
 
-constexpr std::size_t samples_together = most_frames_in_block;  ///< in one transaction
+constexpr std::size_t samples_together = max_frames_in_block;  ///< in one transaction
 /// Of a sample, unless the disk is slow: long enough for a block to fill at 72 frames a second.
 constexpr std::chrono::milliseconds longest_wait{1000};
 constexpr std::size_t usual_events = 64;
@@ -46,7 +46,7 @@ struct RecordingThread::Impl {
         : store(store_in), study(study_in), plan(plan_in), clips(std::move(clips_in)), options(options_in) {
         for (Batch* batch : {&handed_over, &taken}) {
             batch->events.reserve(usual_events);
-            batch->samples.reserve(options.most_waiting_samples);
+            batch->samples.reserve(options.max_waiting_samples);
             batch->trials.reserve(usual_events);
         }
         thread = std::thread([this] { run(); });
@@ -111,7 +111,7 @@ struct RecordingThread::Impl {
         bool enough = false;
         {
             const std::lock_guard lock(mutex);
-            full = samples_waiting >= options.most_waiting_samples;
+            full = samples_waiting >= options.max_waiting_samples;
             if (!full) {
                 ++samples_waiting;
                 handed_over.samples.push_back({std::move(sample), trial_index});

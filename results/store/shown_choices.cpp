@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "results/database/counted_participants.hpp"
 #include "results/database/database_open.hpp"
-#include "results/database/standing.hpp"
 
 namespace deixis::results {
 
@@ -31,7 +31,7 @@ ShownChoices readShown(SQLite::Database& database) {
             "JOIN response_stimuli AS c ON c.response = r.id AND c.position = 0 "
             "WHERE r.superseded IS NULL AND p.status = 'active' AND s.scored "
             "ORDER BY r.participant, r.trial_index",
-            participantsStanding()));
+            effectiveParticipants()));
     while (rows.executeStep()) {
         ShownChoice& one = out.choices.emplace_back();
         one.participant = rows.getColumn(0).getString();

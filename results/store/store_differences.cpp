@@ -122,15 +122,15 @@ std::vector<std::string> planDifferences(const studies::StudyPlan& kept, const s
     compare(out, "the list of stages", joined(kept.stages), joined(given.stages));
     compare(out, "the number of trials", std::to_string(kept.trials.size()),
             std::to_string(given.trials.size()));
-    constexpr int most = 3;
+    constexpr int max = 3;
     int different = 0;
     for (std::size_t i = 0; i < std::min(kept.trials.size(), given.trials.size()); ++i) {
         const std::string a = trialText(kept.trials[i]);
         const std::string b = trialText(given.trials[i]);
-        if (a != b && ++different <= most)
+        if (a != b && ++different <= max)
             out.push_back(fmt::format("trial {} is kept as '{}', given as '{}'", i, a, b));
     }
-    if (different > most) out.push_back(fmt::format("{} further trials differ", different - most));
+    if (different > max) out.push_back(fmt::format("{} further trials differ", different - max));
     return out;
 }
 

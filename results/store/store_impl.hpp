@@ -64,10 +64,10 @@ class Query {
     /// Text that no server could hold is refused where it enters; what gets as far as this (a folder's name,
     /// a driver's) is kept as well as can be.
     void bindText(const std::string& text) {
-        if (keepableText(text))
+        if (storableText(text))
             statement_.bind(++bound_, text);
         else
-            statement_.bind(++bound_, keepable(text));
+            statement_.bind(++bound_, storable(text));
     }
 
     SQLite::Statement& statement_;
@@ -174,8 +174,8 @@ struct Store::Impl {
     void keepHash(std::int64_t response);
     void exclude(const std::string& reason, const studies::Moment& at);
     void abort(const std::string& reason);
-    /// A refusal gives way to the answer that was asked for anew.
-    void supersedeRefusal(int trial_index, const studies::Moment& at);
+    /// A refusal gives way to the answer that was asked for again.
+    void supersedeRejection(int trial_index, const studies::Moment& at);
     void insertNote(const studies::Note& note);
     /// Takes the session's participant out of the analysis, who counted until now.
     void leaveOut(ParticipantStatus status, const std::string& reason);

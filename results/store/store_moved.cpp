@@ -19,11 +19,11 @@ namespace {
 /// gone in the working or the temporary one. Returns the first that could be made.
 std::optional<fs::path> makeNewFile(const fs::path& database) {
     std::error_code code;
-    constexpr int most = 1000;
+    constexpr int max = 1000;
     for (const fs::path& folder :
          {database.parent_path(), fs::current_path(code), fs::temp_directory_path(code)}) {
         if (!fs::is_directory(folder, code)) continue;
-        for (int i = 1; i < most; ++i) {
+        for (int i = 1; i < max; ++i) {
             const fs::path file = recoveredCopy(folder / database.filename(), i);
             if (fs::exists(file, code)) continue;
             if (makeOwnFile(file)) return file;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "response_values.hpp"
-#include "results/database/standing.hpp"
+#include "results/database/counted_participants.hpp"
 #include "store_impl.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
@@ -77,8 +77,8 @@ studies::GroupSizes Store::Impl::countGroups(const std::string& people) {
 
 studies::GroupSizes Store::groupsTaken() const {
     if (impl_->groups_taken) return *impl_->groups_taken;
-    auto out =
-        impl_->countGroups(fmt::format("(SELECT * FROM {} WHERE status = 'active')", participantsStanding()));
+    auto out = impl_->countGroups(
+        fmt::format("(SELECT * FROM {} WHERE status = 'active')", effectiveParticipants()));
     if (impl_->durability == Durability::whole_run) impl_->groups_taken = out;
     return out;
 }

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-#include "results/database/standing.hpp"
+#include "results/database/counted_participants.hpp"
 #include "store_impl.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
@@ -33,7 +33,7 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
     const studies::Trial& trial = plan.trials.at(static_cast<std::size_t>(response.trial_index));
     const studies::Stage& stage = stageOf(study, trial);
     if (studies::declarationOf(stage.kind).asks_consent)
-        supersedeRefusal(response.trial_index, response.answered);
+        supersedeRejection(response.trial_index, response.answered);
     auto row = query(
         "INSERT INTO responses (participant, trial_index, session, status, "
         "check_passed, onset_s, onset_utc_s, motion_end_s, motion_end_utc_s, answered_s, answered_utc_s, "
@@ -88,12 +88,12 @@ void Store::Impl::insertResponse(const studies::Response& response, const studie
     if (!response.exclusion.empty()) exclude(response.exclusion, response.answered);
 }
 
-void Store::Impl::supersedeRefusal(int trial_index, const studies::Moment& at) {
-    auto refused = query(
+void Store::Impl::supersedeRejection(int trial_index, const studies::Moment& at) {
+    auto declined = query(
         "SELECT 1 FROM responses AS r JOIN answers AS a ON a.response = r.id WHERE r.participant = ? AND "
         "r.trial_index = ? AND r.superseded IS NULL AND a.question = 'consent' AND a.value = 0");
-    refused << session_participant << trial_index;
-    if (refused.next()) supersede({trial_index, "consent was asked anew", at});
+    declined << session_participant << trial_index;
+    if (declined.next()) supersede({trial_index, "consent was asked anew", at});
 }
 
 void Store::Impl::keepHash(std::int64_t response) {
@@ -122,7 +122,7 @@ void Store::Impl::insertConsent(const studies::Answer& answer, const studies::Re
     static const std::string back_sql = fmt::format(
         "UPDATE participants SET status = 'active', reason = NULL WHERE id = ? AND status = 'dropped' AND "
         "reason IN (?, ?) AND NOT {}",
-        refusedConsent("participants.id"));
+        declinedConsent("participants.id"));
     auto back = query(back_sql.c_str());
     back << session_participant << declined_reason << asked_anew_reason;
     back.run();

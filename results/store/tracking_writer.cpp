@@ -49,16 +49,16 @@ TrackingWriter::TrackingWriter(SQLite::Database& database)
              "max_off_place_m = max(max_off_place_m, excluded.max_off_place_m), "
              "head_untracked_frames = head_untracked_frames + excluded.head_untracked_frames, "
              "last_display_time_s = excluded.last_display_time_s") {
-    samples_.reserve(most_frames_in_block);
+    samples_.reserve(max_frames_in_block);
 }
 
 void TrackingWriter::insert(long long session, std::span<const TrackedFrame> frames) {
     while (!frames.empty()) {
         const int trial = frames.front().trial_index;
-        const auto most = frames.first(std::min(frames.size(), most_frames_in_block));
-        const auto end = std::find_if(most.begin(), most.end(),
+        const auto max = frames.first(std::min(frames.size(), max_frames_in_block));
+        const auto end = std::find_if(max.begin(), max.end(),
                                       [&](const TrackedFrame& frame) { return frame.trial_index != trial; });
-        const auto block = frames.first(static_cast<std::size_t>(end - most.begin()));
+        const auto block = frames.first(static_cast<std::size_t>(end - max.begin()));
         insertBlock(session, block);
         frames = frames.subspan(block.size());
     }

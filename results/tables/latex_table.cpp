@@ -10,7 +10,7 @@ namespace deixis::results {
 namespace {
 
 constexpr double text_width_pt = 345.0;  // of article at 10 pt, on A4 and letter
-constexpr std::size_t most_rows = 35;    // of a page
+constexpr std::size_t max_rows = 35;     // of a page
 
 std::string escapeLatex(std::string_view text) {
     std::string out;
@@ -185,7 +185,7 @@ std::string captionOf(const Table& table) {
 
 std::string scaledTable(const Table& table, const Body& body, const std::string& size) {
     std::string out;
-    const std::size_t parts = (body.rows.size() + most_rows - 1) / most_rows;
+    const std::size_t parts = (body.rows.size() + max_rows - 1) / max_rows;
     for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t from = part * body.rows.size() / parts;
         const std::size_t to = (part + 1) * body.rows.size() / parts;
@@ -216,7 +216,7 @@ std::string latexText(const Table& table) {
     const std::string caption =
         fmt::format("\\caption{{{}}}\n\\label{{tab:{}}}", captionOf(table), table.name);
     const std::string rows = rowsOf(body, 0, body.rows.size());
-    if (body.rows.size() > most_rows)
+    if (body.rows.size() > max_rows)
         return fmt::format(
             "{}\\begingroup\n{}\\begin{{longtable}}{{{}}}\n{} \\\\\n\\toprule\n{} \\\\\n\\midrule\n"
             "\\endfirsthead\n\\toprule\n{} \\\\\n\\midrule\n\\endhead\n\\bottomrule\n\\endfoot\n{}"

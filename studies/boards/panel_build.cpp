@@ -11,10 +11,10 @@ namespace deixis::studies::panel {
 
 namespace {
 
-constexpr double least_share = 0.75;  // of its size: a text with a word too long for its width
+constexpr double min_share = 0.75;  // of its size: a text with a word too long for its width
 constexpr double progress_height_m = 0.03;
 constexpr double button_inset_m = 0.03;  // on either side of a label
-constexpr double least_button_m = 0.26;
+constexpr double min_button_m = 0.26;
 constexpr double play_mark_m = 0.036;
 constexpr double label_inset_m = 0.012;
 constexpr double widest_step_m = 0.3;
@@ -34,7 +34,7 @@ struct StepGrid {
 
 StepGrid stepGrid(const Scale& scale, double x, double width_m) {
     StepGrid grid;
-    grid.rows = (scale.steps() + most_in_row - 1) / most_in_row;
+    grid.rows = (scale.steps() + max_in_row - 1) / max_in_row;
     grid.in_row = (scale.steps() + grid.rows - 1) / grid.rows;
     const double between_m = grid.in_row > 5 ? 0.016 : button_gap_m;
     grid.step_m = std::min(widest_step_m, (width_m - (grid.in_row - 1) * between_m) / grid.in_row);
@@ -71,7 +71,7 @@ Span labelSpan(const Scale& scale, std::size_t place, double x, double width_m) 
 /// The size, or less where a word is too long for the width.
 double fittedSize(const std::string& text, double size_m, double width_m, bool bold) {
     const double widest_m = widestWord(text, size_m, bold);
-    return widest_m <= width_m ? size_m : size_m * std::max(least_share, width_m / widest_m);
+    return widest_m <= width_m ? size_m : size_m * std::max(min_share, width_m / widest_m);
 }
 
 std::string joined(const std::vector<std::string>& lines) {
@@ -93,13 +93,13 @@ double textHeight(const std::string& text, double size_m, double width_m, bool b
 
 double buttonWidth(const std::string& label, ButtonRole role) {
     const double mark_m = role == ButtonRole::play ? play_mark_m : 0.0;
-    return std::max(least_button_m, textWidth(label, button_size_m, true) + 2.0 * button_inset_m + mark_m);
+    return std::max(min_button_m, textWidth(label, button_size_m, true) + 2.0 * button_inset_m + mark_m);
 }
 
 bool fitsAsLabel(const std::string& text, double button_m) {
-    constexpr double least_label = 0.7;
+    constexpr double min_label = 0.7;
     return text.find('\n') == std::string::npos &&
-           textWidth(text, least_label * button_size_m, true) <= button_m - 2.0 * label_inset_m;
+           textWidth(text, min_label * button_size_m, true) <= button_m - 2.0 * label_inset_m;
 }
 
 bool fitAsCaptions(const std::vector<std::string>& labels, double button_m) {
@@ -123,13 +123,13 @@ double Builder::text(const std::string& words, double x, double top, double widt
     PanelText made;
     made.size_m = style.fitted ? style.size_m : fittedSize(words, style.size_m, width_m, style.bold);
     const auto lines = wrapText(words, made.size_m, width_m, style.bold);
-    const double height_m = std::max(style.least_height_m, static_cast<double>(lines.size()) * made.size_m);
+    const double height_m = std::max(style.min_height_m, static_cast<double>(lines.size()) * made.size_m);
     made.box = {x, top - height_m, width_m, height_m};
     made.text = joined(lines);
     made.bold = style.bold;
     made.centred = style.centred;
     made.faint = style.faint;
-    made.level = style.least_height_m > 0.0;
+    made.level = style.min_height_m > 0.0;
     panel_.texts.push_back(std::move(made));
     return height_m;
 }
@@ -237,13 +237,13 @@ double Builder::slider(const ScalePart& part, double x, double top, double width
         for (std::size_t i = 0; i < made.labels.size(); ++i)
             made.label_size_m =
                 std::min(made.label_size_m, fittedSize(made.labels[i], label_size_m, widthOf(i), false));
-        std::size_t most = 1;
+        std::size_t max = 1;
         for (std::size_t i = 0; i < made.labels.size(); ++i) {
             const auto lines = wrapText(made.labels[i], made.label_size_m, widthOf(i));
-            most = std::max(most, lines.size());
+            max = std::max(max, lines.size());
             made.labels[i] = joined(lines);
         }
-        made.box.height = slider_label_drop_m + static_cast<double>(most) * made.label_size_m;
+        made.box.height = slider_label_drop_m + static_cast<double>(max) * made.label_size_m;
     }
     const double height_m = made.box.height;
     made.box.y = top - height_m;
@@ -297,9 +297,9 @@ double Builder::scaleLabels(const Scale& scale, double x, double top, double wid
 
 double Builder::endLabels(const std::string& low, const std::string& high, double x, double top,
                           double width_m) {
-    const double most_m = (1.0 - label_apart) / 2.0 * width_m;
+    const double max_m = (1.0 - label_apart) / 2.0 * width_m;
     const auto width = [&](const std::string& label) {
-        return std::min(most_m, textWidth(label, label_size_m) + 1e-6);
+        return std::min(max_m, textWidth(label, label_size_m) + 1e-6);
     };
     const double low_m = text(low, x, top, width(low), {label_size_m});
     const double high_m =
@@ -316,16 +316,16 @@ void Builder::question(const std::string& question, const std::string& hint,
                        const std::optional<ButtonSpec>& spec) {
     const double button_m = spec ? std::min(buttonWidth(spec->label, spec->role), 0.5 * inner()) : 0.0;
     const double width_m = inner() - (spec ? button_m + gap_m : 0.0);
-    const double least_m = spec ? button_height_m : 0.0;
+    const double min_m = spec ? button_height_m : 0.0;
     TextStyle style{question_size_m, true, !spec};
     double row_m = 0.0;
     if (hint.empty()) {
-        style.least_height_m = least_m;  // level with the button
+        style.min_height_m = min_m;  // level with the button
         row_m = text(question, margin_m, top_, width_m, style);
     } else {
         const double question_m = textHeight(question, question_size_m, width_m, true);
         const double texts_m = question_m + label_gap_m + textHeight(hint, label_size_m, width_m);
-        row_m = std::max(texts_m, least_m);
+        row_m = std::max(texts_m, min_m);
         const double texts_top = top_ - (row_m - texts_m) / 2.0;
         text(question, margin_m, texts_top, width_m, style);
         text(hint, margin_m, texts_top - question_m - label_gap_m, width_m,

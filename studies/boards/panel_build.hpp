@@ -26,15 +26,15 @@ constexpr double caption_height_m = 0.17;  ///< of a button with a caption
 constexpr double button_gap_m = 0.03;
 constexpr double slider_height_m = 0.11;
 constexpr double slider_label_drop_m = 0.095;  ///< from its top to its labels, where it has any
-constexpr int most_in_row = 11;
+constexpr int max_in_row = 11;
 
 struct TextStyle {
     double size_m = body_size_m;
     bool bold = false;
     bool centred = false;
     bool faint = false;
-    double least_height_m = 0.0;  ///< of its box, in the middle of which it stands then
-    bool fitted = false;          ///< its size is what fits several texts alike
+    double min_height_m = 0.0;  ///< of its box, in the middle of which it stands then
+    bool fitted = false;        ///< its size is what fits several texts alike
 };
 
 [[nodiscard]] double textHeight(const std::string& text, double size_m, double width_m, bool bold = false);

@@ -49,11 +49,11 @@ double bearingBesideAvatar(const Panel& panel, const Pose& stage_from_viewer, do
 /// the floor, or as much higher as its foot needs, its top leaning away.
 Pose stand(const Panel& panel, const Pose& stage_from_viewer, double distance_m, double height_m,
            double tilt_rad, double bearing = 0.0) {
-    const double least_height_m = above_floor_m + panel.height_m / 2.0 * std::cos(tilt_rad);
+    const double min_height_m = above_floor_m + panel.height_m / 2.0 * std::cos(tilt_rad);
     const Quat tilt(std::cos(tilt_rad / 2.0), -std::sin(tilt_rad / 2.0), 0.0, 0.0);
     const double clear = bearingBesideAvatar(panel, stage_from_viewer, distance_m, bearing);
     const Pose turned{Vec3(0.0), yawRotation(clear)};
-    const Pose turned_from_centre{{0.0, std::max(height_m, least_height_m), -distance_m}, tilt};
+    const Pose turned_from_centre{{0.0, std::max(height_m, min_height_m), -distance_m}, tilt};
     const Pose centre_from_corner{{-panel.width_m / 2.0, -panel.height_m / 2.0, 0.0}, no_rotation};
     return stage_from_viewer * turned * turned_from_centre * centre_from_corner;
 }

@@ -53,7 +53,7 @@ bool standsBeside(const Question& question) {
 /// Of a text beside a button, level with it.
 panel::TextStyle besideButton(bool bold) {
     panel::TextStyle style{panel::item_size_m, bold};
-    style.least_height_m = panel::low_button_height_m;
+    style.min_height_m = panel::low_button_height_m;
     return style;
 }
 

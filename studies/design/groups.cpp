@@ -46,10 +46,10 @@ Result<void> checkParticipantId(std::string_view participant) {
 }
 
 std::optional<int> numberOfParticipant(std::string_view participant) {
-    constexpr std::size_t most_digits = 6;
+    constexpr std::size_t max_digits = 6;
     const auto digits = static_cast<std::size_t>(
         std::find_if_not(participant.rbegin(), participant.rend(), isDigit) - participant.rbegin());
-    if (digits == 0 || digits > most_digits) return std::nullopt;
+    if (digits == 0 || digits > max_digits) return std::nullopt;
     int number = 0;
     for (const char c : participant.substr(participant.size() - digits)) number = 10 * number + (c - '0');
     if (number == 0) return std::nullopt;
@@ -63,15 +63,15 @@ Groups assignGroups(const Study& study, const GroupSizes& taken, int number) {
         const auto counted = taken.find(cell);
         filled.push_back(counted == taken.end() ? 0 : counted->second);
     }
-    const int fewest = *std::min_element(filled.begin(), filled.end());
+    const int min = *std::min_element(filled.begin(), filled.end());
     std::vector<const Groups*> open;
     for (std::size_t i = 0; i < cells.size(); ++i)
-        if (filled[i] == fewest) open.push_back(&cells[i]);
+        if (filled[i] == min) open.push_back(&cells[i]);
     Random random(deriveSeed(study.seed, "groups"), fmt::format("{}", number));
     return *open[random.below(open.size())];
 }
 
-Turn turnOf(const Study& study, int number, const Groups& groups) {
+Assignment assignmentOf(const Study& study, int number, const Groups& groups) {
     if (study.between.empty()) return {groups, std::nullopt};
     GroupSizes taken;
     for (int before = 1; before < number; ++before) ++taken[assignGroups(study, taken, before)];

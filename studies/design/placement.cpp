@@ -9,8 +9,8 @@ namespace deixis::studies {
 namespace {
 
 const Vec3 forward{0.0, 0.0, -1.0};
-constexpr double least_scale = 0.5;
-constexpr double greatest_scale = 2.0;
+constexpr double min_scale = 0.5;
+constexpr double max_scale = 2.0;
 
 /// The direction in which the person faces, laid on the floor; not of unit length.
 Vec3 facing(const Quat& orientation) {
@@ -55,7 +55,7 @@ Placement placementFor(const Anchor& anchor, const Pose& stage_from_viewer, EyeL
     if (eye_level == EyeLevel::scale) {
         constexpr double lowest_eyes_m = 0.1;  // a head on the floor is no height to measure by
         placement.scale = std::clamp(avatar_eye_height_m / std::max(anchor.eye_height_m, lowest_eyes_m),
-                                     least_scale, greatest_scale);
+                                     min_scale, max_scale);
     }
     const Quat turn = stage_from_viewer.orientation * glm::conjugate(anchor.tracking_from_anchor.orientation);
     placement.turn_and_shift = {

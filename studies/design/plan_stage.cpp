@@ -9,19 +9,19 @@
 #include <span>
 
 #include "core/random.hpp"
+#include "counterbalancing.hpp"
 #include "plan_balls.hpp"
-#include "plan_levels.hpp"
-#include "plan_order.hpp"
 #include "plan_units.hpp"
 #include "studies/study_file/stage_kind.hpp"
+#include "trial_order.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
 tl::unexpected<Error> failIn(const Stage& stage, std::string_view key, std::string message,
-                             std::string mend = {}) {
-    return fail(fmt::format("stages.{}.{}", stage.name, key), std::move(message), std::move(mend));
+                             std::string hint = {}) {
+    return fail(fmt::format("stages.{}.{}", stage.name, key), std::move(message), std::move(hint));
 }
 
 int countOf(const Stage& stage, CheckKind kind) {
@@ -35,14 +35,14 @@ int countOf(const Stage& stage, CheckKind kind) {
 Result<void> checkDesign(const Study& study, const Stage& stage) {
     const TrialDesign& design = stage.design;
     const StageDeclaration& kind = declarationOf(stage.kind);
-    const auto least = static_cast<std::size_t>(kind.min_stimuli);
-    if (design.systems.size() < least)
+    const auto min = static_cast<std::size_t>(kind.min_stimuli);
+    if (design.systems.size() < min)
         return failIn(stage, "systems",
-                      fmt::format("found {}, expected at least {}", design.systems.size(), least));
+                      fmt::format("found {}, expected at least {}", design.systems.size(), min));
     if (design.layouts.empty()) return failIn(stage, "layouts", "found none, expected at least one");
     if (design.items < 1)
         return failIn(stage, "items", fmt::format("found {}, expected at least 1", design.items));
-    if (kind.arrangement == Arrangement::shuffled && design.system_meets != Meeting::crossed)
+    if (kind.arrangement == Arrangement::shuffled && design.system_meets != Crossing::crossed)
         return failIn(stage, "system_meets",
                       "found \"nested\", expected \"crossed\": a page shows all systems");
     if (kind.balls && design.distances.empty())
@@ -267,13 +267,13 @@ int nextInTurn(const DesignLevels& levels, const std::vector<std::string>& syste
         std::sort(places.begin(), places.end());
         return places;
     };
-    const auto least =
+    const auto min =
         std::min_element(levels.shown.begin(), levels.shown.end(), [&](const auto& a, const auto& b) {
             const int of_a = practised(a), of_b = practised(b);
             return of_a != of_b ? of_a < of_b : placesOf(a) < placesOf(b);
         });
-    for (const int system : *least) ++turns[place[system]].second;
-    return static_cast<int>(least - levels.shown.begin());
+    for (const int system : *min) ++turns[place[system]].second;
+    return static_cast<int>(min - levels.shown.begin());
 }
 
 }  // namespace
@@ -340,8 +340,8 @@ Result<std::vector<Trial>> practiceTrials(const Study& study, const Stage& stage
     trials.reserve(items.size());
     PracticeTurns current = turns;  // later attempts may not be done, so other stages do not count on them
     for (int attempt = 0; attempt < stage.practice->max_attempts; ++attempt) {
-        const std::vector<std::vector<int>> own =
-            shareLevels({levels.layouts, static_cast<int>(levels.bands.size())}, stage.design.items, random);
+        const std::vector<std::vector<int>> own = counterbalanceLevels(
+            {levels.layouts, static_cast<int>(levels.bands.size())}, stage.design.items, random);
         for (int i = 0; i < stage.design.items; ++i) {
             const int shown = nextInTurn(levels, design.design.systems, current);
             PlannedTrial unit{items[attempt * stage.design.items + i], shown, own[i][0],

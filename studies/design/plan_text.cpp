@@ -143,7 +143,7 @@ class Reader {
     std::string where_;
 };
 
-constexpr int most = std::numeric_limits<int>::max();
+constexpr int max = std::numeric_limits<int>::max();
 
 std::vector<int> readBallOrder(const Reader& reader, std::size_t balls) {
     const Json& json = reader.list("ball_order");
@@ -166,7 +166,7 @@ std::vector<Stimulus> readStimuli(const Reader& reader, StageKind kind) {
     for (const Json& entry : json) {
         const bool several = entry.is_object() && entry.contains("clip");
         const Reader one(entry, reader.name(fmt::format("stimuli[{}]", out.size())), several ? 3 : 2);
-        out.push_back({one.text("system"), one.text("item"), several ? one.whole("clip", 1, most) : 0});
+        out.push_back({one.text("system"), one.text("item"), several ? one.whole("clip", 1, max) : 0});
     }
     const StageDeclaration& declared = declarationOf(kind);
     const int n = static_cast<int>(out.size());
@@ -263,8 +263,8 @@ Trial readTrial(const Json& json, std::size_t index, const std::vector<std::stri
     trial.kind = *kind;
     const StageDeclaration& declared = declarationOf(*kind);
     trial.practice = reader.boolean("practice");
-    trial.attempt = reader.whole("attempt", 0, trial.practice ? most : 0);
-    trial.page = reader.whole("page", 0, declared.in_pages ? most : 0);
+    trial.attempt = reader.whole("attempt", 0, trial.practice ? max : 0);
+    trial.page = reader.whole("page", 0, declared.in_pages ? max : 0);
     trial.stimuli = readStimuli(reader, trial.kind);
     trial.layout = reader.text("layout");
     trial.distance = reader.text("distance");
@@ -293,8 +293,8 @@ StudyPlan readPlan(const Json& document) {
     plan.participant = reader.text("participant");
     if (!validParticipant(plan.participant))
         reader.bad("participant", reader.get("participant"), "a participant's id");
-    plan.number = reader.whole("number", 1, most);
-    if (in_cell) plan.number_in_cell = reader.whole("number_in_cell", 1, most);
+    plan.number = reader.whole("number", 1, max);
+    if (in_cell) plan.number_in_cell = reader.whole("number_in_cell", 1, max);
     plan.study_name = reader.text("study");
     plan.study_hash = reader.text("study_hash");
     plan.seed = reader.count("seed");

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <span>
 
-#include "plan_levels.hpp"
+#include "counterbalancing.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
@@ -21,8 +21,8 @@ struct LevelRange {
 };
 
 /// All levels where items meet all of them, else the item's own.
-LevelRange levelsMet(Meeting meeting, int levels, int own) {
-    return meeting == Meeting::nested ? LevelRange{own, own + 1} : LevelRange{0, levels};
+LevelRange levelsMet(Crossing meeting, int levels, int own) {
+    return meeting == Crossing::nested ? LevelRange{own, own + 1} : LevelRange{0, levels};
 }
 
 /// The levels of the factor that makes the blocks, in the order of presentation.
@@ -81,11 +81,11 @@ std::vector<PlannedTrial> makeUnits(const Study& study, const Stage& stage,
     const int shown = static_cast<int>(levels.shown.size());
     const int bands = static_cast<int>(levels.bands.size());
 
-    const auto nestedLevels = [](Meeting meeting, int count) {
-        return meeting == Meeting::nested ? count : 1;
+    const auto nestedLevels = [](Crossing meeting, int count) {
+        return meeting == Crossing::nested ? count : 1;
     };
     Random random(seed, "levels");
-    const std::vector<std::vector<int>> own = shareLevels(
+    const std::vector<std::vector<int>> own = counterbalanceLevels(
         {nestedLevels(design.system_meets, shown), nestedLevels(design.layout_meets, levels.layouts),
          nestedLevels(design.distance_meets, bands)},
         design.items, random);
@@ -103,7 +103,8 @@ std::vector<PlannedTrial> makeUnits(const Study& study, const Stage& stage,
     std::size_t next = static_cast<std::size_t>(design.items);
     for (const AttentionChecks& check : stage.checks) {
         if (check.kind != CheckKind::catch_trial) continue;
-        for (const std::vector<int>& level : shareLevels({shown, levels.layouts}, check.count, random)) {
+        for (const std::vector<int>& level :
+             counterbalanceLevels({shown, levels.layouts}, check.count, random)) {
             units.push_back({items[next++], level[0], level[1], bandIndex(study, check.distance)});
             units.back().is_catch = true;
         }

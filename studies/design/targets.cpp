@@ -120,15 +120,15 @@ std::string describeAngles(const DistanceBand& band) {
 std::optional<GridPoint> drawDistractor(const TargetSpace& space, const DistanceBand& band,
                                         const GridPoint& target, const std::vector<GridPoint>& others,
                                         const AngleLimits& angles, const ClearView* view, Random& random) {
-    constexpr int most_draws = 1'000'000;
-    constexpr int most_hidden = 3000;
+    constexpr int max_draws = 1'000'000;
+    constexpr int max_hidden = 3000;
     const std::int64_t diameter = gridUnits(space.ball_diameter_m);
     const std::int64_t nearest = std::max(gridUnits(band.distance_m.low), diameter);
     const std::int64_t farthest = gridUnits(band.distance_m.high);
     std::vector<Vec3> seen_beside;
     std::transform(others.begin(), others.end(), std::back_inserter(seen_beside), metres);
     int hidden = 0;
-    for (int draw = 0; draw < most_draws && hidden < most_hidden; ++draw) {
+    for (int draw = 0; draw < max_draws && hidden < max_hidden; ++draw) {
         const GridPoint point = drawPosition(space, random);
         const std::int64_t from_target = squaredDistance(point, target);
         if (from_target < nearest * nearest || from_target > farthest * farthest) continue;
@@ -179,10 +179,10 @@ Result<std::vector<Vec3>> bandDistractors(const TargetItem& item, const TargetSp
 /// bounded search.
 std::optional<Vec3> seenTarget(const TargetSpace& space, const std::string& id, const Vec3& first,
                                std::uint64_t seed, const std::vector<Viewpoint>& from) {
-    constexpr int most_draws = 1000;
+    constexpr int max_draws = 1000;
     Random random(seed, "another place for " + id);
     Vec3 position = first;
-    for (int draw = 0; draw < most_draws; ++draw) {
+    for (int draw = 0; draw < max_draws; ++draw) {
         if (ClearView(from, position, space.ball_diameter_m / 2).seesTarget()) return position;
         position = metres(drawPosition(space, random));
     }
@@ -263,8 +263,8 @@ Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items, c
                            askedViewpoints(study), viewpoints(study));
 }
 
-Result<std::vector<DrawnAnew>> drawnAnew(const Study& study, const std::vector<TargetItem>& targets) {
-    std::vector<DrawnAnew> out(targets.size(), DrawnAnew::nothing);
+Result<std::vector<Redrawn>> redrawn(const Study& study, const std::vector<TargetItem>& targets) {
+    std::vector<Redrawn> out(targets.size(), Redrawn::nothing);
     const std::vector<Viewpoint> places = viewpoints(study);
     if (!study.targets.clear_view || places.empty()) return out;
     const auto bare = study.targets.from_manifest.empty()
@@ -272,16 +272,16 @@ Result<std::vector<DrawnAnew>> drawnAnew(const Study& study, const std::vector<T
                           : drawDistractors(targets, study.targets, study.distances, study.seed, {}, places);
     if (!bare) return tl::unexpected(bare.error());
     for (std::size_t i = 0; i < std::min(bare->size(), targets.size()); ++i)
-        out[i] = (*bare)[i].target != targets[i].target             ? DrawnAnew::target
-                 : (*bare)[i].distractors != targets[i].distractors ? DrawnAnew::distractors
-                                                                    : DrawnAnew::nothing;
+        out[i] = (*bare)[i].target != targets[i].target             ? Redrawn::target
+                 : (*bare)[i].distractors != targets[i].distractors ? Redrawn::distractors
+                                                                    : Redrawn::nothing;
     return out;
 }
 
 Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions) {
     constexpr double farthest_m = 20.0;
-    const auto problem = [&](std::string message, std::string mend = {}) {
-        return fail(space.fit_manifest, std::move(message), std::move(mend));
+    const auto problem = [&](std::string message, std::string hint = {}) {
+        return fail(space.fit_manifest, std::move(message), std::move(hint));
     };
     if (positions.empty()) return problem("found no targets, expected at least one to fit the ranges to");
     bool first = true;

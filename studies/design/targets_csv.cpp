@@ -44,7 +44,7 @@ Column numbers(std::string name, const std::vector<TargetItem>& targets, const c
     return out;
 }
 
-double least(const std::vector<double>& values) {
+double smallest(const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
 }
 
@@ -54,7 +54,7 @@ void addSeen(const Study& study, const std::vector<TargetItem>& targets, std::si
         out.push_back(numbers(
             fmt::format("{}seen_{}_{}", prefix, viewpoint.layout, standingName(viewpoint.standing)), targets,
             "{:.3f}", [&](const TargetItem& item) {
-                return seenOf(study, item, band, {viewpoint}, StandingAvatar::reference()).front().least();
+                return seenOf(study, item, band, {viewpoint}, StandingAvatar::reference()).front().min();
             }));
 }
 
@@ -66,13 +66,13 @@ void addAngles(const Study& study, const std::vector<TargetItem>& targets, std::
     };
     if (!places.empty())
         out.push_back(numbers(prefix + "angle_avatar", targets, "{:.2f}", [&](const TargetItem& item) {
-            return least(angles(item, places.front().layout).avatar_deg);
+            return smallest(angles(item, places.front().layout).avatar_deg);
         }));
     for (const Viewpoint& place : places)
         out.push_back(numbers(
             fmt::format("{}angle_{}_{}", prefix, place.layout, standingName(place.standing)), targets,
             "{:.2f}",
-            [&](const TargetItem& item) { return least(angles(item, place.layout).of(place.standing)); }));
+            [&](const TargetItem& item) { return smallest(angles(item, place.layout).of(place.standing)); }));
 }
 
 }  // namespace
@@ -90,11 +90,11 @@ std::string targetsCsv(const Study& study, const std::vector<TargetItem>& target
     }
     if (!viewpoints(study).empty()) {
         Column& column = more.emplace_back("drawn_anew", std::vector<std::string>(targets.size()));
-        if (const auto drawn = drawnAnew(study, targets))  // the bare rule may find no place in narrow bands
+        if (const auto drawn = redrawn(study, targets))  // the bare rule may find no place in narrow bands
             for (std::size_t i = 0; i < drawn->size(); ++i)
-                column.second[i] = (*drawn)[i] == DrawnAnew::target        ? "target"
-                                   : (*drawn)[i] == DrawnAnew::distractors ? "distractors"
-                                                                           : "";
+                column.second[i] = (*drawn)[i] == Redrawn::target        ? "target"
+                                   : (*drawn)[i] == Redrawn::distractors ? "distractors"
+                                                                         : "";
     }
     return csvOf(targets, study.distances, more);
 }

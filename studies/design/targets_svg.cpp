@@ -115,19 +115,19 @@ class Camera {
         right_ = glm::normalize(glm::cross(up, back));
         up_ = glm::cross(back, right_);
 
-        Point least{1e9, 1e9};
-        Point most{-1e9, -1e9};
+        Point min{1e9, 1e9};
+        Point max{-1e9, -1e9};
         for (int corner = 0; corner < 8; ++corner) {
             const Vec3 point((corner & 1) != 0 ? scene.high.x : scene.low.x,
                              (corner & 2) != 0 ? scene.high.y : scene.low.y,
                              (corner & 4) != 0 ? scene.high.z : scene.low.z);
             const Point at = (*this)(point);
-            least = {std::min(least.x, at.x), std::min(least.y, at.y)};
-            most = {std::max(most.x, at.x), std::max(most.y, at.y)};
+            min = {std::min(min.x, at.x), std::min(min.y, at.y)};
+            max = {std::max(max.x, at.x), std::max(max.y, at.y)};
         }
-        scale_ = std::min(box.width / (most.x - least.x), box.height / (most.y - least.y));
-        origin_ = {box.left + 0.5 * box.width - scale_ * 0.5 * (least.x + most.x),
-                   box.top + 0.5 * box.height - scale_ * 0.5 * (least.y + most.y)};
+        scale_ = std::min(box.width / (max.x - min.x), box.height / (max.y - min.y));
+        origin_ = {box.left + 0.5 * box.width - scale_ * 0.5 * (min.x + max.x),
+                   box.top + 0.5 * box.height - scale_ * 0.5 * (min.y + max.y)};
     }
 
     [[nodiscard]] double depth(const Vec3& point) const { return glm::dot(eye_ - point, back_); }
@@ -266,7 +266,7 @@ std::string axes(const Scene& scene, const FlatView& view, const Box& box, doubl
                                   side.y));
 }
 
-/// From above, the ring in which the targets lie; from the side, least and greatest height.
+/// From above, the ring in which the targets lie; from the side, smallest and largest height.
 template <typename Project>
 std::string limits(const Scene& scene, bool above, const Project& project) {
     const TargetSpace& space = scene.space;

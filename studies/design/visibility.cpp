@@ -6,7 +6,7 @@
 #include <set>
 
 #include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
 namespace deixis::studies {
@@ -120,11 +120,11 @@ double visibleShare(const Vec3& eye, const Sphere& ball, const std::vector<motio
     return static_cast<double>(seen) / points;
 }
 
-double SeenBalls::least() const {
-    double least = 1.0;
+double SeenBalls::min() const {
+    double min = 1.0;
     for (const std::vector<double>* shares : {&at_rest, &pointing})
-        for (const double share : *shares) least = std::min(least, share);
-    return least;
+        for (const double share : *shares) min = std::min(min, share);
+    return min;
 }
 
 SeenBalls seenFrom(const Viewpoint& viewpoint, const StandingAvatar& avatar,
@@ -156,7 +156,7 @@ ClearView::ClearView(const std::vector<Viewpoint>& from, const Vec3& target, dou
 bool ClearView::seesTarget() const {
     for (const Vec3& eye : eyes_)
         for (const std::vector<motion::Capsule>& body : bodies_)
-            if (visibleShare(eye, target_, body, {}) < least_visible_share) return false;
+            if (visibleShare(eye, target_, body, {}) < min_visible_share) return false;
     return true;
 }
 
@@ -166,12 +166,12 @@ bool ClearView::admits(const std::vector<Vec3>& others, const Vec3& more) const 
     const Sphere added{more, target_.radius_m};
     for (const Vec3& eye : eyes_) {
         for (const std::vector<motion::Capsule>& body : bodies_) {
-            if (visibleShare(eye, added, body, before) < least_visible_share) return false;
+            if (visibleShare(eye, added, body, before) < min_visible_share) return false;
             for (std::size_t ball = 0; ball < before.size(); ++ball) {
                 std::vector<Sphere> beside = without(before, ball);
                 beside.push_back(added);
                 const double share = visibleShare(eye, before[ball], body, beside);
-                if (share >= least_visible_share) continue;
+                if (share >= min_visible_share) continue;
                 beside.pop_back();  // what was hidden before it came is not its doing
                 if (share < visibleShare(eye, before[ball], body, beside)) return false;
             }

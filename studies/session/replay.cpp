@@ -5,8 +5,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <stdexcept>
 
+#include "avatar_poser.hpp"
 #include "ball_met.hpp"
-#include "session_avatar.hpp"
 #include "studies/study_file/stage_kind.hpp"
 #include "studies/study_file/standing.hpp"
 
@@ -54,13 +54,13 @@ std::size_t pointingHand(const RecordedTrial& recorded) {
     const auto sample = sampleAt(recorded.tracking, recorded.answered_s);
     if (!recorded.pointer || sample == recorded.tracking.end()) return right;
     std::size_t best = right;
-    double least_rad = pi;
+    double min_rad = pi;
     for (const std::size_t hand : {std::size_t{1}, std::size_t{0}}) {
         if (!sample->aim[hand].valid()) continue;
         const double off_rad =
             angleBetween(rayOf(poseOf(sample->aim[hand])).direction, recorded.pointer->direction);
-        if (off_rad >= least_rad) continue;
-        least_rad = off_rad;
+        if (off_rad >= min_rad) continue;
+        min_rad = off_rad;
         best = hand;
     }
     return best;

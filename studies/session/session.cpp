@@ -33,7 +33,7 @@ SessionRunner::State::State(const Study& study_in, const StudyPlan& plan_in, con
       plan(plan_in),
       begun(resume.begun),
       core(study_in, clips, avatar, idle, keyboard, std::move(hint)),
-      course(study_in, plan_in, resume.answered, resume.gap_s),
+      timeline(study_in, plan_in, resume.answered, resume.gap_s),
       checks(study_in, plan_in, resume),
       place_guard(study_in.headset.place_tolerance_m) {}
 
@@ -44,10 +44,10 @@ void SessionRunner::State::begin(const InputFrame& input) {
     for (const Trial& trial : plan.trials) {
         if (trial.practice) continue;
         ++units;
-        if (course.answered().count(trial.index) > 0) ++done;
+        if (timeline.answered().count(trial.index) > 0) ++done;
     }
     core.note(NoteKind::session_start,
-              course.answered().empty() ? "" : fmt::format("resumed after {} of {} answers", done, units));
+              timeline.answered().empty() ? "" : fmt::format("resumed after {} of {} answers", done, units));
     proceed(input);
 }
 
@@ -55,26 +55,26 @@ void SessionRunner::State::begin(const InputFrame& input) {
 void SessionRunner::State::proceed(const InputFrame& input) {
     reselect = false;
     core.trial_index = -1;
-    if (!course.closingEarly())
-        if (const Stage* failed = course.failedPractice()) {
-            // What an earlier sitting left; else it was kept with the answer.
+    if (!timeline.closingEarly())
+        if (const Stage* failed = timeline.failedPractice()) {
+            // What an earlier session left; else it was kept with the answer.
             core.events.push_back(Exclusion{practiceFailed(*failed), core.now});
-            course.close(SessionOutcome::excluded);
+            timeline.close(SessionOutcome::excluded);
         }
-    item = course.next();
+    item = timeline.next();
     if (item) {
         enter(input);
         return;
     }
-    if (course.closing() == SessionOutcome::finished) core.note(NoteKind::finished);
-    end(course.closing(), "finished");
+    if (timeline.closing() == SessionOutcome::finished) core.note(NoteKind::finished);
+    end(timeline.closing(), "finished");
 }
 
 void SessionRunner::State::enter(const InputFrame& input) {
     SessionView& view = core.view;
     if (item->stage != nullptr && item->stage->name != stage) {
         stage = item->stage->name;
-        core.note(NoteKind::stage_start, course.begun(*item->stage) ? stage + ", continued" : stage);
+        core.note(NoteKind::stage_start, timeline.begun(*item->stage) ? stage + ", continued" : stage);
     }
     view.frame.stage = item->stage != nullptr ? item->stage->name : "";
     view.frame.status = item->status;
@@ -83,7 +83,7 @@ void SessionRunner::State::enter(const InputFrame& input) {
     view.closeSign();
     view.frame.balls.clear();
     view.frame.first_look.reset();
-    core.share_done = course.share();
+    core.share_done = timeline.share();
     if (item->trial != nullptr) core.trial_index = item->trial->index;
     unit = makeUnit(core, *item);
     unit->enter(input, moved);
@@ -100,7 +100,7 @@ void SessionRunner::State::stepUnit(const InputFrame& input) {
         if (auto response = unit->takeResponse())
             keepAnswer(std::move(*response));
         else
-            course.read(item->page);
+            timeline.read(item->page);
         if (item->trial == nullptr) proceed(input);
         return;
     }
@@ -111,14 +111,14 @@ void SessionRunner::State::keepAnswer(Response response) {
     const Trial& trial = *item->trial;
     response.begun_before = begun.count(trial.index) > 0;
     response.viewer = viewerPlace(*item->layout, Standing::headset);  // the one that it has here
-    const auto check = checks.judge(response);
+    const auto check = checks.score(response);
     if (check) response.check_passed = check->passed;
     checks.keep(response);
-    course.answer(trial.index, countsAsCorrect(trial, response));
+    timeline.answer(trial.index, countsAsCorrect(trial, response));
     last_answered = trial.index;
     const bool failed = check && !check->passed;
     const CheckRule rule = failed ? checks.ruleFor(trial) : CheckRule::note;
-    const Stage* failed_practice = trial.practice ? course.failedPractice() : nullptr;
+    const Stage* failed_practice = trial.practice ? timeline.failedPractice() : nullptr;
     // It is kept together with the answer that it follows from: nothing can come in between.
     if (rule == CheckRule::exclude || rule == CheckRule::end)
         exclude(response, fmt::format("{}{}, trial {}", check_failed_reason, trial.stage, trial.index));
@@ -126,18 +126,18 @@ void SessionRunner::State::keepAnswer(Response response) {
     core.events.push_back(response);
 
     if (declarationOf(trial.kind).asks_consent && response.answers.front().value == 0.0)
-        course.close(SessionOutcome::declined);
+        timeline.close(SessionOutcome::declined);
     if (failed) core.note(NoteKind::check_failed, check->what);
-    if (rule == CheckRule::warn) course.warn();
-    if (rule == CheckRule::end || failed_practice != nullptr) course.close(SessionOutcome::excluded);
-    if (trial.practice) judgePractice(trial);
+    if (rule == CheckRule::warn) timeline.warn();
+    if (rule == CheckRule::end || failed_practice != nullptr) timeline.close(SessionOutcome::excluded);
+    if (trial.practice) scorePractice(trial);
 }
 
 /// Tells how an attempt went once it is complete.
-void SessionRunner::State::judgePractice(const Trial& trial) {
+void SessionRunner::State::scorePractice(const Trial& trial) {
     const Stage& practised = *item->stage;
     if (!practised.practice || practised.practice->criterion <= 0.0) return;
-    const std::vector<Attempt> attempts = practiceAttempts(plan, practised, course.answered());
+    const std::vector<Attempt> attempts = practiceAttempts(plan, practised, timeline.answered());
     const Attempt& attempt = attempts.at(static_cast<std::size_t>(trial.attempt));
     if (!attempt.complete()) return;
     core.note(attempt.met(practised.practice->criterion) ? NoteKind::practice_met : NoteKind::practice_failed,
@@ -164,13 +164,13 @@ void SessionRunner::State::end(SessionOutcome how, const char* status) {
 /// Who has declined or been excluded and does not wait for the closing page has not quit.
 void SessionRunner::State::endEarly(const std::string& reason) {
     core.note(NoteKind::quit, reason);
-    end(course.closingEarly() ? course.closing() : SessionOutcome::quit, "ended early");
+    end(timeline.closingEarly() ? timeline.closing() : SessionOutcome::quit, "ended early");
 }
 
 /// Nothing can be kept any more: the closing page tells the participant whom to ask.
 void SessionRunner::State::stop(const InputFrame& input) {
     paused = false;
-    course.close(SessionOutcome::quit);
+    timeline.close(SessionOutcome::quit);
     proceed(input);
 }
 
@@ -182,8 +182,8 @@ void SessionRunner::State::step(const InputFrame& input) {
         core.noteAt(core.momentAt(told.time_s), told.kind, told.detail);
     if (over()) return;
     if (!started) begin(input);
-    if (input.recording_failed && !over() && !course.closingEarly()) stop(input);
-    for (const OperatorCommand& command : input.commands) obey(input, command);
+    if (input.recording_failed && !over() && !timeline.closingEarly()) stop(input);
+    for (const OperatorCommand& command : input.commands) carryOut(input, command);
     if (over()) {
         // An abort has ended it.
     } else if (input.quit) {
@@ -222,8 +222,8 @@ void SessionRunner::State::guard(const InputFrame& input) {
 
 /// One sentence at a time: what the participant must do comes before what is only told.
 void SessionRunner::State::tell(bool waits_for_disk) {
-    if (waits_for_disk != told_of_disk) {
-        told_of_disk = waits_for_disk;
+    if (waits_for_disk != disk_wait_shown) {
+        disk_wait_shown = waits_for_disk;
         if (!paused) core.view.frame.status = item->status.with(waits_for_disk ? "waiting for the disk" : "");
     }
     const LanguageTable& words = study.words;

@@ -82,7 +82,7 @@ void SessionCore::openPanel(Panel panel, const InputFrame& input, PanelPlace pla
     panel_since_s = now.time_s;
 }
 
-Panel SessionCore::endQuestion(const std::string& text) const {
+Panel SessionCore::endConfirmation(const std::string& text) const {
     return messagePanel(words()("end_title"), text, "",
                         {{words()("go_back"), button_id::back},
                          {words()("end_yes"), button_id::end_for_good, ButtonRole::leave}},

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "session_avatar.hpp"
+#include "avatar_poser.hpp"
 #include "session_view.hpp"
 #include "studies/session/session.hpp"
 
@@ -37,7 +37,7 @@ struct SessionCore {
     Moment now{};  ///< of the input last stepped to
     double panel_since_s = 0.0;
     int trial_index = -1;     ///< of the trial under way, for notes; -1: none is
-    double share_done = 0.0;  ///< of the sitting, for the bar on pages
+    double share_done = 0.0;  ///< of the visit, for the bar on pages
 
     [[nodiscard]] const LanguageTable& words() const { return study.words; }
     /// A page takes no input at once: a double click must not skip it.
@@ -55,7 +55,7 @@ struct SessionCore {
     void openPanel(Panel panel, const InputFrame& input, PanelPlace place);
     /// Whether the session is to end, with what that means: one press must not end it. Its buttons are back
     /// and end_for_good.
-    [[nodiscard]] Panel endQuestion(const std::string& text) const;
+    [[nodiscard]] Panel endConfirmation(const std::string& text) const;
 
     void standAlone();  ///< one avatar, at the origin
     /// Two avatars, to either side of the line of sight.

@@ -1,5 +1,5 @@
 // A session under way: the conductor. Its parts stand in session.cpp (from unit to unit, and each frame),
-// session_pause.cpp and session_operator.cpp (commands, progress).
+// pauses.cpp and operator_commands.cpp (commands, progress).
 #pragma once
 
 #include <memory>
@@ -7,12 +7,12 @@
 #include <set>
 #include <string>
 
-#include "session_checks.hpp"
+#include "attention_checks.hpp"
+#include "guards.hpp"
 #include "session_core.hpp"
-#include "session_course.hpp"
-#include "session_guards.hpp"
 #include "session_unit.hpp"
 #include "studies/session/session.hpp"
+#include "timeline.hpp"
 
 namespace deixis::studies {
 
@@ -23,23 +23,23 @@ struct SessionRunner::State {
 
     const Study& study;
     const StudyPlan& plan;
-    std::set<int> begun;  ///< in earlier sittings
+    std::set<int> begun;  ///< in earlier sessions
     SessionCore core;
-    Course course;
-    CheckJudge checks;
+    Timeline timeline;
+    CheckScorer checks;
     PlaceGuard place_guard;
     PointerGuard pointer_guard;
 
     SessionOutcome outcome = SessionOutcome::running;
     bool started = false;
-    std::optional<CourseItem> item{};
+    std::optional<TimelineItem> item{};
     std::unique_ptr<Unit> unit{};
     std::string stage{};                 ///< the last that was told to have started
     double done_since_s = 0.0;           ///< of the unit
-    bool told_of_disk = false;           ///< that the answer waits to be kept
+    bool disk_wait_shown = false;        ///< that the answer waits to be kept
     bool excluded = false;               ///< told
     bool reselect = false;               ///< the unit under way is put off
-    std::optional<int> last_answered{};  ///< in this sitting
+    std::optional<int> last_answered{};  ///< in this session
 
     bool paused = false;
     PauseReason pause_reason = PauseReason::unsaid;
@@ -53,7 +53,7 @@ struct SessionRunner::State {
     void enter(const InputFrame& input);
     void stepUnit(const InputFrame& input);
     void keepAnswer(Response response);
-    void judgePractice(const Trial& trial);
+    void scorePractice(const Trial& trial);
     void exclude(Response& response, std::string reason);
     void end(SessionOutcome how, const char* status);
     void endEarly(const std::string& reason);
@@ -67,7 +67,7 @@ struct SessionRunner::State {
     void resume(const InputFrame& input);
 
     // The operator.
-    void obey(const InputFrame& input, const OperatorCommand& command);
+    void carryOut(const InputFrame& input, const OperatorCommand& command);
     void repeatLast(const InputFrame& input, const std::string& reason);
     void skip(const InputFrame& input, const std::string& reason);
     [[nodiscard]] SessionProgress progress() const;

@@ -8,7 +8,7 @@
 
 namespace deixis::studies {
 
-TrialUnit::TrialUnit(SessionCore& core, const CourseItem& item)
+TrialUnit::TrialUnit(SessionCore& core, const TimelineItem& item)
     : Unit(core), trial_(*item.trial), stage_(*item.stage), task_(taskOf(core.study, *item.stage)) {
     draft_.trial_index = trial_.index;
     draft_.plays.assign(trial_.stimuli.size(), 0);
@@ -73,7 +73,7 @@ const UnitDeclaration& unitOf(StageKind kind) {
     return *units[static_cast<std::size_t>(kind)];
 }
 
-std::unique_ptr<Unit> makeUnit(SessionCore& core, const CourseItem& item) {
+std::unique_ptr<Unit> makeUnit(SessionCore& core, const TimelineItem& item) {
     return item.trial == nullptr ? makePage(core, item) : unitOf(item.trial->kind).make(core, item);
 }
 

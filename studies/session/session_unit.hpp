@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "session_checks.hpp"
+#include "attention_checks.hpp"
 #include "session_core.hpp"
-#include "session_course.hpp"
+#include "timeline.hpp"
 
 namespace deixis::studies {
 
@@ -54,7 +54,7 @@ class Unit {
 /// A unit that is answered and kept.
 class TrialUnit : public Unit {
   public:
-    TrialUnit(SessionCore& core, const CourseItem& item);
+    TrialUnit(SessionCore& core, const TimelineItem& item);
     bool skip(const InputFrame& input, const std::string& reason) override;
 
   protected:
@@ -78,21 +78,21 @@ class TrialUnit : public Unit {
 };
 
 /// A page that is only read.
-[[nodiscard]] std::unique_ptr<Unit> makePage(SessionCore& core, const CourseItem& item);
+[[nodiscard]] std::unique_ptr<Unit> makePage(SessionCore& core, const TimelineItem& item);
 
 /// How a kind is presented and answered; each declares it in studies/trials/KIND/unit.cpp.
 struct UnitDeclaration {
-    std::unique_ptr<Unit> (*make)(SessionCore& core, const CourseItem& item);
+    std::unique_ptr<Unit> (*make)(SessionCore& core, const TimelineItem& item);
     /// Whether the answer to a repeated trial is that of the first time, for kinds that may be repeated.
-    CheckResult (*compare)(const GivenAnswer& first, const GivenAnswer& now, double tolerance) = nullptr;
+    CheckResult (*compare)(const TrialAnswer& first, const TrialAnswer& now, double tolerance) = nullptr;
 };
 template <typename UnitOfKind>
-[[nodiscard]] std::unique_ptr<Unit> makeUnitOf(SessionCore& core, const CourseItem& item) {
+[[nodiscard]] std::unique_ptr<Unit> makeUnitOf(SessionCore& core, const TimelineItem& item) {
     return std::make_unique<UnitOfKind>(core, item);
 }
 [[nodiscard]] const UnitDeclaration& unitOf(StageKind kind);
 /// The one that the item asks for.
-[[nodiscard]] std::unique_ptr<Unit> makeUnit(SessionCore& core, const CourseItem& item);
+[[nodiscard]] std::unique_ptr<Unit> makeUnit(SessionCore& core, const TimelineItem& item);
 
 constexpr double confirm_s = 0.35;  ///< how long the answer given is shown
 

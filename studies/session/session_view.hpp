@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "session_aim.hpp"
+#include "aim.hpp"
 #include "studies/boards/panel_layout.hpp"
 #include "studies/station/station.hpp"
 #include "studies/study_file/study.hpp"

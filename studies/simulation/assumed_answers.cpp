@@ -73,7 +73,7 @@ double totalSd(const AssumedSpread& spread, double noise_sd) {
 }
 
 /// Which of the measures a stage's answers belong to; -1: to none that is assumed.
-int measureOf(const std::vector<AskedMeasure>& measures, const std::string& name) {
+int measureOf(const std::vector<StudyMeasure>& measures, const std::string& name) {
     for (std::size_t i = 0; i < measures.size(); ++i)
         if (measures[i].name == name) return static_cast<int>(i);
     return -1;
@@ -81,11 +81,11 @@ int measureOf(const std::vector<AskedMeasure>& measures, const std::string& name
 
 }  // namespace
 
-void AssumedAnswers::addModel(const Study& study, const AskedMeasure& measure,
+void AssumedAnswers::addModel(const Study& study, const StudyMeasure& measure,
                               const AssumedEffects& effects) {
     Model model;
     model.kind = measure.kind;
-    if (measure.kind == AskedKind::accuracy) {
+    if (measure.kind == AnswerKind::accuracy) {
         if (!effects.accuracy) return;
         model.groups = effects.accuracy->groups;
         model.spread = effects.accuracy->spread;
@@ -93,7 +93,7 @@ void AssumedAnswers::addModel(const Study& study, const AskedMeasure& measure,
         model.locations = locationsFor(study, effects.accuracy->systems,
                                        AnswerCurve::choice(model.lapse_rate, measure.balls),
                                        totalSd(model.spread, 0.0), gameShifts(study, *effects.accuracy));
-    } else if (measure.kind == AskedKind::rating) {
+    } else if (measure.kind == AnswerKind::rating) {
         const auto found = effects.ratings.find(measure.name);
         if (found == effects.ratings.end()) return;
         model.groups = found->second.groups;
@@ -118,7 +118,7 @@ void AssumedAnswers::addModel(const Study& study, const AskedMeasure& measure,
 AssumedAnswers::AssumedAnswers(const Study& study, const AssumedEffects& effects,
                                std::span<const StudyPlan> plans)
     : systems_(study.systems.size()) {
-    for (const AskedMeasure& measure : askedMeasures(study)) addModel(study, measure, effects);
+    for (const StudyMeasure& measure : studyMeasures(study)) addModel(study, measure, effects);
     const auto systemOf = [&](const std::string& name) {
         return static_cast<std::size_t>(
             std::find_if(study.systems.begin(), study.systems.end(),
@@ -132,8 +132,8 @@ AssumedAnswers::AssumedAnswers(const Study& study, const AssumedEffects& effects
         if (index < 0) return;
         const Stimulus& shown = trial.stimuli[stimulus];
         const auto place = static_cast<std::size_t>(index);
-        const AskedMeasure& asked = measures_[place];
-        const bool choice = asked.kind == AskedKind::accuracy;
+        const StudyMeasure& asked = measures_[place];
+        const bool choice = asked.kind == AnswerKind::accuracy;
         draws_.push_back({participant, place, systemOf(shown.system), systemOf(trial.stimuli.back().system),
                           items.emplace(shown.item, items.size()).first->second,
                           shiftOfGroups(models_[place].groups, plans[participant].groups) +
@@ -145,7 +145,7 @@ AssumedAnswers::AssumedAnswers(const Study& study, const AssumedEffects& effects
                                  : AnswerCurve::scale(asked.low, asked.high)});
         planned_.push_back({participant, place, &trial, stimulus});
     };
-    std::map<const Stage*, std::vector<AskedMeasure>> asked_in;
+    std::map<const Stage*, std::vector<StudyMeasure>> asked_in;
     for (const Stage& stage : study.stages) asked_in[&stage] = measuresOf(study, stage);
     for (std::size_t p = 0; p < plans.size(); ++p)
         for (const Trial& trial : plans[p].trials) {
@@ -155,7 +155,7 @@ AssumedAnswers::AssumedAnswers(const Study& study, const AssumedEffects& effects
                 declarationOf(trial.kind).answersEach() ? trial.stimuli.size() : std::size_t{1};
             for (std::size_t i = 0; i < answered; ++i) {
                 if (!trial.scored(static_cast<int>(i))) continue;
-                for (const AskedMeasure& asked : asked_in.at(stage)) add(p, asked.name, trial, i);
+                for (const StudyMeasure& asked : asked_in.at(stage)) add(p, asked.name, trial, i);
             }
         }
     items_ = items.size();
@@ -164,7 +164,7 @@ AssumedAnswers::AssumedAnswers(const Study& study, const AssumedEffects& effects
 double AssumedAnswers::drawOne(const Draw& draw, AssumedParticipant& participant,
                                const std::vector<double>& items) const {
     const Model& model = models_[draw.measure];
-    if (model.kind == AskedKind::preference) {
+    if (model.kind == AnswerKind::preference) {
         const auto strength = [&](std::size_t system) {
             return model.locations[system] + participant.withSystem(draw.measure, system, model.spread);
         };
@@ -175,7 +175,7 @@ double AssumedAnswers::drawOne(const Draw& draw, AssumedParticipant& participant
     const double behind = model.locations[draw.system] + draw.shift +
                           participant.part(draw.measure, draw.system, model.spread) +
                           model.spread.item_sd * items[draw.measure * items_ + draw.item];
-    if (model.kind == AskedKind::accuracy)
+    if (model.kind == AnswerKind::accuracy)
         return participant.random.uniform() < draw.curve.chance(behind) ? 1.0 : 0.0;
     return draw.curve.step(behind + model.noise_sd * participant.random.normal());
 }
@@ -183,7 +183,7 @@ double AssumedAnswers::drawOne(const Draw& draw, AssumedParticipant& participant
 void AssumedAnswers::draw(std::uint64_t seed, std::span<double> values) const {
     std::vector<double> items;
     items.reserve(measures_.size() * items_);
-    for (const AskedMeasure& measure : measures_) {
+    for (const StudyMeasure& measure : measures_) {
         Random random(seed, fmt::format("items of {}", measure.name));
         for (std::size_t i = 0; i < items_; ++i) items.push_back(random.normal());
     }

@@ -18,7 +18,7 @@ constexpr std::string_view arm_finger_name = "arm-finger";
 constexpr motion::PointingRay arm_finger_ray = motion::PointingRay::elbow_fingertip;
 
 /// Without noise the nearest line alone decides: so narrow that no other says anything.
-constexpr double least_noise_rad = 1e-5;
+constexpr double min_noise_rad = 1e-5;
 
 Vec3 raisedDirection(const Vec3& direction, double by_rad) {
     const double across = std::sqrt(direction.x * direction.x + direction.z * direction.z);
@@ -77,10 +77,10 @@ Result<Reading> readingFromName(std::string_view name) {
     if (name == arm_finger_name) return Reading{arm_finger_ray};
     const auto line = motion::pointingRayFromName(name);
     if (line) return Reading{*line};
-    std::string mend = "Expected " + std::string(two_cue_name) + ", " + std::string(arm_finger_name);
+    std::string hint = "Expected " + std::string(two_cue_name) + ", " + std::string(arm_finger_name);
     for (const motion::PointingRay ray : motion::all_pointing_rays)
-        mend += ", " + std::string(motion::pointingRayName(ray));
-    return fail("", line.error().message, std::move(mend));
+        hint += ", " + std::string(motion::pointingRayName(ray));
+    return fail("", line.error().message, std::move(hint));
 }
 
 std::string_view readingName(const Reading& reading) {
@@ -139,13 +139,13 @@ std::array<double, 3> cueWeights(const ObserverModel& model, const SeenArm& arm)
     return cueWeights(model, cuesOf(arm, {}).along);
 }
 
-std::vector<double> logVoices(const ObserverModel& model, const Cues& cues) {
+std::vector<double> logEvidence(const ObserverModel& model, const Cues& cues) {
     const auto weights = cueWeights(model, cues.along);
     std::array<double, 3> log_weights{};
     for (std::size_t cue = 0; cue < weights.size(); ++cue)
         log_weights[cue] =
             weights[cue] > 0.0 ? std::log(weights[cue]) : -std::numeric_limits<double>::infinity();
-    const double noise_rad = std::max(model.noise_rad, least_noise_rad);
+    const double noise_rad = std::max(model.noise_rad, min_noise_rad);
     std::vector<double> out;
     out.reserve(cues.missed.size());
     for (const auto& missed : cues.missed) {
@@ -162,25 +162,25 @@ std::vector<double> logVoices(const ObserverModel& model, const Cues& cues) {
     return out;
 }
 
-double cueChance(const std::vector<double>& voices, std::size_t ball) {
+double cueChance(const std::vector<double>& evidence, std::size_t ball) {
     double sum = 0.0;
-    for (const double voice : voices) sum += std::exp(voice - voices[ball]);  // infinite at worst
+    for (const double voice : evidence) sum += std::exp(voice - evidence[ball]);  // infinite at worst
     return 1.0 / sum;
 }
 
 double cueChance(const ObserverModel& model, const Cues& cues, std::size_t ball) {
-    return cueChance(logVoices(model, cues), ball);
+    return cueChance(logEvidence(model, cues), ball);
 }
 
-std::vector<double> cueMisses(const ObserverModel& model, const std::vector<double>& voices) {
-    const double noise_rad = std::max(model.noise_rad, least_noise_rad);
+std::vector<double> cueMisses(const ObserverModel& model, const std::vector<double>& evidence) {
+    const double noise_rad = std::max(model.noise_rad, min_noise_rad);
     std::vector<double> out;
-    for (const double voice : voices) out.push_back(noise_rad * std::sqrt(std::max(0.0, -2.0 * voice)));
+    for (const double voice : evidence) out.push_back(noise_rad * std::sqrt(std::max(0.0, -2.0 * voice)));
     return out;
 }
 
 std::vector<double> misses(const ObserverModel& model, const SeenArm& arm, const std::vector<Vec3>& balls) {
-    if (model.reading.twoCue()) return cueMisses(model, logVoices(model, cuesOf(arm, balls)));
+    if (model.reading.twoCue()) return cueMisses(model, logEvidence(model, cuesOf(arm, balls)));
     std::vector<double> out;
     for (const Vec3& ball : balls) out.push_back(motion::angularError(arm.lines.line, ball));
     return out;

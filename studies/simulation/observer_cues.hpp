@@ -22,13 +22,13 @@ struct Cues {
 [[nodiscard]] std::array<double, 3> cueWeights(const ObserverModel& model, double along);
 
 /// Of each ball the logarithm of how much the cues together speak for it.
-[[nodiscard]] std::vector<double> logVoices(const ObserverModel& model, const Cues& cues);
+[[nodiscard]] std::vector<double> logEvidence(const ObserverModel& model, const Cues& cues);
 
 /// ballChance() of two cues, from these.
-[[nodiscard]] double cueChance(const std::vector<double>& voices, std::size_t ball);
+[[nodiscard]] double cueChance(const std::vector<double>& evidence, std::size_t ball);
 [[nodiscard]] double cueChance(const ObserverModel& model, const Cues& cues, std::size_t ball);
 
 /// misses() of two cues, likewise.
-[[nodiscard]] std::vector<double> cueMisses(const ObserverModel& model, const std::vector<double>& voices);
+[[nodiscard]] std::vector<double> cueMisses(const ObserverModel& model, const std::vector<double>& evidence);
 
 }  // namespace deixis::studies

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "observer_fit_parts.hpp"
+#include "profile_likelihood.hpp"
 #include "simulated_observer.hpp"
 
 namespace deixis::studies {
@@ -164,10 +164,10 @@ PopulationFit fitPopulation(std::span<const std::vector<SeenChoice>> by_particip
                     -0.5 * z * z + logLikelihoodAt(table, gridPlace(noise), lapse);
                 weights += std::exp(-0.5 * z * z);
             }
-            const double most = *std::max_element(parts.begin(), parts.end());
+            const double max = *std::max_element(parts.begin(), parts.end());
             double of_participant = 0.0;
-            for (const double part : parts) of_participant += std::exp(part - most);
-            sum += most + std::log(of_participant / weights);
+            for (const double part : parts) of_participant += std::exp(part - max);
+            sum += max + std::log(of_participant / weights);
         }
         return sum;
     };
@@ -178,10 +178,10 @@ PopulationFit fitPopulation(std::span<const std::vector<SeenChoice>> by_particip
                                [&](double place) { return bestLapse(pooled, place).value; });
     PopulationFit out{noiseAt(start.at), 0.25, bestLapse(pooled, start.at).at};
     out.log_likelihood = -std::numeric_limits<double>::infinity();
-    constexpr int most_rounds = 30;
+    constexpr int max_rounds = 30;
     constexpr double enough = 1e-5;
     constexpr int points = 7;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         const double before = out.log_likelihood;
         const double narrow = std::pow(0.7, round);
         const double place = gridPlace(out.noise_deg);

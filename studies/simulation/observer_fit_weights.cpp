@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "observer_cues.hpp"
-#include "observer_fit_parts.hpp"
+#include "profile_likelihood.hpp"
 #include "studies/simulation/observer_fit.hpp"
 
 namespace deixis::studies {
@@ -51,9 +51,9 @@ Corner climbed(const Point& from, std::size_t fixed, double size, Function funct
         corners.push_back(valued(moved));
     }
     const auto better = [](const Corner& a, const Corner& b) { return a.value > b.value; };
-    constexpr int most_steps = 400;
+    constexpr int max_steps = 400;
     constexpr double enough = 1e-5;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         std::stable_sort(corners.begin(), corners.end(), better);
         Corner& worst = corners.back();
         double widest = 0.0;

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "observer_cues.hpp"
 
 namespace deixis::studies {
@@ -35,17 +35,17 @@ BallChoice BallChooser::choose(const SeenArm& arm, const std::vector<BallView>& 
 }
 
 BallChoice BallChooser::byTwoCues(const SeenArm& arm, const std::vector<Vec3>& balls) {
-    const std::vector<double> voices = logVoices(model_, cuesOf(arm, balls));
+    const std::vector<double> evidence = logEvidence(model_, cuesOf(arm, balls));
     double left = choices_.uniform();
     std::size_t place = 0;
     for (std::size_t i = 0; i < balls.size(); ++i) {
-        const double chance = cueChance(voices, i);
+        const double chance = cueChance(evidence, i);
         if (chance <= 0.0) continue;
         place = i;  // the last that is possible takes what rounding leaves
         left -= chance;
         if (left < 0.0) break;
     }
-    const std::vector<double> missed = cueMisses(model_, voices);
+    const std::vector<double> missed = cueMisses(model_, evidence);
     double margin_rad = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < balls.size(); ++i)
         if (i != place) margin_rad = std::min(margin_rad, missed[i] - missed[place]);

@@ -36,15 +36,15 @@ void GestureObserver::forget() {
 }
 
 void GestureObserver::see(const std::vector<Pose>& stage_from_joint, double time_s) {
-    Glimpse& glimpse = seen_.emplace_back();
-    glimpse.time_s = time_s;
+    ObservedFrame& observed = seen_.emplace_back();
+    observed.time_s = time_s;
     for (const motion::Side side : {motion::Side::left, motion::Side::right}) {
         const auto index = static_cast<std::size_t>(side);
-        glimpse.tip[index] = motion::fingertipPosition(avatar_, map_, stage_from_joint, side);
-        glimpse.lines[index] = armLines(avatar_, map_, stage_from_joint, side, reading_);
+        observed.tip[index] = motion::fingertipPosition(avatar_, map_, stage_from_joint, side);
+        observed.lines[index] = armLines(avatar_, map_, stage_from_joint, side, reading_);
     }
-    glimpse.head = stage_from_joint[static_cast<std::size_t>(map_[motion::Bone::head])].orientation;
-    glimpse.trunk = stage_from_joint[static_cast<std::size_t>(trunk_)].orientation;
+    observed.head = stage_from_joint[static_cast<std::size_t>(map_[motion::Bone::head])].orientation;
+    observed.trunk = stage_from_joint[static_cast<std::size_t>(trunk_)].orientation;
 }
 
 std::vector<double> GestureObserver::speeds(std::size_t side) const {
@@ -84,9 +84,9 @@ SeenGesture GestureObserver::gesture() const {
 
     // The hand that moved farther is the one that points.
     std::array<double, 2> reach{0.0, 0.0};
-    for (const Glimpse& glimpse : seen_)
+    for (const ObservedFrame& observed : seen_)
         for (std::size_t side = 0; side < 2; ++side)
-            reach[side] = std::max(reach[side], glm::length(glimpse.tip[side] - seen_.front().tip[side]));
+            reach[side] = std::max(reach[side], glm::length(observed.tip[side] - seen_.front().tip[side]));
     const std::size_t side = reach[0] > reach[1] ? 0 : 1;
     seen.hand = side == 0 ? motion::Side::left : motion::Side::right;
 
@@ -113,8 +113,8 @@ SeenGesture GestureObserver::gesture() const {
     const auto raise_frames = static_cast<double>(hold.first - start);
     if (length_m > 0.0) seen.peak_over_mean = peak * raise_frames / length_m;
 
-    const Glimpse& before = seen_[start > 1 ? start - 1 : 0];
-    const Glimpse& during = seen_[(hold.first + hold.last) / 2];
+    const ObservedFrame& before = seen_[start > 1 ? start - 1 : 0];
+    const ObservedFrame& during = seen_[(hold.first + hold.last) / 2];
     seen.participation_deg = turn_deg(before.head, during.head) + turn_deg(before.trunk, during.trunk);
     return seen;
 }

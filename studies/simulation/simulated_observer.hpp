@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "studies/simulation/observer.hpp"
 
 namespace deixis::studies {
@@ -33,7 +33,7 @@ class GestureObserver {
     [[nodiscard]] SeenGesture gesture() const;
 
   private:
-    struct Glimpse {
+    struct ObservedFrame {
         double time_s = 0.0;
         std::array<Vec3, 2> tip{};  ///< by side
         std::array<ArmLines, 2> lines{};
@@ -52,7 +52,7 @@ class GestureObserver {
     motion::HumanoidMap map_;
     int trunk_ = 0;  ///< the joint that the trunk turns with
     Reading reading_;
-    std::vector<Glimpse> seen_;
+    std::vector<ObservedFrame> seen_;
 };
 
 }  // namespace deixis::studies

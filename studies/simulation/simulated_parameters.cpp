@@ -30,7 +30,7 @@ void readPointing(TomlTable table, SimulatedParameters& read) {
     if (const auto reading = readingFromName(table.note("ray")); reading)
         read.observer.reading = *reading;
     else
-        table.problem("ray", reading.error().message, reading.error().mend);
+        table.problem("ray", reading.error().message, reading.error().hint);
     read.observer.noise_rad = radiansFromDegrees(table.number("noise_deg", 0.0, 60.0));
     read.pointing_noise_between = table.number("noise_between", 0.0, 2.0);
     read.observer.lapse_rate = table.number("lapse_rate", 0.0, 1.0);

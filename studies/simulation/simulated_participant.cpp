@@ -13,8 +13,8 @@
 #include "simulated_boards.hpp"
 #include "simulated_choice.hpp"
 #include "simulated_hand.hpp"
-#include "simulated_judge.hpp"
-#include "simulated_watch.hpp"
+#include "simulated_rater.hpp"
+#include "simulated_watching.hpp"
 
 namespace deixis::studies {
 
@@ -52,8 +52,8 @@ struct SimulatedParticipant::State {
           keyboard(has_keyboard),
           head_joint(motion::mapByVrmNames(avatar)[motion::Bone::head]),
           traits(given, seed),
-          judge(given, traits, seed),
-          watcher(avatar, given.observer.reading, judge),
+          rater(given, traits, seed),
+          watcher(avatar, given.observer.reading, rater),
           chooser(traits.observer, seed),
           reactions(seed, "reactions"),
           sliding(seed, "sliding") {}
@@ -62,7 +62,7 @@ struct SimulatedParticipant::State {
     bool keyboard;
     int head_joint;
     Traits traits;
-    Judge judge;
+    SimulatedRater rater;
     Watcher watcher;
     BallChooser chooser;
     Random reactions, sliding;
@@ -72,7 +72,7 @@ struct SimulatedParticipant::State {
     std::vector<int> board_parts;      ///< of the board seen last
     std::optional<BallChoice> choice;  ///< among the balls that are open
     std::optional<double> margin_rad;  ///< of the choice just made, until it has said how sure it is
-    std::optional<double> sureness;
+    std::optional<double> felt_confidence;
 
     DecidedAnswers decided;
     SimulatedHand hand;
@@ -158,7 +158,7 @@ struct SimulatedParticipant::State {
             choice = chooser.choose({raised(watcher.gesture().lines, bias_rad), eyes()}, frame.balls);
         }
         margin_rad = choice->margin_rad;
-        sureness.reset();
+        felt_confidence.reset();
         hand.press(aimAtBall(frame, choice->place), frame.balls[choice->place].centre,
                    time_s + reactionTime());
     }
@@ -194,12 +194,12 @@ struct SimulatedParticipant::State {
     /// still wait for one.
     std::optional<std::size_t> nextPlay(const BoardReading& board, bool again) const {
         std::optional<std::size_t> next;
-        int least = 0;
+        int min = 0;
         for (std::size_t i = 0; i < board.plays.size(); ++i) {
             const int times = watcher.timesSeen(i);
-            if (!board.plays[i]->enabled || (times > 0 && !again) || (next && times >= least)) continue;
+            if (!board.plays[i]->enabled || (times > 0 && !again) || (next && times >= min)) continue;
             next = i;
-            least = times;
+            min = times;
         }
         return next;
     }
@@ -228,26 +228,26 @@ struct SimulatedParticipant::State {
     }
 
     int valueFor(const BoardReading& board, const Ask& ask, int low, int high) {
-        if (!ask.of_movement) return onScale(judge.questionnaireAnswer(), low, high);
-        if (!board.plays.empty()) return watcher.verdictOn(ask.number).on(low, high);
+        if (!ask.of_movement) return onScale(rater.questionnaireAnswer(), low, high);
+        if (!board.plays.empty()) return watcher.impressionOf(ask.number).on(low, high);
         if (margin_rad) {
-            if (!sureness) sureness = judge.confidence(*margin_rad);
-            return onScale(*sureness, low, high);
+            if (!felt_confidence) felt_confidence = rater.confidence(*margin_rad);
+            return onScale(*felt_confidence, low, high);
         }
-        return watcher.verdict().on(low, high);
+        return watcher.impression().on(low, high);
     }
 
     std::size_t chosenOption(const BoardReading& board, const Ask& ask) {
         const std::size_t count = ask.buttons.size();
         if (board.pair())
-            return preference(parameters, watcher.verdictOn(0).judgement, watcher.verdictOn(1).judgement,
-                              count);
+            return preference(parameters, watcher.impressionOf(0).judgement,
+                              watcher.impressionOf(1).judgement, count);
         if (isNumbered(ask.buttons)) {
             const int low = *numberOn(*ask.buttons.front());
             const int value = valueFor(board, ask, low, *numberOn(*ask.buttons.back()));
             return static_cast<std::size_t>(value - low);
         }
-        if (!ask.of_movement && !isScale(ask.buttons)) return judge.anyOption(count);
+        if (!ask.of_movement && !isScale(ask.buttons)) return rater.anyOption(count);
         return static_cast<std::size_t>(valueFor(board, ask, 0, static_cast<int>(count) - 1));
     }
 
@@ -286,7 +286,7 @@ struct SimulatedParticipant::State {
         const auto known = decided.texts.try_emplace(ask.id, text_answer);
         std::string& wanted = known.first->second;
         if (known.second && ask.kind == AskKind::number)
-            wanted = numberFor(*ask.field, (judge.questionnaireAnswer() - 1.0) / 4.0);
+            wanted = numberFor(*ask.field, (rater.questionnaireAnswer() - 1.0) / 4.0);
         if (!ask.buttons.empty()) {
             const PanelButton* const key = nextKey(ask, wanted);
             if (key != nullptr) pressButton(frame, *key, time_s);
@@ -323,7 +323,7 @@ struct SimulatedParticipant::State {
     }
 
     void pressed(double time_s) {
-        // Should the press not take, it decides anew, and the same.
+        // Should the press not take, it decides again, and the same.
         not_before_s = time_s + effect_s;
         if (play_to_press) {
             watcher.expect(*play_to_press, time_s);

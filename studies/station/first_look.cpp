@@ -42,7 +42,7 @@ Bounds onPicture(const std::vector<Sphere>& seen, const Quat& view_from_viewer) 
 
 double FirstLook::verticalView_rad(double aspect) const {
     const double half = std::max(half_height, half_width / aspect) / (1.0 - free_share);
-    return std::clamp(2.0 * std::atan(half), least_view_rad, greatest_view_rad);
+    return std::clamp(2.0 * std::atan(half), min_view_rad, max_view_rad);
 }
 
 FirstLook firstLook(const Pose& stage_from_viewer, double eye_height_m, const std::vector<Sphere>& seen) {

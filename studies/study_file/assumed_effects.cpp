@@ -29,14 +29,14 @@ constexpr std::array<std::string_view, 5> assumed_preference_keys{"systems", "pa
 /// The systems, layouts or distances that scored stages of a kind use.
 enum class NamedFactor : unsigned char { system, layout, distance };
 
-std::vector<std::string_view> namesUsed(const Study& study, AskedKind kind, const std::string& measure,
+std::vector<std::string_view> namesUsed(const Study& study, AnswerKind kind, const std::string& measure,
                                         NamedFactor factor) {
     std::set<std::string_view> used;
     for (const Stage& stage : study.stages) {
         if (!stage.scored()) continue;
-        const std::vector<AskedMeasure> asked = measuresOf(study, stage);
-        if (std::none_of(asked.begin(), asked.end(), [&](const AskedMeasure& one) {
-                return one.kind == kind && (kind != AskedKind::rating || one.name == measure);
+        const std::vector<StudyMeasure> asked = measuresOf(study, stage);
+        if (std::none_of(asked.begin(), asked.end(), [&](const StudyMeasure& one) {
+                return one.kind == kind && (kind != AnswerKind::rating || one.name == measure);
             }))
             continue;
         const auto& names = factor == NamedFactor::system   ? stage.design.systems
@@ -78,11 +78,11 @@ GroupShifts readGroups(TomlTable& table, const Study& study) {
     return out;
 }
 
-AssumedAccuracy readAccuracy(TomlTable table, const Study& study, const AskedMeasure& measure) {
+AssumedAccuracy readAccuracy(TomlTable table, const Study& study, const StudyMeasure& measure) {
     AssumedAccuracy read;
     read.spread = readSpread(table);
     read.lapse_rate = table.number("lapse_rate", 0.0, 1.0, 0.0);
-    const auto names = [&](NamedFactor factor) { return namesUsed(study, AskedKind::accuracy, "", factor); };
+    const auto names = [&](NamedFactor factor) { return namesUsed(study, AnswerKind::accuracy, "", factor); };
     read.systems = readByName(table, "systems", names(NamedFactor::system), 0.0, 1.0, true);
     read.layouts =
         readByName(table, "layouts", names(NamedFactor::layout), -largest_shift, largest_shift, false);
@@ -100,13 +100,13 @@ AssumedAccuracy readAccuracy(TomlTable table, const Study& study, const AskedMea
     return read;
 }
 
-AssumedRating readAssumedRating(TomlTable table, const Study& study, const AskedMeasure& measure) {
+AssumedRating readAssumedRating(TomlTable table, const Study& study, const StudyMeasure& measure) {
     AssumedRating read;
     read.spread = readSpread(table);
     read.noise_sd = table.number("noise_sd", 0.01, largest_sd);
     read.groups = readGroups(table, study);
     read.systems =
-        readByName(table, "systems", namesUsed(study, AskedKind::rating, measure.name, NamedFactor::system),
+        readByName(table, "systems", namesUsed(study, AnswerKind::rating, measure.name, NamedFactor::system),
                    measure.low, measure.high, true);
     for (const auto& [name, value] : read.systems)
         if (!table.faulty("systems") && !(value > measure.low && value < measure.high))
@@ -127,7 +127,7 @@ AssumedPreference readAssumedPreference(TomlTable table, const Study& study) {
         table.problem("clear_zone", fmt::format("found {}, less than tie_zone; expected at least {}",
                                                 read.clear_zone, read.tie_zone));
     read.systems =
-        readByName(table, "systems", namesUsed(study, AskedKind::preference, "", NamedFactor::system),
+        readByName(table, "systems", namesUsed(study, AnswerKind::preference, "", NamedFactor::system),
                    -largest_sd, largest_sd, true);
     return read;
 }
@@ -153,13 +153,13 @@ std::string spreadToml(const AssumedSpread& spread) {
 
 }  // namespace
 
-std::vector<AskedMeasure> measuresOf(const Study& study, const Stage& stage) {
+std::vector<StudyMeasure> measuresOf(const Study& study, const Stage& stage) {
     const StageDeclaration& kind = declarationOf(stage.kind);
-    std::vector<AskedMeasure> out;
+    std::vector<StudyMeasure> out;
     const auto questions =
         kind.questions != nullptr ? kind.questions(stage, LanguageTable::english()) : std::vector<Question>{};
     for (const DeclaredMeasure& measure : kind.measures) {
-        AskedMeasure asked{std::string(measure.name.empty() ? stage.measure : measure.name), measure.kind};
+        StudyMeasure asked{std::string(measure.name.empty() ? stage.measure : measure.name), measure.kind};
         if (measure.question.empty()) {
             asked.balls = 1;
             for (const std::string& name : stage.design.distances)
@@ -179,11 +179,11 @@ std::vector<AskedMeasure> measuresOf(const Study& study, const Stage& stage) {
     return out;
 }
 
-std::vector<AskedMeasure> askedMeasures(const Study& study) {
-    std::vector<AskedMeasure> out;
-    const auto add = [&](const AskedMeasure& measure) {
+std::vector<StudyMeasure> studyMeasures(const Study& study) {
+    std::vector<StudyMeasure> out;
+    const auto add = [&](const StudyMeasure& measure) {
         const auto same = std::find_if(out.begin(), out.end(),
-                                       [&](const AskedMeasure& known) { return known.name == measure.name; });
+                                       [&](const StudyMeasure& known) { return known.name == measure.name; });
         if (same == out.end()) {
             out.push_back(measure);
             return;
@@ -195,8 +195,8 @@ std::vector<AskedMeasure> askedMeasures(const Study& study) {
     for (const bool choices : {true, false})
         for (const Stage& stage : study.stages)
             if (stage.scored())
-                for (const AskedMeasure& measure : measuresOf(study, stage))
-                    if ((measure.kind == AskedKind::accuracy) == choices) add(measure);
+                for (const StudyMeasure& measure : measuresOf(study, stage))
+                    if ((measure.kind == AnswerKind::accuracy) == choices) add(measure);
     return out;
 }
 
@@ -206,28 +206,28 @@ Result<AssumedEffects> loadAssumedEffects(const std::filesystem::path& path, con
     Problems problems(path.string());
     TextBook no_texts(problems);
     TomlTable root(&*file, "", effect_sections, problems, no_texts);
-    const std::vector<AskedMeasure> measures = askedMeasures(study);
+    const std::vector<StudyMeasure> measures = studyMeasures(study);
     std::vector<std::string_view> rated;
     AssumedEffects read;
-    for (const AskedMeasure& measure : measures)
-        if (measure.kind == AskedKind::rating) rated.push_back(measure.name);
+    for (const StudyMeasure& measure : measures)
+        if (measure.kind == AnswerKind::rating) rated.push_back(measure.name);
     TomlTable ratings = root.below("rating", root.section("rating", false), rated);
-    const auto asked = [&](AskedKind kind) {
+    const auto asked = [&](AnswerKind kind) {
         return std::find_if(measures.begin(), measures.end(),
-                            [&](const AskedMeasure& measure) { return measure.kind == kind; });
+                            [&](const StudyMeasure& measure) { return measure.kind == kind; });
     };
-    for (const AskedMeasure& measure : measures)
-        if (measure.kind == AskedKind::rating && ratings.has(measure.name))
+    for (const StudyMeasure& measure : measures)
+        if (measure.kind == AnswerKind::rating && ratings.has(measure.name))
             read.ratings[measure.name] = readAssumedRating(
                 ratings.below(measure.name, ratings.section(measure.name, true), assumed_rating_keys), study,
                 measure);
-    if (asked(AskedKind::accuracy) == measures.end())
-        root.refuse("accuracy", "where the study has no referential game");
+    if (asked(AnswerKind::accuracy) == measures.end())
+        root.reject("accuracy", "where the study has no referential game");
     else if (root.has("accuracy"))
         read.accuracy = readAccuracy(root.below("accuracy", root.section("accuracy", true), accuracy_keys),
-                                     study, *asked(AskedKind::accuracy));
-    if (asked(AskedKind::preference) == measures.end())
-        root.refuse("preference", "where the study compares no pairs");
+                                     study, *asked(AnswerKind::accuracy));
+    if (asked(AnswerKind::preference) == measures.end())
+        root.reject("preference", "where the study compares no pairs");
     else if (root.has("preference"))
         read.preference = readAssumedPreference(
             root.below("preference", root.section("preference", true), assumed_preference_keys), study);
@@ -293,9 +293,9 @@ std::vector<double> gameShifts(const Study& study, const AssumedAccuracy& accura
         return out;
     };
     const auto layouts =
-        shiftsOf(namesUsed(study, AskedKind::accuracy, "", NamedFactor::layout), accuracy.layouts);
+        shiftsOf(namesUsed(study, AnswerKind::accuracy, "", NamedFactor::layout), accuracy.layouts);
     const auto distances =
-        shiftsOf(namesUsed(study, AskedKind::accuracy, "", NamedFactor::distance), accuracy.distances);
+        shiftsOf(namesUsed(study, AnswerKind::accuracy, "", NamedFactor::distance), accuracy.distances);
     std::vector<double> out;
     for (const double group : groupShifts(study, accuracy.groups))
         for (const double layout : layouts)

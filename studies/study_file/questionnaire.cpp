@@ -15,10 +15,10 @@ int Questionnaire::pages() const {
 }
 
 std::vector<const Question*> Questionnaire::page(int index) const {
-    const std::size_t most = static_cast<std::size_t>(per_page);
-    const std::size_t first = static_cast<std::size_t>(index) * most;
+    const std::size_t max = static_cast<std::size_t>(per_page);
+    const std::size_t first = static_cast<std::size_t>(index) * max;
     std::vector<const Question*> out;
-    for (std::size_t i = first; i < std::min(first + most, questions.size()); ++i)
+    for (std::size_t i = first; i < std::min(first + max, questions.size()); ++i)
         out.push_back(&questions[i]);
     return out;
 }

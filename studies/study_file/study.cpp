@@ -126,7 +126,7 @@ void readHead(TomlTable& table, StudyReader& reader) {
     }
     if (table.has("avatar_height_m")) {
         study.avatar_height_m = table.number("avatar_height_m", 0.3, 3.0);
-        if (study.avatar.empty()) table.refuse("avatar_height_m", "without an avatar of the study's own");
+        if (study.avatar.empty()) table.reject("avatar_height_m", "without an avatar of the study's own");
     }
     study.inter_trial_s = table.number("inter_trial_s", 0.0, 60.0, study.inter_trial_s);
     constexpr std::string_view after_interruption[] = {"resume", "repeat"};

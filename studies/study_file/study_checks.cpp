@@ -56,11 +56,11 @@ void finishPractice(StageEntry& entry, const std::deque<StageEntry>& stages) {
     }
     if (!of->kind->right_or_wrong) {
         for (const std::string_view key : {"criterion", "max_attempts", "end_if_failed", "again_text"})
-            table.refuse(key,
+            table.reject(key,
                          fmt::format("in practice of a stage of kind \"{}\", whose answers are neither right "
                                      "nor wrong",
                                      of->kind->name));
-        table.refuse("feedback", "in practice of a stage that is no game");
+        table.reject("feedback", "in practice of a stage that is no game");
     }
     if (table.sound("when"))
         for (const auto& [factor, level] : of->stage.when) {
@@ -123,7 +123,7 @@ void forEachGroup(const std::vector<BetweenFactor>& factors, std::size_t from,
 void checkEnoughTargets(StudyReader& reader, const std::deque<StageEntry>& stages) {
     const toml::table* section = reader.file["targets"].as_table();
     if (section == nullptr || reader.study.targets.count == 0 || !section->contains("count")) return;
-    long long most = 0;
+    long long max = 0;
     std::string list;
     std::map<std::string, std::string> group;
     forEachGroup(reader.study.between, 0, group, [&](const std::map<std::string, std::string>& levels) {
@@ -140,17 +140,17 @@ void checkEnoughTargets(StudyReader& reader, const std::deque<StageEntry>& stage
             needed += targetsOf(stage);
             terms += fmt::format("{}{} ({})", terms.empty() ? "" : ", ", stage.name, targetsOf(stage));
         }
-        if (needed <= most) return;
-        most = needed;
+        if (needed <= max) return;
+        max = needed;
         list = terms;
     });
-    if (most <= reader.study.targets.count) return;
+    if (max <= reader.study.targets.count) return;
     const toml::source_position at = section->get("count")->source().begin;
     reader.problems.add(
         at, "targets.count",
         fmt::format("found {}, expected at least {}: each of a participant's stages takes targets of "
                     "its own: {}",
-                    reader.study.targets.count, most, list));
+                    reader.study.targets.count, max, list));
 }
 
 }  // namespace

@@ -9,15 +9,15 @@ namespace deixis::studies {
 
 namespace {
 
-constexpr int most_steps = 11;  // what fits on a board
+constexpr int max_steps = 11;  // what fits on a board
 
 void checkLabels(TomlTable& table, const Scale& scale) {
     const std::size_t found = scale.labels.size();
     if (!table.has("labels") || table.faulty("low") || table.faulty("high")) return;
     if (scale.kind == ScaleKind::slider) {
-        if (found < 2 || found > most_steps)
+        if (found < 2 || found > max_steps)
             table.problem("labels", fmt::format("found a list of {}, expected 2 to {} texts or none", found,
-                                                most_steps));
+                                                max_steps));
         return;
     }
     const int steps = scale.steps();
@@ -56,10 +56,10 @@ Question readQuestion(TomlTable& table, const std::optional<Scale>& shared) {
     question.kind = static_cast<QuestionKind>(*kind);
     const std::string why = fmt::format("in a question of kind \"{}\"", kinds[*kind]);
     const bool options = question.kind == QuestionKind::choice || question.kind == QuestionKind::choices;
-    if (question.kind != QuestionKind::scale) table.refuse("scale", why);
-    if (!options) table.refuse("options", why);
+    if (question.kind != QuestionKind::scale) table.reject("scale", why);
+    if (!options) table.reject("options", why);
     if (question.kind != QuestionKind::number)
-        for (const std::string_view key : {"low", "high", "whole"}) table.refuse(key, why);
+        for (const std::string_view key : {"low", "high", "whole"}) table.reject(key, why);
 
     if (question.kind == QuestionKind::scale)
         question.scale = shared && !table.has("scale") ? *shared : readScale(table, "scale");
@@ -83,25 +83,25 @@ Scale readScale(TomlTable& parent, std::string_view key) {
     const bool ends_sound = table.sound("low") && table.sound("high");
     if (ends_sound && scale.low >= scale.high)
         table.problem("high", fmt::format("found {}, expected more than low ({})", scale.high, scale.low));
-    else if (ends_sound && scale.kind == ScaleKind::steps && scale.steps() > most_steps)
+    else if (ends_sound && scale.kind == ScaleKind::steps && scale.steps() > max_steps)
         table.problem("high",
                       fmt::format("found {}, expected at most {}: a scale of steps has at most {} of them",
-                                  scale.high, scale.low + most_steps - 1, most_steps),
+                                  scale.high, scale.low + max_steps - 1, max_steps),
                       "Make it a slider");
     checkLabels(table, scale);
     return scale;
 }
 
 std::vector<QuestionOption> readOptions(TomlTable& table) {
-    constexpr std::size_t least = 2;
-    constexpr std::size_t most = 12;
+    constexpr std::size_t min = 2;
+    constexpr std::size_t max = 12;
     std::vector<QuestionOption> options;
     const std::vector<const toml::table*> entries = table.sections("options", true);
     for (const toml::table* entry : entries)
         options.push_back(readOption(table.below("options", entry, keys::options), options));
-    if (!entries.empty() && (entries.size() < least || entries.size() > most))
+    if (!entries.empty() && (entries.size() < min || entries.size() > max))
         table.problem("options",
-                      fmt::format("found {} options, expected {} to {}", entries.size(), least, most));
+                      fmt::format("found {} options, expected {} to {}", entries.size(), min, max));
     return options;
 }
 

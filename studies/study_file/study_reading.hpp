@@ -13,7 +13,7 @@
 #include "studies/study_file/stage_kind.hpp"
 #include "studies/texts/study_texts.hpp"
 #include "studies/texts/toml_table.hpp"
-#include "study_vocabulary.hpp"
+#include "study_keys.hpp"
 
 namespace deixis::studies {
 
@@ -46,7 +46,7 @@ struct StudyReader {
     }
 };
 
-// study_parts.cpp, in the order in which they need each other
+// study_sections.cpp, in the order in which they need each other
 void readTargets(StudyReader& reader);
 void readDistances(StudyReader& reader);
 void readLayouts(StudyReader& reader);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 /// A key that other kinds have is a problem of its own, with the kinds that have it.
 /// `kind` null: practice.
-void refuseOtherKinds(TomlTable& table, const StageDeclaration* kind) {
+void rejectOtherKinds(TomlTable& table, const StageDeclaration* kind) {
     const Keys known = stageKeys();
     for (const std::string_view key : table.keys()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) continue;
@@ -38,14 +38,14 @@ Practice readPractice(TomlTable& table) {
     if (practice.max_attempts > 1)
         practice.again_text = table.text("again_text");
     else if (!table.faulty("max_attempts"))
-        table.refuse("again_text", "without max_attempts over 1");
+        table.reject("again_text", "without max_attempts over 1");
     if (practice.criterion == 0.0 && !table.faulty("criterion")) {
         if (practice.max_attempts > 1)
             table.problem("max_attempts",
                           fmt::format("found {}, expected 1 without a criterion, which alone calls "
                                       "for a further attempt",
                                       practice.max_attempts));
-        table.refuse("end_if_failed", "without a criterion");
+        table.reject("end_if_failed", "without a criterion");
     }
     return practice;
 }
@@ -85,8 +85,8 @@ void readSession(TomlTable& table, int before, Stage& stage) {
                                                stage.session, before, before + 1));
 }
 
-/// A sitting that asks nothing would count as answered before it began.
-void refuseSessionsOfPages(std::deque<StageEntry>& stages) {
+/// A visit that asks nothing would count as answered before it began.
+void rejectSessionsOfPages(std::deque<StageEntry>& stages) {
     const auto asks = [](const StageEntry& one) {
         return one.stage.practice || (one.kind != nullptr && one.kind->answered);
     };
@@ -124,7 +124,7 @@ std::deque<StageEntry> readStages(StudyReader& reader) {
         readWhen(table, reader.study, stage);
         const std::optional<std::size_t> chosen = table.choice("kind", kind_names, true);
         const StageDeclaration* kind = findDeclaration(chosen ? kind_names[*chosen] : "");
-        if (chosen) refuseOtherKinds(table, kind);
+        if (chosen) rejectOtherKinds(table, kind);
         if (kind != nullptr) {
             stage.kind = *stageKindFromName(kind->name);
             kind->read(table, reading, stage);
@@ -134,7 +134,7 @@ std::deque<StageEntry> readStages(StudyReader& reader) {
         }
         out.push_back({std::move(table), kind, chosen.has_value(), std::move(stage)});
     }
-    refuseSessionsOfPages(out);
+    rejectSessionsOfPages(out);
     return out;
 }
 

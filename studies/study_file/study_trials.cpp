@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::string_view meetings[] = {"crossed", "nested"};
 
-Meeting readMeeting(TomlTable& table, std::string_view key, Meeting fallback) {
+Crossing readMeeting(TomlTable& table, std::string_view key, Crossing fallback) {
     const std::optional<std::size_t> found = table.choice(key, meetings, false);
-    return found ? static_cast<Meeting>(*found) : fallback;
+    return found ? static_cast<Crossing>(*found) : fallback;
 }
 
 void readSystemsOf(TomlTable& table, const Study& study, Stage& stage) {
@@ -49,7 +49,7 @@ void readBlocks(TomlTable& table, Stage& stage) {
     constexpr std::string_view orders[] = {"williams", "shuffled", "listed"};
     if (const std::optional<std::size_t> order = table.choice("block_order", orders, false))
         design.block_order = static_cast<BlockOrder>(*order);
-    if (!table.has("block_by")) table.refuse("block_order", "without block_by");
+    if (!table.has("block_by")) table.reject("block_order", "without block_by");
 }
 
 /// The stage's trials; 0 where what they follow from is not sound.
@@ -65,7 +65,7 @@ void readConstraints(TomlTable& table, Stage& stage) {
     design.no_target_twice_running = table.flag("no_target_twice_running", false);
     const long long trials = countedTrials(table, stage);
     if (design.block_by == "system")
-        table.refuse("max_run_of_system", "with block_by = \"system\"");
+        table.reject("max_run_of_system", "with block_by = \"system\"");
     else if (design.max_run_of_system > 0 && design.systems.size() == 1 && trials > design.max_run_of_system)
         table.problem("max_run_of_system",
                       fmt::format("found {}, expected 0: the stage has {} trials, all of one system",
@@ -83,11 +83,11 @@ void readDesign(TomlTable& table, const Study& study, Stage& stage) {
     design.layouts = table.namesOf("layouts", namesIn(study.layouts), "[[layouts]]", true);
     const StageDeclaration& kind = declarationOf(stage.kind);
     if (kind.checkLevels != nullptr) kind.checkLevels(table, study, stage);
-    design.layout_meets = readMeeting(table, "layout_meets", Meeting::nested);
-    if (kind.has("system_meets")) design.system_meets = readMeeting(table, "system_meets", Meeting::crossed);
+    design.layout_meets = readMeeting(table, "layout_meets", Crossing::nested);
+    if (kind.has("system_meets")) design.system_meets = readMeeting(table, "system_meets", Crossing::crossed);
     if (kind.balls) {
         design.distances = table.namesOf("distances", namesIn(study.distances), "[[distances]]", true);
-        design.distance_meets = readMeeting(table, "distance_meets", Meeting::nested);
+        design.distance_meets = readMeeting(table, "distance_meets", Crossing::nested);
     }
     readBlocks(table, stage);
     readConstraints(table, stage);
@@ -99,14 +99,14 @@ void readBreaks(TomlTable& table, Stage& stage) {
         stage.break_text = table.text("break_text");
         stage.break_minimum_s = table.number("break_minimum_s", 0.0, 3600.0, 0.0);
     } else if (!table.faulty("break_every")) {
-        table.refuse("break_text", "without break_every");
-        table.refuse("break_minimum_s", "without break_every");
+        table.reject("break_text", "without break_every");
+        table.reject("break_minimum_s", "without break_every");
     }
 }
 
 /// How far two answers to a trial can be apart.
 double widestDifference(const Study& study, const Stage& stage) {
-    const std::vector<AskedMeasure> asked = measuresOf(study, stage);
+    const std::vector<StudyMeasure> asked = measuresOf(study, stage);
     return asked.empty() ? 0.0 : std::abs(asked.front().high - asked.front().low);
 }
 
@@ -118,7 +118,7 @@ AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& sta
     if (checks.rule != CheckRule::note)
         checks.after_failures = table.count("after_failures", 1, 100, 1);
     else if (!table.faulty("rule"))
-        table.refuse("after_failures", "with the rule \"note\"");
+        table.reject("after_failures", "with the rule \"note\"");
     if (!table.faulty("count") && !table.faulty("after_failures") && checks.after_failures > checks.count)
         table.problem("after_failures",
                       fmt::format("found {}, expected at most count ({}): the rule would never hold",
@@ -130,13 +130,13 @@ AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& sta
     if (!kind) return checks;
     checks.kind = declarationOf(stage.kind).checks[*kind];
     if (checks.kind == CheckKind::catch_trial) {
-        table.refuse("tolerance", "with a catch trial");
+        table.reject("tolerance", "with a catch trial");
         checks.distance = table.name("distance");
         if (table.sound("distance"))
             table.checkKnown("distance", checks.distance, namesIn(study.distances), "[[distances]]");
         return checks;
     }
-    table.refuse("distance", "with a check that is no catch trial");
+    table.reject("distance", "with a check that is no catch trial");
     checks.tolerance = table.number("tolerance", 0.0, widestDifference(study, stage), 0.0);
     if (trials > 0 && !table.faulty("count") && checks.count > trials)
         table.problem("count", fmt::format("found {}, expected at most {}, the trials of the stage",
@@ -183,8 +183,8 @@ std::vector<Question> ratingQuestion(const Stage& stage, const LanguageTable& /*
 
 long long trialsOf(const Stage& stage) {
     const TrialDesign& design = stage.design;
-    const auto crossed = [](Meeting meeting, std::size_t levels) {
-        return meeting == Meeting::crossed ? static_cast<long long>(levels) : 1;
+    const auto crossed = [](Crossing meeting, std::size_t levels) {
+        return meeting == Crossing::crossed ? static_cast<long long>(levels) : 1;
     };
     const StageDeclaration& kind = declarationOf(stage.kind);
     const std::size_t shown = kind.shown(static_cast<int>(design.systems.size())).size();

@@ -57,7 +57,7 @@ struct Problem {
     std::uint32_t line = 0;  ///< 0: of the whole table
     std::string_view key;
     std::string message;
-    std::string mend{};
+    std::string hint{};
 };
 
 /// What is wrong with the text of a key, if anything.
@@ -74,7 +74,7 @@ void checkText(std::string_view key, std::string_view english, const toml::node&
         return;
     }
     if (const auto why = notDrawn(text->get())) {
-        problems.push_back({line, key, why->message, why->mend});
+        problems.push_back({line, key, why->message, why->hint});
         return;
     }
     const auto found = placeholdersOf(text->get());
@@ -95,7 +95,7 @@ Error errorOf(const std::string& file, std::string_view prefix, std::vector<Prob
                                 : fmt::format(": {}{}", prefix, problem.key);
     };
     const Problem& first = problems.front();
-    Error error{file + place(first), first.message, first.mend};
+    Error error{file + place(first), first.message, first.hint};
     const std::size_t told = std::min(problems.size(), problems_told);
     for (std::size_t i = 1; i < told; ++i) {
         const Problem& next = problems[i];

@@ -78,7 +78,7 @@ bool hasShape(std::uint32_t code) {
                        [code](const TextAdvance& one) { return one.character == code; });
 }
 
-const char* const mend =
+const char* const hint =
     "Expected a script whose letters stand one after another from left to right, such as Latin, Greek, "
     "Cyrillic or Hangul, and no symbols beyond it";
 
@@ -97,11 +97,11 @@ std::optional<NotDrawn> notDrawn(std::string_view text) {
                         "found letters of the {} script, which boards cannot draw: its letters run from "
                         "right to left or change with their neighbours",
                         block.script),
-                    mend};
+                    hint};
         if (!hasShape(code))
             return NotDrawn{fmt::format("found '{}' (U+{:04X}), for which the program's fonts have no shape",
                                         text.substr(begin, at - begin), code),
-                            mend};
+                            hint};
     }
     return std::nullopt;
 }

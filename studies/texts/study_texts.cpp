@@ -38,7 +38,7 @@ void TextBook::readLanguage(const std::string& language, const toml::table& tabl
         } else {
             text = unwrapped(node.as_string()->get());
             if (text.empty()) problems_.add(at, dotted, "found an empty text, expected some words");
-            if (const auto why = notDrawn(text)) problems_.add(at, dotted, why->message, why->mend);
+            if (const auto why = notDrawn(text)) problems_.add(at, dotted, why->message, why->hint);
         }
         texts_[language].emplace(key.str(), text);
         keys_.emplace(key.str());
@@ -138,7 +138,7 @@ std::string TextBook::resolve(const std::string& written, toml::source_position 
     if (written.rfind('@', 0) != 0) {
         std::string text = unwrapped(written);
         if (const auto why = notDrawn(text)) {
-            problems_.add(at, key, why->message, why->mend);
+            problems_.add(at, key, why->message, why->hint);
         } else if (text.empty()) {
             problems_.add(at, key, "found an empty text, expected some words");
         } else if (languages_.size() > 1) {

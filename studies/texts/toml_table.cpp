@@ -52,11 +52,11 @@ bool isName(std::string_view text) {
     });
 }
 
-void Problems::add(toml::source_position at, std::string_view key, std::string message, std::string mend) {
+void Problems::add(toml::source_position at, std::string_view key, std::string message, std::string hint) {
     std::string where = file_;
     if (at.line > 0) where += fmt::format(":{}", at.line);
     if (!key.empty()) where += fmt::format(": {}", key);
-    found_.push_back({at, Error{std::move(where), std::move(message), std::move(mend)}});
+    found_.push_back({at, Error{std::move(where), std::move(message), std::move(hint)}});
 }
 
 void Problems::add(toml::source_position at, std::vector<Error> others) {
@@ -176,29 +176,29 @@ toml::source_position TomlTable::place(std::string_view key) const {
     return table_->source().begin;
 }
 
-void TomlTable::problem(std::string_view key, std::string message, std::string mend) {
+void TomlTable::problem(std::string_view key, std::string message, std::string hint) {
     bad_.emplace(key);
-    problems_->add(place(key), dotted(key), std::move(message), std::move(mend));
+    problems_->add(place(key), dotted(key), std::move(message), std::move(hint));
 }
 
-void TomlTable::problemAt(std::string_view key, std::size_t index, std::string message, std::string mend) {
+void TomlTable::problemAt(std::string_view key, std::size_t index, std::string message, std::string hint) {
     bad_.emplace(key);
     const toml::array* list = has(key) ? table_->get(key)->as_array() : nullptr;
     const toml::node* entry = list != nullptr ? list->get(index) : nullptr;
     problems_->add(entry != nullptr ? entry->source().begin : place(key), dotted(key), std::move(message),
-                   std::move(mend));
+                   std::move(hint));
 }
 
 void TomlTable::problemAt(std::string_view key, std::string_view name, std::string message,
-                          std::string mend) {
+                          std::string hint) {
     bad_.emplace(key);
     const toml::table* table = has(key) ? table_->get(key)->as_table() : nullptr;
     const toml::node* entry = table != nullptr ? table->get(name) : nullptr;
     problems_->add(entry != nullptr ? entry->source().begin : place(key),
-                   dotted(fmt::format("{}.{}", key, name)), std::move(message), std::move(mend));
+                   dotted(fmt::format("{}.{}", key, name)), std::move(message), std::move(hint));
 }
 
-void TomlTable::refuse(std::string_view key, std::string_view why) {
+void TomlTable::reject(std::string_view key, std::string_view why) {
     if (has(key)) problem(key, fmt::format("found a value, expected no {} {}", key, why), "Remove it");
 }
 

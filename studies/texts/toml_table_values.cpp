@@ -66,13 +66,13 @@ std::string TomlTable::name(std::string_view key, std::optional<std::string> fal
     return node->as_string()->get();
 }
 
-std::vector<std::string> TomlTable::names(std::string_view key, std::size_t least, bool required,
+std::vector<std::string> TomlTable::names(std::string_view key, std::size_t min, bool required,
                                           bool repeats) {
-    const std::string expected = fmt::format("a list of {} or more names", least);
+    const std::string expected = fmt::format("a list of {} or more names", min);
     const toml::node* node = find(key, required, expected);
     if (node == nullptr) return {};
     const toml::array* list = node->as_array();
-    if (list == nullptr || list->size() < least) {
+    if (list == nullptr || list->size() < min) {
         wrongType(key, *node, expected);
         return {};
     }

@@ -97,8 +97,8 @@ TEST_SUITE("app/clips-retarget") {
         const std::string csv = slurp(manifest);
         const std::string end = column(csv, "end").front();
         spill(manifest, replaced(csv, "," + end + ",", ",9999,"));
-        const auto refused = program("clips retarget " + manifest + " --out " + (scratch / "out"));
-        CHECK_FAILS_SAYING(refused, "direct_T001.bvh", "end 9999", "in a clip of 104 frames");
+        const auto rejected = program("clips retarget " + manifest + " --out " + (scratch / "out"));
+        CHECK_FAILS_SAYING(rejected, "direct_T001.bvh", "end 9999", "in a clip of 104 frames");
         CHECK(!std::filesystem::exists(scratch / "out"));  // not half a folder
     }
 }

@@ -224,15 +224,15 @@ TEST_SUITE("app/command_convention") {
 
     TEST_CASE("Spellings of earlier versions go on working") {
         using Words = std::vector<std::string>;
-        CHECK(app::inTodaysSpelling({"simulate", "s", "--db", "x"}) ==
+        CHECK(app::inCurrentSpelling({"simulate", "s", "--db", "x"}) ==
               Words{"simulate", "s", "--output", "x"});
-        CHECK(app::inTodaysSpelling({"simulate", "s", "--db=x"}) == Words{"simulate", "s", "--output=x"});
-        CHECK(app::inTodaysSpelling({"run", "s", "--db", "x"}) == Words{"run", "s", "--db", "x"});
-        CHECK(app::inTodaysSpelling({"clips", "mirror", "m", "--out", "x"}) ==
+        CHECK(app::inCurrentSpelling({"simulate", "s", "--db=x"}) == Words{"simulate", "s", "--output=x"});
+        CHECK(app::inCurrentSpelling({"run", "s", "--db", "x"}) == Words{"run", "s", "--db", "x"});
+        CHECK(app::inCurrentSpelling({"clips", "mirror", "m", "--out", "x"}) ==
               Words{"clips", "mirror", "m", "--output", "x"});
-        CHECK(app::inTodaysSpelling({"targets", "--no-picture", "s"}) == Words{"targets", "s"});
-        CHECK(app::inTodaysSpelling({"generate", "--", "--out"}) == Words{"generate", "--", "--out"});
-        CHECK(app::inTodaysSpelling({}).empty());
+        CHECK(app::inCurrentSpelling({"targets", "--no-picture", "s"}) == Words{"targets", "s"});
+        CHECK(app::inCurrentSpelling({"generate", "--", "--out"}) == Words{"generate", "--", "--out"});
+        CHECK(app::inCurrentSpelling({}).empty());
 
         const Scratch scratch;
         spill(scratch / "targets.csv", "target_id,x,y,z\nT1,0.2,1.2,1.4\n");

@@ -17,7 +17,7 @@ using namespace deixis::tests;
 namespace {
 
 /// Why the words are refused: the parser's name of the problem, ": " and its message; empty: they are not.
-std::string refusal(const std::vector<std::string>& words) {
+std::string rejection(const std::vector<std::string>& words) {
     CLI::App cli{"", "deixis"};
     cli.require_subcommand(1);
     app::Command chosen;
@@ -73,7 +73,7 @@ TEST_SUITE("app/command_line") {
                 std::vector<std::string> words = option.words;
                 words.back() += "=" + value;
                 for (int i = 1; i < option.values; ++i) words.push_back(value);
-                const std::string why = refusal(words);
+                const std::string why = rejection(words);
                 CAPTURE(option.words.back());
                 CAPTURE(value);
                 CAPTURE(why);
@@ -83,7 +83,7 @@ TEST_SUITE("app/command_line") {
             std::vector<std::string> words = option.words;
             words.back() += "=1";
             for (int i = 1; i < option.values; ++i) words.emplace_back("1");
-            CHECK_MESSAGE(!contains(refusal(words), "expected a"), option.words.back());
+            CHECK_MESSAGE(!contains(rejection(words), "expected a"), option.words.back());
         }
     }
 

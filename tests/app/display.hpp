@@ -14,7 +14,7 @@ namespace deixis::tests {
 /// 1280 x 800, without a window manager; one at a time.
 class Display {
   public:
-    // A server that begins anew whenever its last client leaves would refuse the next one meanwhile.
+    // A server that begins again whenever its last client leaves would refuse the next one meanwhile.
     Display()
         : server_("Xvfb :" + std::to_string(nextNumber()) +
                   " -screen 0 1280x800x24 -nolisten tcp -noreset >/dev/null 2>&1") {

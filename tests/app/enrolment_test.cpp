@@ -42,7 +42,7 @@ TEST_SUITE("app/enrolment") {
             const std::string who = fmt::format("S{:03}", number);
             const auto enrolment = enrolled(setup, store, who);
             REQUIRE(store.storePlan(setup.study, enrolment.registration, enrolment.plan));
-            const studies::Turn turn = studies::turnOf(setup.study, number);
+            const studies::Assignment turn = studies::assignmentOf(setup.study, number);
             const auto plan =
                 studies::buildPlan(setup.study, setup.targets, who, number, turn.groups, turn.number_in_cell);
             REQUIRE(plan);

@@ -54,7 +54,7 @@ class Life {
         auto store = results::Store::open(database_, results::Durability::each_answer);
         REQUIRE(store);
         std::vector<studies::StudyPlan> plans;
-        for (int number = 1; number <= most_participants; ++number) {
+        for (int number = 1; number <= max_participants; ++number) {
             auto plan =
                 studies::buildPlan(setup_->study, setup_->targets, fmt::format("P{:02}", number), number, {});
             REQUIRE(plan);
@@ -69,7 +69,7 @@ class Life {
         REQUIRE(*stimuli_);
     }
 
-    static constexpr int most_participants = 12;
+    static constexpr int max_participants = 12;
 
     /// Whether the participant's session is over.
     template <class Recorder = app::DirectRecorder>
@@ -121,7 +121,7 @@ TEST_SUITE("app/killed_session") {
         // however fast the machine is.
         double longest_s = 0.02;
         int answers = 0;
-        while (killed < kills && participants < Life::most_participants) {
+        while (killed < kills && participants < Life::max_participants) {
             const std::string participant = fmt::format("P{:02}", ++participants);
             for (bool over = false; !over;) {
                 const pid_t child = ::fork();

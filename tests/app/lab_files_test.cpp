@@ -55,7 +55,7 @@ void moveAside(const fs::path& gltf) {
     FAIL("the clip moves nowhere");
 }
 
-void checkRefused(const LabFolder& lab, const std::string& change) {
+void checkRejected(const LabFolder& lab, const std::string& change) {
     CHECK_FAILS_SAYING(lab.run("P02"), "study.sqlite", "locked", change, "--accept-changes");
 }
 
@@ -83,15 +83,15 @@ TEST_SUITE("app/lab_files") {
         CHECK(before.size() > 1000);
         for (const char* words : {"clips/moved.humanoid.toml", "clips/direct_T003.humanoid.toml"}) {
             lab.write(words, "jaw = \"\"\n");
-            checkRefused(lab, std::string(words) + " is new");
+            checkRejected(lab, std::string(words) + " is new");
             fs::remove(lab.path(words));
         }
         const std::string buffer = lab.read("clips/moved.bin");
         fs::remove(lab.path("clips/moved.bin"));
-        checkRefused(lab, "clips/moved.bin is missing");
+        checkRejected(lab, "clips/moved.bin is missing");
         lab.write("clips/moved.bin", buffer);
         moveAside(lab.path("clips/moved.gltf"));
-        checkRefused(lab, "clips/moved.bin has changed");
+        checkRejected(lab, "clips/moved.bin has changed");
         const auto accepted = lab.run("P02", "--accept-changes 'it stood aside'");
         REQUIRE_MESSAGE(accepted.status == 0, accepted.err);
         CHECK(contains(accepted.out, "clips/moved.bin has changed"));
@@ -115,9 +115,9 @@ TEST_SUITE("app/lab_files") {
             const std::string bytes = lab.read(name);
             CHECK(slurp(set / "avatar" / name) == bytes);
             lab.write(name, bytes + "\n");
-            checkRefused(lab, name + " has changed");
+            checkRejected(lab, name + " has changed");
             fs::remove(lab.path(name));
-            checkRefused(lab, name + " is missing");
+            checkRejected(lab, name + " is missing");
             lab.write(name, bytes);
         }
         const auto ran = lab.run("P02");

@@ -73,7 +73,7 @@ TEST_SUITE("app/locked_study") {
     TEST_CASE("A lab's changed files are refused with what has changed, and nothing is recorded") {
         const LabFolder lab;
         REQUIRE(lab.simulate().status == 0);
-        const auto refused = [&](const std::vector<std::string>& words) {
+        const auto rejected = [&](const std::vector<std::string>& words) {
             const auto ran = lab.run("P02");
             CHECK_FAILS_SAYING(ran, "study.sqlite", "locked", "deixis run --db", "--accept-changes");
             for (const std::string& word : words) CHECK_MESSAGE(contains(ran.err, word), ran.err);
@@ -84,13 +84,13 @@ TEST_SUITE("app/locked_study") {
             const auto at = manifest.find("T004,") + 5;
             lab.write("clips/manifest.csv",
                       manifest.substr(0, at) + "9" + manifest.substr(manifest.find(',', at)));
-            refused({"clips/manifest.csv has changed", "the target of T004 was (", "is (9, "});
+            rejected({"clips/manifest.csv has changed", "the target of T004 was (", "is (9, "});
         }
         SUBCASE("another clip, one gone, and another text: all are told") {
             lab.write("clips/direct_T002.bvh", lab.read("clips/direct_T002.bvh") + "\n");
             fs::remove(lab.path("clips/direct_T005.bvh"));
             lab.change("study.toml", "How natural?", "How lifelike?");
-            refused(
+            rejected(
                 {"study.toml has changed (line 35 was 'question = \"How natural?\"', is 'question = \"How "
                  "lifelike?\"')",
                  "clips/direct_T002.bvh has changed", "clips/direct_T005.bvh is missing"});
@@ -182,7 +182,7 @@ TEST_SUITE("app/locked_study") {
         const LabFolder lab;
         REQUIRE(lab.simulate().status == 0);
         const fs::path set = onlySet(lab);
-        const auto refused = [&](const std::string& words) {
+        const auto rejected = [&](const std::string& words) {
             for (const std::string study : {"study.toml", ""})
                 CHECK_FAILS_SAYING(lab.run("P02", "", study), set.string(), words, "from a copy");
             CHECK(value(lab, "SELECT count(*) FROM participants") == "1");
@@ -191,15 +191,15 @@ TEST_SUITE("app/locked_study") {
             fs::copy_file(set / "clips/ours/T001.bvh", set / "clips/builtin/T002.bvh",
                           fs::copy_options::overwrite_existing);
             fs::remove(set / "languages/en.toml");
-            refused("damaged: clips/builtin/T002.bvh was changed, languages/en.toml is missing");
+            rejected("damaged: clips/builtin/T002.bvh was changed, languages/en.toml is missing");
         }
         SUBCASE("the list was changed") {
             spill(set / "locked.sha256", slurp(set / "locked.sha256") + "\n");
-            refused("is not the list");
+            rejected("is not the list");
         }
         SUBCASE("all is gone") {
             fs::remove_all(set.parent_path());
-            refused("not there");
+            rejected("not there");
         }
     }
 
@@ -291,9 +291,9 @@ TEST_SUITE("app/locked_study") {
         lab.write("clips/direct_T002.bvh", lab.read("clips/direct_T002.bvh") + "\n");
         REQUIRE(lab.run("P02").status == 0);
         const std::string join = "merge " + first + " " + lab.path("study.sqlite") + " -o ";
-        const auto refused = program(join + lab.path("all.sqlite"));
-        CHECK(refused.status == 1);
-        CHECK_MESSAGE(contains(refused.err, "locked"), refused.err);
+        const auto rejected = program(join + lab.path("all.sqlite"));
+        CHECK(rejected.status == 1);
+        CHECK_MESSAGE(contains(rejected.err, "locked"), rejected.err);
         fs::remove(lab.path("study.sqlite"));
         lab.write("clips/direct_T002.bvh",
                   slurp(onlySetIn(lab.path("first.locked")) / "clips/ours/T002.bvh"));

@@ -139,9 +139,9 @@ TEST_SUITE("app/push server") {
         // Taken for a file, an address would leave its password in a folder's name.
         for (const std::string& command : {"merge " + right + " " + right + " -o " + (scratch / "m.sqlite"),
                                            "export " + right, "simulate genea-pairwise --db=" + right}) {
-            const auto refused = run(command);
-            CHECK(refused.status == 2);
-            CHECK(contains(refused.err, "only report and push take one"));
+            const auto rejected = run(command);
+            CHECK(rejected.status == 2);
+            CHECK(contains(rejected.err, "only report and push take one"));
         }
         CHECK_FALSE(std::filesystem::exists("postgresql:"));
 

@@ -16,7 +16,7 @@ inline void change(const std::string& database, const std::string& sql) {
 
 inline constexpr const char* tables_of_sessions[]{"events",         "tracking_blocks",    "hand_joints",
                                                   "trial_tracking", "session_properties", "consents"};
-inline constexpr const char* tables_of_people[]{
+inline constexpr const char* tables_of_participants[]{
     "trial_stimuli", "trials", "plans", "participant_fields", "participant_groups", "sessions"};
 
 /// Leaves out people, as if they had never been there.
@@ -30,7 +30,7 @@ inline void leaveOut(const std::string& database, const std::string& ids) {
     for (const char* table : tables_of_sessions)
         sql += std::string("DELETE FROM ") + table +
                " WHERE session IN (SELECT id FROM sessions WHERE participant" + who + ");";
-    for (const char* table : tables_of_people)
+    for (const char* table : tables_of_participants)
         sql += std::string("DELETE FROM ") + table + " WHERE participant" + who + ";";
     change(database, sql + "DELETE FROM participants WHERE id" + who);
 }

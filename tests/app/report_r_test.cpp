@@ -1,4 +1,4 @@
-// The R script that deixis report writes: R itself computes the tables anew.
+// The R script that deixis report writes: R itself computes the tables again.
 #include "core/random.hpp"
 #include "csv_table.hpp"
 #include "program.hpp"

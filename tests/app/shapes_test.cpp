@@ -35,7 +35,7 @@ TEST_SUITE("app/shapes") {
         const auto rows = table(finished.out);
         REQUIRE(rows.size() == 101);
         for (std::size_t i = 1; i < rows.size(); ++i) {
-            REQUIRE(rows[i].size() >= 19);  // what four places see, the angles of five, what was drawn anew
+            REQUIRE(rows[i].size() >= 19);  // what four places see, the angles of five, what was drawn again
             const auto at = [&](std::size_t column, std::size_t k) { return std::stod(rows[i][column + k]); };
             for (const std::size_t distractor : {4U, 7U}) {
                 double d2 = 0.0;

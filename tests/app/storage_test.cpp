@@ -152,9 +152,9 @@ TEST_SUITE("app/storage") {
         for (const std::string& arguments :
              {"participants exclude " + (scratch / "study.sqlite") + " P01 --reason " + latin,
               "run pointing2023 --participant " + latin, "report " + latin}) {
-            const auto refused = program(arguments);
-            CHECK(refused.status == 2);
-            CHECK(refused.err.find("UTF-8") != std::string::npos);
+            const auto rejected = program(arguments);
+            CHECK(rejected.status == 2);
+            CHECK(rejected.err.find("UTF-8") != std::string::npos);
         }
         spill(scratch / "study.toml", replaced(shippedStudy(), "title = \"", "title = \"A\\u0000B "));
         CHECK_FAILS_SAYING(program("plan " + (scratch / "study.toml") + " --participant P01"),
@@ -176,12 +176,12 @@ TEST_SUITE("app/storage") {
               std::string("evaluate /dev/zero -o e.html"), std::string("replay /dev/zero --participant P01"),
               std::string("run pointing2023 --station simulated --db /dev/zero"),
               std::string("fit /dev/zero"), std::string("generate direct --targets /dev/zero --out x")}) {
-            const auto refused = program(arguments, "cd " + scratch.path().string() + "; " + limit);
-            INFO(arguments << ": " << refused.err);
-            CHECK(refused.status > 0);
-            CHECK(refused.status < 128);
-            CHECK(refused.err.find("bad_alloc") == std::string::npos);
-            CHECK(refused.err.find("memory") == std::string::npos);
+            const auto rejected = program(arguments, "cd " + scratch.path().string() + "; " + limit);
+            INFO(arguments << ": " << rejected.err);
+            CHECK(rejected.status > 0);
+            CHECK(rejected.status < 128);
+            CHECK(rejected.err.find("bad_alloc") == std::string::npos);
+            CHECK(rejected.err.find("memory") == std::string::npos);
         }
     }
 
@@ -192,10 +192,10 @@ TEST_SUITE("app/storage") {
             for (const std::string& arguments :
                  {"report " + address, "push " + (scratch / "a.sqlite") + " " + address, "run " + address,
                   "participants list " + address, "--db=" + address}) {
-                const auto refused = program(arguments);
-                INFO(arguments << ": " << refused.err);
-                CHECK(refused.status != 0);
-                CHECK((refused.out + refused.err).find("Sesam") == std::string::npos);
+                const auto rejected = program(arguments);
+                INFO(arguments << ": " << rejected.err);
+                CHECK(rejected.status != 0);
+                CHECK((rejected.out + rejected.err).find("Sesam") == std::string::npos);
             }
         CHECK_FAILS_SAYING(program("report Postgresql://ann:Sesam@h/d"), "small letters");
     }

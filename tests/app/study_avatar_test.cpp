@@ -122,11 +122,11 @@ TEST_SUITE("app/study_avatar") {
         const Scratch scratch;
         spill(scratch / "robot.glb", slurp(robot));
         spill(scratch / "study.toml", withAvatar("robot.glb"));
-        const auto refused = program("check " + (scratch / "study.toml"));
-        CHECK(refused.status == 1);
-        CHECK(refused.err.find("study.avatar: " + (scratch / "robot.glb") + ": stands 4.56 m tall") !=
+        const auto rejected = program("check " + (scratch / "study.toml"));
+        CHECK(rejected.status == 1);
+        CHECK(rejected.err.find("study.avatar: " + (scratch / "robot.glb") + ": stands 4.56 m tall") !=
               std::string::npos);
-        CHECK(refused.err.find("has 1 problem") != std::string::npos);
+        CHECK(rejected.err.find("has 1 problem") != std::string::npos);
         spill(scratch / "study.toml",
               replaced(withAvatar("robot.glb"), "[study]\n", "[study]\navatar_height_m = 1.7\n"));
         const auto checked = program("check " + (scratch / "study.toml"));

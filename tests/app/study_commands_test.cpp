@@ -144,7 +144,7 @@ TEST_SUITE("app/study_commands") {
             "AS r USING (participant, trial_index) JOIN participants AS p ON p.id = r.participant WHERE "
             "r.superseded IS NULL AND p.status = 'active' AND a.scored AND b.scored AND a.system = '{}' AND "
             "b.system = '{}'";
-        double greatest = 0.0;
+        double max = 0.0;
         REQUIRE(analysis["pairwise_ratings"].size() == 6);
         for (const auto& pair : analysis["pairwise_ratings"]) {
             const std::string a = pair["a"], b = pair["b"];
@@ -152,9 +152,9 @@ TEST_SUITE("app/study_commands") {
                   pair["n"].get<int>());
             CHECK(pair["n"].get<int>() + pair["n_missing"].get<int>() == (30 - left_out) * 12);
             CHECK(pair["participants"] == 30 - left_out);
-            greatest = std::max(greatest, std::abs(pair["z"].get<double>()));
+            max = std::max(max, std::abs(pair["z"].get<double>()));
         }
-        CHECK(greatest > 6.83);
+        CHECK(max > 6.83);
         for (const auto& pair : analysis["pairwise"]) CHECK(std::abs(pair["z"].get<double>()) < 4.79);
         CHECK(contains(slurp(scratch / "r.html"), "once more by single ratings"));
         REQUIRE(program("report " + database + " --unit participants -o " + (scratch / "r.html")).status ==
@@ -198,10 +198,10 @@ TEST_SUITE("app/study_commands") {
         const auto shared = program("export " + database + " --anonymise -o " + (scratch / "shared"));
         REQUIRE(shared.status == 0);
         CHECK_FALSE(contains(slurp(scratch / "shared/responses.csv"), "S001"));
-        const auto refused = program("merge " + database + " " + (scratch / "none.sqlite") + " -o " +
-                                     (scratch / "all.sqlite"));
-        CHECK(refused.status == 1);
-        CHECK(contains(refused.err, "none.sqlite"));
+        const auto rejected = program("merge " + database + " " + (scratch / "none.sqlite") + " -o " +
+                                      (scratch / "all.sqlite"));
+        CHECK(rejected.status == 1);
+        CHECK(contains(rejected.err, "none.sqlite"));
         CHECK_FALSE(fs::exists(scratch / "all.sqlite"));
         fs::copy_file(database, scratch / "copy.sqlite");
         CHECK(

@@ -11,8 +11,8 @@
 
 #include "assets/joints/clip_import.hpp"
 #include "motion/gestures/segmentation.hpp"
-#include "motion/humanoid/humanoid_mapping.hpp"
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/humanoid/mapping.hpp"
+#include "motion/pointing/phases.hpp"
 #include "shared_data.hpp"
 
 using namespace deixis;
@@ -130,9 +130,9 @@ TEST_SUITE("assets/annotated_phases") {
             const int to = std::min(whole.clip.frameCount() - 1, by_hand.end + margin);
             motion::Clip piece = whole.clip;
             piece.frames.assign(whole.clip.frames.begin() + from, whole.clip.frames.begin() + to + 1);
-            const auto course = motion::jointCourse(motion::worldPoses(piece),
-                                                    whole.map[motion::armBones(by_hand.hand).hand]);
-            auto found = motion::detectPhases(course, by_hand.hand, piece.frame_time_s);
+            const auto trajectory = motion::jointTrajectory(motion::worldPoses(piece),
+                                                            whole.map[motion::armBones(by_hand.hand).hand]);
+            auto found = motion::detectPhases(trajectory, by_hand.hand, piece.frame_time_s);
             REQUIRE(found.has_value());
             for (int* frame : {&found->phases.onset_frame, &found->phases.peak_frame,
                                &found->phases.hold_frame, &found->phases.end_frame})

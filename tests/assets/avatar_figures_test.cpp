@@ -39,9 +39,9 @@ std::vector<Vec3> skinned(const assets::Avatar& avatar, const motion::LocalPose&
 
 double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
     REQUIRE(a.size() == b.size());
-    double most = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, glm::length(a[i] - b[i]));
-    return most;
+    double max = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) max = std::max(max, glm::length(a[i] - b[i]));
+    return max;
 }
 
 /// A turn for each bone of the reference humanoid, up to 60 degrees about any axis.

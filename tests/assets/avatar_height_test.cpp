@@ -39,7 +39,7 @@ std::string sized(double factor) {
     return file.glb();
 }
 
-std::string refusal(const fs::path& path, const assets::AvatarOptions& options = {}) {
+std::string rejection(const fs::path& path, const assets::AvatarOptions& options = {}) {
     const auto avatar = assets::loadAvatar(path, options);
     REQUIRE_FALSE(avatar.has_value());
     return avatar.error().text();
@@ -66,7 +66,7 @@ TEST_SUITE("assets/avatar_height") {
         for (const double factor : {0.35, 0.6, 1.4, 1.8}) {
             CAPTURE(factor);
             const fs::path path = figure("odd", sized(factor));
-            const std::string error = refusal(path);
+            const std::string error = rejection(path);
             CHECK(contains(error, path.string()));
             CHECK(contains(error,
                            fmt::format("stands {:.2f} m tall, expected 1.2 to 2.2 m", factor * plain_m)));
@@ -93,8 +93,8 @@ TEST_SUITE("assets/avatar_height") {
         CHECK(loaded(path, {1.5}).height_m == doctest::Approx(1.5).epsilon(1e-4));
         CHECK(avatar.content_hash == sha256Hex(sha256Hex(bytes) + sha256Hex("height_m = 1.8\n")));
         CHECK(loaded(path, {1.5}).content_hash != avatar.content_hash);
-        CHECK(
-            contains(refusal(figure("robot", bytes, "height_m = nan\n")), "robot.humanoid.toml:1: height_m"));
+        CHECK(contains(rejection(figure("robot", bytes, "height_m = nan\n")),
+                       "robot.humanoid.toml:1: height_m"));
     }
 
     TEST_CASE("The file beside an avatar says which joint plays which bone") {
@@ -115,15 +115,15 @@ TEST_SUITE("assets/avatar_height") {
         CHECK(x(avatar, Bone::leftHand) > x(by_shape, Bone::leftHand) + 0.05);
         CHECK(contains(avatar.remarks.front(),
                        "bones as " + (path.parent_path() / "claw.humanoid.toml").string()));
-        const std::string unknown = refusal(figure("claw", bytes, "leftHand = \"clav\"\n"));
+        const std::string unknown = rejection(figure("claw", bytes, "leftHand = \"clav\"\n"));
         CHECK(contains(unknown,
                        "claw.humanoid.toml:1: leftHand: found \"clav\", expected one of the figure's"));
         CHECK(contains(unknown, "Did you mean claw?"));
         // Refusals name joints, bones and the file that mends them.
-        const std::string upside =
-            refusal(figure("claw", bytes, "hips = \"x_leftHand\"\nleftHand = \"claw\"\nhead = \"x_head\"\n"));
+        const std::string upside = rejection(
+            figure("claw", bytes, "hips = \"x_leftHand\"\nleftHand = \"claw\"\nhead = \"x_head\"\n"));
         CHECK(contains(upside, "x_leftHand"));
-        const std::string above = refusal(
+        const std::string above = rejection(
             figure("claw", bytes, "leftUpperArm = \"x_leftLowerArm\"\nleftLowerArm = \"x_leftUpperArm\"\n"));
         CHECK(contains(above, "the joint \"x_leftUpperArm\" plays leftLowerArm but stands above"));
         CHECK(contains(above, "claw.humanoid.toml"));
@@ -151,7 +151,7 @@ TEST_SUITE("assets/avatar_height") {
         CHECK(avatar.humanoid.has(Bone::leftHand));
         bones.push_back(R"({"bone":"jaw","node":-2})");
         file.more = vrm0();
-        CHECK(contains(refusal(figure("vrm0", file.glb())), "/node: found -2, expected a whole number"));
+        CHECK(contains(rejection(figure("vrm0", file.glb())), "/node: found -2, expected a whole number"));
         // VRM 1.0 forbids it, and exporters do it all the same.
         std::string vrm1;
         for (std::size_t b = 0; b < rig.names.size(); ++b)
@@ -161,14 +161,14 @@ TEST_SUITE("assets/avatar_height") {
         CHECK_FALSE(loaded(figure("vrm1", file.glb())).humanoid.has(Bone::jaw));
         file.more = R"(,"extensions":{"VRMC_vrm":{"humanoid":{"humanBones":{"jaw":{"node":-2}}}}})";
         CHECK(
-            contains(refusal(figure("vrm1", file.glb())),
+            contains(rejection(figure("vrm1", file.glb())),
                      "/extensions/VRMC_vrm/humanoid/humanBones/jaw/node: found -2, expected a whole number"));
     }
 
     TEST_CASE("A robot of 4.56 m comes through the door") {
         const fs::path robot = tests::sharedData("repro/RobotExpressive.glb");
         DEIXIS_SKIP_WITHOUT(robot);
-        CHECK(contains(refusal(robot), "stands 4.56"));
+        CHECK(contains(rejection(robot), "stands 4.56"));
         const auto leftOut = [](const assets::Avatar& avatar) {
             return std::any_of(avatar.remarks.begin(), avatar.remarks.end(),
                                [](const std::string& remark) { return contains(remark, "left out"); });

@@ -133,7 +133,7 @@ TEST_SUITE("assets/avatar_loading") {
     TEST_CASE("no flipped byte makes the reader crash, or hand on an avatar that breaks its promises") {
         const std::string good = goodFile();
         Random random(2);
-        int refused = 0;
+        int rejected = 0;
         for (int i = 0; i < 150; ++i) {
             std::string bytes = good;
             const std::size_t range = i % 5 == 0 ? bytes.size() : binaryStart(bytes);
@@ -141,7 +141,7 @@ TEST_SUITE("assets/avatar_loading") {
                 bytes[random.below(range)] ^= static_cast<char>(1U << random.below(8));
             const auto result = load(bytes);
             if (!result) {
-                ++refused;
+                ++rejected;
                 continue;
             }
             REQUIRE(result->joint_from_bind.size() == result->skeleton.joints.size());
@@ -152,6 +152,6 @@ TEST_SUITE("assets/avatar_loading") {
                     REQUIRE(std::isfinite(v.position[static_cast<int>(k % 3)]));
                 }
         }
-        CHECK(refused > 20);
+        CHECK(rejected > 20);
     }
 }

@@ -97,7 +97,7 @@ TEST_SUITE("assets/avatar_sparse") {
             int replaced;
             int index_view = -1;
         };
-        const auto refusal = [&](const Broken& broken) {
+        const auto rejection = [&](const Broken& broken) {
             GlbText file = rigFile(rig, options);
             const int base = file.view(values);
             const int index_view = file.view(broken.indices, broken.view_members);
@@ -135,11 +135,11 @@ TEST_SUITE("assets/avatar_sparse") {
             {{{0, 1}, "", "", "", 4000}, "replaces 4000 of"},
             {{{0, 1}, "", "", "", 2, 99}, "buffer view 99 does not exist"}};
         for (const auto& broken : cases) {
-            const std::string text = refusal(broken.first);
+            const std::string text = rejection(broken.first);
             const std::string& words = broken.second;
             CHECK_MESSAGE(text.find(words) != std::string::npos, (text + " | " + words));
             CHECK(text.find(": /accessors/4") != std::string::npos);
         }
-        CHECK(refusal({{0, 1}, "", "", "", 2}).empty());
+        CHECK(rejection({{0, 1}, "", "", "", 2}).empty());
     }
 }

@@ -88,7 +88,7 @@ TEST_SUITE("assets/bvh_retarget") {
             CHECK(first.at(Bone::head).y > 1.3);
             CHECK((first.pose(Bone::head).orientation * Vec3(0, 0, 1)).z > 0.7);
             double lowest = 1e9;
-            double least_rise = 1e9;
+            double min_rise = 1e9;
             int upright = 0;
             int knees_forward = 0;
             int knees_bent = 0;
@@ -96,7 +96,7 @@ TEST_SUITE("assets/bvh_retarget") {
                 const Body body(clip, f);
                 lowest = std::min(lowest, body.lowestFoot());
                 const double rise = body.at(Bone::head).y - body.at(Bone::hips).y;
-                least_rise = std::min(least_rise, rise);
+                min_rise = std::min(min_rise, rise);
                 upright += rise > 0.4 ? 1 : 0;
                 for (const bool left : {true, false}) {
                     const Bone thigh = left ? Bone::leftUpperLeg : Bone::rightUpperLeg;
@@ -115,7 +115,7 @@ TEST_SUITE("assets/bvh_retarget") {
             CHECK(lowest < 0.06);
             CHECK(knees_forward >= knees_bent * 0.99);
             if (std::string(name).find("optitrack") == std::string::npos)
-                CHECK(least_rise > 0.4);
+                CHECK(min_rise > 0.4);
             else
                 CHECK(upright > 500);  // later she rides a bicycle, bent over
         }
@@ -169,8 +169,8 @@ TEST_SUITE("assets/bvh_retarget") {
             CHECK(report.feet.after_m_s < 0.02);
             CHECK(report.feet.after_m_s < report.feet.before_m_s);
             CHECK(report.feet.lowest_after_m > -0.005);
-            // Measured anew: the ball of a foot that touches the floor, and that rested as recorded, does not
-            // move on the avatar.
+            // Measured again: the ball of a foot that touches the floor, and that rested as recorded, does
+            // not move on the avatar.
             const auto rest = motion::worldPose(avatar, motion::restPose(avatar));
             const auto fps = clip->framesPerSecond();
             for (const bool left : {true, false}) {

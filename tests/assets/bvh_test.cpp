@@ -172,14 +172,14 @@ TEST_SUITE("assets/bvh_read") {
         const std::string whole =
             smallFile("3 Zrotation Xrotation Yrotation", "Frames: 1\nFrame Time: 0.1\n0 0 0 0 0 0 0 0 0\n");
         Random random(7);
-        int refused = 0;
+        int rejected = 0;
         for (int i = 0; i < 2000; ++i) {
             std::string text = whole;
             for (int k = 0; k < 3; ++k)
                 text[random.below(text.size())] = static_cast<char>(random.below(256));
-            refused += parseBvh(text, "f").has_value() ? 0 : 1;
+            rejected += parseBvh(text, "f").has_value() ? 0 : 1;
         }
-        CHECK(refused > 1000);
+        CHECK(rejected > 1000);
     }
 
     TEST_CASE("The walk of bvh-toolbox has the joint positions that its CSV lists") {

@@ -62,22 +62,23 @@ TEST_SUITE("assets/demonstrations") {
     }
 
     TEST_CASE("values of a wrong kind or size are refused with file, line and key") {
-        const auto refused = [](const std::string& from, const std::string& to, const std::string& key,
-                                const std::string& reason) {
+        const auto rejected = [](const std::string& from, const std::string& to, const std::string& key,
+                                 const std::string& reason) {
             const std::string text = edited(from, to);
             const std::string where = "d.toml:" + std::to_string(lineOf(text, to)) + ": " + key + ": ";
             CHECK(says(demonstrationsError(text), where + reason));
         };
-        refused("warp = 0.9", "warp = 0.0", "timing.warp", "found 0, expected 0.2 to 5");
-        refused("warp = 0.9", "warp = nan", "timing.warp", "expected a finite number");
-        refused("warp = 0.9", "warp = \"fast\"", "timing.warp", "expected a finite number");
-        refused("hold_s = [0.7, 1.3]", "hold_s = [1.3, 0.7]", "timing.hold_s", "the first number is greater");
-        refused("hold_s = [0.7, 1.3]", "hold_s = [0.7]", "timing.hold_s", "expected a list of 2 numbers");
-        refused("hold_s = [0.7, 1.3]", "hold_s = 0.7", "timing.hold_s", "expected a list of 2 numbers");
-        refused("extension = [0.996, 0.002]", "extension = [0.996, -1.0]", "line.extension", "found -1");
-        refused("left_count = 25", "left_count = 0", "library.left_count", "found 0, expected 1 to 10000");
-        refused("left_count = 25", "left_count = 2.5", "library.left_count", "expected a whole number");
-        refused("seed = 1 ", "seed = -1 ", "library.seed", "expected a whole number, 0 or more");
+        rejected("warp = 0.9", "warp = 0.0", "timing.warp", "found 0, expected 0.2 to 5");
+        rejected("warp = 0.9", "warp = nan", "timing.warp", "expected a finite number");
+        rejected("warp = 0.9", "warp = \"fast\"", "timing.warp", "expected a finite number");
+        rejected("hold_s = [0.7, 1.3]", "hold_s = [1.3, 0.7]", "timing.hold_s",
+                 "the first number is greater");
+        rejected("hold_s = [0.7, 1.3]", "hold_s = [0.7]", "timing.hold_s", "expected a list of 2 numbers");
+        rejected("hold_s = [0.7, 1.3]", "hold_s = 0.7", "timing.hold_s", "expected a list of 2 numbers");
+        rejected("extension = [0.996, 0.002]", "extension = [0.996, -1.0]", "line.extension", "found -1");
+        rejected("left_count = 25", "left_count = 0", "library.left_count", "found 0, expected 1 to 10000");
+        rejected("left_count = 25", "left_count = 2.5", "library.left_count", "expected a whole number");
+        rejected("seed = 1 ", "seed = -1 ", "library.seed", "expected a whole number, 0 or more");
     }
 
     TEST_CASE("a missing section or file, and broken TOML, are errors that say where") {
@@ -128,7 +129,7 @@ TEST_SUITE("assets/demonstrations") {
         CHECK(read->body.eye_limit_deg == own.body.eye_limit_deg);
         CHECK(read->body.gaze_shift_s == own.body.gaze_shift_s);
         CHECK(read->timing.raise_s.low == own.timing.raise_s.low);
-        CHECK(read->timing.least_reach == own.timing.least_reach);
+        CHECK(read->timing.min_reach == own.timing.min_reach);
         CHECK(read->noise.ou_step_rad == own.noise.ou_step_rad);
         CHECK(read->noise.breathing_hz.high == own.noise.breathing_hz.high);
         CHECK(read->direct.extension == own.direct.extension);

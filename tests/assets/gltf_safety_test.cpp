@@ -277,7 +277,7 @@ TEST_SUITE("assets/gltf_safety") {
         CHECK(read(with("./my%20data.bin")).has_value());
         CHECK(read(with("data:application/octet-stream;base64,AAAAAAAAgD8AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA="))
                   .has_value());
-        const auto refused = [&](const std::string& uri, const std::string& words, int length = 32) {
+        const auto rejected = [&](const std::string& uri, const std::string& words, int length = 32) {
             const auto file = read(with(uri, length));
             CAPTURE(uri);
             REQUIRE_FALSE(file.has_value());
@@ -285,28 +285,28 @@ TEST_SUITE("assets/gltf_safety") {
             CHECK(file.error().text().find(words) != std::string::npos);
             CHECK(file.error().text().find("f.gltf: /buffers/0/uri") != std::string::npos);
         };
-        refused("../secret.bin", "leaves the folder");
-        refused("%2e%2e/secret.bin", "leaves the folder");
-        refused("a/%2e./../secret.bin", "leaves the folder");
-        refused("..%5csecret.bin", "backslash");
-        refused((folder / "secret.bin").string(), "absolute path");
-        refused("%2Fetc%2Fpasswd", "absolute path");
-        refused("file:///etc/passwd", "scheme");
-        refused("http://example.org/a.bin", "scheme");
-        refused("C:secret.bin", "scheme or a drive");
-        refused("a%00.bin", "control character");
-        refused("a%2", "two hexadecimal digits");
-        refused("", "is empty");
-        refused("link.bin", "link that leaves");
-        refused("nothing.bin", "not there");
-        refused(".", "not there");
-        refused("my data.bin", "has 32 bytes, expected 33 or more", 33);
+        rejected("../secret.bin", "leaves the folder");
+        rejected("%2e%2e/secret.bin", "leaves the folder");
+        rejected("a/%2e./../secret.bin", "leaves the folder");
+        rejected("..%5csecret.bin", "backslash");
+        rejected((folder / "secret.bin").string(), "absolute path");
+        rejected("%2Fetc%2Fpasswd", "absolute path");
+        rejected("file:///etc/passwd", "scheme");
+        rejected("http://example.org/a.bin", "scheme");
+        rejected("C:secret.bin", "scheme or a drive");
+        rejected("a%00.bin", "control character");
+        rejected("a%2", "two hexadecimal digits");
+        rejected("", "is empty");
+        rejected("link.bin", "link that leaves");
+        rejected("nothing.bin", "not there");
+        rejected(".", "not there");
+        rejected("my data.bin", "has 32 bytes, expected 33 or more", 33);
         const auto unused = read(
             R"({"asset":{"version":"2.0"},"nodes":[{"name":"a"}],"buffers":[{"uri":"../x.bin","byteLength":1}]})");
         REQUIRE_FALSE(unused.has_value());
         CHECK(unused.error().text().find("leaves the folder") != std::string::npos);
-        refused("data:text/plain,hello", "base64");
-        refused("data:;base64,AA!A", "no base64 digit");
+        rejected("data:text/plain,hello", "base64");
+        rejected("data:;base64,AA!A", "no base64 digit");
         CHECK_FALSE(assets::parseGltfClip(with("my data.bin"), "f.gltf").has_value());
         std::filesystem::remove_all(folder);
     }
@@ -314,7 +314,7 @@ TEST_SUITE("assets/gltf_safety") {
     TEST_CASE("No flipped byte makes the reader crash, or hand on a clip that breaks its promises") {
         const std::string good = goodFile();
         Random random(7);
-        int refused = 0;
+        int rejected = 0;
         for (int i = 0; i < 600; ++i) {
             std::string bytes = good;
             const std::size_t flips = 1 + random.below(3);
@@ -338,9 +338,9 @@ TEST_SUITE("assets/gltf_safety") {
             if (file)
                 checkInvariants(*file);
             else
-                ++refused;
+                ++rejected;
         }
-        CHECK(refused > 100);
-        CHECK(refused < 600);
+        CHECK(rejected > 100);
+        CHECK(rejected < 600);
     }
 }

@@ -27,13 +27,13 @@ GltfClipFile read(const std::filesystem::path& path, const assets::GltfClipOptio
 
 Vec3 extent(const GltfClipFile& file, std::size_t frame) {
     const auto world = motion::worldPose(file.clip.skeleton, file.clip.frames.at(frame));
-    Vec3 least = world.front().position;
-    Vec3 greatest = least;
+    Vec3 min = world.front().position;
+    Vec3 max = min;
     for (const Pose& joint : world) {
-        least = glm::min(least, joint.position);
-        greatest = glm::max(greatest, joint.position);
+        min = glm::min(min, joint.position);
+        max = glm::max(max, joint.position);
     }
-    return greatest - least;
+    return max - min;
 }
 
 Vec3 worldAtFrame(const GltfClipFile& file, std::size_t frame, const char* joint) {
@@ -68,7 +68,7 @@ TEST_SUITE("assets/gltf_shared") {
     TEST_CASE("The validator's files never crash, and what it calls an error is refused or told") {
         const auto folder = tests::sharedData("gltf/khronos_validator");
         DEIXIS_SKIP_WITHOUT(folder)
-        int files = 0, faulty = 0, refused = 0;
+        int files = 0, faulty = 0, rejected = 0;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
             if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
             const auto report_text = readFile(entry.path().string() + ".report.json");
@@ -85,7 +85,7 @@ TEST_SUITE("assets/gltf_shared") {
             const auto file = assets::parseGltfClip(json.is_discarded() ? *text : json.dump(),
                                                     entry.path().string(), {}, entry.path().parent_path());
             ++files;
-            if (!file) ++refused;
+            if (!file) ++rejected;
             // Accessors without data are zeros: valid, but no times.
             if (report.at("issues").at("numErrors") == 0 && !file &&
                 file.error().text().find("expected a later one") == std::string::npos)
@@ -102,7 +102,7 @@ TEST_SUITE("assets/gltf_shared") {
             INFO(told);
             CHECK(told.find("against the specification") != std::string::npos);
         }
-        MESSAGE(files, " files, ", refused, " refused; ", faulty, " with errors in parts that are read");
+        MESSAGE(files, " files, ", rejected, " refused; ", faulty, " with errors in parts that are read");
         CHECK(files >= 80);
         CHECK(faulty >= 40);
     }

@@ -45,7 +45,7 @@ assets::GltfClipFile readBack(const std::string& bytes) {
     return std::move(*file);
 }
 
-/// Greatest distance of any joint or tip that both have, by name, in any frame.
+/// Largest distance of any joint or tip that both have, by name, in any frame.
 double worstDistance(const Clip& a, const Clip& b) {
     REQUIRE(a.frameCount() == b.frameCount());
     double worst = 0.0;

@@ -16,7 +16,7 @@
 
 #include "assets/data/demonstrations.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/synthesis/demonstration_library.hpp"
 #include "shared_data.hpp"
 

@@ -40,8 +40,8 @@ std::string withLine(std::string text, const std::string& begins, const std::str
     return text.replace(at, text.find('\n', at) - at, instead);
 }
 
-std::string refusal(const std::string& text, const std::string& name,
-                    const assets::ImportOptions& options = {}) {
+std::string rejection(const std::string& text, const std::string& name,
+                      const assets::ImportOptions& options = {}) {
     const auto clip = assets::importClipBytes(text, name, options);
     REQUIRE_FALSE(clip.has_value());
     return clip.error().text();
@@ -128,7 +128,7 @@ TEST_SUITE("assets/odd_files") {
         const std::string text = bvhOf(1.75);
         for (const char* wrong : {"33.3", "30", "1.1", "0.00001", "1e300"}) {
             const std::string odd = withLine(text, "Frame Time:", fmt::format("Frame Time: {}", wrong));
-            const std::string error = refusal(odd, "a.bvh");
+            const std::string error = rejection(odd, "a.bvh");
             CHECK(contains(error,
                            fmt::format("found frame time '{}', expected seconds from 0.0001 to 1", wrong)));
             CHECK(contains(error, "--fps"));
@@ -138,7 +138,8 @@ TEST_SUITE("assets/odd_files") {
         }
         CHECK(imported(withLine(text, "Frame Time:", "Frame Time: 1"), "a.bvh").rate.fps ==
               doctest::Approx(1.0));
-        CHECK(contains(refusal(withLine(text, "Frame Time:", "Frame Time: nan"), "a.bvh"), "finite number"));
+        CHECK(
+            contains(rejection(withLine(text, "Frame Time:", "Frame Time: nan"), "a.bvh"), "finite number"));
     }
 
     TEST_CASE("A bone of hundreds of metres is refused, with its joint, whatever unit was found") {
@@ -147,15 +148,15 @@ TEST_SUITE("assets/odd_files") {
         const auto offset = text.find("OFFSET", knee);
         const std::string odd =
             text.substr(0, offset) + "OFFSET 0 -1000000 0" + text.substr(text.find('\n', offset));
-        const std::string error = refusal(odd, "a.bvh");
+        const std::string error = rejection(odd, "a.bvh");
         CHECK(contains(error, "joint 'leftLowerLeg': found a bone of 1000 m, in unit millimetre"));
         CHECK(contains(error, "--unit"));
         assets::ImportOptions options;
         options.metres_per_unit = 1e-5;
         CHECK(imported(odd, "a.bvh", options).clip.skeleton.size() == motion::referenceHumanoid().size());
         for (const char* wrong : {"nan", "inf", "-inf", "1e999"})
-            CHECK(
-                contains(refusal(replacedAll(odd, "-1000000", wrong), "a.bvh"), "expected a finite number"));
+            CHECK(contains(rejection(replacedAll(odd, "-1000000", wrong), "a.bvh"),
+                           "expected a finite number"));
     }
 
     TEST_CASE("Children in centimetres are not read as adults in inches") {
@@ -197,7 +198,7 @@ TEST_SUITE("assets/odd_files") {
         for (int i = 0; i < 10; ++i) times.push_back(0.0333 * i);
         CHECK(imported(csvOf(times, "time_ms", 1e-3), "a.csv").rate.fps ==
               doctest::Approx(30.0).epsilon(0.01));
-        const std::string error = refusal(csvOf(times, "time", 1e-3), "a.csv");
+        const std::string error = rejection(csvOf(times, "time", 1e-3), "a.csv");
         CHECK(contains(error, "a.csv: found lines that stand 33.3 s apart"));
         CHECK(contains(error, "time_ms"));
     }
@@ -220,20 +221,20 @@ TEST_SUITE("assets/odd_files") {
 
     TEST_CASE("Decimal commas are refused in one message, as are numbers that are not finite") {
         std::string commas = replacedAll(replacedAll(kinectLines(), ",", ";"), ".", ",");
-        const std::string error = refusal(commas, "k.csv");
+        const std::string error = rejection(commas, "k.csv");
         CHECK(contains(error, "k.csv:1: found '2,5' in column 4, expected a finite number"));
         CHECK(contains(error, "Decimals are written with a point"));
         const std::vector<double> times{0.0, 0.0333, 0.0667};
-        CHECK(contains(refusal(replacedAll(csvOf(times), "0.950000", "inf"), "a.csv"),
+        CHECK(contains(rejection(replacedAll(csvOf(times), "0.950000", "inf"), "a.csv"),
                        "found 'inf' in column hips.y, expected a finite number or nothing"));
-        CHECK(contains(refusal(replacedAll(kinectLines(), ",0.75,", ",inf,"), "k.csv"), "'inf' in column"));
-        CHECK(contains(refusal(replacedAll(kinectLines(), "97771868865", "nan"), "k.csv"),
+        CHECK(contains(rejection(replacedAll(kinectLines(), ",0.75,", ",inf,"), "k.csv"), "'inf' in column"));
+        CHECK(contains(rejection(replacedAll(kinectLines(), "97771868865", "nan"), "k.csv"),
                        "k.csv:2: found 'nan' in column 1"));
         // Kinect's times in milliseconds would be one moment.
         std::string brief = kinectLines();
         for (int line = 0; line < 6; ++line)
             brief = replacedAll(brief, fmt::format("{},", 97771535532LL + line * 333333LL),
                                 fmt::format("{},", 9777153 + 33 * line));
-        CHECK(contains(refusal(brief, "k.csv"), "in units of 100 ns"));
+        CHECK(contains(rejection(brief, "k.csv"), "in units of 100 ns"));
     }
 }

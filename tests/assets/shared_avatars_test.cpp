@@ -34,7 +34,7 @@ Figure checkAvatar(const fs::path& file, assets::Avatar& avatar, const assets::A
     Figure figure;
     figure.world = motion::worldPose(avatar.skeleton, motion::restPose(avatar.skeleton));
     double low = 100.0, high = -100.0;
-    float most_off = 0.0F;
+    float max_error = 0.0F;
     for (const auto& v : avatar.vertices) {
         double y = 0.0;
         float sum = 0.0F;
@@ -45,11 +45,11 @@ Figure checkAvatar(const fs::path& file, assets::Avatar& avatar, const assets::A
                                 Vec3(v.position))
                      .y;
         }
-        most_off = std::max(most_off, std::abs(sum - 1.0F));
+        max_error = std::max(max_error, std::abs(sum - 1.0F));
         low = std::min(low, y);
         high = std::max(high, y);
     }
-    CHECK(most_off < 1e-5F);
+    CHECK(max_error < 1e-5F);
     CHECK(high == doctest::Approx(avatar.height_m));
     figure.height_m = high;
     figure.floor_m = low;

@@ -71,12 +71,12 @@ TEST_SUITE("core/files") {
 
         // A pipe is read to its end, and no further than the most.
         const auto pipe = folder / "pipe";
-        for (const std::size_t most : {std::size_t{70'000}, std::size_t{60'000}}) {
+        for (const std::size_t max : {std::size_t{70'000}, std::size_t{60'000}}) {
             REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
             std::thread writer([&] { std::ofstream(pipe) << std::string(70'000, 'y'); });
-            const auto read = readFile(pipe, most);
+            const auto read = readFile(pipe, max);
             writer.join();
-            CHECK(read.has_value() == (most == 70'000));
+            CHECK(read.has_value() == (max == 70'000));
             if (read) CHECK(*read == std::string(70'000, 'y'));
             std::filesystem::remove(pipe);
         }

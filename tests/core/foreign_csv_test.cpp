@@ -65,9 +65,9 @@ TEST_SUITE("core/foreign_csv") {
     }
 
     TEST_CASE("What is no text is refused; lines are counted with the comments") {
-        const auto refused = readForeignCsv("a,b\n1,\x81\n", "x.csv");
-        REQUIRE_FALSE(refused);
-        CHECK(refused.error().where == "x.csv:2");
+        const auto rejected = readForeignCsv("a,b\n1,\x81\n", "x.csv");
+        REQUIRE_FALSE(rejected);
+        CHECK(rejected.error().where == "x.csv:2");
         CHECK_FALSE(readForeignCsv(std::string("a\0b", 3), "x.csv"));
         CHECK_FALSE(readForeignCsv(std::string("\xFF\xFE\x00\xD8", 4), "x.csv"));
         CHECK_FALSE(readForeignCsv("PK\x03\x04xyz", "x.xlsx"));

@@ -39,25 +39,25 @@ TEST_SUITE("core/text") {
     TEST_CASE("Every character but NUL and the surrogates can be kept, wherever it stands") {
         for (unsigned c = 1; c <= 0x10FFFF; ++c) {
             const bool surrogate = c >= 0xD800 && c < 0xE000;
-            if (keepableText(encoded(c)) == surrogate) FAIL_CHECK(c);
+            if (storableText(encoded(c)) == surrogate) FAIL_CHECK(c);
         }
-        CHECK(keepableText(""));
-        CHECK(keepableText("plain words of more than eight bytes, and \xEA\xB0\x80 among them"));
-        CHECK(firstUnkeepable(std::string("eight by\0tes", 12)) == 8);
-        CHECK(firstUnkeepable(std::string("a\0b", 3)) == 1);
+        CHECK(storableText(""));
+        CHECK(storableText("plain words of more than eight bytes, and \xEA\xB0\x80 among them"));
+        CHECK(firstUnstorable(std::string("eight by\0tes", 12)) == 8);
+        CHECK(firstUnstorable(std::string("a\0b", 3)) == 1);
     }
 
     TEST_CASE("What is no character is found where it stands, and can be replaced") {
         for (const std::string bad :
              {"\x80", "\xFF", "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\xAF", "\xF4\x90\x80\x80",
               "\xED\xA0\x80", "\xC3", "\xE2\x82", "\xF5\x80\x80\x80"}) {
-            CHECK(firstUnkeepable("Zo" + bad) == 2);
-            CHECK(firstUnkeepable("a text of twenty one " + bad + "!") == 21);
-            CHECK(keepableText(keepable("Zo" + bad)));
+            CHECK(firstUnstorable("Zo" + bad) == 2);
+            CHECK(firstUnstorable("a text of twenty one " + bad + "!") == 21);
+            CHECK(storableText(storable("Zo" + bad)));
         }
-        CHECK(keepable("Z\xFC"
+        CHECK(storable("Z\xFC"
                        "rich") == "Z\xEF\xBF\xBDrich");
-        CHECK(keepable("Z\xC3\xBCrich") == "Z\xC3\xBCrich");
+        CHECK(storable("Z\xC3\xBCrich") == "Z\xC3\xBCrich");
     }
 
     TEST_CASE("Random bytes become a text that can be kept, and such a text stays as it is") {
@@ -65,10 +65,10 @@ TEST_SUITE("core/text") {
         for (int i = 0; i < 2000; ++i) {
             std::string bytes(random.below(40), '\0');
             for (char& byte : bytes) byte = static_cast<char>(random.below(256));
-            const std::string kept = keepable(bytes);
-            CHECK(keepableText(kept));
-            CHECK(keepable(kept) == kept);
-            if (keepableText(bytes)) CHECK(kept == bytes);
+            const std::string kept = storable(bytes);
+            CHECK(storableText(kept));
+            CHECK(storable(kept) == kept);
+            if (storableText(bytes)) CHECK(kept == bytes);
         }
     }
 }

@@ -24,7 +24,7 @@ bool finite(const glm::vec3& v) {
 
 void check(const assets::Avatar& avatar) {
     const std::size_t joints = avatar.skeleton.joints.size();
-    require(joints > 0 && joints <= assets::most_avatar_joints, "joints that can be drawn");
+    require(joints > 0 && joints <= assets::max_avatar_joints, "joints that can be drawn");
     require(avatar.joint_from_bind.size() == joints, "a bind pose for each joint");
     for (std::size_t j = 0; j < joints; ++j) {
         require(avatar.skeleton.joints[j].parent < static_cast<int>(j), "parents first");

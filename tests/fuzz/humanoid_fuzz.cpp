@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/retarget/retarget.hpp"
 
@@ -63,8 +63,8 @@ motion::Skeleton skeletonOf(Bytes& in) {
 void checkMap(const motion::Skeleton& skeleton, const motion::HumanoidMapping& mapping) {
     for (const int joint : mapping.map.joint)
         require(joint >= -1 && joint < skeleton.size(), "bones that are joints");
-    (void)motion::mappingDoubts(skeleton, mapping.map,
-                                motion::worldPose(skeleton, motion::restPose(skeleton)));
+    (void)motion::mappingWarnings(skeleton, mapping.map,
+                                  motion::worldPose(skeleton, motion::restPose(skeleton)));
     motion::Clip clip;
     clip.skeleton = skeleton;
     clip.frames.assign(2, motion::restPose(skeleton));

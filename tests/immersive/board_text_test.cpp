@@ -87,7 +87,7 @@ class ShortClip : public ClipSource {
     motion::Clip clip_ = handClip(0.2);
 };
 
-/// Every board of one participant's first sitting that is not like another one.
+/// Every board of one participant's first session that is not like another one.
 std::vector<Panel> boardsOf(const app::StudySetup& setup) {
     const auto plan = buildPlan(setup.study, setup.targets, "P01", 1, assignGroups(setup.study, {}, 1));
     REQUIRE_MESSAGE(plan.has_value(), (plan ? std::string() : plan.error().text()));

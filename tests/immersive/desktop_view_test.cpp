@@ -35,7 +35,7 @@ class Screen {
     explicit Screen(double eye_height_m) : eye_height_m_(eye_height_m) {}
 
     void present(const PresentedFrame& frame) {
-        if (looksAnew(frame, before_)) look_ = lookAtTask(frame, eye_height_m_);
+        if (looksAgain(frame, before_)) look_ = lookAtTask(frame, eye_height_m_);
         before_ = frame;
     }
 
@@ -157,23 +157,23 @@ TEST_SUITE("immersive/desktop_view") {
             return made;
         };
         using State = PresentedState;
-        CHECK(looksAnew(frame(State::consent, true), {}));
-        CHECK(looksAnew(frame(State::closing, true), frame(State::rated, true)));
-        CHECK(looksAnew(frame(State::closing, true), frame(State::consent, true)));
-        CHECK_FALSE(looksAnew(frame(State::consent, true), frame(State::consent, true)));
-        CHECK(looksAnew(frame(State::rating, true), frame(State::paused, true)));
-        CHECK(looksAnew(frame(State::comparing, true), frame(State::instructions, true)));
-        CHECK(looksAnew(frame(State::listening, true), frame(State::rated, true)));
-        CHECK(looksAnew(frame(State::waiting, false), frame(State::rated, true)));
-        CHECK(looksAnew(frame(State::waiting, false), frame(State::chosen, false)));
-        CHECK(looksAnew(frame(State::waiting, false, "side-by-side"), frame(State::waiting, false)));
+        CHECK(looksAgain(frame(State::consent, true), {}));
+        CHECK(looksAgain(frame(State::closing, true), frame(State::rated, true)));
+        CHECK(looksAgain(frame(State::closing, true), frame(State::consent, true)));
+        CHECK_FALSE(looksAgain(frame(State::consent, true), frame(State::consent, true)));
+        CHECK(looksAgain(frame(State::rating, true), frame(State::paused, true)));
+        CHECK(looksAgain(frame(State::comparing, true), frame(State::instructions, true)));
+        CHECK(looksAgain(frame(State::watching, true), frame(State::rated, true)));
+        CHECK(looksAgain(frame(State::waiting, false), frame(State::rated, true)));
+        CHECK(looksAgain(frame(State::waiting, false), frame(State::chosen, false)));
+        CHECK(looksAgain(frame(State::waiting, false, "side-by-side"), frame(State::waiting, false)));
         CHECK_FALSE(
-            looksAnew(frame(State::waiting, true), frame(State::listening, true)));  // a clip is played
-        CHECK_FALSE(looksAnew(frame(State::listening, true), frame(State::pointing, true)));
-        CHECK_FALSE(looksAnew(frame(State::rating, true), frame(State::pointing, false)));
-        CHECK_FALSE(looksAnew(frame(State::choosing, false), frame(State::pointing, false)));
-        CHECK_FALSE(looksAnew(frame(State::rated, true), frame(State::reasons, true)));
-        CHECK_FALSE(looksAnew(frame(State::playing, false), frame(State::waiting, false)));
+            looksAgain(frame(State::waiting, true), frame(State::watching, true)));  // a clip is played
+        CHECK_FALSE(looksAgain(frame(State::watching, true), frame(State::pointing, true)));
+        CHECK_FALSE(looksAgain(frame(State::rating, true), frame(State::pointing, false)));
+        CHECK_FALSE(looksAgain(frame(State::choosing, false), frame(State::pointing, false)));
+        CHECK_FALSE(looksAgain(frame(State::rated, true), frame(State::reasons, true)));
+        CHECK_FALSE(looksAgain(frame(State::playing, false), frame(State::waiting, false)));
     }
 
     TEST_CASE("Every full page of every study that ships is in view whole, and every button beside a task") {

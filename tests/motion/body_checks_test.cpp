@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/pointing/phases.hpp"
 #include "pointing_checks.hpp"
 
 using namespace deixis;
@@ -42,7 +42,7 @@ TEST_SUITE("motion/body_checks") {
             place(world[f], Bone::leftToes).z += 0.3 * static_cast<double>(f) / 30.0;
         const auto sliding = footSkate(world, referenceMap(), 1.0 / 30.0);
         REQUIRE(sliding.has_value());
-        CHECK(sliding->speed_mps == Approx(0.15));
+        CHECK(sliding->speed_m_s == Approx(0.15));
         CHECK(sliding->contact_share == Approx(1.0));
 
         // The same slide 1.25 cm above the floor counts by 2 - 2^0.5; at 3 cm it counts no more.
@@ -51,9 +51,9 @@ TEST_SUITE("motion/body_checks") {
             for (std::size_t f = 1; f < lifted.size(); ++f) place(lifted[f], Bone::leftToes).y += height;
             const auto skate = footSkate(lifted, referenceMap(), 1.0 / 30.0);
             const double weight = height < 0.025 ? 30.0 * (2.0 - std::sqrt(2.0)) : 0.0;
-            CHECK(skate->speed_mps == Approx(0.15 * (1.0 + weight) / 31.0));
+            CHECK(skate->speed_m_s == Approx(0.15 * (1.0 + weight) / 31.0));
         }
-        CHECK(footSkate(std::vector<World>(5, standing()), referenceMap(), 0.1)->speed_mps == 0.0);
+        CHECK(footSkate(std::vector<World>(5, standing()), referenceMap(), 0.1)->speed_m_s == 0.0);
         CHECK_FALSE(footSkate({standing()}, referenceMap(), 0.1).has_value());
     }
 
@@ -96,7 +96,7 @@ TEST_SUITE("motion/body_checks") {
             const LimitViolation* violation = find(found, c.limit);
             REQUIRE(violation != nullptr);
             // Trunk and thighs are not exactly vertical, nor bones quite straight, in the avatar's rest.
-            CHECK(std::abs(violation->greatest_deg - c.excess) < 6.0);
+            CHECK(std::abs(violation->max_deg - c.excess) < 6.0);
             CHECK(violation->share == 0.25);
             CHECK(violation->frame == 2);
             CHECK(find(violations(c.bone, 0.3 * c.degrees, c.axis, true), c.limit) == nullptr);
@@ -146,7 +146,7 @@ TEST_SUITE("motion/body_checks") {
             REQUIRE(generator.has_value());
             for (const Vec3& target : drawTargets(12, 5)) {
                 const auto world = worldPoses((*generator)->generate({"T", target, 4}).clip);
-                CHECK(footSkate(world, referenceMap(), 1.0 / 30.0)->speed_mps < 0.01);
+                CHECK(footSkate(world, referenceMap(), 1.0 / 30.0)->speed_m_s < 0.01);
                 CHECK(jointLimitViolations(referenceHumanoid(), referenceMap(), world).empty());
                 CHECK(selfIntersections(referenceHumanoid(), referenceMap(), world).empty());
             }

@@ -66,7 +66,7 @@ Clip anyClip(const std::vector<std::pair<std::string, int>>& joints, std::uint64
     return clip;
 }
 
-/// The greatest distance between where each joint (and its tip) of the image stands and where a mirror shows
+/// The largest distance between where each joint (and its tip) of the image stands and where a mirror shows
 /// the joint that `counterpart` names, over all frames and the rest pose, in units of the figure's size.
 template <typename Counterpart>
 double distanceFromMirror(const Clip& clip, const Clip& image, Counterpart counterpart) {

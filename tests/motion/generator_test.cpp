@@ -118,8 +118,8 @@ TEST_SUITE("motion/generator") {
         const LocalPose relaxed = relaxedPose(referenceHumanoid());
         for (const std::string& name : generatorNames())
             for (const Sample& s : samples(name)) {
-                CHECK(greatestTurn(s.made.clip.frames.front(), relaxed) < 1e-6);
-                CHECK(greatestTurn(s.made.clip.frames.back(), relaxed) < 1e-6);
+                CHECK(maxTurn(s.made.clip.frames.front(), relaxed) < 1e-6);
+                CHECK(maxTurn(s.made.clip.frames.back(), relaxed) < 1e-6);
                 const Vec3 rest = fingertipAt(s.made, 0);
                 CHECK(glm::length(fingertipAt(s.made, s.made.onset_frame) - rest) < 0.02);
                 CHECK(glm::length(fingertipAt(s.made, s.made.end_frame) - rest) < 0.02);
@@ -161,17 +161,17 @@ TEST_SUITE("motion/generator") {
         "no finger is bent off the forearm farther than people bend it, and the arm's error is to be seen") {
         for (const std::string& name : generatorNames()) {
             CAPTURE(name);
-            double most_deg = 0.0;
+            double max_deg = 0.0;
             for (const Sample& s : samples(name)) {
                 const auto world = worldAt(s.made.clip, (s.made.peak_frame + s.made.hold_frame) / 2);
                 const ArmBones bones = armBones(s.made.hand);
                 const Vec3 forearm = joint(world, bones.hand) - joint(world, bones.lower_arm);
                 const Vec3 finger = fingertipAt(s.made, (s.made.peak_frame + s.made.hold_frame) / 2) -
                                     joint(world, bones.index_proximal);
-                most_deg = std::max(most_deg, degreesFromRadians(angleBetween(forearm, finger)));
+                max_deg = std::max(max_deg, degreesFromRadians(angleBetween(forearm, finger)));
             }
             // 16 degrees at wrist and knuckle, and up to 2.5 of the pointing hand's own shape.
-            CHECK(most_deg < 18.5);
+            CHECK(max_deg < 18.5);
         }
         for (const std::string name : {"direct", "stiff"}) {
             CAPTURE(name);

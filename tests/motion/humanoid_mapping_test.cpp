@@ -1,5 +1,5 @@
 // Figures under the names of the schemes in use, and under no names at all.
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 
 #include <doctest/doctest.h>
 

@@ -13,14 +13,14 @@ struct Peak {
     double speed;
 };
 
-/// The greatest speed of a course and when it is reached, by central differences.
-template <typename Course>
-Peak peakOf(Course course) {
+/// The peak speed of a course and when it is reached, by central differences.
+template <typename Trajectory>
+Peak peakOf(Trajectory trajectory) {
     Peak peak{0.0, 0.0};
     constexpr double h = 1e-5;
     for (int i = 1; i < 1000; ++i) {
         const double u = i / 1000.0;
-        const double speed = (course(u + h) - course(u - h)) / (2.0 * h);
+        const double speed = (trajectory(u + h) - trajectory(u - h)) / (2.0 * h);
         if (speed > peak.speed) peak = {u, speed};
     }
     return peak;

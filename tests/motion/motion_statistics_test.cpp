@@ -15,8 +15,8 @@ using doctest::Approx;
 namespace {
 
 /// Two joints along x: the left hand at these places, the right one still.
-JointCourses courses(const std::vector<double>& places, double frame_time_s = 0.5) {
-    JointCourses out;
+JointTrajectories trajectories(const std::vector<double>& places, double frame_time_s = 0.5) {
+    JointTrajectories out;
     out.frame_time_s = frame_time_s;
     out.joints = {Bone::leftHand, Bone::rightHand};
     out.positions.resize(2);
@@ -32,16 +32,16 @@ JointCourses courses(const std::vector<double>& places, double frame_time_s = 0.
 TEST_SUITE("motion/motion_statistics") {
     TEST_CASE("speed, acceleration and jerk are plain differences") {
         // 0, 1, 4, 9 at 2 Hz: differences 1 3 5, 2 2, 0; times 2, 4, 8.
-        const auto course = courses({0, 1, 4, 9}).positions[0];
-        CHECK(magnitudes(course, 0.5, Derivative::speed) == std::vector<double>{2, 6, 10});
-        CHECK(magnitudes(course, 0.5, Derivative::acceleration) == std::vector<double>{8, 8});
-        CHECK(magnitudes(course, 0.5, Derivative::jerk) == std::vector<double>{0});
+        const auto trajectory = trajectories({0, 1, 4, 9}).positions[0];
+        CHECK(magnitudes(trajectory, 0.5, Derivative::speed) == std::vector<double>{2, 6, 10});
+        CHECK(magnitudes(trajectory, 0.5, Derivative::acceleration) == std::vector<double>{8, 8});
+        CHECK(magnitudes(trajectory, 0.5, Derivative::jerk) == std::vector<double>{0});
         CHECK(magnitudes({Vec3(1.0)}, 0.5, Derivative::jerk).empty());
     }
 
     TEST_CASE("averages are over frames, then joints, then clips, the deviation over clips") {
         // Mean speed of the moving hand 6 and 1, of the still one 0: clips 3 and 0.5.
-        const auto found = motionStatistics({courses({0, 1, 4, 9}), courses({0, 0.5, 1, 1.5})});
+        const auto found = motionStatistics({trajectories({0, 1, 4, 9}), trajectories({0, 0.5, 1, 1.5})});
         REQUIRE(found.has_value());
         CHECK(found->average[0].mean == Approx(1.75));
         CHECK(found->average[0].sd == Approx(1.25));
@@ -69,28 +69,29 @@ TEST_SUITE("motion/motion_statistics") {
     }
 
     TEST_CASE("clips of other joints, other rates, too few frames or none at all are refused") {
-        const auto refusal = [](const std::vector<JointCourses>& clips) {
+        const auto rejection = [](const std::vector<JointTrajectories>& clips) {
             const auto found = motionStatistics(clips);
             REQUIRE_FALSE(found.has_value());
             return found.error().text();
         };
-        CHECK(refusal({}).find("no clips") != std::string::npos);
-        CHECK(refusal({courses({0, 1, 2})}).find("3 frames") != std::string::npos);
-        CHECK(refusal({courses({0, 1, 2, 3}), courses({0, 1, 2, 3}, 0.1)}).find("clip 2 runs at 10") !=
-              std::string::npos);
-        auto other = courses({0, 1, 2, 3});
+        CHECK(rejection({}).find("no clips") != std::string::npos);
+        CHECK(rejection({trajectories({0, 1, 2})}).find("3 frames") != std::string::npos);
+        CHECK(rejection({trajectories({0, 1, 2, 3}), trajectories({0, 1, 2, 3}, 0.1)})
+                  .find("clip 2 runs at 10") != std::string::npos);
+        auto other = trajectories({0, 1, 2, 3});
         other.joints[0] = Bone::head;
-        CHECK(refusal({courses({0, 1, 2, 3}), other}).find("clip 2 has other joints") != std::string::npos);
+        CHECK(rejection({trajectories({0, 1, 2, 3}), other}).find("clip 2 has other joints") !=
+              std::string::npos);
     }
 
     TEST_CASE("a system is nearer to itself with other seeds than to one that moves otherwise") {
         const auto statistics = [](const std::string& name, std::uint64_t seed) {
             const auto generator = makeGenerator(name, referenceHumanoid(), {});
             REQUIRE(generator.has_value());
-            std::vector<JointCourses> clips;
+            std::vector<JointTrajectories> clips;
             for (const Vec3& target : drawTargets(12, seed))
-                clips.push_back(jointCourses((*generator)->generate({"T", target, seed++}).clip,
-                                             referenceMap(), comparedBones()));
+                clips.push_back(jointTrajectories((*generator)->generate({"T", target, seed++}).clip,
+                                                  referenceMap(), comparedBones()));
             return motionStatistics(clips).value();
         };
         const auto direct = statistics("direct", 1);
@@ -108,7 +109,7 @@ TEST_SUITE("motion/gesture_style") {
     TEST_CASE("style is what equations 4 to 6 give by hand") {
         // Window 4: frame 2 of 5 sees all five. The left hand makes steps 1, 1, 3, 3 (sum 8), the right one
         // none.
-        const auto style = gestureStyle(courses({0, 1, 2, 5, 8}), 4);
+        const auto style = gestureStyle(trajectories({0, 1, 2, 5, 8}), 4);
         REQUIRE(style.has_value());
         // A full window at frame 2 has five frames but four steps (none leads to frame 0): 8/4 steps x 5/4.
         CHECK((*style)[2].speed == Approx(8.0 / 4.0 * 5.0 / 4.0));
@@ -117,17 +118,17 @@ TEST_SUITE("motion/gesture_style") {
         for (const double x : {0.0, 1.0, 2.0, 5.0, 8.0}) space += std::hypot(x, 1.0);
         CHECK((*style)[2].space == Approx(space / 4.0));
         // Seven frames: the window about frame 3 is whole and has a step for each of its five frames.
-        const auto whole = gestureStyle(courses({0, 0, 1, 2, 5, 8, 8}), 4);
+        const auto whole = gestureStyle(trajectories({0, 0, 1, 2, 5, 8, 8}), 4);
         CHECK((*whole)[3].speed == Approx((0.0 + 1 + 1 + 3 + 3) / 4.0));
     }
 
     TEST_CASE("handedness runs from -1, right hand only, by 0 to 1, left hand only, and mirrors its sign") {
-        auto both = courses({0, 1, 2, 3});
+        auto both = trajectories({0, 1, 2, 3});
         for (std::size_t f = 0; f < 4; ++f) both.positions[1][f] = {0, 4.0 * static_cast<double>(f), 0};
         CHECK(gestureStyle(both, 2).value()[1].handedness == Approx(1.0 / 4.0 - 1.0));
         std::swap(both.positions[0], both.positions[1]);
         CHECK(gestureStyle(both, 2).value()[1].handedness == Approx(1.0 - 1.0 / 4.0));
-        CHECK(gestureStyle(courses({2, 2, 2}), 2).value()[1].handedness == 0.0);
+        CHECK(gestureStyle(trajectories({2, 2, 2}), 2).value()[1].handedness == 0.0);
     }
 
     TEST_CASE("styles are normalised by the corpus and clamped to 3 deviations") {
@@ -141,14 +142,14 @@ TEST_SUITE("motion/gesture_style") {
     }
 
     TEST_CASE("compliance is the mean absolute difference where poses or styles were asked for") {
-        auto asked = courses(std::vector<double>(20, 1.0));
-        auto made = courses(std::vector<double>(20, 1.0));
-        made.positions[0][12].x += 0.6;   // one of 2 joints x 3 coordinates x 5 frames
-        made.positions[0][15].x += 50.0;  // not asked for
-        CHECK(poseCompliance(asked, made).value() == Approx(0.6 / 30.0));
-        CHECK_FALSE(poseCompliance(asked, courses({0, 1, 2, 3})).has_value());
-        made.frame_time_s = 0.25;
-        CHECK(poseCompliance(asked, made)
+        auto reference = trajectories(std::vector<double>(20, 1.0));
+        auto generated = trajectories(std::vector<double>(20, 1.0));
+        generated.positions[0][12].x += 0.6;   // one of 2 joints x 3 coordinates x 5 frames
+        generated.positions[0][15].x += 50.0;  // not asked for
+        CHECK(poseCompliance(reference, generated).value() == Approx(0.6 / 30.0));
+        CHECK_FALSE(poseCompliance(reference, trajectories({0, 1, 2, 3})).has_value());
+        generated.frame_time_s = 0.25;
+        CHECK(poseCompliance(reference, generated)
                   .error()
                   .text()
                   .find("asked for at 2 frames a second, the motion has 4") != std::string::npos);

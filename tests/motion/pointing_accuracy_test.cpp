@@ -1,4 +1,4 @@
-#include "motion/pointing/pointing_accuracy.hpp"
+#include "motion/pointing/accuracy.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "motion/humanoid/reference_humanoid.hpp"
+#include "motion/pointing/phases.hpp"
 #include "motion/pointing/placement.hpp"
-#include "motion/pointing/pointing.hpp"
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/retarget/retarget.hpp"
 #include "motion/skeleton/clip_edit.hpp"
 #include "motion/skeleton/kinematics.hpp"

@@ -9,7 +9,7 @@
 
 #include "core/random.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/synthesis/generator.hpp"
 
 namespace deixis::tests {
@@ -64,14 +64,14 @@ inline double errorDeg(const motion::GeneratedClip& made, const Vec3& target,
     return degreesFromRadians(motion::angularError(eyeRay(made, kind), target));
 }
 
-/// The greatest angle by which a joint differs between two poses, radians.
-inline double greatestTurn(const motion::LocalPose& a, const motion::LocalPose& b) {
-    double greatest = 0.0;
+/// The largest angle by which a joint differs between two poses, radians.
+inline double maxTurn(const motion::LocalPose& a, const motion::LocalPose& b) {
+    double max = 0.0;
     for (std::size_t j = 0; j < a.joints.size(); ++j) {
         const double cosine = std::abs(glm::dot(a.joints[j].orientation, b.joints[j].orientation));
-        greatest = std::max(greatest, 2.0 * std::acos(std::min(1.0, cosine)));
+        max = std::max(max, 2.0 * std::acos(std::min(1.0, cosine)));
     }
-    return greatest;
+    return max;
 }
 
 }  // namespace deixis::tests

@@ -1,4 +1,4 @@
-#include "motion/pointing/pointing_measures.hpp"
+#include "motion/pointing/measures.hpp"
 
 #include <doctest/doctest.h>
 
@@ -54,9 +54,9 @@ TEST_SUITE("motion/pointing_measures") {
             // Equation 2 by the forearm's error.
             const double theta = 1.0 - errorDegrees(m, PointingRay::forearm) / 180.0;
             CHECK(m.reward.value() == Approx((std::exp(theta) - 1.0) / std::exp(1.0)));
-            CHECK(m.greatest_reward.value() >= m.reward.value());
+            CHECK(m.max_reward.value() >= m.reward.value());
             const auto& ray = *m.rays[static_cast<std::size_t>(PointingRay::forearm)];
-            CHECK(ray.least_error_rad <= ray.error_rad);
+            CHECK(ray.min_error_rad <= ray.error_rad);
             CHECK_FALSE(ray.points_away);
             CHECK(m.hold_s == Approx((m.phases.hold_frame - m.phases.peak_frame) / 30.0));
         }
@@ -93,7 +93,7 @@ TEST_SUITE("motion/pointing_measures") {
         for (const PointingRay ray : all_pointing_rays)
             CHECK(errorDegrees(after, ray) == Approx(errorDegrees(before, ray)));
         CHECK(after.log_dimensionless_jerk.value() == Approx(before.log_dimensionless_jerk.value()));
-        CHECK(after.foot_skate->speed_mps == Approx(before.foot_skate->speed_mps));
+        CHECK(after.foot_skate->speed_m_s == Approx(before.foot_skate->speed_m_s));
     }
 
     TEST_CASE("a clip seen in a mirror measures the same with the other hand") {
@@ -126,23 +126,23 @@ TEST_SUITE("motion/pointing_measures") {
         REQUIRE(plain.has_value());
         CHECK_FALSE(plain->reward.has_value());
         CHECK_FALSE(plain->rays[0].has_value());
-        const auto refusal = [&](const Clip& c, const HumanoidMap& map,
-                                 const std::optional<GesturePhases>& phases = {}) {
+        const auto rejection = [&](const Clip& c, const HumanoidMap& map,
+                                   const std::optional<GesturePhases>& phases = {}) {
             const auto found = measurePointing(c, map, target, phases);
             REQUIRE_FALSE(found.has_value());
             return found.error().text();
         };
         HumanoidMap handless = referenceMap();
         handless[Bone::leftHand] = -1;
-        CHECK(refusal(clip.clip, handless).find("'leftHand'") != std::string::npos);
+        CHECK(rejection(clip.clip, handless).find("'leftHand'") != std::string::npos);
         Clip broken = clip.clip;
         broken.frames[4].joints[0].position.x = std::nan("");
-        CHECK(refusal(broken, referenceMap()).find("frame 4") != std::string::npos);
+        CHECK(rejection(broken, referenceMap()).find("frame 4") != std::string::npos);
         Clip still = clip.clip;
         still.frames.resize(5);
-        CHECK(refusal(still, referenceMap()).find("no gesture") != std::string::npos);
+        CHECK(rejection(still, referenceMap()).find("no gesture") != std::string::npos);
         GesturePhases late = known(clip);
         late.end_frame = 100000;
-        CHECK(refusal(clip.clip, referenceMap(), late).find("100000") != std::string::npos);
+        CHECK(rejection(clip.clip, referenceMap(), late).find("100000") != std::string::npos);
     }
 }

@@ -1,4 +1,4 @@
-#include "motion/pointing/pointing_phases.hpp"
+#include "motion/pointing/phases.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,26 +17,27 @@ namespace {
 
 /// Where along a way of `way_m` the hand is at times that are given as seconds of rest, move, rest, move,
 /// ...; each move goes to the next place.
-struct Course {
+struct Trajectory {
     std::vector<double> seconds;
     std::vector<double> places;  ///< share of the way after each move; it starts at 0
 };
 
-std::vector<Vec3> sampled(const Course& course, double fps, double noise_m = 0.0, double way_m = 0.7) {
+std::vector<Vec3> sampled(const Trajectory& trajectory, double fps, double noise_m = 0.0,
+                          double way_m = 0.7) {
     double whole = 0.0;
-    for (const double s : course.seconds) whole += s;
+    for (const double s : trajectory.seconds) whole += s;
     Random random(11);
     std::vector<Vec3> out;
     for (int i = 0; i / fps <= whole + 1e-9; ++i) {
         double t = i / fps;
         double place = 0.0;
-        for (std::size_t k = 0; k < course.seconds.size() && t > 0.0; ++k) {
-            const double part = std::min(1.0, t / course.seconds[k]);
+        for (std::size_t k = 0; k < trajectory.seconds.size() && t > 0.0; ++k) {
+            const double part = std::min(1.0, t / trajectory.seconds[k]);
             if (k % 2 == 1) {
-                const double from = k == 1 ? 0.0 : course.places[k / 2 - 1];
-                place = from + (course.places[k / 2] - from) * minimumJerk(part);
+                const double from = k == 1 ? 0.0 : trajectory.places[k / 2 - 1];
+                place = from + (trajectory.places[k / 2] - from) * minimumJerk(part);
             }
-            t -= course.seconds[k];
+            t -= trajectory.seconds[k];
         }
         out.push_back(way_m * place * Vec3(0.6, 0.8, 0.0) +
                       noise_m * Vec3(random.normal(), random.normal(), random.normal()));
@@ -54,7 +55,7 @@ void checkNear(int frame, double seconds, double fps, double slack_s = 2.0 / 30.
     CHECK(std::abs(frame / fps - seconds) <= std::max(slack_s, 2.0 / fps) + 1e-9);
 }
 
-const Course one_gesture{{0.5, 0.8, 1.0, 0.9, 0.4}, {1.0, 0.0}};
+const Trajectory one_gesture{{0.5, 0.8, 1.0, 0.9, 0.4}, {1.0, 0.0}};
 
 }  // namespace
 
@@ -76,8 +77,8 @@ TEST_SUITE("motion/pointing_phases") {
     }
 
     TEST_CASE("a correction on the way belongs to the raise; of several pauses the longest is the hold") {
-        const Course course{{0.4, 0.7, 0.25, 0.4, 0.9, 0.8, 0.5}, {1.0, 1.4, 0.0}};
-        const DetectedGesture p = found(sampled(course, 30.0), 30.0);
+        const Trajectory trajectory{{0.4, 0.7, 0.25, 0.4, 0.9, 0.8, 0.5}, {1.0, 1.4, 0.0}};
+        const DetectedGesture p = found(sampled(trajectory, 30.0), 30.0);
         checkNear(p.phases.onset_frame, 0.4, 30.0);
         checkNear(p.phases.peak_frame, 1.75, 30.0);
         checkNear(p.phases.hold_frame, 2.65, 30.0);
@@ -87,8 +88,8 @@ TEST_SUITE("motion/pointing_phases") {
     }
 
     TEST_CASE("of two gestures the one that is held longer is found, between its own rests") {
-        const Course course{{0.3, 0.6, 0.3, 0.6, 0.6, 0.6, 1.0, 0.6, 0.4}, {1.0, 0.0, 1.0, 0.0}};
-        const DetectedGesture p = found(sampled(course, 30.0), 30.0);
+        const Trajectory trajectory{{0.3, 0.6, 0.3, 0.6, 0.6, 0.6, 1.0, 0.6, 0.4}, {1.0, 0.0, 1.0, 0.0}};
+        const DetectedGesture p = found(sampled(trajectory, 30.0), 30.0);
         checkNear(p.phases.onset_frame, 2.4, 30.0);
         checkNear(p.phases.peak_frame, 3.0, 30.0);
         checkNear(p.phases.hold_frame, 4.0, 30.0);
@@ -97,8 +98,8 @@ TEST_SUITE("motion/pointing_phases") {
     }
 
     TEST_CASE("a hand that turns back at once has no clear hold, and says so") {
-        const Course course{{0.4, 0.8, 0.001, 0.8, 0.4}, {1.0, 0.0}};
-        const DetectedGesture p = found(sampled(course, 30.0), 30.0);
+        const Trajectory trajectory{{0.4, 0.8, 0.001, 0.8, 0.4}, {1.0, 0.0}};
+        const DetectedGesture p = found(sampled(trajectory, 30.0), 30.0);
         CHECK_FALSE(p.clear_hold);
         checkNear(p.phases.onset_frame, 0.4, 30.0);
         checkNear(p.phases.peak_frame, 1.2, 30.0, 0.15);
@@ -119,8 +120,8 @@ TEST_SUITE("motion/pointing_phases") {
     }
 
     TEST_CASE("a clip that ends in the hold tells that the hand never returns") {
-        const Course course{{0.4, 0.8, 1.0}, {1.0}};
-        const DetectedGesture p = found(sampled(course, 30.0), 30.0);
+        const Trajectory trajectory{{0.4, 0.8, 1.0}, {1.0}};
+        const DetectedGesture p = found(sampled(trajectory, 30.0), 30.0);
         CHECK_FALSE(p.returns);
         checkNear(p.phases.peak_frame, 1.2, 30.0);
         CHECK(p.phases.hold_frame == 65);
@@ -129,17 +130,17 @@ TEST_SUITE("motion/pointing_phases") {
     }
 
     TEST_CASE("a hand at rest, a position that is no number and a clip of two frames are refused") {
-        const auto refusal = [](const std::vector<Vec3>& positions) {
+        const auto rejection = [](const std::vector<Vec3>& positions) {
             const auto phases = detectPhases(positions, Side::left, 1.0 / 30.0);
             REQUIRE_FALSE(phases.has_value());
             return phases.error().text();
         };
-        CHECK(refusal(sampled(one_gesture, 30.0, 0.0, 0.05)).find("left hand stays within 0.050 m") !=
+        CHECK(rejection(sampled(one_gesture, 30.0, 0.0, 0.05)).find("left hand stays within 0.050 m") !=
               std::string::npos);
         auto broken = sampled(one_gesture, 30.0);
         broken[7].y = std::nan("");
-        CHECK(refusal(broken).find("frame 7") != std::string::npos);
-        CHECK(refusal({Vec3(0.0), Vec3(1.0)}).find("2 frames") != std::string::npos);
+        CHECK(rejection(broken).find("frame 7") != std::string::npos);
+        CHECK(rejection({Vec3(0.0), Vec3(1.0)}).find("2 frames") != std::string::npos);
     }
 
     TEST_CASE("the built-in systems' phases are found within three frames, over many seeds") {
@@ -156,7 +157,7 @@ TEST_SUITE("motion/pointing_phases") {
                 const PointingHand hand = recognisedHand(world, referenceMap());
                 CHECK(hand.hand == made.hand);
                 CHECK(hand.displacement_m > 3.0 * hand.other_displacement_m);
-                const auto p = detectPhases(jointCourse(world, referenceMap()[armBones(made.hand).hand]),
+                const auto p = detectPhases(jointTrajectory(world, referenceMap()[armBones(made.hand).hand]),
                                             made.hand, made.clip.frame_time_s);
                 REQUIRE(p.has_value());
                 CHECK(std::abs(p->phases.onset_frame - made.onset_frame) <= 2);
@@ -178,7 +179,7 @@ TEST_SUITE("motion/pointing_phases") {
         for (std::size_t i = 0; i < targets.size(); ++i) {
             const GeneratedClip made = (*generator)->generate({"T", targets[i], 300 + i});
             const auto world = worldPoses(made.clip);
-            const auto p = detectPhases(jointCourse(world, referenceMap()[armBones(made.hand).hand]),
+            const auto p = detectPhases(jointTrajectory(world, referenceMap()[armBones(made.hand).hand]),
                                         made.hand, made.clip.frame_time_s);
             REQUIRE(p.has_value());
             CHECK(std::abs(p->phases.onset_frame - made.onset_frame) <= 4);

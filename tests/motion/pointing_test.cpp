@@ -1,4 +1,4 @@
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 
 #include <doctest/doctest.h>
 

@@ -86,7 +86,7 @@ Vec3 direction(const std::vector<Pose>& world, Bone bone) {
     return glm::normalize(world[j + 1].position - world[j].position);
 }
 
-/// Greatest angle between limbs of two clips of the avatar, degrees; both turned to face +z at the start.
+/// Largest angle between limbs of two clips of the avatar, degrees; both turned to face +z at the start.
 double limbError(const Clip& a, const Clip& b) {
     const auto facing = [](const Clip& clip) {
         const Vec3 z = worldOf(clip, 0)[0].orientation * Vec3(0, 0, 1);
@@ -105,7 +105,7 @@ double limbError(const Clip& a, const Clip& b) {
     return degreesFromRadians(worst);
 }
 
-/// Greatest difference in a bone's whole rotation, degrees.
+/// Largest difference in a bone's whole rotation, degrees.
 double turnError(const Clip& a, const Clip& b, Bone bone) {
     double worst = 0.0;
     for (std::size_t f = 0; f < a.frames.size(); ++f) {

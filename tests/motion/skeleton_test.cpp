@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/random.hpp"
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 
 using namespace deixis;

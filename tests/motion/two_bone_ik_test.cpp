@@ -42,8 +42,8 @@ TEST_SUITE("motion/two_bone_ik") {
             const ArmSolution solution = solveArm(arm, tip, elbow_direction);
             const Vec3 reached = solution.upper_arm * tipInUpperArm(arm, solution.flexion_rad);
             CHECK(glm::length(reached - tip) < 1e-9);
-            CHECK(solution.flexion_rad >= least_flexion_rad);
-            CHECK(solution.flexion_rad <= greatest_flexion_rad);
+            CHECK(solution.flexion_rad >= min_flexion_rad);
+            CHECK(solution.flexion_rad <= max_flexion_rad);
             // Bent clearly, the elbow stands out towards the wished side.
             if (solution.flexion_rad > 0.5)
                 CHECK(glm::dot(solution.upper_arm * arm.elbow, elbow_direction) > 0.02);
@@ -63,7 +63,7 @@ TEST_SUITE("motion/two_bone_ik") {
         const TwoLinkArm arm = armOf(Side::right);
         const Vec3 tip(-1.0, 0.5, 2.0);
         const ArmSolution solution = solveArm(arm, tip, Vec3(0, -1, 0));
-        CHECK(solution.flexion_rad == doctest::Approx(least_flexion_rad));
+        CHECK(solution.flexion_rad == doctest::Approx(min_flexion_rad));
         const Vec3 reached = solution.upper_arm * tipInUpperArm(arm, solution.flexion_rad);
         CHECK(angleBetween(reached, tip) < 1e-9);
     }

@@ -104,10 +104,10 @@ TEST_SUITE("operator/operator_feed") {
 
     TEST_CASE("only the stages of the sitting under way are told") {
         Fixture f;
-        for (const auto& [name, sitting] : {std::pair{"first", 1}, {"second", 2}, {"third", 2}}) {
+        for (const auto& [name, visit] : {std::pair{"first", 1}, {"second", 2}, {"third", 2}}) {
             studies::Stage stage;
             stage.name = name;
-            stage.session = sitting;
+            stage.session = visit;
             f.study.stages.push_back(stage);
         }
         f.progress.stages = {{"first", 4, 4, false}, {"second", 1, 4, true}, {"third", 0, 4, false}};

@@ -10,11 +10,11 @@ namespace studies = deixis::studies;
 using namespace deixis::app;
 using deixis::studies::InputFrame;
 using deixis::studies::OperatorAction;
-using Question = OperatorDesk::Question;
+using Question = OperatorControls::Question;
 
 namespace {
 
-void type(OperatorDesk::Text& field, const std::string& text) {
+void type(OperatorControls::Text& field, const std::string& text) {
     field = {};
     std::memcpy(field.data(), text.data(), text.size());
 }
@@ -53,113 +53,113 @@ TEST_SUITE("operator/operator_request") {
     }
 
     TEST_CASE("ending and repeating the last trial are asked twice, each by itself") {
-        OperatorDesk desk;
-        desk.repeatLast(10.0);
-        desk.end(11.0);
-        OperatorRequest asked = desk.take();
+        OperatorControls controls;
+        controls.repeatLast(10.0);
+        controls.end(11.0);
+        OperatorRequest asked = controls.take();
         CHECK(asked.commands.empty());
         CHECK_FALSE(asked.end);
-        desk.repeatLast(12.0);
-        asked = desk.take();
+        controls.repeatLast(12.0);
+        asked = controls.take();
         REQUIRE(asked.commands.size() == 1);
         CHECK(asked.commands[0].action == OperatorAction::repeat_last);
         CHECK_FALSE(asked.end);
-        desk.end(13.0);
-        CHECK(desk.take().end);
-        CHECK_FALSE(desk.take().end);
+        controls.end(13.0);
+        CHECK(controls.take().end);
+        CHECK_FALSE(controls.take().end);
     }
 
     TEST_CASE("a trial is skipped only with a reason, which goes with it without the blanks around it") {
-        OperatorDesk desk;
-        desk.ask(Question::skip);
-        CHECK_FALSE(desk.answered());
-        desk.answer(1.0);
-        type(desk.reason(), " \t ");
-        CHECK_FALSE(desk.answered());
-        desk.answer(2.0);
-        CHECK(desk.take().commands.empty());
-        CHECK(desk.question() == Question::skip);
-        type(desk.reason(), "  the clip did not move ");
-        CHECK(desk.answered());
-        desk.answer(3.0);
-        const OperatorRequest asked = desk.take();
+        OperatorControls controls;
+        controls.ask(Question::skip);
+        CHECK_FALSE(controls.answered());
+        controls.answer(1.0);
+        type(controls.reason(), " \t ");
+        CHECK_FALSE(controls.answered());
+        controls.answer(2.0);
+        CHECK(controls.take().commands.empty());
+        CHECK(controls.question() == Question::skip);
+        type(controls.reason(), "  the clip did not move ");
+        CHECK(controls.answered());
+        controls.answer(3.0);
+        const OperatorRequest asked = controls.take();
         REQUIRE(asked.commands.size() == 1);
         CHECK(asked.commands[0].action == OperatorAction::skip);
         CHECK(asked.commands[0].text == "the clip did not move");
-        CHECK(desk.question() == Question::none);
+        CHECK(controls.question() == Question::none);
     }
 
     TEST_CASE("a session is aborted only with a reason, and when asked for twice") {
-        OperatorDesk desk;
-        desk.ask(Question::abort);
-        desk.answer(1.0);
-        desk.answer(2.0);
-        CHECK(desk.take().commands.empty());
-        type(desk.reason(), "felt unwell");
-        desk.answer(3.0);
-        CHECK(desk.take().commands.empty());
-        CHECK(desk.abortLeft(4.0));
+        OperatorControls controls;
+        controls.ask(Question::abort);
+        controls.answer(1.0);
+        controls.answer(2.0);
+        CHECK(controls.take().commands.empty());
+        type(controls.reason(), "felt unwell");
+        controls.answer(3.0);
+        CHECK(controls.take().commands.empty());
+        CHECK(controls.abortLeft(4.0));
         SUBCASE("the second time within four seconds does it") {
-            desk.answer(5.0);
-            const OperatorRequest asked = desk.take();
+            controls.answer(5.0);
+            const OperatorRequest asked = controls.take();
             REQUIRE(asked.commands.size() == 1);
             CHECK(asked.commands[0].action == OperatorAction::abort);
             CHECK(asked.commands[0].text == "felt unwell");
         }
         SUBCASE("later it is the first time again") {
-            desk.answer(7.5);
-            CHECK(desk.take().commands.empty());
-            CHECK(desk.question() == Question::abort);
+            controls.answer(7.5);
+            CHECK(controls.take().commands.empty());
+            CHECK(controls.question() == Question::abort);
         }
         SUBCASE("a double click is one time") {
-            desk.answer(3.2);
-            CHECK(desk.take().commands.empty());
+            controls.answer(3.2);
+            CHECK(controls.take().commands.empty());
         }
         SUBCASE("leaving the question forgets the first time and the reason") {
-            desk.leaveQuestion();
-            desk.ask(Question::abort);
-            CHECK_FALSE(desk.answered());
-            type(desk.reason(), "felt unwell");
-            desk.answer(5.0);
-            CHECK(desk.take().commands.empty());
+            controls.leaveQuestion();
+            controls.ask(Question::abort);
+            CHECK_FALSE(controls.answered());
+            type(controls.reason(), "felt unwell");
+            controls.answer(5.0);
+            CHECK(controls.take().commands.empty());
         }
     }
 
     TEST_CASE("the reason for skipping is not taken for aborting") {
-        OperatorDesk desk;
-        desk.ask(Question::skip);
-        type(desk.reason(), "wrong clip");
-        desk.ask(Question::abort);
-        CHECK_FALSE(desk.answered());
+        OperatorControls controls;
+        controls.ask(Question::skip);
+        type(controls.reason(), "wrong clip");
+        controls.ask(Question::abort);
+        CHECK_FALSE(controls.answered());
     }
 
     TEST_CASE("a note is kept with its words and leaves an empty field; an empty one is none") {
-        OperatorDesk desk;
-        desk.addNote();
-        type(desk.note(), "   ");
-        desk.addNote();
-        CHECK(desk.take().commands.empty());
-        type(desk.note(), "phone rang \xEC\xA0\x84\xED\x99\x94");
-        desk.addNote();
-        const OperatorRequest asked = desk.take();
+        OperatorControls controls;
+        controls.addNote();
+        type(controls.note(), "   ");
+        controls.addNote();
+        CHECK(controls.take().commands.empty());
+        type(controls.note(), "phone rang \xEC\xA0\x84\xED\x99\x94");
+        controls.addNote();
+        const OperatorRequest asked = controls.take();
         REQUIRE(asked.commands.size() == 1);
         CHECK(asked.commands[0].action == OperatorAction::note);
         CHECK(asked.commands[0].text == "phone rang \xEC\xA0\x84\xED\x99\x94");
-        CHECK(desk.note()[0] == '\0');
+        CHECK(controls.note()[0] == '\0');
     }
 
     TEST_CASE("the trial is hidden at first, and each looking at it is told once") {
-        OperatorDesk desk;
-        CHECK_FALSE(desk.trialShown());
-        desk.showTrial(true);
-        CHECK(desk.trialShown());
-        CHECK(desk.take().saw_trial);
-        desk.showTrial(true);
-        CHECK_FALSE(desk.take().saw_trial);
-        desk.showTrial(false);
-        CHECK_FALSE(desk.take().saw_trial);
-        desk.showTrial(true);
-        CHECK(desk.take().saw_trial);
+        OperatorControls controls;
+        CHECK_FALSE(controls.trialShown());
+        controls.showTrial(true);
+        CHECK(controls.trialShown());
+        CHECK(controls.take().saw_trial);
+        controls.showTrial(true);
+        CHECK_FALSE(controls.take().saw_trial);
+        controls.showTrial(false);
+        CHECK_FALSE(controls.take().saw_trial);
+        controls.showTrial(true);
+        CHECK(controls.take().saw_trial);
     }
 
     TEST_CASE(

@@ -16,8 +16,8 @@ using Stages = std::vector<StageProgress>;
 using History = std::map<std::string, double>;
 
 // Sees `units` units of a stage of ten end, one after the other, each after as long.
-OwnPace paceOf(const std::string& stage, int units, double each_s) {
-    OwnPace pace;
+SessionPace paceOf(const std::string& stage, int units, double each_s) {
+    SessionPace pace;
     for (int i = 0; i <= units; ++i) pace.see({{stage, i, 10, true}}, i * each_s, false);
     return pace;
 }
@@ -43,7 +43,7 @@ TEST_SUITE("operator/time_left") {
     }
 
     TEST_CASE("the history of a stage goes before this session's own pace") {
-        const OwnPace slow = paceOf("rating", 5, 100.0);
+        const SessionPace slow = paceOf("rating", 5, 100.0);
         CHECK(*timeLeft_s({{"rating", 5, 10, false}}, {{"rating", 8.0}}, slow) == doctest::Approx(40.0));
     }
 
@@ -57,7 +57,7 @@ TEST_SUITE("operator/time_left") {
     }
 
     TEST_CASE("the time left runs down while a unit is under way, but not below what is behind it") {
-        OwnPace pace;
+        SessionPace pace;
         pace.see({{"rating", 0, 2, true}}, 100.0, false);
         const Stages stages{{"rating", 0, 2, true}};
         const History history{{"rating", 60.0}};
@@ -75,7 +75,7 @@ TEST_SUITE("operator/time_left") {
     }
 
     TEST_CASE("pages take as long as those read here") {
-        OwnPace pace;
+        SessionPace pace;
         pace.see({{"welcome", 0, 0, true}, {"rating", 0, 2, false}, {"break", 0, 0, false}}, 0.0, false);
         pace.see({{"welcome", 1, 0, false}, {"rating", 0, 2, true}, {"break", 0, 0, false}}, 40.0, false);
         REQUIRE(pace.pages_s().size() == 1);
@@ -86,7 +86,7 @@ TEST_SUITE("operator/time_left") {
     }
 
     TEST_CASE("pauses are no part of what a unit takes") {
-        OwnPace pace;
+        SessionPace pace;
         pace.see({{"rating", 0, 3, true}}, 0.0, false);
         pace.see({{"rating", 0, 3, true}}, 4.0, false);
         pace.see({{"rating", 0, 3, true}}, 304.0, true);
@@ -98,7 +98,7 @@ TEST_SUITE("operator/time_left") {
     }
 
     TEST_CASE("what an earlier sitting answered tells nothing of the pace, and a repeated unit starts anew") {
-        OwnPace pace;
+        SessionPace pace;
         pace.see({{"rating", 7, 10, true}}, 0.0, false);
         CHECK(pace.units() == 0);
         pace.see({{"rating", 8, 10, true}}, 10.0, false);

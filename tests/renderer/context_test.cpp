@@ -80,14 +80,14 @@ TEST_SUITE("renderer/png") {
                                                      'I',  'H', 'D', 'R', 0,    0,    0,    3,    0, 0, 0, 2};
         CHECK(head == expected);
         image.rgb.pop_back();
-        const auto refused = writePng(path, image);
-        REQUIRE_FALSE(refused.has_value());
-        CHECK(refused.error().text().find("17 bytes, expected 3 x 2 x 3") != std::string::npos);
+        const auto rejected = writePng(path, image);
+        REQUIRE_FALSE(rejected.has_value());
+        CHECK(rejected.error().text().find("17 bytes, expected 3 x 2 x 3") != std::string::npos);
     }
 
     TEST_CASE("A picture that cannot be written says where") {
-        const auto refused = writePng("/proc/nowhere/picture.png", {1, 1, {0, 0, 0}});
-        REQUIRE_FALSE(refused.has_value());
-        CHECK(refused.error().text().find("/proc/nowhere/picture.png") != std::string::npos);
+        const auto rejected = writePng("/proc/nowhere/picture.png", {1, 1, {0, 0, 0}});
+        REQUIRE_FALSE(rejected.has_value());
+        CHECK(rejected.error().text().find("/proc/nowhere/picture.png") != std::string::npos);
     }
 }

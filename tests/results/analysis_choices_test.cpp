@@ -152,7 +152,7 @@ TEST_SUITE("results/analysis_choices") {
         }
         CHECK(table->failed_checks == std::set<std::string>{"P01"});
         CHECK(table->left_out.size() == 2);
-        REQUIRE(table->left_out_rows.size() == 4);  // P03 refused consent
+        REQUIRE(table->left_out_rows.size() == 4);  // P03 declined consent
         CHECK(table->left_out_rows[0].participant == "P02");
         CHECK(table->left_out_rows[0].excluded == "excluded: attention check failed");
         CHECK(table->groups.at("P01").at("style") == "calm");

@@ -23,7 +23,7 @@ namespace {
 
 const std::string remark_typed = "I work with Doctor Lindqvist";
 
-/// Three who took part, one of them excluded, one who then refused consent, and one who withdrew.
+/// Three who took part, one of them excluded, one who then declined consent, and one who withdrew.
 void fillForCopy(const std::filesystem::path& path) {
     const auto study = fixtures::wideStudy();
     {
@@ -34,8 +34,8 @@ void fillForCopy(const std::filesystem::path& path) {
         }
         const auto plan = fixtures::widePlan(study, "Disa-Falk-9");
         store.beginSession(fixtures::session("Disa-Falk-9", false));
-        auto refusal = fixtures::response(plan.trials[0]);
-        refusal.trial_index = 0;
+        auto rejection = fixtures::response(plan.trials[0]);
+        rejection.trial_index = 0;
         SQLite::Database(path.string(), SQLite::OPEN_READWRITE, 1000)
             .exec(
                 "INSERT INTO consents (participant, stage, session, agreed, utc_s, language, text) SELECT "
@@ -83,7 +83,7 @@ TEST_SUITE("results/anonymous copy") {
         const auto counts = copyAnonymously(path, copy, {});
         REQUIRE_MESSAGE(counts, counts.error().text());
         CHECK(counts->participants == 4);
-        CHECK(counts->refused == 1);
+        CHECK(counts->declined == 1);
         CHECK(counts->free_texts == 3);
         CHECK(counts->frames == 3 * 70);
         SQLite::Database original(path.string(), SQLite::OPEN_READONLY);

@@ -57,7 +57,7 @@ void makeDatabase(const fs::path& path) {
     fixtures::fill(path, study, 8, 2, false, {0.9, 0.6, 0.3}, {4.0, 3.0, 2.0}, fixtures::everything);
 }
 
-std::string refusal(const fs::path& path) {
+std::string rejection(const fs::path& path) {
     const auto read = results::loadResponses(path);
     const auto written = Store::open(path, Durability::each_answer);
     REQUIRE_FALSE(read);
@@ -78,7 +78,7 @@ TEST_SUITE("results/database check") {
         REQUIRE(expected);
         REQUIRE(expected->size() > 100);
         const fs::path path = folder / "damaged.sqlite";
-        int refused = 0, by_hash = 0;
+        int rejected = 0, by_hash = 0;
         for (int i = 0; i < 300; ++i) {
             Random random(static_cast<std::uint64_t>(i), "damage");
             std::string bytes = whole;
@@ -88,16 +88,16 @@ TEST_SUITE("results/database check") {
             write(path, bytes);
             const auto found = numbersOf(path);
             if (!found) {
-                ++refused;
+                ++rejected;
                 by_hash += contains(found.error().message, "not as it was written") ? 1 : 0;
                 CHECK(found.error().where == path.string());
             } else if (*found != *expected) {
                 FAIL_CHECK("other numbers after damage " << i);
             }
         }
-        CHECK(refused > 100);
+        CHECK(rejected > 100);
         CHECK(by_hash > 20);  // which integrity_check cannot see
-        MESSAGE(refused << " of 300 refused, " << by_hash << " of them by an answer's hash");
+        MESSAGE(rejected << " of 300 refused, " << by_hash << " of them by an answer's hash");
     }
 
     TEST_CASE("A value changed behind the program's back is refused with its table and row, if it counts") {
@@ -123,7 +123,7 @@ TEST_SUITE("results/database check") {
             INFO(change);
             write(path, whole);
             SQLite::Database(path.string(), SQLite::OPEN_READWRITE).exec(change);
-            const std::string said = refusal(path);
+            const std::string said = rejection(path);
             INFO(said);
             CHECK(contains(said, "table responses, row "));
             CHECK(contains(said, "participant P0"));
@@ -153,7 +153,7 @@ TEST_SUITE("results/database check") {
             .exec(
                 "PRAGMA foreign_keys = OFF; UPDATE events SET session = 99 WHERE id = 1;"
                 "INSERT INTO events VALUES (7777, 99, 'pause', NULL, 0.0, 0.0, '')");
-        CHECK(contains(refusal(path), "table events, row 7777 refers to a row of sessions"));
+        CHECK(contains(rejection(path), "table events, row 7777 refers to a row of sessions"));
     }
 
     TEST_CASE("What is superseded, merged or withdrawn stays as it was written") {
@@ -196,6 +196,6 @@ TEST_SUITE("results/database check") {
         CHECK(results::loadResponses(folder / "merged.sqlite").has_value());
         CHECK(SQLite::Database((folder / "merged.sqlite").string())
                   .execAndGet("SELECT min(id) FROM responses")
-                  .getInt() == 1);  // counted anew
+                  .getInt() == 1);  // counted again
     }
 }

@@ -86,9 +86,9 @@ TEST_SUITE("results/evaluation_figures") {
                     if (std::abs(point["x"].get<double>() - i) < 0.5)
                         heights.push_back(point["y"].get<double>());
                 REQUIRE(heights.size() == static_cast<std::size_t>(points));
-                const auto [least, greatest] = std::minmax_element(rewards.begin(), rewards.end());
-                CHECK(*std::min_element(heights.begin(), heights.end()) == *least);
-                CHECK(*std::max_element(heights.begin(), heights.end()) == *greatest);
+                const auto [min, max] = std::minmax_element(rewards.begin(), rewards.end());
+                CHECK(*std::min_element(heights.begin(), heights.end()) == *min);
+                CHECK(*std::max_element(heights.begin(), heights.end()) == *max);
                 // The points' quantiles are those of all.
                 CHECK(std::abs(quantile(heights, 0.5) - box.median) < 0.005);
                 CHECK(std::abs(quantile(heights, 0.25) - box.q25) < 0.005);

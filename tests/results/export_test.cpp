@@ -175,9 +175,9 @@ TEST_SUITE("results/export") {
         fillWide(folder / "a.sqlite");
         std::filesystem::create_directories(folder / "mine");
         REQUIRE(writeFile(folder / "mine/thesis.txt", "words"));
-        const auto refused = exportCsv(folder / "a.sqlite", folder / "mine", {});
-        REQUIRE_FALSE(refused);
-        CHECK(contains(refused.error().text(), "not empty"));
+        const auto rejected = exportCsv(folder / "a.sqlite", folder / "mine", {});
+        REQUIRE_FALSE(rejected);
+        CHECK(contains(rejected.error().text(), "not empty"));
         CHECK_FALSE(exportCsv(folder / "none.sqlite", folder / "out", {}));
         CHECK_FALSE(std::filesystem::exists(folder / "out"));
         REQUIRE(exportCsv(folder / "a.sqlite", folder / "out", {}));

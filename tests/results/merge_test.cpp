@@ -197,7 +197,7 @@ TEST_SUITE("results/merge") {
             CHECK(people->uncleared == 0);
             CHECK(readFile(to)->find("P01") == std::string::npos);
         }
-        // Who begins anew is somebody new.
+        // Who begins again is somebody new.
         station(folder / "a.sqlite", study, {"P01"}, 5.0);
         const auto merged =
             mergeDatabases({folder / "c.sqlite", folder / "a.sqlite"}, folder / "anew.sqlite");

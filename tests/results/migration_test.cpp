@@ -195,9 +195,9 @@ TEST_SUITE("results/migration") {
             const auto changed = folder / "changed.sqlite";
             std::filesystem::copy_file(path, changed, std::filesystem::copy_options::overwrite_existing);
             SQLite::Database(changed.string(), SQLite::OPEN_READWRITE).exec(change);
-            const auto refused = results::listParticipants(changed);
-            REQUIRE_FALSE(refused);
-            CHECK(refused.error().message.find("not as it was written") != std::string::npos);
+            const auto rejected = results::listParticipants(changed);
+            REQUIRE_FALSE(rejected);
+            CHECK(rejected.error().message.find("not as it was written") != std::string::npos);
         }
     }
 
@@ -453,9 +453,9 @@ TEST_SUITE("results/migration") {
             makeVersion(2, folder / "a.sqlite");
             SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec(sql);
             const auto before = schema(folder / "a.sqlite");
-            const auto refused = Store::open(folder / "a.sqlite", Durability::each_answer);
-            REQUIRE_FALSE(refused);
-            CHECK(refused.error().where == (folder / "a.sqlite").string());
+            const auto rejected = Store::open(folder / "a.sqlite", Durability::each_answer);
+            REQUIRE_FALSE(rejected);
+            CHECK(rejected.error().where == (folder / "a.sqlite").string());
             CHECK_FALSE(results::listParticipants(folder / "a.sqlite"));
             CHECK(rows(folder / "a.sqlite", "PRAGMA user_version") == "2\n");
             CHECK(schema(folder / "a.sqlite") == before);

@@ -11,7 +11,7 @@
 #include "core/random.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/synthesis/generator.hpp"
-#include "studies/simulation/watched_gesture.hpp"
+#include "studies/simulation/observed_gesture.hpp"
 
 using namespace deixis;
 using namespace deixis::results;
@@ -167,7 +167,7 @@ TEST_SUITE("results/observers") {
                     if (away >= 0.2 && away <= 0.4) balls.push_back(other);
                 }
                 const auto gesture =
-                    studies::watchGesture((*generator)->generate({"T", balls.front(), seed, {}}).clip, {});
+                    studies::observeGesture((*generator)->generate({"T", balls.front(), seed, {}}).clip, {});
                 REQUIRE(gesture.has_value());
                 trials.push_back({system, "across", {gesture->hold, across}, balls});
                 const Vec3 eye = gesture->hold.eye_line.origin;
@@ -208,7 +208,7 @@ TEST_SUITE("results/observers") {
 
     TEST_CASE("choices by the ball nearest when the hold began and when it ended") {
         const auto choice = [](int chosen, double first_deg, double last_deg) {
-            return WatchedChoice{trial("a", "across", 0, 0), chosen, arm(0, first_deg), arm(0, last_deg)};
+            return ObservedChoice{trial("a", "across", 0, 0), chosen, arm(0, first_deg), arm(0, last_deg)};
         };
         // Ball 0 at 0 degrees, 1 at 12, 2 at -12: the arm's line goes from 12 to 0 in three, stays in one.
         const auto drift =

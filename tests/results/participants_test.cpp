@@ -115,9 +115,9 @@ TEST_SUITE("results/participants") {
         const auto path = folder / "a.sqlite";
         makeDatabase(path);
         for (const char* reason : {"", "  \n"}) {
-            const auto refused = excludeParticipant(path, "P01", reason);
-            REQUIRE_FALSE(refused);
-            CHECK(contains(refused.error().message, "no reason"));
+            const auto rejected = excludeParticipant(path, "P01", reason);
+            REQUIRE_FALSE(rejected);
+            CHECK(contains(rejected.error().message, "no reason"));
         }
         REQUIRE(excludeParticipant(path, "P01", "knew the systems"));
         CHECK(showParticipant(path, "P01")->row.status == ParticipantStatus::excluded);
@@ -226,9 +226,9 @@ TEST_SUITE("results/participants") {
         makeDatabase(folder / "a.sqlite");
         const auto lock = results::ParticipantLock::take(folder / "a.sqlite", "P01");
         REQUIRE(lock);
-        const auto refused = includeParticipant(folder / "a.sqlite", "P01", 0.0);
-        REQUIRE_FALSE(refused);
-        CHECK(contains(refused.error().message, "already being run"));
+        const auto rejected = includeParticipant(folder / "a.sqlite", "P01", 0.0);
+        REQUIRE_FALSE(rejected);
+        CHECK(contains(rejected.error().message, "already being run"));
     }
 
     TEST_CASE("Somebody unknown and a database that is not there are told by name, and none is made") {

@@ -123,7 +123,7 @@ TEST_SUITE("results/ratings") {
     }
 
     TEST_CASE("Ratings that stand alone are paired by item and layout, and a number of trial makes no page") {
-        // Trials are counted anew for each system, and come in another order of items.
+        // Trials are counted again for each system, and come in another order of items.
         const AnalysisResult result = fixtures::analyseText(
             "participant,system,item,layout,trial,rating\n"
             "P1,a,T1,across,1,1\nP1,a,T2,across,2,2\nP1,a,T1,beside,3,5\n"
@@ -274,8 +274,8 @@ TEST_SUITE("results/ratings") {
 
         const fixtures::Folder other;
         REQUIRE(writeFile(other / "bad.csv", "participant,system,author_trial,rating\nP1,a,0,3\n"));
-        const auto refused = loadAnswers(other / "bad.csv");
-        REQUIRE_FALSE(refused);
-        CHECK(contains(refused.error().text(), "bad.csv:2: column \"author_trial\": found \"0\""));
+        const auto rejected = loadAnswers(other / "bad.csv");
+        REQUIRE_FALSE(rejected);
+        CHECK(contains(rejected.error().text(), "bad.csv:2: column \"author_trial\": found \"0\""));
     }
 }

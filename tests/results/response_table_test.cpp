@@ -19,7 +19,7 @@ using results::Store;
 
 namespace {
 
-std::string refusalToLoad(const std::filesystem::path& path) {
+std::string rejectionToLoad(const std::filesystem::path& path) {
     const auto table = loadResponses(path);
     REQUIRE_FALSE(table.has_value());
     CHECK(table.error().where == path.string());
@@ -234,23 +234,23 @@ TEST_SUITE("results/response_table") {
 
     TEST_CASE("Files that hold no answers are refused with what they are") {
         const fixtures::Folder folder;
-        CHECK(contains(refusalToLoad(folder / "missing.sqlite"), "no such file"));
-        CHECK(contains(refusalToLoad(folder / ""), "no such file"));
+        CHECK(contains(rejectionToLoad(folder / "missing.sqlite"), "no such file"));
+        CHECK(contains(rejectionToLoad(folder / ""), "no such file"));
         std::ofstream(folder / "notes.txt") << "Dear diary, this file is certainly longer than a header.";
-        CHECK(contains(refusalToLoad(folder / "notes.txt"), "not a SQLite database"));
+        CHECK(contains(rejectionToLoad(folder / "notes.txt"), "not a SQLite database"));
         SQLite::Database(folder / "b.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
             .exec("CREATE TABLE photos (id)");
-        CHECK(contains(refusalToLoad(folder / "b.sqlite"), "another program"));
+        CHECK(contains(rejectionToLoad(folder / "b.sqlite"), "another program"));
         std::ofstream(folder / "empty.sqlite").flush();
-        CHECK(contains(refusalToLoad(folder / "empty.sqlite"), "no study yet"));
+        CHECK(contains(rejectionToLoad(folder / "empty.sqlite"), "no study yet"));
         const auto study = fixtures::study({"direct"});
         {
             Store store = fixtures::open(folder / "a.sqlite");
-            CHECK(contains(refusalToLoad(folder / "a.sqlite"), "no study yet"));
+            CHECK(contains(rejectionToLoad(folder / "a.sqlite"), "no study yet"));
             fixtures::store(store, study, fixtures::plan(study, "P01", 1));
         }
-        CHECK(contains(refusalToLoad(folder / "a.sqlite"), "no answers yet"));
+        CHECK(contains(rejectionToLoad(folder / "a.sqlite"), "no answers yet"));
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
-        CHECK(contains(refusalToLoad(folder / "a.sqlite"), "version 7"));
+        CHECK(contains(rejectionToLoad(folder / "a.sqlite"), "version 7"));
     }
 }

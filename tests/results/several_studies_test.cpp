@@ -58,7 +58,7 @@ std::string ratingsOf(int participants, const std::string& systems = "a,b", int 
     return out;
 }
 
-std::string refusal(std::vector<ResponseTable> tables, const JoinChoice& choice = {}) {
+std::string rejection(std::vector<ResponseTable> tables, const JoinChoice& choice = {}) {
     const auto joined = joinData(std::move(tables), choice);
     REQUIRE_FALSE(joined.has_value());
     return joined.error().text();
@@ -274,40 +274,40 @@ TEST_SUITE("results/several_studies") {
     TEST_CASE("What studies do not share is refused with the reason") {
         const auto one = studyOf("one", ratingsOf(3));
         CHECK(contains(
-            refusal({one, studyOf("two", ratingsOf(3, "a,b", 100))}),
+            rejection({one, studyOf("two", ratingsOf(3, "a,b", 100))}),
             "two.sqlite: \"naturalness\" is rated from 1 to 100, but from 1 to 5 in one (one.sqlite). "
             "Answers on different scales have no common mean"));
-        CHECK(contains(refusal({one, studyOf("two", ratingsOf(3, "c,d"))}),
+        CHECK(contains(rejection({one, studyOf("two", ratingsOf(3, "c,d"))}),
                        "two.sqlite: no system is in all studies: a, b in one (one.sqlite), c, d in two"));
         auto other = studyOf("two", ratingsOf(3));
         for (ResponseRow& row : other.rows) row.measure = "appropriateness";
         other.measures[0].name = "appropriateness";
         CHECK(contains(
-            refusal({one, other}),
+            rejection({one, other}),
             "two.sqlite: does not measure \"naturalness\", which one (one.sqlite) has. The two share "
             "no measure: naturalness and appropriateness"));
         auto empty = studyOf("two", ratingsOf(3));
         empty.rows.clear();
         empty.scores.push_back({"P01", "load", "load", 3.0});
-        CHECK(contains(refusal({one, empty}), "two.sqlite: has no answers yet on \"naturalness\""));
+        CHECK(contains(rejection({one, empty}), "two.sqlite: has no answers yet on \"naturalness\""));
         auto strict = studyOf("two", ratingsOf(3));
         strict.alpha = 0.05;
-        CHECK(contains(refusal({one, strict}), "is tested at alpha = 0.05, but one (one.sqlite) at 0.01"));
+        CHECK(contains(rejection({one, strict}), "is tested at alpha = 0.05, but one (one.sqlite) at 0.01"));
         CHECK(joinData({one, strict}, {false, 0.05, {}}).value().alpha == 0.05);
         auto version = studyOf("two", ratingsOf(3));
         version.study_name = "one";
-        CHECK(contains(refusal({one, version}), "--by study compares its two versions as studies"));
+        CHECK(contains(rejection({one, version}), "--by study compares its two versions as studies"));
         CHECK(studiesIn(joinData({one, version}, {true, {}, {}}).value()) ==
               std::vector<std::string>{"one (one00000)", "one (two00000)"});
         auto file = studyOf("two", ratingsOf(3));
         file.study_hash.clear();
-        CHECK(contains(refusal({one, file}), "is no database and tells no study"));
+        CHECK(contains(rejection({one, file}), "is no database and tells no study"));
         CHECK(joinData({one, file}, {true, {}, {}}).has_value());
-        CHECK(contains(refusal({one}, {true, {}, {}}), "--by study: all data are of one study, one"));
-        CHECK(contains(refusal({one, one}), "participant P01 stands in one.sqlite too"));
+        CHECK(contains(rejection({one}, {true, {}, {}}), "--by study: all data are of one study, one"));
+        CHECK(contains(rejection({one, one}), "participant P01 stands in one.sqlite too"));
         auto factor = studyOf("two", ratingsOf(3));
         factor.between.push_back({"study", {"x"}});
-        CHECK(contains(refusal({one, factor}), "has a factor \"study\" of its own"));
+        CHECK(contains(rejection({one, factor}), "has a factor \"study\" of its own"));
     }
 
     TEST_CASE(
@@ -315,8 +315,8 @@ TEST_SUITE("results/several_studies") {
         const std::string more = "P01,a,T1,smoothness,2,1,5\nP01,b,T1,smoothness,3,1,5\n";
         const auto one = studyOf("one", ratingsOf(3) + more);
         const auto two = studyOf("two", ratingsOf(3));
-        CHECK(contains(refusal({one, two}), "--measure naturalness"));
-        CHECK(contains(refusal({one, two}, {false, {}, {"warmth"}}), "--measure: found \"warmth\""));
+        CHECK(contains(rejection({one, two}), "--measure naturalness"));
+        CHECK(contains(rejection({one, two}, {false, {}, {"warmth"}}), "--measure: found \"warmth\""));
         const AnalysisResult result = analyse(joinData({one, two}, {false, {}, {"naturalness"}}).value());
         CHECK(result.measures.size() == 1);
         CHECK(result.table.rows.size() == 24);

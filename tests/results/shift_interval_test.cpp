@@ -72,11 +72,11 @@ TEST_SUITE("results/shift_interval") {
             deixis::Random random(seed, "larger samples");
             const double level = seed % 2 == 0 ? 0.95 : 0.99;
             const std::uint64_t steps = seed % 3 == 0 ? 40 : 4000;  // many ties, few ties
-            const auto sample = [&](std::size_t n, int least) {
+            const auto sample = [&](std::size_t n, int min) {
                 std::vector<Rational> out;
                 for (std::size_t i = 0; i < n; ++i) {
                     const auto value = static_cast<std::int64_t>(random.below(steps) * random.below(3));
-                    out.emplace_back(least + value, 20);
+                    out.emplace_back(min + value, 20);
                 }
                 return out;
             };

@@ -152,7 +152,7 @@ TEST_SUITE("results/signed_rank") {
         CHECK(test.p_greater == std::ldexp(1.0, -1000));
         CHECK(test.p_less == 1.0);
         CHECK(test.p_two_sided == test.smallest_p);
-        // Sums of up to 3 below the greatest: {}, {1}, {2}, {3}, {1, 2}.
+        // Sums of up to 3 below the largest: {}, {1}, {2}, {3}, {1, 2}.
         all_positive[2] = -3;
         CHECK(signedRankTest(wholes(all_positive)).p_greater == std::ldexp(5.0, -1000));
     }

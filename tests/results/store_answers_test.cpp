@@ -1,4 +1,4 @@
-// What happens in a session, as the store keeps it, and what a later sitting is told of it.
+// What happens in a session, as the store keeps it, and what a later session is told of it.
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <doctest/doctest.h>
 

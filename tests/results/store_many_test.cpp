@@ -51,7 +51,7 @@ class StepCount {
     StepCount& operator=(const StepCount&) = delete;
 };
 
-/// What a simulation asks the store for each participant, twice over as two sittings do.
+/// What a simulation asks the store for each participant, twice over as two sessions do.
 void takePart(Store& store, const studies::Study& study, int number) {
     const auto plan = fixtures::plan(study, fmt::format("P{:04}", number), 2);
     REQUIRE_FALSE(store.numberTaken(number));

@@ -102,10 +102,10 @@ TEST_SUITE("results/store moved") {
             afterThree(folder, [&] { fs::rename(folder / "a.sqlite", folder / "elsewhere.sqlite"); });
         checkSafe(folder, said);
         CHECK(answersIn(folder / "elsewhere.sqlite") == 4);  // whole under its new name, too
-        // Nothing is begun anew beside the copy; elsewhere it is out of the way.
-        const auto refused = Store::open(folder / "a.sqlite", Durability::each_answer);
-        REQUIRE_FALSE(refused);
-        CHECK(contains(refused.error().message, "a.recovered.sqlite"));
+        // Nothing is begun again beside the copy; elsewhere it is out of the way.
+        const auto rejected = Store::open(folder / "a.sqlite", Durability::each_answer);
+        REQUIRE_FALSE(rejected);
+        CHECK(contains(rejected.error().message, "a.recovered.sqlite"));
         fs::create_directories(folder / "kept");
         fs::rename(folder / "a.recovered.sqlite", folder / "kept/a.recovered.sqlite");
         CHECK(fixtures::open(folder / "a.sqlite").participants().empty());
@@ -173,24 +173,24 @@ TEST_SUITE("results/store orphans") {
         REQUIRE(sizeOf(folder / "a.sqlite-wal") > 32);
         const std::string log = bytesOf(folder / "a.sqlite-wal");
         fs::rename(path, folder / "moved.sqlite");
-        const auto refused = [&] {
+        const auto rejected = [&] {
             for (const auto& error :
                  {Store::open(path, Durability::each_answer).error(), results::loadResponses(path).error(),
                   results::listParticipants(path).error()}) {
                 INFO(error.text());
                 CHECK(error.where == path.string());
                 CHECK(contains(error.message, "a.sqlite-wal"));
-                CHECK(contains(error.mend, "name back"));
+                CHECK(contains(error.hint, "name back"));
             }
             CHECK(bytesOf(folder / "a.sqlite-wal") == log);
         };
         SUBCASE("missing") {
-            refused();
+            rejected();
             CHECK_FALSE(fs::exists(path));
         }
         SUBCASE("empty") {
             std::ofstream(path).flush();
-            refused();
+            rejected();
             CHECK(fs::file_size(path) == 0);
         }
         SUBCASE("another file that keeps no log") {
@@ -198,11 +198,11 @@ TEST_SUITE("results/store orphans") {
                 .exec("PRAGMA page_size = 4096; CREATE TABLE photos (id)");
             // SQLite itself has deleted nothing, as the journal's mode was never asked for.
             std::ofstream(folder / "a.sqlite-wal", std::ios::binary | std::ios::trunc) << log;
-            refused();
+            rejected();
         }
         SUBCASE("another that is none") {
             std::ofstream(path) << std::string(5000, 'x');
-            refused();
+            rejected();
         }
         fs::remove(path);
         fs::rename(folder / "moved.sqlite", path);
@@ -228,16 +228,16 @@ TEST_SUITE("results/store orphans") {
         REQUIRE(sizeOf(folder / "a.sqlite-journal") > 512);
         const std::string journal = bytesOf(folder / "a.sqlite-journal");
         fs::rename(path, folder / "moved.sqlite");
-        const auto refused = Store::open(path, Durability::each_answer);
-        REQUIRE_FALSE(refused);
-        CHECK(contains(refused.error().message, "a.sqlite-journal"));
+        const auto rejected = Store::open(path, Durability::each_answer);
+        REQUIRE_FALSE(rejected);
+        CHECK(contains(rejected.error().message, "a.sqlite-journal"));
         CHECK_FALSE(fs::exists(path));
         CHECK(bytesOf(folder / "a.sqlite-journal") == journal);
     }
 
     TEST_CASE("A pipe or device is no database") {
-        const auto refused = Store::open("/dev/zero", Durability::each_answer);
-        REQUIRE_FALSE(refused);
-        CHECK(contains(refused.error().message, "device"));
+        const auto rejected = Store::open("/dev/zero", Durability::each_answer);
+        REQUIRE_FALSE(rejected);
+        CHECK(contains(rejected.error().message, "device"));
     }
 }

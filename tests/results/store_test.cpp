@@ -27,11 +27,11 @@ using results::Store;
 namespace {
 
 /// Opens that must fail; gives the message.
-std::string refusalToOpen(const std::filesystem::path& path) {
+std::string rejectionToOpen(const std::filesystem::path& path) {
     const auto store = Store::open(path, Durability::each_answer, std::chrono::milliseconds(100));
     REQUIRE_FALSE(store.has_value());
     CHECK(store.error().where == path.string());
-    CHECK_FALSE(store.error().mend.empty());
+    CHECK_FALSE(store.error().hint.empty());
     return store.error().message;
 }
 
@@ -160,10 +160,10 @@ TEST_SUITE("results/store durability") {
         char byte = 0;
         CHECK(::read(ready[0], &byte, 1) == 1);
         ::close(ready[0]);
-        const auto refused = ParticipantLock::take(path, "P/01");
-        REQUIRE_FALSE(refused);
-        CHECK(refused.error().where == path.string());
-        CHECK(contains(refused.error().message, "participant P/01"));
+        const auto rejected = ParticipantLock::take(path, "P/01");
+        REQUIRE_FALSE(rejected);
+        CHECK(rejected.error().where == path.string());
+        CHECK(contains(rejected.error().message, "participant P/01"));
         CHECK(ParticipantLock::take(path, "P02").has_value());
         ::kill(child, SIGKILL);
         ::waitpid(child, nullptr, 0);
@@ -179,7 +179,7 @@ TEST_SUITE("results/store durability") {
         const auto path = folder / "a.sqlite";
         { const auto lock = ParticipantLock::take(path, "P01"); }
         CHECK(std::filesystem::is_empty(folder / ""));
-        std::atomic<int> holders{0}, most{0}, taken{0};
+        std::atomic<int> holders{0}, max{0}, taken{0};
         std::vector<std::thread> threads;
         for (int i = 0; i < 8; ++i)
             threads.emplace_back([&] {
@@ -187,12 +187,12 @@ TEST_SUITE("results/store durability") {
                     const auto lock = ParticipantLock::tryTake(path, "P01");
                     if (!lock || !*lock) continue;
                     ++taken;
-                    most = std::max(most.load(), ++holders);
+                    max = std::max(max.load(), ++holders);
                     --holders;
                 }
             });
         for (std::thread& thread : threads) thread.join();
-        CHECK(most == 1);
+        CHECK(max == 1);
         CHECK(taken > 0);
         CHECK(std::filesystem::is_empty(folder / ""));
     }
@@ -202,7 +202,7 @@ TEST_SUITE("results/store opening") {
     TEST_CASE("A file that is no database is refused and left as it was") {
         const fixtures::Folder folder;
         std::ofstream(folder / "notes.txt") << "Dear diary, this file is certainly longer than a header.";
-        CHECK(contains(refusalToOpen(folder / "notes.txt"), "not a SQLite database"));
+        CHECK(contains(rejectionToOpen(folder / "notes.txt"), "not a SQLite database"));
         CHECK(std::filesystem::file_size(folder / "notes.txt") == 56);
     }
 
@@ -210,7 +210,7 @@ TEST_SUITE("results/store opening") {
         const fixtures::Folder folder;
         SQLite::Database(folder / "b.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
             .exec("CREATE TABLE photos (id)");
-        CHECK(contains(refusalToOpen(folder / "b.sqlite"), "another program"));
+        CHECK(contains(rejectionToOpen(folder / "b.sqlite"), "another program"));
         SQLite::Database reader((folder / "b.sqlite").string());
         CHECK(reader.execAndGet("PRAGMA journal_mode").getString() == "delete");
         CHECK(reader.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 1);
@@ -220,7 +220,7 @@ TEST_SUITE("results/store opening") {
         const fixtures::Folder folder;
         { Store store = fixtures::open(folder / "a.sqlite"); }
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
-        const auto message = refusalToOpen(folder / "a.sqlite");
+        const auto message = rejectionToOpen(folder / "a.sqlite");
         CHECK(contains(message, "version 7"));
         CHECK(contains(message, "up to 6"));
     }
@@ -230,21 +230,21 @@ TEST_SUITE("results/store opening") {
         { Store store = fixtures::open(folder / "a.sqlite"); }
         SQLite::Database other((folder / "a.sqlite").string(), SQLite::OPEN_READWRITE);
         other.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE");
-        CHECK(contains(refusalToOpen(folder / "a.sqlite"), "locked by another program"));
+        CHECK(contains(rejectionToOpen(folder / "a.sqlite"), "locked by another program"));
     }
 
     TEST_CASE("A database held by a writing run is refused as locked") {
         const fixtures::Folder folder;
         const Store run = fixtures::open(folder / "a.sqlite", Durability::whole_run);
-        CHECK(contains(refusalToOpen(folder / "a.sqlite"), "locked by another program"));
+        CHECK(contains(rejectionToOpen(folder / "a.sqlite"), "locked by another program"));
     }
 
     TEST_CASE("Missing and unwritable folders, and folders in place of files, are refused") {
         const fixtures::Folder folder;
-        CHECK(contains(refusalToOpen(folder / "nowhere/a.sqlite"), "does not exist"));
-        CHECK(contains(refusalToOpen(folder / ""), "found a folder"));
+        CHECK(contains(rejectionToOpen(folder / "nowhere/a.sqlite"), "does not exist"));
+        CHECK(contains(rejectionToOpen(folder / ""), "found a folder"));
         // Not even root can make a file here.
-        CHECK(contains(refusalToOpen("/proc/a.sqlite"), "cannot be opened or created"));
+        CHECK(contains(rejectionToOpen("/proc/a.sqlite"), "cannot be opened or created"));
     }
 
     TEST_CASE("Read-only files and folders are refused") {
@@ -260,9 +260,9 @@ TEST_SUITE("results/store opening") {
             deixis::tests::tellSkipped("runs as root and cannot become another user");
             return;
         }
-        const auto read_only_file = refusalToOpen(folder / "a.sqlite");
+        const auto read_only_file = rejectionToOpen(folder / "a.sqlite");
         std::filesystem::permissions(folder / "", perms::owner_read | perms::owner_exec);
-        const auto read_only_folder = refusalToOpen(folder / "new.sqlite");
+        const auto read_only_folder = rejectionToOpen(folder / "new.sqlite");
         std::filesystem::permissions(folder / "", perms::owner_all);
         CHECK(::seteuid(user) == 0);
         CHECK(contains(read_only_file, "can be read but not written"));

@@ -31,11 +31,11 @@ TEST_SUITE("results/texts") {
         CHECK(contains(unreached.error().message, "no server was reached"));
         SQLite::Database(path.string(), SQLite::OPEN_READWRITE)
             .exec("UPDATE events SET detail = CAST(x'5AFC72696368' AS TEXT) WHERE kind = 'operator_note'");
-        const auto refused = results::pushDatabase(path, nowhere);
-        REQUIRE_FALSE(refused);
-        CHECK(refused.error().where == path.string());
-        CHECK(contains(refused.error().message, "table events, row with id 1: the column detail"));
-        CHECK(contains(refused.error().message, "Z\xEF\xBF\xBDrich"));
+        const auto rejected = results::pushDatabase(path, nowhere);
+        REQUIRE_FALSE(rejected);
+        CHECK(rejected.error().where == path.string());
+        CHECK(contains(rejected.error().message, "table events, row with id 1: the column detail"));
+        CHECK(contains(rejected.error().message, "Z\xEF\xBF\xBDrich"));
     }
 
 #else
@@ -67,8 +67,8 @@ TEST_SUITE("results/texts") {
             SQLite::Database(path.string()).execAndGet("SELECT station_details FROM sessions").getString() ==
             "driver \xEF\xBF\xBD"
             "7");
-        const auto refused = results::excludeParticipant(path, "P01", "Z\xFCrich");
-        REQUIRE_FALSE(refused);
-        CHECK(contains(refused.error().message, "UTF-8"));
+        const auto rejected = results::excludeParticipant(path, "P01", "Z\xFCrich");
+        REQUIRE_FALSE(rejected);
+        CHECK(contains(rejected.error().message, "UTF-8"));
     }
 }

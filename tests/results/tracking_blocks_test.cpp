@@ -113,7 +113,7 @@ TEST_SUITE("results/tracking blocks") {
     TEST_CASE("What is packed comes back to the stated precision, gaps, invalid poses and gaze included") {
         for (std::uint64_t seed = 1; seed <= 150; ++seed) {
             Random random(seed, "round trip");
-            const auto samples = randomSamples(random, 1 + random.below(results::most_frames_in_block));
+            const auto samples = randomSamples(random, 1 + random.below(results::max_frames_in_block));
             const auto back = unpackTracking(packTracking(samples));
             REQUIRE(back);
             REQUIRE(back->size() == samples.size());
@@ -145,7 +145,7 @@ TEST_SUITE("results/tracking blocks") {
     }
 
     TEST_CASE("No block holds none or too many frames, or one at no time") {
-        std::vector<TrackingSample> samples(results::most_frames_in_block + 1);
+        std::vector<TrackingSample> samples(results::max_frames_in_block + 1);
         CHECK_THROWS_AS(static_cast<void>(packTracking({})), std::invalid_argument);
         CHECK_THROWS_AS(static_cast<void>(packTracking(samples)), std::invalid_argument);
         samples.resize(1);
@@ -175,7 +175,7 @@ TEST_SUITE("results/tracking blocks") {
     TEST_CASE("Whatever was deflated, reading it gives frames or an error") {
         Random random(8, "fuzz");
         const std::string raw = inflated(packTracking(randomSamples(random, 20)));
-        int refused = 0;
+        int rejected = 0;
         for (int i = 0; i < 20'000; ++i) {
             std::string changed = raw;
             for (std::uint64_t n = random.below(6); n > 0; --n)
@@ -183,11 +183,11 @@ TEST_SUITE("results/tracking blocks") {
             if (random.below(4) == 0) changed.resize(random.below(changed.size() + 1));
             if (random.below(8) == 0) changed += static_cast<char>(random.below(256));
             const auto read = unpackTracking(deflated(changed));
-            if (!read) ++refused;
+            if (!read) ++rejected;
             if (changed == raw) CHECK(read.has_value());
         }
-        CHECK(refused > 5000);
-        CHECK(refused < 20'000);
+        CHECK(rejected > 5000);
+        CHECK(rejected < 20'000);
         // A small stream that grows too large, and numbers longer than 64 bits.
         CHECK_FALSE(unpackTracking(deflated(std::string(10'000'000, '\0'))));
         CHECK_FALSE(unpackTracking(deflated(std::string("\x01\x01") + std::string(600, '\xFF'))));

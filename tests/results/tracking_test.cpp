@@ -281,7 +281,7 @@ for row in db.execute("SELECT data FROM tracking_blocks ORDER BY session, first_
         CHECK_THROWS_AS(db.store.recordTracking(std::span(twice).first(1), {}), std::logic_error);
         db.store.endSession(studies::SessionOutcome::finished, 1.7e9 + 9.0);
         CHECK_THROWS_AS(db.store.recordTracking(std::span(twice).first(1), {}), std::logic_error);
-        // The next session counts anew.
+        // The next session counts again.
         db.store.beginSession(fixtures::session("P01", false));
         db.store.recordTracking(std::span(twice).first(1), {});
         CHECK(db.reader().execAndGet("SELECT count(*) FROM tracking_blocks").getInt() == 2);

@@ -132,8 +132,8 @@ TEST_SUITE("results/withdraw_broken_off") {
             bool half = false;
             {
                 const DyingVfs full([&](int now, const std::string& what) {
-                    const bool refused = now > static_cast<int>(i) && what == "write";
-                    return refused ? Deed::disk_full : Deed::go_on;
+                    const bool rejected = now > static_cast<int>(i) && what == "write";
+                    return rejected ? Deed::disk_full : Deed::go_on;
                 });
                 const auto done = results::withdrawParticipant(path, id, 1.75e9);
                 if (done) continue;

@@ -152,9 +152,9 @@ TEST_SUITE("results/withdraw") {
             Store store = fixtures::open(path);
             takePart(store, study, id, typed);
             store.endSession(SessionOutcome::quit, 1.7e9 + 600.0);
-            const auto refused = results::withdrawParticipant(path, id, 1.75e9);
-            REQUIRE_FALSE(refused);
-            CHECK(refused.error().message.find("locked by another program") != std::string::npos);
+            const auto rejected = results::withdrawParticipant(path, id, 1.75e9);
+            REQUIRE_FALSE(rejected);
+            CHECK(rejected.error().message.find("locked by another program") != std::string::npos);
             CHECK(store.participants() == std::vector<std::string>{id});
         }
         CHECK(results::listParticipants(path)->withdrawn == 0);

@@ -39,7 +39,7 @@ double byCosines_deg(const Vec3& eye, const Vec3& a, const Vec3& b) {
            3.14159265358979;
 }
 
-double leastAngle(const std::vector<double>& values) {
+double smallestAngle(const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
 }
 
@@ -116,9 +116,9 @@ TEST_SUITE("studies/angles") {
         for (const TargetItem& item : *targets) {
             const BallAngles angles =
                 ballAngles(study, *study.findLayout("across"), item.target, item.distractors.front());
-            near_avatar += leastAngle(angles.avatar_deg) < 3.0;
-            near_across += leastAngle(angles.headset_deg) < 3.0;
-            nearest = std::min(nearest, leastAngle(angles.avatar_deg));
+            near_avatar += smallestAngle(angles.avatar_deg) < 3.0;
+            near_across += smallestAngle(angles.headset_deg) < 3.0;
+            nearest = std::min(nearest, smallestAngle(angles.avatar_deg));
         }
         CHECK(near_avatar >= 3);
         CHECK(near_across >= 20);
@@ -156,16 +156,16 @@ TEST_SUITE("studies/angles") {
         const auto none = sampleTargets(study);
         REQUIRE_FALSE(none.has_value());
         CHECK(none.error().message.find("60 to 90 degrees as the avatar sees it") != std::string::npos);
-        CHECK(none.error().mend.find("its angles") != std::string::npos);
+        CHECK(none.error().hint.find("its angles") != std::string::npos);
     }
 
     TEST_CASE("What visibility has drawn anew is marked, and nothing is by the bare rule.") {
         Study study = shippedPointing();
         const auto targets = sampleTargets(study);
         REQUIRE(targets.has_value());
-        const auto marked = drawnAnew(study, *targets);
+        const auto marked = redrawn(study, *targets);
         REQUIRE(marked.has_value());
-        CHECK(std::count(marked->begin(), marked->end(), DrawnAnew::target) == 19);  // docs/design.md
+        CHECK(std::count(marked->begin(), marked->end(), Redrawn::target) == 19);  // docs/design.md
         // A target that keeps its place has other distractors exactly where one of them, or it, was hidden.
         study.targets.clear_view = false;
         const auto bare = sampleTargets(study);
@@ -173,12 +173,12 @@ TEST_SUITE("studies/angles") {
         for (std::size_t i = 0; i < bare->size(); ++i) {
             const bool target = (*bare)[i].target != (*targets)[i].target;
             const bool distractors = (*bare)[i].distractors != (*targets)[i].distractors;
-            CHECK((*marked)[i] == (target        ? DrawnAnew::target
-                                   : distractors ? DrawnAnew::distractors
-                                                 : DrawnAnew::nothing));
+            CHECK((*marked)[i] == (target        ? Redrawn::target
+                                   : distractors ? Redrawn::distractors
+                                                 : Redrawn::nothing));
         }
-        const auto unmarked = drawnAnew(study, *bare);
+        const auto unmarked = redrawn(study, *bare);
         REQUIRE(unmarked.has_value());
-        CHECK(std::count(unmarked->begin(), unmarked->end(), DrawnAnew::nothing) == 100);
+        CHECK(std::count(unmarked->begin(), unmarked->end(), Redrawn::nothing) == 100);
     }
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 #include "motion/synthesis/generator.hpp"
 #include "session_fixture.hpp"
 #include "simulated_run.hpp"
@@ -49,7 +49,7 @@ TEST_SUITE("studies/first_look") {
         const FirstLook look = firstLook(viewer, eyes_m, {{{0.0, 0.65, 1.0}, 0.05}});
         CHECK(look.yaw_rad == doctest::Approx(0.0));
         CHECK(look.pitch_rad == doctest::Approx(-std::atan(0.5)).epsilon(1e-3));
-        CHECK(look.verticalView_rad(16.0 / 9.0) == least_view_rad);
+        CHECK(look.verticalView_rad(16.0 / 9.0) == min_view_rad);
         // To the left, turned to the left.
         CHECK(firstLook(viewer, eyes_m, {{{-1.0, eyes_m, 2.0}, 0.05}}).yaw_rad ==
               doctest::Approx(pi / 4.0).epsilon(1e-3));
@@ -64,7 +64,7 @@ TEST_SUITE("studies/first_look") {
         // A tenth of the half free: tan = 1 / 0.9 across, by hand 2 atan(0.8333) = 79.61 degrees for 4:3.
         CHECK(degreesFromRadians(look.verticalView_rad(4.0 / 3.0)) == doctest::Approx(79.611).epsilon(1e-4));
         CHECK(degreesFromRadians(look.verticalView_rad(16.0 / 9.0)) == doctest::Approx(64.011).epsilon(1e-4));
-        CHECK(look.verticalView_rad(0.5) == greatest_view_rad);
+        CHECK(look.verticalView_rad(0.5) == max_view_rad);
     }
 
     TEST_CASE("The order of the balls changes nothing, so the look cannot tell which is the target.") {

@@ -47,14 +47,14 @@ TEST_SUITE("studies/groups") {
             const Groups groups = assignGroups(study, filled, number);
             REQUIRE(groups.size() == 2);
             ++filled[groups];
-            int most = 0;
-            int fewest = number;
+            int max = 0;
+            int min = number;
             for (const auto& cell : filled) {
-                most = std::max(most, cell.second);
-                fewest = std::min(fewest, cell.second);
+                max = std::max(max, cell.second);
+                min = std::min(min, cell.second);
             }
-            if (filled.size() < 6) fewest = 0;
-            CHECK(most - fewest <= 1);
+            if (filled.size() < 6) min = 0;
+            CHECK(max - min <= 1);
         }
         CHECK(filled.size() == 6);
         for (const auto& cell : filled) CHECK(cell.second == 100);

@@ -127,12 +127,12 @@ TEST_SUITE("studies/language") {
             REQUIRE_FALSE(table.has_value());
             CHECK(contains(table.error().where, ": continue"));
             CHECK(contains(table.error().message, script));
-            CHECK(contains(table.error().mend, "left to right"));
+            CHECK(contains(table.error().hint, "left to right"));
         }
         const auto chinese = loadWith("continue", "continue = \"继续\"");
         REQUIRE_FALSE(chinese.has_value());
         CHECK(contains(chinese.error().message, "'继' (U+7EE7)"));
-        CHECK(contains(chinese.error().mend, "Hangul"));
+        CHECK(contains(chinese.error().hint, "Hangul"));
         for (const std::string text : {"Συνέχεια", "Продолжить", "계속", "Fortsätt – «später» …"})
             CHECK(loadWith("continue", "continue = \"" + text + "\"").has_value());
     }
@@ -191,7 +191,7 @@ TEST_SUITE("studies/language") {
         CHECK(contains(unknown.error().where, ":" + std::to_string(lineOf("confirm")) + ": confrim"));
         CHECK(contains(unknown.error().message, "unknown key"));
         CHECK(contains(unknown.error().message, "also confirm: this key is missing"));
-        CHECK(contains(unknown.error().mend, "confirm"));
+        CHECK(contains(unknown.error().hint, "confirm"));
 
         const auto empty = loadWith("left", "left = \" \"");
         REQUIRE_FALSE(empty.has_value());

@@ -43,17 +43,17 @@ class RandomTexts {
         }
     }
 
-    std::string operator()(int least_words, int most_words) {
+    std::string operator()(int min_words, int max_words) {
         std::string text;
-        const int count = between(least_words, most_words);
+        const int count = between(min_words, max_words);
         for (int i = 0; i < count; ++i) {
             if (i > 0) text += random_.below(20) == 0 ? "\n\n" : " ";
             text += words_[random_.below(words_.size())];
         }
         return text;
     }
-    int between(int least, int most) {
-        return least + static_cast<int>(random_.below(static_cast<std::uint64_t>(most - least + 1)));
+    int between(int min, int max) {
+        return min + static_cast<int>(random_.below(static_cast<std::uint64_t>(max - min + 1)));
     }
     bool flip() { return random_.below(2) == 0; }
 
@@ -84,7 +84,7 @@ inline void checkLines(const std::string& text, double size_m, bool bold, const 
 
 /// Everything inside the panel and its margin, nothing on top of anything else, nothing too small to be read
 /// or hit, and room for every text.
-inline void checkTidy(const Panel& panel, double least_button_m) {
+inline void checkTidy(const Panel& panel, double min_button_m) {
     std::vector<PanelRect> boxes;
     for (const PanelText& text : panel.texts) {
         boxes.push_back(text.box);
@@ -93,8 +93,8 @@ inline void checkTidy(const Panel& panel, double least_button_m) {
     }
     for (const PanelButton& button : panel.buttons) {
         boxes.push_back(button.box);
-        CHECK(button.box.width >= least_button_m - 1e-9);
-        CHECK(button.box.height >= least_button_m - 1e-9);
+        CHECK(button.box.width >= min_button_m - 1e-9);
+        CHECK(button.box.height >= min_button_m - 1e-9);
         // The label on one line, at no less than 0.7 of its size.
         CHECK(textWidth(button.label, 0.7 * 0.05, true) <= button.box.width - 0.02);
     }

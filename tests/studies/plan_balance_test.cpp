@@ -22,15 +22,15 @@ constexpr int participants = 1000;
 
 using Counts = std::map<std::string, int>;
 
-/// The greatest count less the smallest, of `levels` levels of which some may not have been met.
+/// The largest count less the smallest, of `levels` levels of which some may not have been met.
 int spread(const Counts& counts, std::size_t levels) {
-    int least = counts.size() < levels ? 0 : counts.begin()->second;
-    int most = 0;
+    int min = counts.size() < levels ? 0 : counts.begin()->second;
+    int max = 0;
     for (const auto& entry : counts) {
-        least = std::min(least, entry.second);
-        most = std::max(most, entry.second);
+        min = std::min(min, entry.second);
+        max = std::max(max, entry.second);
     }
-    return most - least;
+    return max - min;
 }
 
 /// Whether a set of trials, each an item and a system, can be put into an order under the limits: by trying
@@ -135,7 +135,7 @@ TEST_SUITE("studies/plan_balance") {
         Study study = studyOf({"a", "b", "c", "d"});
         study.stages = {trials(study, "game", StageKind::game, 8)};
         TrialDesign& design = study.stages[0].design;
-        design.system_meets = Meeting::nested;
+        design.system_meets = Crossing::nested;
         design.distances = {"near", "far"};
         const std::vector<TargetItem> targets = targetsFor(study, 40);
         for (const int items : {8, 12, 16, 24}) {
@@ -164,8 +164,8 @@ TEST_SUITE("studies/plan_balance") {
         Study study = studyOf({"a", "b"});
         study.stages = {trials(study, "game", StageKind::game, 3)};
         study.stages[0].design.distances = {"near", "far"};
-        study.stages[0].design.layout_meets = Meeting::crossed;
-        study.stages[0].design.distance_meets = Meeting::crossed;
+        study.stages[0].design.layout_meets = Crossing::crossed;
+        study.stages[0].design.distance_meets = Crossing::crossed;
         Counts met;
         for (const Trial& trial : planOf(study, targetsFor(study, 10), 1).trials)
             ++met[trial.stimuli[0].item + trial.stimuli[0].system + trial.layout + trial.distance];
@@ -185,7 +185,7 @@ TEST_SUITE("studies/plan_balance") {
         std::map<Groups, std::set<std::string>> first_block;  // by cell: the systems that began
         GroupSizes sizes;
         for (int number = 1; number <= rows * cells; ++number) {
-            const Turn turn = turnOf(study, number);
+            const Assignment turn = assignmentOf(study, number);
             CHECK(turn.groups == assignGroups(study, sizes, number));
             CHECK(turn.number_in_cell == ++sizes[turn.groups]);
             const Result<StudyPlan> plan =
@@ -197,8 +197,8 @@ TEST_SUITE("studies/plan_balance") {
         CHECK(first_block.size() == cells);
         for (const auto& cell : first_block) CHECK(cell.second.size() == rows);
         const Groups asked{{"training", "none"}, {"hand", "left"}};
-        CHECK(turnOf(study, 1, asked).number_in_cell == 1);
-        CHECK(turnOf(study, 17, asked).number_in_cell == 5);
+        CHECK(assignmentOf(study, 1, asked).number_in_cell == 1);
+        CHECK(assignmentOf(study, 17, asked).number_in_cell == 5);
     }
 
     TEST_CASE("Blocks by a Williams square: every place and every succession equally often, over 1,000.") {
@@ -266,7 +266,7 @@ TEST_SUITE("studies/plan_balance") {
     TEST_CASE("Where an item meets one pair only, the pairs share the items out.") {
         Study study = studyOf({"a", "b", "c"});
         study.stages = {trials(study, "pairs", StageKind::pairwise, 12)};
-        study.stages[0].design.system_meets = Meeting::nested;
+        study.stages[0].design.system_meets = Crossing::nested;
         for (int number = 1; number <= 100; ++number) {
             const StudyPlan plan = planOf(study, targetsFor(study, 20), number);
             CHECK(plan.trials.size() == 12);

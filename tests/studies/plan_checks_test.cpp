@@ -158,7 +158,7 @@ TEST_SUITE("studies/plan_checks") {
             }
             CHECK(wrong == 0);
             CHECK(static_cast<int>(places.size()) > plain / 2);
-            // Of 600: the stimuli of a pair or page and the balls are shuffled anew.
+            // Of 600: the stimuli of a pair or page and the balls are shuffled again.
             if (kind == StageKind::rating) CHECK(shown_otherwise == 0);
             if (kind == StageKind::pairwise) CHECK(std::abs(shown_otherwise - 300) < 49);
             if (kind == StageKind::parallel_rating || kind == StageKind::game)
@@ -188,19 +188,19 @@ TEST_SUITE("studies/plan_checks") {
     TEST_CASE("Checks that a stage has no room or no use for are refused.") {
         Study study = studyOf({"a"});
         study.stages = {trials(study, "rating", StageKind::rating, 1)};
-        const auto refused = [&](CheckKind kind) {
+        const auto rejected = [&](CheckKind kind) {
             study.stages[0].checks = {check(kind, 1)};
             const Result<StudyPlan> plan = buildPlan(study, targetsFor(study, 5), "P1", 1, {});
             return plan ? std::string() : plan.error().text();
         };
-        CHECK(refused(CheckKind::number).empty());
-        CHECK(refused(CheckKind::repeat).find("stages.rating.checks.count: found no room for 1 repeats") ==
+        CHECK(rejected(CheckKind::number).empty());
+        CHECK(rejected(CheckKind::repeat).find("stages.rating.checks.count: found no room for 1 repeats") ==
               0);
-        CHECK(refused(CheckKind::catch_trial).find("stages.rating.checks.kind: found \"catch\"") == 0);
+        CHECK(rejected(CheckKind::catch_trial).find("stages.rating.checks.kind: found \"catch\"") == 0);
         study.stages = {trials(study, "game", StageKind::game, 2)};
-        CHECK(refused(CheckKind::catch_trial).empty());
-        CHECK(refused(CheckKind::number).find("stages.game.checks.kind: found \"number\"") == 0);
+        CHECK(rejected(CheckKind::catch_trial).empty());
+        CHECK(rejected(CheckKind::number).find("stages.game.checks.kind: found \"number\"") == 0);
         study.distances.pop_back();
-        CHECK(refused(CheckKind::catch_trial).find("stages.game.checks.distance: found \"far\"") == 0);
+        CHECK(rejected(CheckKind::catch_trial).find("stages.game.checks.distance: found \"far\"") == 0);
     }
 }

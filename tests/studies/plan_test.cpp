@@ -380,31 +380,31 @@ TEST_SUITE("studies/plan") {
     }
 
     TEST_CASE("A design that lacks what its trials are made of is refused by key.") {
-        const auto refused = [](const auto& spoil) {
+        const auto rejected = [](const auto& spoil) {
             Study study = pointing();
             study.stages = {study.stages[5]};
             spoil(study.stages[0]);
             return errorOf(study, 40);
         };
-        CHECK(refused([](Stage&) {}).empty());
-        CHECK(refused([](Stage& stage) { stage.design.systems.clear(); }).find("stages.game.systems") == 0);
-        CHECK(refused([](Stage& stage) { stage.design.systems = {"x"}; }).find("stages.game.systems") == 0);
-        CHECK(refused([](Stage& stage) { stage.design.layouts.clear(); }).find("stages.game.layouts") == 0);
-        CHECK(refused([](Stage& stage) { stage.design.layouts = {"x"}; }).find("stages.game.layouts") == 0);
-        CHECK(refused([](Stage& stage) { stage.design.distances.clear(); }).find("stages.game.distances") ==
+        CHECK(rejected([](Stage&) {}).empty());
+        CHECK(rejected([](Stage& stage) { stage.design.systems.clear(); }).find("stages.game.systems") == 0);
+        CHECK(rejected([](Stage& stage) { stage.design.systems = {"x"}; }).find("stages.game.systems") == 0);
+        CHECK(rejected([](Stage& stage) { stage.design.layouts.clear(); }).find("stages.game.layouts") == 0);
+        CHECK(rejected([](Stage& stage) { stage.design.layouts = {"x"}; }).find("stages.game.layouts") == 0);
+        CHECK(rejected([](Stage& stage) { stage.design.distances.clear(); }).find("stages.game.distances") ==
               0);
-        CHECK(refused([](Stage& stage) { stage.design.distances = {"x"}; }).find("stages.game.distances") ==
+        CHECK(rejected([](Stage& stage) { stage.design.distances = {"x"}; }).find("stages.game.distances") ==
               0);
-        CHECK(refused([](Stage& stage) { stage.design.items = 0; }).find("stages.game.items") == 0);
-        CHECK(refused([](Stage& stage) {
+        CHECK(rejected([](Stage& stage) { stage.design.items = 0; }).find("stages.game.items") == 0);
+        CHECK(rejected([](Stage& stage) {
                   stage.kind = StageKind::pairwise;
                   stage.design.systems = {"direct"};
               }).find("stages.game.systems: found 1, expected at least 2") == 0);
-        CHECK(refused([](Stage& stage) {
+        CHECK(rejected([](Stage& stage) {
                   stage.kind = StageKind::parallel_rating;
-                  stage.design.system_meets = Meeting::nested;
+                  stage.design.system_meets = Crossing::nested;
               }).find("stages.game.system_meets") == 0);
-        CHECK(refused([](Stage& stage) {
+        CHECK(rejected([](Stage& stage) {
                   stage.practice = Practice{};
                   stage.practice->of = "nothing";
               }).find("stages.game.of: found \"nothing\"") == 0);

@@ -73,7 +73,7 @@ TEST_SUITE("studies/session_boards") {
         }
         for (const State trial :
              {State::waiting, State::playing, State::rating, State::rated, State::choosing, State::chosen,
-              State::confidence, State::listening, State::comparing}) {
+              State::confidence, State::watching, State::comparing}) {
             CAPTURE(presentedStateName(trial));
             REQUIRE(seen.count(trial) == 1);
             CHECK(seen[trial]);

@@ -140,9 +140,9 @@ TEST_SUITE("studies/session_checks") {
     }
 
     TEST_CASE("a repeated rating passes near its first, also when that was given in an earlier sitting") {
-        for (const bool sittings : {false, true})
+        for (const bool visits : {false, true})
             for (const int again : {1, 3, 4, 5}) {
-                CAPTURE(sittings);
+                CAPTURE(visits);
                 CAPTURE(again);
                 Stage stage = ratingStage();
                 stage.checks = {checksOf(CheckKind::repeat, CheckRule::note, 1, 1.0)};
@@ -153,7 +153,7 @@ TEST_SUITE("studies/session_checks") {
                 driver.start();
                 rate(driver, 4);
                 rate(driver, 1);
-                if (sittings) driver.restart();
+                if (visits) driver.restart();
                 rate(driver, again);
                 CHECK(driver.responses.back().check_passed == (again >= 3));
             }

@@ -122,8 +122,8 @@ struct Driver {
     std::vector<Exclusion> exclusions;
     std::vector<Note> notes;
     std::vector<SessionEvent> all_events;
-    Resume left;                        ///< what a further sitting goes on from
-    std::size_t most_events = 1000000;  ///< what comes after these is lost, as by a kill
+    Resume left;                       ///< what a further session goes on from
+    std::size_t max_events = 1000000;  ///< what comes after these is lost, as by a kill
 
     [[nodiscard]] Stage& stage(const std::string& name) {
         for (Stage& one : study.stages)
@@ -138,7 +138,7 @@ struct Driver {
         for (const int index : answered) left.answered[index] = true;
         session.emplace(study, plan, clips, avatar, idle, left, keyboard);
     }
-    /// Another sitting, from what this one left.
+    /// Another session, from what this one left.
     void restart() {
         frame = {};
         start();
@@ -156,7 +156,7 @@ struct Driver {
 
     void keep(const std::vector<SessionEvent>& events) {
         for (const SessionEvent& event : events) {
-            if (all_events.size() >= most_events) return;
+            if (all_events.size() >= max_events) return;
             all_events.push_back(event);
             if (const auto* response = std::get_if<Response>(&event)) keep(*response);
             if (const auto* note = std::get_if<Note>(&event)) {

@@ -17,7 +17,7 @@ InputFrame withNote(NoteKind kind, const char* detail, double time_s) {
     return input;
 }
 
-std::vector<std::string> course(const Driver& driver, const std::set<NoteKind>& kinds) {
+std::vector<std::string> pages_read(const Driver& driver, const std::set<NoteKind>& kinds) {
     std::vector<std::string> lines;
     for (const Note& note : driver.notes)
         if (kinds.count(note.kind) > 0)
@@ -94,7 +94,7 @@ TEST_SUITE("studies/session_guards") {
         const std::set<NoteKind> kinds{NoteKind::off_place, NoteKind::back_on_place};
         const std::vector<std::string> marked{"off_place 0.35 m in 0", "off_place 0.46 m in 0",
                                               "back_on_place in 0"};
-        CHECK(course(driver, kinds) == marked);
+        CHECK(pages_read(driver, kinds) == marked);
 
         // Off from one trial into the next: each is marked.
         driver.place_offset_m = 0.5;
@@ -108,7 +108,7 @@ TEST_SUITE("studies/session_guards") {
         const std::vector<std::string> both{"off_place 0.35 m in 0", "off_place 0.46 m in 0",
                                             "back_on_place in 0", "off_place 0.50 m in 1",
                                             "back_on_place in 1"};
-        CHECK(course(driver, kinds) == both);
+        CHECK(pages_read(driver, kinds) == both);
     }
 
     TEST_CASE("a paused session marks no trial for a participant who has walked away") {

@@ -321,7 +321,7 @@ TEST_SUITE("studies/session_interruption") {
                     open_since_s.reset();
                 else if (was_shown && !open_since_s)
                     open_since_s = driver.time_s + driver.display_delay_s;
-                if (driver.hasQuit()) {  // on the pause page: the rest in another sitting
+                if (driver.hasQuit()) {  // on the pause page: the rest in another session
                     driver.frame = {};
                     open_since_s.reset();
                     driver.start(answered);

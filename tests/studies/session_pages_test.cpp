@@ -100,7 +100,7 @@ TEST_SUITE("studies/session_pages") {
         driver.add("questions", 0, {});
         driver.add("consent", 0, {});
         driver.add("rating", 0, {"one"});
-        driver.left.answered[0] = true;  // the questionnaire, in an earlier sitting
+        driver.left.answered[0] = true;  // the questionnaire, in an earlier visit
         driver.start();
         const auto says = [&](const char* text) {
             return driver.frame.panel && textOf(*driver.frame.panel).find(text) != std::string::npos;

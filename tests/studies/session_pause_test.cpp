@@ -188,7 +188,7 @@ TEST_SUITE("studies/session_pause") {
             driver.frame_time_s = 1.0 / random.uniform(15.0, 90.0);
             std::set<int> answered;
             bool finished = false;
-            for (int sittings = 0; sittings < 500 && !finished; ++sittings) {
+            for (int visits = 0; visits < 500 && !finished; ++visits) {
                 driver.restart();
                 for (int i = 0; i < 100000 && !driver.finished() && !driver.hasQuit(); ++i) {
                     const bool was_open = answersOpen(driver.frame);

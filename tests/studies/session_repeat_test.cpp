@@ -159,7 +159,7 @@ TEST_SUITE("studies/session_repeat") {
         driver.press(button_id::first_play);
         REQUIRE(driver.waitUntil([&] { return driver.shownClips() == 1; }));
         driver.interrupt();
-        CHECK(driver.frame.state == PresentedState::listening);
+        CHECK(driver.frame.state == PresentedState::watching);
         driver.wait(3.0);
         CHECK(driver.shownClips() == 1);
         CHECK(hasButton(driver.frame, button_id::first_play));

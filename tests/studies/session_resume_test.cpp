@@ -1,4 +1,4 @@
-// Sittings that break off and go on, and what the operator does to a session under way.
+// Sessions that break off and go on, and what the operator does to a session under way.
 #include <doctest/doctest.h>
 
 #include "core/random.hpp"
@@ -9,7 +9,7 @@ using namespace deixis::tests;
 
 namespace {
 
-/// A study with every kind of stage, in one sitting.
+/// A study with every kind of stage, in one session.
 struct Everything : Driver {
     Everything() : Driver(stages(), 0.2) {
         study.inter_trial_s = 0.5;
@@ -48,11 +48,11 @@ struct Everything : Driver {
     }
 };
 
-std::string courseOf(const Driver& driver) {
-    std::string course;
+std::string pagesRead(const Driver& driver) {
+    std::string pages_read;
     for (const Note& note : driver.notes)
-        if (note.kind == NoteKind::instructions_read) course += note.detail + " ";
-    return course;
+        if (note.kind == NoteKind::instructions_read) pages_read += note.detail + " ";
+    return pages_read;
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ TEST_SUITE("studies/session_resume") {
         REQUIRE(carryOnUntil(driver, [&] { return !driver.running(); }));
         CHECK(driver.finished());
         CHECK(trialsOf(driver.responses) == std::vector<int>{0, 1, 2, 5, 6, 7, 8, 9});
-        CHECK(courseOf(driver) == "welcome how thanks ");
+        CHECK(pagesRead(driver) == "welcome how thanks ");
         CHECK(driver.count(NoteKind::break_end) == 2);
     }
 
@@ -102,16 +102,16 @@ TEST_SUITE("studies/session_resume") {
         for (std::size_t killed = 0; killed == 0 || killed < events; ++killed) {
             CAPTURE(killed);
             Everything driver;
-            if (killed > 0) driver.most_events = killed;
+            if (killed > 0) driver.max_events = killed;
             driver.start();
             REQUIRE(carryOnUntil(
-                driver, [&] { return !driver.running() || driver.all_events.size() >= driver.most_events; }));
+                driver, [&] { return !driver.running() || driver.all_events.size() >= driver.max_events; }));
             if (killed == 0) {
                 events = driver.all_events.size();
                 CHECK(driver.finished());
                 continue;
             }
-            driver.most_events = 100000;
+            driver.max_events = 100000;
             const std::set<int> begun = driver.left.begun;
             const std::map<int, bool> before = driver.left.answered;
             const std::vector<int> left = trialsLeft(driver.study, driver.plan, before);
@@ -131,9 +131,9 @@ TEST_SUITE("studies/session_resume") {
                     if (before.count(response.trial_index) == 0)
                         CHECK(response.begun_before == (begun.count(response.trial_index) > 0));
             // Pages that led to what had begun do not come again; those to what had not, do.
-            const bool welcome = courseOf(driver).find("welcome ") != std::string::npos;
+            const bool welcome = pagesRead(driver).find("welcome ") != std::string::npos;
             CHECK(welcome == before.empty());
-            CHECK((courseOf(driver).find("welcome-back") != std::string::npos) ==
+            CHECK((pagesRead(driver).find("welcome-back") != std::string::npos) ==
                   (!before.empty() && !left.empty()));
         }
         CHECK(events > 40);
@@ -201,9 +201,9 @@ TEST_SUITE("studies/session_resume") {
                 driver.left.gap_s = long_ago ? 101.0 : 100.0;
                 driver.start(practised ? std::set<int>{0, 1, 2} : std::set<int>{0});
                 REQUIRE(driver.toAnswer());
-                CHECK(courseOf(driver) == (!practised ? "welcome-back how "
-                                           : long_ago ? "welcome-back how now "
-                                                      : "welcome-back "));
+                CHECK(pagesRead(driver) == (!practised ? "welcome-back how "
+                                            : long_ago ? "welcome-back how now "
+                                                       : "welcome-back "));
             }
     }
 

@@ -160,7 +160,7 @@ inline void carryOn(Driver& driver) {
     }
     if (frame.state == PresentedState::consent) {
         driver.press(button_id::agree);
-    } else if (frame.state == PresentedState::listening || frame.state == PresentedState::comparing) {
+    } else if (frame.state == PresentedState::watching || frame.state == PresentedState::comparing) {
         const std::string again = driver.study.words("play_again");
         for (const PanelButton& button : frame.panel->buttons)
             if (button.role == ButtonRole::play && button.enabled && button.caption != again &&

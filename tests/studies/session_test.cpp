@@ -32,11 +32,11 @@ TEST_SUITE("studies/session") {
         for (const Response& response : driver.responses) asked.push_back(response.trial_index);
         CHECK(asked == expected);
 
-        std::vector<std::string> course;
+        std::vector<std::string> pages_read;
         for (const Note& note : driver.notes)
             if (note.kind != NoteKind::stimulus_onset && note.kind != NoteKind::motion_end)
-                course.push_back(std::string(noteKindName(note.kind)) +
-                                 (note.detail.empty() ? "" : ": " + note.detail));
+                pages_read.push_back(std::string(noteKindName(note.kind)) +
+                                     (note.detail.empty() ? "" : ": " + note.detail));
         // Rating has a break after two of its four trials, the game none.
         const std::vector<std::string> wanted{"session_start",
                                               "stage_start: welcome",
@@ -58,7 +58,7 @@ TEST_SUITE("studies/session") {
                                               "stage_start: goodbye",
                                               "instructions_read: goodbye",
                                               "finished"};
-        CHECK(joined(course) == joined(wanted));
+        CHECK(joined(pages_read) == joined(wanted));
         CHECK(driver.count(NoteKind::stimulus_onset) == 10);
         CHECK(driver.count(NoteKind::motion_end) == 10);
         CHECK(driver.practised.size() == 2);
@@ -215,7 +215,7 @@ TEST_SUITE("studies/session") {
         Driver driver(2, 1.0, false);
         driver.start();
         std::vector<Pose> before;
-        double most_m = 0.0;
+        double max_m = 0.0;
         int answers = 0;
         while (!driver.finished()) {
             if (answersOpen(driver.frame))
@@ -229,13 +229,13 @@ TEST_SUITE("studies/session") {
             }
             if (!before.empty())
                 for (std::size_t j = 0; j < before.size(); ++j)
-                    most_m = std::max(
-                        most_m, glm::length(driver.frame.avatar_joints[j].position - before[j].position));
+                    max_m = std::max(
+                        max_m, glm::length(driver.frame.avatar_joints[j].position - before[j].position));
             before = driver.frame.avatar_joints;
         }
         CHECK(driver.responses.size() == 8);
-        CHECK(most_m > 0.01);
-        CHECK(most_m < 0.09);
+        CHECK(max_m > 0.01);
+        CHECK(max_m < 0.09);
         const auto idle = motion::worldPose(driver.avatar, driver.idle);
         for (std::size_t j = 0; j < idle.size(); ++j)
             CHECK(glm::length(driver.frame.avatar_joints[j].position - idle[j].position) < 1e-9);

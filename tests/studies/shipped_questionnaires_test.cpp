@@ -246,12 +246,12 @@ TEST_SUITE("studies/shipped_questionnaires") {
         checkScore(ipq, "involvement", answers, 2.5);          // (2 + 4 + (6 - 5) + 3) / 4
         checkScore(ipq, "experienced_realism", answers, 2.5);  // ((6 - 1) + 3 + 2 + 0) / 4
 
-        // The greatest presence that can be told: the upper end of all but the three.
-        Answers most = all(ipq, 6);
-        for (const char* id : {"sp2", "inv3", "real1"}) most[id] = 0;
+        // The largest presence that can be told: the upper end of all but the three.
+        Answers max = all(ipq, 6);
+        for (const char* id : {"sp2", "inv3", "real1"}) max[id] = 0;
         for (const char* name :
              {"general_presence", "spatial_presence", "involvement", "experienced_realism"}) {
-            checkScore(ipq, name, most, 6.0);
+            checkScore(ipq, name, max, 6.0);
         }
     }
 

@@ -301,7 +301,7 @@ TEST_SUITE("studies/shipped_studies") {
         const Study study = shipped("distractor-distance");
         const Stage& game = stage(study, "game");
         CHECK(game.kind == StageKind::game);
-        CHECK(game.design.distance_meets == Meeting::crossed);
+        CHECK(game.design.distance_meets == Crossing::crossed);
         REQUIRE(game.design.distances.size() == 3);
         const std::array<Range, 3> bands{{{0.1, 0.2}, {0.2, 0.4}, {0.4, 0.8}}};
         for (std::size_t i = 0; i < 3; ++i) {

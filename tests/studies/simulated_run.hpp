@@ -115,7 +115,7 @@ struct Outcome {
     }
 };
 
-/// One sitting. `disturb` may change what the station tells, such as a pause.
+/// One session. `disturb` may change what the station tells, such as a pause.
 inline void sit(const Prepared& prepared, const StudyPlan& plan, SimulatedStation& station, bool keyboard,
                 Resume resume, Outcome& outcome, const std::function<void(InputFrame&)>& disturb = {}) {
     SessionRunner session(prepared.stood, plan, prepared.clips, prepared.avatar, prepared.idle,
@@ -147,13 +147,13 @@ inline void sit(const Prepared& prepared, const StudyPlan& plan, SimulatedStatio
     outcome.session = session.outcome();
 }
 
-/// All sittings, one after the other.
+/// All sessions, one after the other.
 inline Outcome simulate(const Prepared& prepared, const StudyPlan& plan, std::uint64_t seed,
                         const SimulatedParameters& parameters = {}, bool keyboard = true) {
     SimulatedStation station(parameters, prepared.avatar, seed, keyboard);
     Outcome outcome;
     Resume resume;
-    for (int sitting = 0; sitting < 5; ++sitting) {
+    for (int visit = 0; visit < 5; ++visit) {
         sit(prepared, plan, station, keyboard, resume, outcome);
         for (const Response& response : outcome.responses)
             resume.answered[response.trial_index] = response.correct() || response.chosenPlace() < 0;

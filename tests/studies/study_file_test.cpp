@@ -75,7 +75,7 @@ TEST_SUITE("studies/study_file") {
         CHECK(rating.design.layouts == std::vector<std::string>{"across"});
         const Stage& game = stageOf(study, "game");
         CHECK(game.design.layouts == std::vector<std::string>{"across", "side-by-side"});
-        CHECK(game.design.layout_meets == Meeting::nested);
+        CHECK(game.design.layout_meets == Crossing::nested);
         REQUIRE(game.design.distances == std::vector<std::string>{"near"});
         const DistanceBand* band = study.findDistance("near");
         REQUIRE(band != nullptr);
@@ -156,8 +156,8 @@ TEST_SUITE("studies/study_file") {
         CHECK(study.systems[0].levels.empty());
         const Stage& rating = stageOf(study, "naturalness");
         CHECK(rating.design.systems == std::vector<std::string>{"ours", "theirs"});
-        CHECK(rating.design.system_meets == Meeting::crossed);
-        CHECK(rating.design.layout_meets == Meeting::nested);
+        CHECK(rating.design.system_meets == Crossing::crossed);
+        CHECK(rating.design.layout_meets == Crossing::nested);
         CHECK(rating.design.block_by.empty());
         CHECK(rating.design.max_run_of_system == 0);
         CHECK_FALSE(rating.design.no_target_twice_running);
@@ -171,7 +171,7 @@ TEST_SUITE("studies/study_file") {
         CHECK(rating.checks.empty());
         const Stage& game = stageOf(study, "game");
         CHECK(game.measure.empty());
-        CHECK(game.design.distance_meets == Meeting::nested);
+        CHECK(game.design.distance_meets == Crossing::nested);
         CHECK_FALSE(game.feedback);
         CHECK(game.time_limit_s == 0.0);
         CHECK_FALSE(game.confidence.has_value());
@@ -262,7 +262,7 @@ TEST_SUITE("studies/study_file") {
         const Stage& rate = stageOf(study, "rate");
         CHECK(rate.when == std::map<std::string, std::string>{{"group", "seen"}});
         CHECK(rate.design.systems == std::vector<std::string>{"short", "long"});
-        CHECK(rate.design.system_meets == Meeting::nested);
+        CHECK(rate.design.system_meets == Crossing::nested);
         CHECK(rate.design.block_by == "system");
         CHECK(rate.design.block_order == BlockOrder::williams);
         CHECK(rate.design.no_target_twice_running);
@@ -281,7 +281,7 @@ TEST_SUITE("studies/study_file") {
         CHECK(rate.checks[1].rule == CheckRule::note);
         const Stage& side = stageOf(study, "side");
         CHECK(side.kind == StageKind::parallel_rating);
-        CHECK(side.design.layout_meets == Meeting::crossed);
+        CHECK(side.design.layout_meets == Crossing::crossed);
         CHECK(side.scale.steps() == 5);
         const Stage& pairs = stageOf(study, "pairs");
         REQUIRE(pairs.reasons.has_value());
@@ -292,7 +292,7 @@ TEST_SUITE("studies/study_file") {
         const Stage& play = stageOf(study, "play");
         CHECK(play.session == 2);
         CHECK(play.design.distances == std::vector<std::string>{"near", "far"});
-        CHECK(play.design.distance_meets == Meeting::crossed);
+        CHECK(play.design.distance_meets == Crossing::crossed);
         CHECK(play.design.max_run_of_system == 3);
         CHECK(play.break_every == 8);
         CHECK(play.break_text == "A page.");

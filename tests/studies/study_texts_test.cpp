@@ -87,7 +87,7 @@ TEST_SUITE("studies/study_texts") {
         const std::vector<Error> errors = problemsOf(folder.write(text));
         REQUIRE_MESSAGE(errors.size() == 2, allText(errors));
         CHECK(errors[0].where.find("study.languages") != std::string::npos);
-        CHECK(errors[0].mend.find("[words.fr]") != std::string::npos);
+        CHECK(errors[0].hint.find("[words.fr]") != std::string::npos);
         CHECK(errors[1].where.find("stages.file") != std::string::npos);
         CHECK(errors[1].message.find("has no texts in \"fr\", only in de, en, sv") != std::string::npos);
 
@@ -138,7 +138,7 @@ TEST_SUITE("studies/study_texts") {
                                                           "[study]\nlanguages = [\"fr\"]\n")),
                                     shipped_folders);
         REQUIRE_FALSE(none.has_value());
-        CHECK(none.error().front().mend.find("[words.fr]") != std::string::npos);
+        CHECK(none.error().front().hint.find("[words.fr]") != std::string::npos);
     }
 
     TEST_CASE(

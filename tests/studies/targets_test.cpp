@@ -49,13 +49,13 @@ bool within(double value, const Range& range, double slack) {
 double uniformDistance(std::vector<double> values, const Range& range) {
     std::sort(values.begin(), values.end());
     const double n = static_cast<double>(values.size());
-    double most = 0.0;
+    double max = 0.0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double expected = (values[i] - range.low) / (range.high - range.low);
-        most = std::max({most, std::abs(expected - static_cast<double>(i) / n),
-                         std::abs(expected - static_cast<double>(i + 1) / n)});
+        max = std::max({max, std::abs(expected - static_cast<double>(i) / n),
+                        std::abs(expected - static_cast<double>(i + 1) / n)});
     }
-    return most;
+    return max;
 }
 
 }  // namespace
@@ -253,26 +253,26 @@ TEST_SUITE("studies/targets") {
     }
 
     TEST_CASE("Ranges that are upside down or empty of sense are refused.") {
-        const auto refused = [](const TargetSpace& space, const DistanceBand& band = paper_band) {
+        const auto rejected = [](const TargetSpace& space, const DistanceBand& band = paper_band) {
             return !sampleTargets(space, {band}, 1).has_value();
         };
         TargetSpace space = paperLike();
-        CHECK_FALSE(refused(space));
-        CHECK(refused(space, {"upside-down", {0.4, 0.2}, 2}));
-        CHECK(refused(space, {"none", {0.2, std::nan("")}, 2}));
-        CHECK(refused(space, {"negative", {0.2, 0.4}, -1}));
+        CHECK_FALSE(rejected(space));
+        CHECK(rejected(space, {"upside-down", {0.4, 0.2}, 2}));
+        CHECK(rejected(space, {"none", {0.2, std::nan("")}, 2}));
+        CHECK(rejected(space, {"negative", {0.2, 0.4}, -1}));
         space.height_m = {2.0, 1.0};
-        CHECK(refused(space));
+        CHECK(rejected(space));
         space = paperLike();
         space.radius_m = {0.0, std::nan("")};
-        CHECK(refused(space));
+        CHECK(rejected(space));
         space = paperLike();
         space.count = 0;
-        CHECK(refused(space));
+        CHECK(rejected(space));
         space = paperLike();
         space.radius_m = {};
         space.fit_manifest = "clips.csv";
-        REQUIRE(refused(space));
+        REQUIRE(rejected(space));
         CHECK(sampleTargets(space, {}, 1).error().message.find("fitted") != std::string::npos);
     }
 

@@ -27,12 +27,12 @@ struct CsvForm {
 
 /// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and
 /// a UTF-8 mark at the start are passed over. `name` stands for the file in errors. A text that is not UTF-8
-/// (keepableText()) is an error, which names the line.
+/// (storableText()) is an error, which names the line.
 class CsvReader {
   public:
     /// `text` must outlive this.
     CsvReader(std::string_view text, std::string name, CsvForm form = {});
-    /// The next record into `record`, whose memory is used anew; false where there is none left.
+    /// The next record into `record`, whose memory is used again; false where there is none left.
     [[nodiscard]] Result<bool> next(CsvRecord& record);
 
   private:

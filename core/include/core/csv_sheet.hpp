@@ -17,13 +17,13 @@ struct CsvSheet {
 
     [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
     /// Where the column stands; an error that names the header's line where it does not.
-    [[nodiscard]] Result<std::size_t> column(std::string_view column, std::string mend = {}) const;
+    [[nodiscard]] Result<std::size_t> column(std::string_view column, std::string hint = {}) const;
     /// "FILE:LINE: COLUMN"
     [[nodiscard]] std::string place(const CsvRecord& row, std::size_t column) const;
-    /// finiteNumber() of a cell, of at most `most` to either side.
+    /// finiteNumber() of a cell, of at most `max` to either side.
     [[nodiscard]] Result<double> number(const CsvRecord& row, std::size_t column,
                                         std::string_view expected = "a finite number",
-                                        double most = 1e308) const;
+                                        double max = 1e308) const;
 };
 
 [[nodiscard]] Result<CsvSheet> parseCsvSheet(std::string_view text, const std::string& name);

@@ -1,5 +1,5 @@
 // What can be expected to go wrong, as values. Every error that a user can meet says where it is (file, line
-// or key), what was found, what was expected and, where that is not plain, how to mend it.
+// or key), what was found, what was expected and, where that is not plain, how to correct it.
 #pragma once
 
 #include <string>
@@ -12,9 +12,9 @@ namespace deixis {
 struct Error {
     std::string where;
     std::string message;  ///< what was found and what was expected; one sentence, no full stop needed
-    std::string mend{};   ///< what the user can do about it; may be empty
+    std::string hint{};   ///< what the user can do about it; may be empty
 
-    /// "WHERE: MESSAGE. MEND" on one line; servers' addresses in it without their passwords.
+    /// "WHERE: MESSAGE. HINT" on one line; servers' addresses in it without their passwords.
     [[nodiscard]] std::string text() const;
 };
 
@@ -23,8 +23,8 @@ using Result = tl::expected<T, Error>;
 
 /// Shorthand for returning an error from a function that returns a Result.
 [[nodiscard]] inline tl::unexpected<Error> fail(std::string where, std::string message,
-                                                std::string mend = {}) {
-    return tl::unexpected<Error>(Error{std::move(where), std::move(message), std::move(mend)});
+                                                std::string hint = {}) {
+    return tl::unexpected<Error>(Error{std::move(where), std::move(message), std::move(hint)});
 }
 
 }  // namespace deixis

@@ -12,19 +12,19 @@
 
 namespace deixis {
 
-/// Most bytes that are read at once.
-inline constexpr std::size_t most_file_bytes = std::size_t{4} << 30U;
+/// The maximum number of bytes that are read at once.
+inline constexpr std::size_t max_file_bytes = std::size_t{4} << 30U;
 
 /// All of a file, or of a pipe until its other end closes it. Devices are refused: some never end. So is what
-/// has more than `most_bytes`.
+/// has more than `max_bytes`.
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path,
-                                           std::size_t most_bytes = most_file_bytes);
+                                           std::size_t max_bytes = max_file_bytes);
 
 /// All that comes until the stream ends; likewise bounded. `name` stands for it in errors; `expected_bytes`
 /// may be 0.
 [[nodiscard]] Result<std::string> readAll(std::istream& in, const std::string& name,
                                           std::size_t expected_bytes = 0,
-                                          std::size_t most_bytes = most_file_bytes);
+                                          std::size_t max_bytes = max_file_bytes);
 
 /// What a file holds, to be looked at. A file of `mapped_from` bytes or more is mapped, so that a long
 /// recording need not fit into memory; it must not be shortened meanwhile. A smaller one is read.
@@ -56,8 +56,8 @@ class FileBytes {
 /// written to as it is.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 
-/// The same without waiting for the disk: for what can be made anew, and for files of a folder that is waited
-/// for as a whole (syncFileSystem()).
+/// The same without waiting for the disk: for what can be made again, and for files of a folder that is
+/// waited for as a whole (syncFileSystem()).
 [[nodiscard]] Result<void> writeFileUnsynced(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace deixis

@@ -26,13 +26,13 @@ namespace deixis {
 
 /// Where the first byte stands that cannot be kept everywhere: a NUL, or one that is no part of a character
 /// of UTF-8 (RFC 3629). PostgreSQL takes neither. None: all of the text can be kept.
-[[nodiscard]] std::optional<std::size_t> firstUnkeepable(std::string_view text);
-[[nodiscard]] inline bool keepableText(std::string_view text) {
-    return !firstUnkeepable(text);
+[[nodiscard]] std::optional<std::size_t> firstUnstorable(std::string_view text);
+[[nodiscard]] inline bool storableText(std::string_view text) {
+    return !firstUnstorable(text);
 }
 
 /// The text with U+FFFD for each such byte: for what a device or driver says, which nobody can mend.
-[[nodiscard]] std::string keepable(std::string_view text);
+[[nodiscard]] std::string storable(std::string_view text);
 
 /// Adds a character (a scalar value of Unicode) in UTF-8.
 void appendUtf8(std::string& text, char32_t character);

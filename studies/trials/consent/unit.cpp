@@ -1,5 +1,5 @@
 // The consent: a page that is answered.
-#include "least_time.hpp"
+#include "minimum_time.hpp"
 #include "session_unit.hpp"
 
 namespace deixis::studies {
@@ -10,8 +10,8 @@ namespace {
 /// session for good, so that it is asked once more.
 class ConsentUnit : public TrialUnit {
   public:
-    ConsentUnit(SessionCore& core, const CourseItem& item)
-        : TrialUnit(core, item), least_(stage_.minimum_s) {}
+    ConsentUnit(SessionCore& core, const TimelineItem& item)
+        : TrialUnit(core, item), minimum_(stage_.minimum_s) {}
 
     void enter(const InputFrame& input, bool /*moved*/) override {
         core_.standAlone();
@@ -25,7 +25,7 @@ class ConsentUnit : public TrialUnit {
     }
 
     void step(const InputFrame& input) override {
-        const int left = least_.left(core_.now.time_s);
+        const int left = minimum_.left(core_.now.time_s);
         if (left != shown_left_) {
             shown_left_ = left;
             if (!declining_) core_.view.updatePanel(board());
@@ -34,8 +34,8 @@ class ConsentUnit : public TrialUnit {
         if (!core_.settled() || !onset_known_ || !input.select) return;
         if (met.button == button_id::decline || met.button == button_id::back) {
             declining_ = met.button == button_id::decline;
-            core_.openPanel(declining_ ? core_.endQuestion(core_.words()("declined_text")) : board(), input,
-                            messagePose);
+            core_.openPanel(declining_ ? core_.endConfirmation(core_.words()("declined_text")) : board(),
+                            input, messagePose);
             return;
         }
         const bool agrees = met.button == button_id::agree && left == 0;
@@ -56,7 +56,7 @@ class ConsentUnit : public TrialUnit {
     [[nodiscard]] bool wantsPointer() const override { return !done_; }
 
   private:
-    LeastTime least_;
+    MinimumTime minimum_;
     int shown_left_ = 0;
     std::uint64_t opened_ = 0;
     bool declining_ = false;  ///< it is asked once more
@@ -64,8 +64,8 @@ class ConsentUnit : public TrialUnit {
     void open(const InputFrame& input) {
         core_.poser.blendTo(core_.idle, core_.now.time_s);
         core_.view.show(PresentedState::consent);
-        least_.start(core_.now.time_s);
-        shown_left_ = least_.left(core_.now.time_s);
+        minimum_.start(core_.now.time_s);
+        shown_left_ = minimum_.left(core_.now.time_s);
         opened_ = core_.view.frame.number;
         declining_ = false;
         core_.openPanel(board(), input, messagePose);

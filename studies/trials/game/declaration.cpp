@@ -10,8 +10,8 @@ constexpr std::string_view keys_of_kind[] = {"system_meets", "max_run_of_system"
                                              "distances",    "distance_meets",    "feedback",
                                              "time_limit_s", "confidence"};
 constexpr CheckKind checks[] = {CheckKind::catch_trial};
-constexpr DeclaredMeasure measures[] = {{"", AskedKind::accuracy, "accuracy"},
-                                        {"confidence", AskedKind::rating, "confidence"}};
+constexpr DeclaredMeasure measures[] = {{"", AnswerKind::accuracy, "accuracy"},
+                                        {"confidence", AnswerKind::rating, "confidence"}};
 constexpr KeptField planned[] = {
     {"distractors", KeptType::text, "Centres of the distractors, JSON [[x,y,z],...]", "m"},
     {"balls", KeptType::text, "Centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},

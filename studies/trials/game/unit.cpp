@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "session_clip_trial.hpp"
-#include "session_scale.hpp"
+#include "clip_trial.hpp"
+#include "scale_answer.hpp"
 
 namespace deixis::studies {
 
@@ -19,7 +19,7 @@ constexpr double longest_untold_s = 10.0;  ///< of a time limit that is longer t
 
 class GameTrial : public ClipTrial {
   public:
-    GameTrial(SessionCore& core, const CourseItem& item) : ClipTrial(core, item) {
+    GameTrial(SessionCore& core, const TimelineItem& item) : ClipTrial(core, item) {
         if (task_.confidence) confidence_.emplace(core, task_.confidence->text, task_.confidence->scale);
     }
 
@@ -207,12 +207,12 @@ class GameTrial : public ClipTrial {
 };
 
 /// Which ball was chosen, whatever its place.
-int ballOf(const GivenAnswer& given) {
+int ballOf(const TrialAnswer& given) {
     const int place = given.response.chosenPlace();
     return place < 0 ? -1 : given.trial.ball_order.at(static_cast<std::size_t>(place));
 }
 
-CheckResult compareChoice(const GivenAnswer& first, const GivenAnswer& now, double /*tolerance*/) {
+CheckResult compareChoice(const TrialAnswer& first, const TrialAnswer& now, double /*tolerance*/) {
     const int before = ballOf(first);
     const int again = ballOf(now);
     return {before == again, fmt::format("repeat: ball {} first, {} now", before, again)};

@@ -1,7 +1,7 @@
 // Pages to read: instructions, breaks, what is said on coming back, before further practice and at the end.
 #include <fmt/core.h>
 
-#include "least_time.hpp"
+#include "minimum_time.hpp"
 #include "session_unit.hpp"
 
 namespace deixis::studies {
@@ -10,8 +10,8 @@ namespace {
 
 class PageUnit : public Unit {
   public:
-    PageUnit(SessionCore& core, const CourseItem& item)
-        : Unit(core), page_(item.page), status_(item.status), least_(item.page.minimum_s) {}
+    PageUnit(SessionCore& core, const TimelineItem& item)
+        : Unit(core), page_(item.page), status_(item.status), minimum_(item.page.minimum_s) {}
 
     void enter(const InputFrame& input, bool /*moved*/) override {
         core_.standAlone();
@@ -23,15 +23,15 @@ class PageUnit : public Unit {
     void resume(const InputFrame& input, double /*away_s*/) override {
         core_.view.show(pageState(page_.kind));
         core_.poser.blendTo(core_.idle, core_.now.time_s);
-        least_.start(core_.now.time_s);
-        shown_left_ = least_.left(core_.now.time_s);
+        minimum_.start(core_.now.time_s);
+        shown_left_ = minimum_.left(core_.now.time_s);
         core_.openPanel(board(), input, messagePose);
         core_.view.admitRestingRay();
         tellLeft();
     }
 
     void step(const InputFrame& input) override {
-        const int left = least_.left(core_.now.time_s);
+        const int left = minimum_.left(core_.now.time_s);
         if (left != shown_left_) {
             shown_left_ = left;
             core_.view.updatePanel(board());
@@ -50,9 +50,9 @@ class PageUnit : public Unit {
     [[nodiscard]] bool wantsPointer() const override { return true; }
 
   private:
-    CoursePage page_;
+    TimelinePage page_;
     SessionStatus status_;
-    LeastTime least_;
+    MinimumTime minimum_;
     int shown_left_ = 0;
 
     [[nodiscard]] Panel board() const {
@@ -80,7 +80,7 @@ class PageUnit : public Unit {
 
 }  // namespace
 
-std::unique_ptr<Unit> makePage(SessionCore& core, const CourseItem& item) {
+std::unique_ptr<Unit> makePage(SessionCore& core, const TimelineItem& item) {
     return std::make_unique<PageUnit>(core, item);
 }
 

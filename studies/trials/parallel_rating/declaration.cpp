@@ -10,10 +10,10 @@ namespace deixis::studies {
 namespace parallel_rating {
 namespace {
 
-constexpr int most = 6;
+constexpr int max = 6;
 constexpr std::string_view keys[] = {"measure", "scale"};
 constexpr CheckKind checks[] = {CheckKind::number, CheckKind::repeat};
-constexpr DeclaredMeasure measures[] = {{"rating", AskedKind::rating, ""}};
+constexpr DeclaredMeasure measures[] = {{"rating", AnswerKind::rating, ""}};
 
 std::vector<std::vector<int>> allTogether(int systems) {
     std::vector<int> all(static_cast<std::size_t>(systems));
@@ -23,9 +23,9 @@ std::vector<std::vector<int>> allTogether(int systems) {
 
 void checkLevels(TomlTable& table, const Study& /*study*/, const Stage& stage) {
     const std::size_t n = stage.design.systems.size();
-    if (!table.faulty("systems") && n > 0 && (n < 2 || n > most))
+    if (!table.faulty("systems") && n > 0 && (n < 2 || n > max))
         table.problem("systems", fmt::format("found {} system{}, expected 2 to {}: they stand on one page", n,
-                                             n == 1 ? "" : "s", most));
+                                             n == 1 ? "" : "s", max));
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ extern const StageDeclaration parallel_rating_declaration{.name = "parallel-rati
                                                           .keys = parallel_rating::keys,
                                                           .read = readTrials,
                                                           .min_stimuli = 2,
-                                                          .max_stimuli = parallel_rating::most,
+                                                          .max_stimuli = parallel_rating::max,
                                                           .shown = parallel_rating::allTogether,
                                                           .arrangement = Arrangement::shuffled,
                                                           .checks = parallel_rating::checks,

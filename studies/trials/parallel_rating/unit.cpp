@@ -1,7 +1,7 @@
 // Parallel rating: several movements of one item on one page, each rated beside its play button.
 #include <utility>
 
-#include "session_compare.hpp"
+#include "compare_page.hpp"
 
 namespace deixis::studies {
 
@@ -9,7 +9,7 @@ namespace {
 
 class ParallelTrial : public ComparePage {
   public:
-    ParallelTrial(SessionCore& core, const CourseItem& item)
+    ParallelTrial(SessionCore& core, const TimelineItem& item)
         : ComparePage(core, item), values_(trial_.stimuli.size()) {}
 
     void enter(const InputFrame& input, bool moved) override {
@@ -23,7 +23,7 @@ class ParallelTrial : public ComparePage {
     void forgetAnswer() override { values_.assign(values_.size(), std::nullopt); }
 
     [[nodiscard]] AvatarPoser& poserOf(std::size_t /*i*/) override { return core_.poser; }
-    [[nodiscard]] PresentedState openState() const override { return PresentedState::listening; }
+    [[nodiscard]] PresentedState openState() const override { return PresentedState::watching; }
 
     [[nodiscard]] bool complete_enough() const override {
         for (const auto& value : values_)

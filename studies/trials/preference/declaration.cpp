@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view keys_of_kind[] = {"system_meets", "measure", "reasons"};
 constexpr CheckKind checks[] = {CheckKind::repeat};
-constexpr DeclaredMeasure measures[] = {{"preference", AskedKind::preference, "preference"}};
+constexpr DeclaredMeasure measures[] = {{"preference", AnswerKind::preference, "preference"}};
 
 std::vector<std::vector<int>> eachPair(int systems) {
     std::vector<std::vector<int>> pairs;
@@ -24,19 +24,19 @@ std::vector<std::vector<int>> eachPair(int systems) {
 
 /// A pair stands to either side of the line of sight: none of the two on the participant's place.
 void checkRoomForPair(TomlTable& table, const Study& study, const std::vector<std::string>& layouts) {
-    constexpr double least_m = 1.0;
+    constexpr double min_m = 1.0;
     for (const std::string& name : layouts) {
         const Layout* layout = study.findLayout(name);
         if (layout == nullptr || table.faulty("layouts")) continue;
         for (const Standing standing : {Standing::headset, Standing::desktop}) {
             const Pose viewer = viewerPose(viewerPlace(*layout, standing));
             for (const Vec3& place : pairPlaces(viewer))
-                if (const double away_m = glm::length(place - viewer.position); away_m < least_m) {
+                if (const double away_m = glm::length(place - viewer.position); away_m < min_m) {
                     table.problem(
                         "layouts",
                         fmt::format("found \"{}\", where one avatar of a pair would stand {:.2f} m from the "
                                     "participant; expected a layout with at least {} m",
-                                    name, away_m, least_m));
+                                    name, away_m, min_m));
                     return;
                 }
         }
@@ -61,7 +61,7 @@ Question readReasons(TomlTable& parent) {
     if (question.kind != QuestionKind::text)
         question.options = readOptions(table);
     else
-        table.refuse("options", "in a question of kind \"text\"");
+        table.reject("options", "in a question of kind \"text\"");
     return question;
 }
 

@@ -1,8 +1,8 @@
 // A pair: two avatars side by side, which is better, and where a study asks for it, why.
 #include <utility>
 
-#include "session_compare.hpp"
-#include "session_form.hpp"
+#include "compare_page.hpp"
+#include "question_form.hpp"
 
 namespace deixis::studies {
 
@@ -12,7 +12,7 @@ constexpr int preferences = 5;  ///< clearly left (-2) .. clearly right (2)
 
 class PairwiseTrial : public ComparePage {
   public:
-    PairwiseTrial(SessionCore& core, const CourseItem& item) : ComparePage(core, item) {
+    PairwiseTrial(SessionCore& core, const TimelineItem& item) : ComparePage(core, item) {
         const bool asks = task_.reasons && (core.keyboard || task_.reasons->kind != QuestionKind::text);
         if (asks) reasons_.emplace(core, std::vector<const Question*>{&*task_.reasons}, FormSetting{});
     }
@@ -93,7 +93,7 @@ class PairwiseTrial : public ComparePage {
 };
 
 /// The movements may have changed sides.
-CheckResult comparePreference(const GivenAnswer& first, const GivenAnswer& now, double tolerance) {
+CheckResult comparePreference(const TrialAnswer& first, const TrialAnswer& now, double tolerance) {
     const bool swapped = now.trial.stimuli != first.trial.stimuli;
     const double before = first.value("preference").value_or(0.0);
     return compareNumbers(swapped ? -before : before, now.value("preference").value_or(0.0), tolerance);

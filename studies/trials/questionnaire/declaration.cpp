@@ -84,7 +84,7 @@ void read(TomlTable& table, StageReading& reading, Stage& stage) {
     }
     if (table.has("file")) {
         for (const std::string_view key : {"title", "text", "per_page", "scale"})
-            table.refuse(key, "together with file, which has its own");
+            table.reject(key, "together with file, which has its own");
         stage.questionnaire = questionnaireOf(table, reading);
         return;
     }

@@ -1,7 +1,7 @@
 // A page of a questionnaire: shown on as many boards as it needs, kept as one response.
 #include <utility>
 
-#include "session_form.hpp"
+#include "question_form.hpp"
 #include "session_unit.hpp"
 
 namespace deixis::studies {
@@ -10,7 +10,7 @@ namespace {
 
 class QuestionnaireUnit : public TrialUnit {
   public:
-    QuestionnaireUnit(SessionCore& core, const CourseItem& item) : TrialUnit(core, item) {
+    QuestionnaireUnit(SessionCore& core, const TimelineItem& item) : TrialUnit(core, item) {
         const Questionnaire& all = stage_.questionnaire;
         int before = 0;  // the participant counts boards
         int boards = 0;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view keys[] = {"system_meets", "max_run_of_system", "measure", "scale", "max_replays"};
 constexpr CheckKind checks[] = {CheckKind::number, CheckKind::repeat};
-constexpr DeclaredMeasure measures[] = {{"rating", AskedKind::rating, ""}};
+constexpr DeclaredMeasure measures[] = {{"rating", AnswerKind::rating, ""}};
 
 }  // namespace
 }  // namespace rating

@@ -1,6 +1,6 @@
 // A single movement, rated on a scale.
-#include "session_clip_trial.hpp"
-#include "session_scale.hpp"
+#include "clip_trial.hpp"
+#include "scale_answer.hpp"
 
 namespace deixis::studies {
 
@@ -8,7 +8,7 @@ namespace {
 
 class RatingTrial : public ClipTrial {
   public:
-    RatingTrial(SessionCore& core, const CourseItem& item)
+    RatingTrial(SessionCore& core, const TimelineItem& item)
         : ClipTrial(core, item), scale_(core, task_.question, task_.scale) {}
 
     [[nodiscard]] bool stepDone(const InputFrame& /*input*/, double since_s) override {

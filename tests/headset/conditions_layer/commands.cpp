@@ -70,7 +70,7 @@ int take(const std::string& text, Conditions& now) {
         now.spaces = line.oneOf(spaces);
         if (now.spaces == Spaces::local) now.local_height_m = line.number();
     } else if (what == "state") {
-        now.most = line.oneOf(states);
+        now.max = line.oneOf(states);
     } else if (what == "head") {
         now.head = line.oneOf(head_trackings);
     } else if (what == "gaze") {

@@ -46,7 +46,7 @@ struct Conditions {
     bool headset = true;
     Spaces spaces = Spaces::all;
     float local_height_m = 0.0F;
-    XrSessionState most = XR_SESSION_STATE_FOCUSED;
+    XrSessionState max = XR_SESSION_STATE_FOCUSED;
     Tracking head = Tracking::tracked;
     std::optional<Gaze> gaze;
     std::optional<Loss> loss;

@@ -180,7 +180,7 @@ XrResult XRAPI_CALL xrPollEvent(XrInstance instance, XrEventDataBuffer* buffer) 
     UNLESS_LOST("xrPollEvent");
     Layer& l = *layer;
     l.commands.read(l.now, l.counts.begun);
-    l.states.allow(l.now.most);
+    l.states.allow(l.now.max);
     if (std::exchange(l.now.exit, false)) l.next.RequestExitSession(l.session);
     if (std::exchange(l.now.announce_session_loss, false)) l.states.tell(XR_SESSION_STATE_LOSS_PENDING);
     if (tellState(buffer) || tellRecentring(buffer) || tellInstanceLoss(buffer)) return XR_SUCCESS;

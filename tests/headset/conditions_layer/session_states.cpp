@@ -32,12 +32,12 @@ void SessionStates::enter(XrSessionState real) {
         return;
     }
     if (!runs(queued_)) tell(XR_SESSION_STATE_SYNCHRONIZED);
-    walk(std::min(real_, most_));
+    walk(std::min(real_, max_));
 }
 
-void SessionStates::allow(XrSessionState most) {
-    most_ = most;
-    if (runs(real_) && runs(queued_)) walk(std::min(real_, most_));
+void SessionStates::allow(XrSessionState max) {
+    max_ = max;
+    if (runs(real_) && runs(queued_)) walk(std::min(real_, max_));
 }
 
 std::optional<XrSessionState> SessionStates::next() {

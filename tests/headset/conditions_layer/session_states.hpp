@@ -13,7 +13,7 @@ class SessionStates {
     /// The runtime has entered a state.
     void enter(XrSessionState real);
     /// The program may come no further than this: synchronized, visible or focused.
-    void allow(XrSessionState most);
+    void allow(XrSessionState max);
     /// Tells a state that the runtime knows nothing of, such as a pending loss.
     void tell(XrSessionState state);
 
@@ -28,7 +28,7 @@ class SessionStates {
     void walk(XrSessionState goal);
 
     XrSessionState real_ = XR_SESSION_STATE_UNKNOWN;
-    XrSessionState most_ = XR_SESSION_STATE_FOCUSED;
+    XrSessionState max_ = XR_SESSION_STATE_FOCUSED;
     XrSessionState queued_ = XR_SESSION_STATE_UNKNOWN;  ///< told when all of the queue is
     XrSessionState told_ = XR_SESSION_STATE_UNKNOWN;
     std::deque<XrSessionState> queue_;

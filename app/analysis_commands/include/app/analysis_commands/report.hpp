@@ -17,7 +17,7 @@ struct ReportFiles {
     std::string json{};
     std::string csv{};    ///< a folder
     std::string latex{};  ///< a folder
-    std::string r{};      ///< a folder: the tables as CSV and analysis.R, which computes them anew
+    std::string r{};      ///< a folder: the tables as CSV and analysis.R, which computes them again
 };
 
 /// Which of the answers that the data hold.

@@ -8,7 +8,7 @@
 #include "assets/joints/clip_import.hpp"
 #include "assets/tables/manifest.hpp"
 #include "core/error.hpp"
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 #include "motion/retarget/retarget.hpp"
 #include "motion/skeleton/clip.hpp"
 

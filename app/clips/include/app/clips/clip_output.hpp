@@ -30,7 +30,7 @@ namespace deixis::app {
 class OutputFolder {
   public:
     /// `force`: files that are there already are replaced. `durable`: what finish() has moved is on the disk,
-    /// which clips that can be made anew need not wait for.
+    /// which clips that can be made again need not wait for.
     OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;

@@ -15,7 +15,7 @@
 namespace deixis::app {
 
 /// How clips are brought to the avatar.
-struct RetargetManner {
+struct RetargetSettings {
     motion::Keep keep = motion::Keep::joint_angles;
     bool close_hand = false;  ///< hands without fingers close with the index finger out while they point
     bool plant_feet = true;
@@ -28,7 +28,7 @@ struct RetargetManner {
 /// avatar make, are filled in. Fails where the target is given in the clip's coordinates and the figure does
 /// not stand at their origin, as an avatar does.
 [[nodiscard]] Result<motion::Clip> retargetRow(assets::ImportedClip clip, const std::string& file,
-                                               const assets::Avatar& avatar, const RetargetManner& manner,
+                                               const assets::Avatar& avatar, const RetargetSettings& settings,
                                                assets::ManifestRow& row,
                                                motion::RetargetReport* report = nullptr);
 
@@ -36,7 +36,7 @@ struct RetargetManner {
 /// manifest of them, all or none. `each` is told of every clip. Files that are there already are replaced
 /// only where `force` says so.
 [[nodiscard]] Result<std::vector<assets::ManifestRow>> retargetClips(
-    const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetManner& manner,
+    const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetSettings& settings,
     const std::filesystem::path& folder, bool force,
     const std::function<void(const assets::ManifestRow&, const motion::RetargetReport&)>& each);
 

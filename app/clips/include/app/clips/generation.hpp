@@ -16,6 +16,7 @@ namespace deixis::app {
 /// replaced only where `force` says so; `durable` as in OutputFolder.
 [[nodiscard]] Result<std::vector<assets::ManifestRow>> generateClips(
     const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
-    const motion::HoldManner& manner, const std::filesystem::path& folder, bool force, bool durable = true);
+    const motion::HoldSettings& settings, const std::filesystem::path& folder, bool force,
+    bool durable = true);
 
 }  // namespace deixis::app

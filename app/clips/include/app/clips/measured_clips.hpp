@@ -9,7 +9,7 @@
 #include "app/program/progress_line.hpp"
 #include "assets/tables/manifest.hpp"
 #include "core/error.hpp"
-#include "motion/pointing/pointing_accuracy.hpp"
+#include "motion/pointing/accuracy.hpp"
 #include "results/evaluation/evaluation.hpp"
 
 namespace deixis::app {

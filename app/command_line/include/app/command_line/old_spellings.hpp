@@ -7,6 +7,6 @@
 namespace deixis::app {
 
 /// The words after the program's name with today's options in the place of earlier ones.
-[[nodiscard]] std::vector<std::string> inTodaysSpelling(const std::vector<std::string>& words);
+[[nodiscard]] std::vector<std::string> inCurrentSpelling(const std::vector<std::string>& words);
 
 }  // namespace deixis::app

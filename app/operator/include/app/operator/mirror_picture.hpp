@@ -18,9 +18,9 @@ class MirrorPicture {
     MirrorPicture(const MirrorPicture&) = delete;
     MirrorPicture& operator=(const MirrorPicture&) = delete;
 
-    /// Copies framebuffer 0 of this size before it is swapped, no larger than `most`, in its shape. Does not
+    /// Copies framebuffer 0 of this size before it is swapped, no larger than `max`, in its shape. Does not
     /// wait for the graphics card. Leaves framebuffer 0 bound.
-    void take(WindowSize shown, WindowSize most);
+    void take(WindowSize shown, WindowSize max);
     /// For a context that shares this one's textures, and is current: it waits for the copy where it draws
     /// it, without holding up the caller. Texture 0 before the first picture.
     [[nodiscard]] MirrorTexture texture() const;
@@ -31,7 +31,7 @@ class MirrorPicture {
     void* copied_ = nullptr;  // a GLsync
 };
 
-/// The largest size of this shape that fits into `most`; never larger than `shown`, at least 1x1.
-[[nodiscard]] WindowSize fittedSize(WindowSize shown, WindowSize most);
+/// The largest size of this shape that fits into `max`; never larger than `shown`, at least 1x1.
+[[nodiscard]] WindowSize fittedSize(WindowSize shown, WindowSize max);
 
 }  // namespace deixis::app

@@ -40,7 +40,7 @@ class AskTwice {
 };
 
 /// The buttons and fields of the operator's panel, without how they look. Times are of one clock, seconds.
-class OperatorDesk {
+class OperatorControls {
   public:
     enum class Question : unsigned char { none, skip, abort };
     using Text = std::array<char, 500>;  ///< UTF-8, ends with a zero

@@ -31,7 +31,7 @@ struct OneOf {
 };
 
 /// Wrong usage that is found when all options are known: exit status 2.
-[[noreturn]] void refuseUsage(const std::string& where, const std::string& what);
+[[noreturn]] void rejectUsage(const std::string& where, const std::string& what);
 [[noreturn]] void requireUsage(const std::string& what);
 
 class Option {
@@ -85,7 +85,7 @@ class Parser {
     template <class Value>
     Option addOption(const std::string& names, Value& value, const std::string& what) const;
     Option addFlag(const std::string& names, bool& value, const std::string& what) const;
-    /// For values that are more than text or a number: `set` may call refuseUsage.
+    /// For values that are more than text or a number: `set` may call rejectUsage.
     Option addTextOption(const std::string& names, std::function<void(const std::string&)> set,
                          const std::string& what) const;
     Option addNumberOption(const std::string& names, std::function<void(double)> set,

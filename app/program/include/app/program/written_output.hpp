@@ -23,7 +23,7 @@ inline constexpr const char* standard_output = "-";
 /// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
 [[nodiscard]] Result<void> checkOutput(const std::string& file);
 
-/// Fails where a file stands that Deixis did not write: pages and numbers can be made anew, and so replace
+/// Fails where a file stands that Deixis did not write: pages and numbers can be made again, and so replace
 /// those of an earlier run alone. An empty name and standard_output pass.
 [[nodiscard]] Result<void> checkReplaceable(const std::string& file, bool force);
 

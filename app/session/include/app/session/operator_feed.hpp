@@ -27,7 +27,7 @@ struct OperatorEvent {
 
 struct OperatorFeed {
     std::string participant;
-    studies::SessionProgress progress{};            ///< of this sitting's stages
+    studies::SessionProgress progress{};            ///< of this visit's stages
     double elapsed_s = 0.0;                         ///< since the session's first frame
     std::optional<double> left_s;                   ///< none: not known yet
     std::optional<std::uintmax_t> disk_free_bytes;  ///< where the database lies; none: not known
@@ -57,7 +57,7 @@ class OperatorFeedWriter : public Recorder {
 
   private:
     void note(double time_s, studies::NoteKind kind, std::string detail);
-    [[nodiscard]] studies::SessionProgress progressOfSitting();
+    [[nodiscard]] studies::SessionProgress progressOfVisit();
 
     std::shared_ptr<OperatorFeed> feed_;
     const studies::Study& study_;
@@ -65,8 +65,8 @@ class OperatorFeedWriter : public Recorder {
     std::map<std::string, double> history_;
     std::filesystem::path folder_;
     Recorder& kept_by_;
-    OwnPace pace_;
-    int sitting_ = 0;  // 0: no stage has been under way
+    SessionPace pace_;
+    int visit_ = 0;  // 0: no stage has been under way
     std::optional<double> start_s_, waiting_since_s_, progress_told_s_, disk_asked_s_;
 };
 

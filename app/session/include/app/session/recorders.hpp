@@ -59,10 +59,10 @@ class BackgroundRecorder : public Recorder {
 
 /// Passes everything on to a recorder, until that fails (a full disk, a database that was moved): then the
 /// failure is kept for finish(), which throws it, and the session hears of it and ends calmly.
-class CalmRecorder : public Recorder {
+class FailSafeRecorder : public Recorder {
   public:
     /// `kept_by` must outlive it.
-    explicit CalmRecorder(Recorder& kept_by) : kept_by_(kept_by) {}
+    explicit FailSafeRecorder(Recorder& kept_by) : kept_by_(kept_by) {}
 
     void record(const studies::SessionEvent& event) override;
     void sample(const studies::TrackingSample& sample, int trial_index) override;

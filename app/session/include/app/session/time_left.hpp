@@ -11,7 +11,7 @@
 namespace deixis::app {
 
 /// What the participant of this session has taken so far, learned by looking on.
-class OwnPace {
+class SessionPace {
   public:
     /// To be told often, with times that never go back. While `paused` no time passes for anything.
     void see(const std::vector<studies::StageProgress>& stages, double time_s, bool paused);
@@ -42,6 +42,6 @@ constexpr int enough_units = 3;
 /// neither history nor enough_units of this session.
 [[nodiscard]] std::optional<double> timeLeft_s(const std::vector<studies::StageProgress>& stages,
                                                const std::map<std::string, double>& history,
-                                               const OwnPace& own);
+                                               const SessionPace& own);
 
 }  // namespace deixis::app

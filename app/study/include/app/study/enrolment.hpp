@@ -17,7 +17,7 @@ struct Enrolment {
     results::Registration registration;
     studies::StudyPlan plan;
     bool planned_before = false;  ///< the plan is a stored one
-    studies::Resume resume;       ///< what earlier sittings left
+    studies::Resume resume;       ///< what earlier sessions left
     std::vector<int> left;        ///< trials still to be answered in the next sitting
 
     [[nodiscard]] bool begun() const { return !resume.answered.empty() || resume.gap_s > 0.0; }
@@ -32,7 +32,7 @@ struct Enrolment {
                                       double now_utc_s);
 
 /// Stores what enrol() gave, of the locked set of that hash; a plan that is stored already stays as it is.
-/// Where somebody else enrolled in the meantime, number and groups are drawn anew under the database's write
+/// Where somebody else enrolled in the meantime, number and groups are drawn again under the database's write
 /// lock: true is returned then, and `enrolment` is what was stored.
 [[nodiscard]] Result<bool> storeEnrolment(const StudySetup& setup, const std::string& locked_hash,
                                           results::Store& store, Enrolment& enrolment,

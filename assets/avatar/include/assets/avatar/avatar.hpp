@@ -48,7 +48,7 @@ struct AvatarPart {
 };
 
 /// As many joints as can be drawn.
-constexpr std::size_t most_avatar_joints = 340;
+constexpr std::size_t max_avatar_joints = 340;
 
 struct Avatar {
     motion::Skeleton skeleton;

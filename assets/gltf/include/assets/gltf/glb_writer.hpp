@@ -24,7 +24,7 @@ class GlbWriter {
                     int target = 0);
     std::size_t add(const std::vector<std::uint32_t>& values, std::size_t count, std::string_view type,
                     int target = 0);
-    /// The smallest and the greatest of each of an accessor's components, as arrays.
+    /// The smallest and the largest of each of an accessor's components, as arrays.
     void setBounds(std::size_t accessor, GltfJson min, GltfJson max);
 
     /// The file: `root` with accessors, views and buffer added. Throws std::invalid_argument where it would

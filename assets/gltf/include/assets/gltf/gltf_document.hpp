@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "assets/gltf/gltf_refusal.hpp"
+#include "assets/gltf/gltf_rejection.hpp"
 #include "core/pose.hpp"
 #include "motion/skeleton/humanoid.hpp"
 

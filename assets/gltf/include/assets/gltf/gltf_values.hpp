@@ -40,7 +40,7 @@ class Values {
     [[nodiscard]] std::vector<Neighbour> neighbours() const;
 
   private:
-    [[nodiscard]] std::string_view outside(const Outside& from, std::size_t at_least,
+    [[nodiscard]] std::string_view outside(const Outside& from, std::size_t min_bytes,
                                            const std::string& place) const;
     [[nodiscard]] std::string_view buffer(int index, const std::string& where) const;
     [[nodiscard]] std::string_view view(int index, const std::string& where) const;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 
 namespace deixis::assets {
 
@@ -17,7 +17,7 @@ namespace deixis::assets {
 [[nodiscard]] std::filesystem::path humanoidFileOf(const std::filesystem::path& clip);
 
 /// How tall an avatar may be said to be, metres.
-constexpr double least_height_m = 0.3, greatest_height_m = 3.0;
+constexpr double min_height_m = 0.3, max_height_m = 3.0;
 
 /// What such a file says.
 struct HumanoidWords {

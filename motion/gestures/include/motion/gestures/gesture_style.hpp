@@ -25,7 +25,8 @@ struct Style {
 /// Style at every frame. The window is i - w/2 to i + w/2, both counted, its sum divided by w, as the
 /// equations are printed; at the ends it is cut off and the divisor with it in proportion. Hands that do not
 /// move at all have a handedness of 0. Fails without both hands or with fewer than 2 frames.
-[[nodiscard]] Result<std::vector<Style>> gestureStyle(const JointCourses& motion, int window = style_window);
+[[nodiscard]] Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion,
+                                                      int window = style_window);
 
 /// Mean and standard deviation of each element over a corpus. `sd` is over n.
 struct StyleNorm {
@@ -44,11 +45,13 @@ struct StyleNorm {
 /// frames [first, last) for which poses were asked; the paper takes [10, 15) of 30. Fails where joints or
 /// rates differ (by more than 1 %) or a motion is too short. The paper's figures (0.014 for its model) are of
 /// unit vectors from joint to joint, as its program has them: not metres.
-[[nodiscard]] Result<double> poseCompliance(const JointCourses& asked, const JointCourses& made,
-                                            int first = 10, int last = 15);
+[[nodiscard]] Result<double> poseCompliance(const JointTrajectories& reference,
+                                            const JointTrajectories& generated, int first = 10,
+                                            int last = 15);
 
 /// Style compliance score, eq. 9: the mean absolute difference of normalised styles over all frames and the
 /// three elements. Fails where the lengths differ or there are no frames.
-[[nodiscard]] Result<double> styleCompliance(const std::vector<Style>& asked, const std::vector<Style>& made);
+[[nodiscard]] Result<double> styleCompliance(const std::vector<Style>& reference,
+                                             const std::vector<Style>& generated);
 
 }  // namespace deixis::motion

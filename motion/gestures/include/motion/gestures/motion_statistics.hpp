@@ -11,15 +11,15 @@
 
 namespace deixis::motion {
 
-/// Courses of a body's joints relative to the hips, metres: [joint][frame].
-struct JointCourses {
+/// Trajectories of a body's joints relative to the hips, metres: [joint][frame].
+struct JointTrajectories {
     double frame_time_s = 1.0 / 30.0;
     std::vector<Bone> joints;
     std::vector<std::vector<Vec3>> positions;
 };
 /// Of the bones asked for, those that the map has, in the order given. The map has hips.
-[[nodiscard]] JointCourses jointCourses(const Clip& clip, const HumanoidMap& map,
-                                        const std::vector<Bone>& bones);
+[[nodiscard]] JointTrajectories jointTrajectories(const Clip& clip, const HumanoidMap& map,
+                                                  const std::vector<Bone>& bones);
 /// Neck, head, and both arms from shoulder joint to hand: what the comparison looks at. Trunk and legs hardly
 /// move relative to the hips, fingers are not in every skeleton.
 [[nodiscard]] const std::vector<Bone>& comparedBones();
@@ -30,7 +30,7 @@ constexpr std::size_t derivative_count = 3;
 
 /// Magnitudes of a derivative of a course by plain differences from frame to frame, in m/s, m/s^2 or m/s^3:
 /// 1, 2 or 3 fewer than there are frames.
-[[nodiscard]] std::vector<double> magnitudes(const std::vector<Vec3>& course, double frame_time_s,
+[[nodiscard]] std::vector<double> magnitudes(const std::vector<Vec3>& trajectory, double frame_time_s,
                                              Derivative derivative);
 
 /// Counts in bins of equal width from 0 on; what lies beyond the last bin is counted in it.
@@ -61,7 +61,7 @@ struct MotionStatistics {
 };
 /// Fails without clips, where a clip has fewer than 4 frames, or where clips differ in joints or frame rate;
 /// the message counts clips from 1.
-[[nodiscard]] Result<MotionStatistics> motionStatistics(const std::vector<JointCourses>& clips);
+[[nodiscard]] Result<MotionStatistics> motionStatistics(const std::vector<JointTrajectories>& clips);
 
 /// Hellinger distances of two sets of clips with the same joints.
 struct MotionDistance {

@@ -30,15 +30,15 @@ struct SegmentationOptions {
     /// `back` to where it is within it again.
     double out = 0.45;
     double back = 0.20;
-    double least_gesture_s = 0.3;  ///< beyond `back`; what is shorter is none
-    double least_rest_s = 0.1;     ///< within `back`; what is shorter does not end a gesture
+    double min_gesture_s = 0.3;  ///< beyond `back`; what is shorter is none
+    double min_rest_s = 0.1;     ///< within `back`; what is shorter does not end a gesture
 
     /// By holds: the hand at least this far from the shoulder, slower than this over the last thirtieth of
     /// a second (0.5 m/s is the paper's still hand, section 3.2), this long, and farther from rest than
     /// `out`.
     double hold_reach = 0.93;
     double hold_speed_m_s = 0.5;
-    double least_hold_s = 0.3;
+    double min_hold_s = 0.3;
 
     double margin_s = 0.3;  ///< of rest kept before and after a gesture, where there is so much
 };

@@ -16,7 +16,7 @@ namespace deixis::motion {
 /// floor slides in a second. The point is the toes' joint, or the foot's where there are no toes. None
 /// without both feet or for a single frame.
 struct FootSkate {
-    double speed_mps = 0.0;
+    double speed_m_s = 0.0;
     double contact_share = 0.0;  ///< share of frames in which a foot is lower than H, mean of both feet
 };
 [[nodiscard]] std::optional<FootSkate> footSkate(const std::vector<std::vector<Pose>>& world,
@@ -41,9 +41,9 @@ constexpr std::size_t joint_limit_count = 8;
 struct LimitViolation {
     JointLimit limit = JointLimit::elbow_flexion;
     std::optional<Side> side{};  ///< none for trunk and head
-    double greatest_deg = 0.0;   ///< by how much the limit is exceeded at most
+    double max_deg = 0.0;        ///< by how much the limit is exceeded at most
     double share = 0.0;          ///< of the frames in which it is
-    int frame = 0;               ///< of the greatest excess
+    int frame = 0;               ///< of the largest excess
 };
 /// What is exceeded anywhere in the clip; what the skeleton lacks the bones for is not looked at.
 [[nodiscard]] std::vector<LimitViolation> jointLimitViolations(const Skeleton& skeleton,
@@ -56,7 +56,7 @@ struct Capsule {
     Vec3 to{0.0};
     double radius_m = 0.0;
 };
-/// Least distance between the two segments less the radii: below 0 by the depth of an overlap.
+/// Smallest distance between the two segments less the radii: below 0 by the depth of an overlap.
 [[nodiscard]] double capsuleDistance(const Capsule& a, const Capsule& b);
 
 /// Forearm and hand of either arm against trunk and head, all as capsules: forearm radius 4.0 cm and hand
@@ -67,9 +67,9 @@ struct Capsule {
 struct Intersection {
     Side side = Side::right;
     bool with_head = false;  ///< else with the trunk
-    double depth_m = 0.0;    ///< the greatest in the clip
+    double depth_m = 0.0;    ///< the largest in the clip
     double share = 0.0;      ///< of the frames in which they overlap
-    int frame = 0;           ///< of the greatest depth
+    int frame = 0;           ///< of the largest depth
 };
 /// Pairs that overlap in some frame. Empty where the map lacks arms, legs, neck or head.
 [[nodiscard]] std::vector<Intersection> selfIntersections(const Skeleton& skeleton, const HumanoidMap& map,

@@ -33,8 +33,8 @@ struct TwoBones {
 void reach(const TwoBones& bones, const Vec3& goal, Quat& upper, Quat& lower);
 
 /// Elbow flexion is kept in this range: a straight elbow has no plane, and none bends backwards.
-constexpr double least_flexion_rad = 0.10;
-constexpr double greatest_flexion_rad = 2.5;
+constexpr double min_flexion_rad = 0.10;
+constexpr double max_flexion_rad = 2.5;
 
 /// An arm in the frame of its T pose: the left one lies along +x, the right along -x, palm down; the elbow
 /// bends about y and takes the forearm, with the hand, forward (+z).

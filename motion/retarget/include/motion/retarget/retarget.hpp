@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "motion/humanoid/humanoid_mapping.hpp"
+#include "motion/humanoid/mapping.hpp"
 #include "motion/skeleton/clip.hpp"
 #include "motion/skeleton/gesture_phases.hpp"
 

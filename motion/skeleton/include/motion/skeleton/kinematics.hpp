@@ -32,7 +32,7 @@ constexpr double difference_half_span_s = 1.0 / 30.0;
 
 /// SPARC, spectral arc length (the same authors, 2015): minus the length of the curve of the speed's
 /// magnitude spectrum, both axes scaled to 1, from 0 Hz to the last frequency of at most 10 Hz (and at most
-/// half the sampling rate) at which it reaches 0.05 of its greatest value; zero-padded to 2^(ceil(log2 N) +
+/// half the sampling rate) at which it reaches 0.05 of its largest value; zero-padded to 2^(ceil(log2 N) +
 /// 4). Dimensionless, below 0; nearer to 0 is smoother. Speeds are not negative. None for fewer than 2
 /// samples or where nothing moves.
 [[nodiscard]] std::optional<double> spectralArcLength(const std::vector<double>& speeds, double frame_time_s);

@@ -1,4 +1,4 @@
-// The course of a human reach in time (Flash & Hogan 1985).
+// The time course of a human reach (Flash & Hogan 1985).
 #pragma once
 
 namespace deixis::motion {

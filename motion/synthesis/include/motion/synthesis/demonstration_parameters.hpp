@@ -81,7 +81,7 @@ struct TimingParameters {
     double warp = 0.9;  ///< exponent on time: below 1 the speed peaks earlier
     double emphasis = 1.0;
     Interval bulge{0.03, 0.08};  ///< sideways deviation of the fingertip's path over its length
-    double least_reach = 0.72;   ///< fingertip never nearer to the shoulder on its way, over arm length
+    double min_reach = 0.72;     ///< fingertip never nearer to the shoulder on its way, over arm length
 };
 
 /// Noise of a living body.

@@ -17,7 +17,7 @@
 namespace deixis::motion {
 
 /// How a gesture is held, where a study asks for it; what is not set stays as the system does by itself.
-struct HoldManner {
+struct HoldSettings {
     std::optional<double> hold_s{};  ///< from peak to hold
     /// About how far the fingertip wanders to each side of where it points, slowly, during the hold; metres.
     std::optional<double> unsteadiness_m{};
@@ -27,7 +27,7 @@ struct GenerationRequest {
     std::string target_id;
     Vec3 target{0.0};  ///< metres, in the avatar's frame
     std::uint64_t seed = 0;
-    HoldManner manner{};
+    HoldSettings settings{};
 };
 
 /// A clip, and the phases as its generator planned them.

@@ -27,7 +27,7 @@ class BoardFonts {
     /// Reads the font files; fails where one is missing.
     [[nodiscard]] static Result<BoardFonts> load();
 
-    /// Makes the atlas hold these fonts with these characters (UTF-8); true where it was built anew, so that
+    /// Makes the atlas hold these fonts with these characters (UTF-8); true where it was built again, so that
     /// its texture must be made again.
     bool require(const std::set<FontKey>& keys, std::string_view characters);
     [[nodiscard]] ImFont* font(const FontKey& key) const { return fonts_.at(key); }

@@ -75,7 +75,7 @@ class Renderer {
     void drawMirror(const Scene& scene, const Eye& left, int width, int height, unsigned int framebuffer = 0);
 
     [[nodiscard]] std::string driver() const;  ///< GL_RENDERER and GL_VERSION
-    [[nodiscard]] int boardPaints() const;     ///< how often a board's content was painted anew
+    [[nodiscard]] int boardPaints() const;     ///< how often a board's content was painted again
     /// Characters (UTF-8, in the order of their numbers) that boards had and no font has: a question mark
     /// stands for each. It only grows.
     [[nodiscard]] const std::string& missingCharacters() const;

@@ -56,7 +56,7 @@ class AvatarPass {
     std::vector<gl::Texture> textures_;  // the avatar's, then a white one
     gl::Buffer bind_vertices_, colours_, uvs_, indices_;
     gl::Texture shadow_maps_, shadow_depths_view_;
-    std::array<Figure, most_avatars> figures_;
+    std::array<Figure, max_avatars> figures_;
     std::size_t count_ = 0;  // of figures in this frame
 };
 

@@ -15,16 +15,16 @@
 namespace deixis::renderer {
 
 constexpr int max_shadow_balls = 64;  ///< balls beyond these are drawn, but cast no shadow
-constexpr std::size_t foot_count = 2 * most_avatars;
+constexpr std::size_t foot_count = 2 * max_avatars;
 
 /// Laid out as std140 has it; bound at uniform block 0.
 struct FrameBlock {
     /// By avatar: to texture coordinates and depth, 0..1.
-    std::array<glm::mat4, most_avatars> shadow_from_stage{glm::mat4(1.0F), glm::mat4(1.0F)};
+    std::array<glm::mat4, max_avatars> shadow_from_stage{glm::mat4(1.0F), glm::mat4(1.0F)};
     glm::vec4 to_light{0.0F};  ///< w: number of balls that cast a shadow
     glm::vec4 shadow{0.0F};    ///< x: texture units a metre; y: depth range, m; z: number of avatars
     /// By avatar: its extent in texture coordinates, low u v, high u v.
-    std::array<glm::vec4, most_avatars> shadow_box{};
+    std::array<glm::vec4, max_avatars> shadow_box{};
     std::array<glm::vec4, foot_count * 2> feet{};     ///< heel and toe of each foot; w: radius, 0 for none
     std::array<glm::vec4, max_shadow_balls> balls{};  ///< centre, radius
     std::array<ViewBlock, 2> views{};                 ///< of this buffer, bound at view_block_binding

@@ -123,11 +123,11 @@ struct Board {
 }
 
 /// As many avatars as cast shadows and are drawn.
-constexpr std::size_t most_avatars = 2;
+constexpr std::size_t max_avatars = 2;
 
 struct Scene {
     Camera camera{};
-    /// Of each avatar stage_from_joint, in the avatar's skeleton order: one mesh in up to most_avatars poses.
+    /// Of each avatar stage_from_joint, in the avatar's skeleton order: one mesh in up to max_avatars poses.
     std::vector<std::vector<Pose>> avatars{};
     std::vector<Ball> balls{};
     std::vector<Beam> beams{};

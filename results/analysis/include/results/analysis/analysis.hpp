@@ -141,7 +141,7 @@ struct ScoreResult {
 
 /// Another choice of answers than the headline's.
 enum class AnswerChoice : unsigned char {
-    with_left_out,     ///< who is excluded or dropped out counts, but not who refused consent
+    with_left_out,     ///< who is excluded or dropped out counts, but not who declined consent
     without_doubtful,  ///< without marked trials, and without participants who failed an attention check
     answered_only,     ///< choices that timed out are left out; the headline counts them as wrong
     unanswered_wrong   ///< choices that were skipped count as wrong, too; the headline leaves them out
@@ -329,7 +329,7 @@ struct PresenceRow {
 struct FieldResult {
     std::string field;
     int n = 0;
-    double median = 0.0, least = 0.0, greatest = 0.0;    ///< of numbers
+    double median = 0.0, min = 0.0, max = 0.0;           ///< of numbers
     std::vector<std::pair<std::string, int>> options{};  ///< how many chose each; empty: numbers
 };
 
@@ -338,7 +338,7 @@ struct SessionTimeResult {
     std::string factor{};  ///< between participants, of whom these have `level`; empty: all participants
     std::string level{};
     int n = 0;
-    double median_min = 0.0, least_min = 0.0, greatest_min = 0.0;
+    double median_min = 0.0, min_min = 0.0, max_min = 0.0;
 };
 
 /// A questionnaire asked again: of the participants who have both scores, later - earlier.

@@ -78,7 +78,7 @@ class PowerAnalysis {
     [[nodiscard]] static Result<PowerAnalysis> make(const studies::Study& study,
                                                     const std::vector<studies::TargetItem>& targets,
                                                     const studies::AssumedEffects& effects,
-                                                    int most_participants, const PowerOptions& options);
+                                                    int max_participants, const PowerOptions& options);
     PowerAnalysis(PowerAnalysis&&) noexcept;
     ~PowerAnalysis();
 
@@ -93,10 +93,10 @@ class PowerAnalysis {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The least of the numbers simulated whose estimated power reaches `goal`; none where none does.
+/// The smallest of the numbers simulated whose estimated power reaches `goal`; none where none does.
 [[nodiscard]] std::optional<int> participantsFor(const PowerResult& result, const ContrastPower& contrast,
                                                  double goal);
-/// Simulates between the numbers simulated so far, halving, until for each contrast the least number that
+/// Simulates between the numbers simulated so far, halving, until for each contrast the smallest number that
 /// reaches `goal` lies one above a number that does not. Power is taken to rise with participants.
 void searchParticipants(PowerAnalysis& analysis, double goal, const PowerProgress& progress);
 

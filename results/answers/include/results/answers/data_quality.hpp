@@ -15,7 +15,7 @@ struct ParticipantQuality {
     std::string participant;
     bool left_out = false;  ///< excluded or dropped out; judged like the others
     int ratings = 0;        ///< on all measures
-    /// In which the rating given most often has the greatest share, of those that the rule can judge if any,
+    /// In which the rating given most often has the largest share, of those that the rule can judge if any,
     std::string same_measure{};
     double same_rating = 0.0;        ///< that rating,
     double same_share = 0.0;         ///< its share,

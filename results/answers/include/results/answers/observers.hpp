@@ -21,7 +21,7 @@ struct ReadTrial {
 };
 
 /// A choice of the game, and the arm that it was made after.
-struct WatchedChoice {
+struct ObservedChoice {
     ReadTrial seen{};
     int chosen = 0;             ///< of the balls
     studies::ArmLines first{};  ///< of the arm when the hold began
@@ -42,7 +42,7 @@ struct DriftResult {
 };
 
 /// By system in the order given, for each line.
-[[nodiscard]] std::vector<DriftResult> countDrift(const std::vector<WatchedChoice>& choices,
+[[nodiscard]] std::vector<DriftResult> countDrift(const std::vector<ObservedChoice>& choices,
                                                   const std::vector<std::string>& systems);
 
 /// The observers compared, in the order of the tables: two-cue, arm-finger, eye-fingertip.

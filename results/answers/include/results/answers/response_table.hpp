@@ -27,9 +27,9 @@ struct Measure {
     MeasureKind kind = MeasureKind::rating;
     double low = 0.0;  ///< of the scale
     double high = 1.0;
-    int balls = 0;         ///< accuracy: shown in a trial, the most there are; 0 else
-    int planned = 0;       ///< values planned, of participants who count; confidence: as many as choices
-    int fewest_balls = 0;  ///< likewise, the fewest
+    int balls = 0;      ///< accuracy: shown in a trial, the most there are; 0 else
+    int planned = 0;    ///< values planned, of participants who count; confidence: as many as choices
+    int min_balls = 0;  ///< likewise, the fewest
     /// Within which a difference counts as none that matters, declared before; 0: none was.
     double equivalence_bound = 0.0;
 };
@@ -77,8 +77,8 @@ struct ChoiceRow {
     double head_x_m = 0.0;      ///< where the participant stood at the answer
     double head_z_m = 0.0;
     std::string station{};  ///< at which kind, as of the rows
-    /// The least angle from the target to a distractor, as the avatar's eyes see it and as the participant's
-    /// do from the layout's place for the station; degrees, none where they were not kept.
+    /// The smallest angle from the target to a distractor, as the avatar's eyes see it and as the
+    /// participant's do from the layout's place for the station; degrees, none where they were not kept.
     std::optional<double> avatar_angle_deg{};
     std::optional<double> participant_angle_deg{};
     std::string layout{};
@@ -186,7 +186,7 @@ struct ResponseTable {
     std::vector<ChoiceRow> choices{};  ///< of participants who count, where the balls are known
     /// Choices with the arms that they were made after, where the clips are at hand; whoever reads them adds
     /// them (the reading of a database does not).
-    std::vector<WatchedChoice> watched{};
+    std::vector<ObservedChoice> watched{};
 };
 
 /// The factors within participants that the rows differ in: "layout", "distance", then ResponseTable::within.

@@ -25,7 +25,7 @@ struct AnonymousOptions {
 /// What was left out, counted.
 struct AnonymousCounts {
     int participants = 0;
-    int refused = 0;     ///< of them, those who refused consent: only that they did is kept
+    int declined = 0;    ///< of them, those who declined consent: only that they did is kept
     int free_texts = 0;  ///< answers without their text
     int frames = 0;      ///< tracked frames that are kept
     int reasons = 0;     ///< the experimenter's words: reasons, remarks

@@ -21,7 +21,7 @@ inline constexpr std::chrono::milliseconds opening_patience{30'000};
 
 enum class Missing : unsigned char {
     create,  ///< a file that is not there is made, with the newest tables
-    refuse
+    reject
 };
 
 /// Opens for writing, once all of it has been looked over (checkWhole()), and brings an older database to the

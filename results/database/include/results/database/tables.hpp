@@ -9,9 +9,9 @@
 namespace deixis::results {
 
 /// A table of people's rows, and which of its columns are numbers that each database counts for itself.
-struct PeopleTable {
+struct ParticipantTable {
     const char* name;
-    const char* own_id;            ///< counted anew in another database; null: none
+    const char* own_id;            ///< counted again in another database; null: none
     const char* session;           ///< column that refers to sessions.id; null: none
     const char* response;          ///< column that refers to responses.id; null: none
     const char* participant_rows;  ///< the rows of a participant (?1)
@@ -33,7 +33,7 @@ inline constexpr const char* of_sessions = "session IN (SELECT id FROM sessions 
 inline constexpr const char* of_responses = "response IN (SELECT id FROM responses WHERE participant = ?1)";
 
 /// In an order in which each row finds what it refers to.
-inline constexpr std::array<PeopleTable, 18> people_tables{{
+inline constexpr std::array<ParticipantTable, 18> participant_tables{{
     {"participants", nullptr, nullptr, nullptr, "id = ?1", "id", "status, reason, registered_utc_s", "token"},
     {"participant_groups", nullptr, nullptr, nullptr, of_participant, "factor"},
     {"participant_fields", nullptr, nullptr, nullptr, of_participant, "field", "value, text"},

@@ -16,7 +16,7 @@
 
 namespace deixis::results {
 
-inline constexpr std::size_t most_frames_in_block = 64;
+inline constexpr std::size_t max_frames_in_block = 64;
 
 /// Packs consecutive samples (frame numbers may have gaps). Hand joints are left out: they are kept apart.
 [[nodiscard]] std::string packTracking(std::span<const studies::TrackingSample> samples);

@@ -20,7 +20,7 @@ class Withdrawals {
     bool add(const Withdrawal& one);
     /// Adds those of a database. Returns what was not known.
     std::vector<Withdrawal> addFrom(SQLite::Database& database);
-    /// Whether a participant's rows are to be erased, or left out. Who begins anew has another token.
+    /// Whether a participant's rows are to be erased, or left out. Who begins again has another token.
     [[nodiscard]] bool include(const std::optional<std::string>& participant_token) const;
     [[nodiscard]] const std::vector<Withdrawal>& all() const { return all_; }
 

@@ -13,8 +13,8 @@
 
 #include "core/error.hpp"
 #include "core/pose.hpp"
-#include "motion/pointing/pointing.hpp"
-#include "motion/pointing/pointing_accuracy.hpp"
+#include "motion/pointing/accuracy.hpp"
+#include "motion/pointing/rays.hpp"
 #include "results/answers/observers.hpp"
 #include "results/statistics/density.hpp"
 #include "results/statistics/mean_shift.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "results/answers/observers.hpp"
-#include "results/page/report_text.hpp"
+#include "results/page/number_text.hpp"
 
 namespace deixis::results {
 

@@ -43,11 +43,11 @@ inline constexpr const char* even_colour = "#8a8a85";  ///< what is not signific
 [[nodiscard]] std::vector<double> sidewaysPlaces(const std::vector<double>& values, double apart,
                                                  double half);
 
-/// Of `count` places at most `most`, evenly spread, the first and the last among them: what is drawn of more
+/// Of `count` places at most `max`, evenly spread, the first and the last among them: what is drawn of more
 /// points than a figure can show.
-[[nodiscard]] std::vector<std::size_t> evenPicks(std::size_t count, std::size_t most);
+[[nodiscard]] std::vector<std::size_t> evenPicks(std::size_t count, std::size_t max);
 /// `values` in order, thinned by evenPicks: of many, points at their quantiles.
-[[nodiscard]] std::vector<double> thinnedValues(std::vector<double> values, std::size_t most);
+[[nodiscard]] std::vector<double> thinnedValues(std::vector<double> values, std::size_t max);
 
 /// An axis at 0, 1, ... labelled with names of one or several lines.
 [[nodiscard]] FigureJson nameAxis(const std::vector<std::vector<std::string>>& names);

@@ -40,7 +40,7 @@ struct BoxPlot {
     /// Where there are any the axis names them, and a legend the boxes; brackets join boxes of one group.
     std::vector<Group> groups{};
     /// Points of each box; of more values, points at as many of their quantiles.
-    std::size_t most_points = std::numeric_limits<std::size_t>::max();
+    std::size_t max_points = std::numeric_limits<std::size_t>::max();
 };
 
 /// The notches of BoxSummary where they lie within their box; a participant's or clip's value a point, spread

@@ -23,7 +23,7 @@ struct DifferencePlot {
     FigureJson axis;                          ///< of the differences: title, labels
     std::function<std::string(double)> text;  ///< a difference for people
     /// Points of each row; of more differences, points at as many of their quantiles.
-    std::size_t most_points = std::numeric_limits<std::size_t>::max();
+    std::size_t max_points = std::numeric_limits<std::size_t>::max();
 };
 
 [[nodiscard]] FigureJson differencesSpec(const DifferencePlot& plot);

@@ -40,8 +40,8 @@ class SpacePlot {
               const std::string& tip);
 
     /// Values are coloured from `low` to `high`; `format` is that of the legend's numbers. Rows are as high
-    /// as the space is in proportion, but not above `most_row_px`.
-    [[nodiscard]] FigureJson spec(double low, double high, const char* format, double most_row_px) const;
+    /// as the space is in proportion, but not above `max_row_px`.
+    [[nodiscard]] FigureJson spec(double low, double high, const char* format, double max_row_px) const;
 
   private:
     struct Place {

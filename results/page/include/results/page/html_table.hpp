@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "results/analysis/analysis.hpp"
-#include "results/page/report_text.hpp"
+#include "results/page/number_text.hpp"
 #include "results/statistics/descriptive.hpp"
 #include "results/tables/table.hpp"
 

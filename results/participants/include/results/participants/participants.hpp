@@ -24,14 +24,14 @@ struct ParticipantRow {
     studies::Groups groups;
     bool synthetic = false;
     int sessions = 0;
-    int answered = 0;  ///< units of the plan: trials, practice and pages; no consent that was refused
+    int answered = 0;  ///< units of the plan: trials, practice and pages; no consent that was declined
     int planned = 0;   ///< of the same; further attempts at a practice once they have begun
     int checks_failed = 0;
     double last_utc_s = 0.0;
     Consent consent = Consent::not_asked;
 };
 
-/// Whether a session of the participant may begin: only with consent, or to ask for it anew.
+/// Whether a session of the participant may begin: only with consent, or to ask for it again.
 [[nodiscard]] bool mayTakePart(const ParticipantRow& participant);
 
 struct ParticipantDetails {
@@ -59,13 +59,13 @@ struct ParticipantList {
 /// What letting somebody in again came to.
 struct Inclusion {
     bool consent_asked_anew = false;      ///< it was refused: nobody counts before it is given
-    std::vector<std::string> practice{};  ///< stages that were failed, and are practised anew
+    std::vector<std::string> practice{};  ///< stages that were failed, and are practised again
     int failed_checks_forgiven = 0;       ///< attention checks that no rule counts any more
 };
 
 /// Lets an excluded participant or drop-out in again, and resets what led to it: attention checks failed so
-/// far no longer count towards a rule, a practice that was failed begins anew (its answers stay, marked), and
-/// a consent that was refused is asked anew. Fails while a session of the participant runs.
+/// far no longer count towards a rule, a practice that was failed begins again (its answers stay, marked),
+/// and a consent that was declined is asked again. Fails while a session of the participant runs.
 [[nodiscard]] Result<Inclusion> includeParticipant(const std::filesystem::path& database,
                                                    const std::string& participant, double utc_s);
 enum class Withdrawn : unsigned char {

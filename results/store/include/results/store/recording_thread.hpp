@@ -14,7 +14,7 @@ namespace deixis::results {
 
 struct RecordingOptions {
     /// Samples that may wait to be written: at 90 Hz about 45 s. Further ones are counted as missing.
-    std::size_t most_waiting_samples = 4096;
+    std::size_t max_waiting_samples = 4096;
     /// For tests: each transaction takes this much longer.
     double delay_s = 0.0;
 };

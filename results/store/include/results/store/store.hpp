@@ -140,7 +140,7 @@ class Store {
     [[nodiscard]] std::vector<studies::TargetItem> plannedTargets() const;
     /// By system, the file of a clip that was shown.
     [[nodiscard]] std::map<std::string, std::string> shownClips() const;
-    /// What earlier sittings left; `now_utc_s` gives the gap.
+    /// What earlier sessions left; `now_utc_s` gives the gap.
     [[nodiscard]] studies::Resume resume(const std::string& participant, double now_utc_s) const;
     /// Whether the participant has had a session with a simulated participant (`synthetic`) or with a person.
     [[nodiscard]] bool hasSession(const std::string& participant, bool synthetic) const;
@@ -152,7 +152,7 @@ class Store {
     /// different names.
     long long beginSession(const SessionInfo& session);
     /// Keeps an event. A response is one transaction with all that it holds and all that follows from it: an
-    /// exclusion, or that consent was refused, which makes the participant a drop-out until it is given. It
+    /// exclusion, or that consent was declined, which makes the participant a drop-out until it is given. It
     /// is durable on return; so are what supersedes one, an exclusion, and an operator's abort, which makes
     /// the participant a drop-out. Throws DatabaseMoved once the event is
     /// kept.

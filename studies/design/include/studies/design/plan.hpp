@@ -106,22 +106,22 @@ using GroupSizes = std::map<Groups, int>;
 [[nodiscard]] Groups assignGroups(const Study& study, const GroupSizes& taken, int number);
 
 /// Where a participant stands among the others.
-struct Turn {
+struct Assignment {
     Groups groups{};
     std::optional<int> number_in_cell{};  ///< as StudyPlan::number_in_cell
 };
 
 /// Of participant `number`, where all before enrolled in the order of their numbers and nobody dropped out,
 /// as in a simulated study. `groups` empty: those that are assigned then.
-[[nodiscard]] Turn turnOf(const Study& study, int number, const Groups& groups = {});
+[[nodiscard]] Assignment assignmentOf(const Study& study, int number, const Groups& groups = {});
 
 /// Builds the plan of one participant.
 ///
 /// - Items are targets drawn without replacement, different ones in all stages, the same for all systems
-///   where Meeting::crossed (Deichler et al. 2023, 2.4.2). Practice and checks have items of their own, but
+///   where Crossing::crossed (Deichler et al. 2023, 2.4.2). Practice and checks have items of their own, but
 ///   for repeats and for numbers, which take the place of a stimulus (Yoon et al. 2021, 7.2.2).
 /// - Nested levels are shared out evenly over a participant's items, each system alike; where the items do
-///   not divide, chance gives the odd ones out, anew for each participant.
+///   not divide, chance gives the odd ones out, separately for each participant.
 /// - Order: blocks as TrialDesign says, shuffled within, under its constraints. Stimuli of a page and of a
 ///   pair are shuffled for each trial, left and right evenly over a pair's trials.
 /// - Where a system has several clips for an item, chance draws one of them, the same for all of the

@@ -31,7 +31,7 @@ struct TargetItem {
 /// after a bounded search where the ranges cannot be met.
 ///
 /// Seen `from` somewhere, balls must be clear to see from there (ClearView): a target that is not is drawn
-/// anew from numbers of its own, and so is a distractor that is hidden or hides another ball. Without
+/// again from numbers of its own, and so is a distractor that is hidden or hides another ball. Without
 /// viewpoints this is the bare rule of the paper. A target that is seen is the same by both.
 ///
 /// A band that says so keeps its distractors within angles, too: the participant's are those of `places`,
@@ -62,15 +62,15 @@ struct TargetItem {
 [[nodiscard]] Result<std::vector<TargetItem>> drawDistractors(std::vector<TargetItem> items,
                                                               const Study& study);
 
-/// What visibility has drawn anew in an item, by which it departs from the bare rule.
-enum class DrawnAnew : unsigned char { nothing, distractors, target };
-/// By item, of targets as they are drawn for a study; a target that was drawn anew has other distractors,
+/// What visibility has drawn again in an item, by which it departs from the bare rule.
+enum class Redrawn : unsigned char { nothing, distractors, target };
+/// By item, of targets as they are drawn for a study; a target that was drawn again has other distractors,
 /// too.
-[[nodiscard]] Result<std::vector<DrawnAnew>> drawnAnew(const Study& study,
-                                                       const std::vector<TargetItem>& targets);
+[[nodiscard]] Result<std::vector<Redrawn>> redrawn(const Study& study,
+                                                   const std::vector<TargetItem>& targets);
 
 /// `space` with its three ranges replaced by those of `positions` (the targets of a manifest's clips): least
-/// and greatest height, azimuth and radius. Fails where there are none, or where one
+/// and largest height, azimuth and radius. Fails where there are none, or where one
 /// lies on the avatar's axis, farther than 20 m, or so low that a ball there would stick in the floor.
 [[nodiscard]] Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions);
 
@@ -78,11 +78,11 @@ enum class DrawnAnew : unsigned char { nothing, distractors, target };
 /// ",d1_x,d1_y,d1_z"), then a row each.
 [[nodiscard]] std::string targetsCsv(const std::vector<TargetItem>& targets,
                                      const std::vector<DistanceBand>& bands);
-/// The same for a study with a game, with, for each band and viewpoint, the least share of a ball's disc that
-/// is seen from there, "seen_LAYOUT_headset" and "seen_LAYOUT_desktop", and the least angle from the target
-/// to a distractor in degrees, "angle_avatar", "angle_LAYOUT_headset" and "angle_LAYOUT_desktop" (of several
-/// bands with the band before); last "drawn_anew": "target", "distractors" or empty, see drawnAnew(); all
-/// empty where that fails.
+/// The same for a study with a game, with, for each band and viewpoint, the smallest share of a ball's disc
+/// that is seen from there, "seen_LAYOUT_headset" and "seen_LAYOUT_desktop", and the smallest angle from the
+/// target to a distractor in degrees, "angle_avatar", "angle_LAYOUT_headset" and "angle_LAYOUT_desktop" (of
+/// several bands with the band before); last "drawn_anew": "target", "distractors" or empty, see redrawn();
+/// all empty where that fails.
 [[nodiscard]] std::string targetsCsv(const Study& study, const std::vector<TargetItem>& targets);
 
 /// What is seen of an item's balls in one band, past an avatar: by viewpoint; of each the target first.

@@ -14,7 +14,7 @@
 namespace deixis::studies {
 
 /// A ball counts as visible where at least so much of its disc is seen, at rest and pointing.
-constexpr double least_visible_share = 0.9;
+constexpr double min_visible_share = 0.9;
 
 /// Where the eyes of participants may be in a layout: at its place for a station, at three heights, 0.15 m
 /// apart, the middle one Study::eye_height_m.
@@ -64,8 +64,8 @@ struct SeenBalls {
     std::vector<double> at_rest;   ///< by ball, in the order of the balls asked about
     std::vector<double> pointing;  ///< while the avatar points at the target
 
-    [[nodiscard]] double least() const;
-    [[nodiscard]] bool clear() const { return least() >= least_visible_share; }
+    [[nodiscard]] double min() const;
+    [[nodiscard]] bool clear() const { return min() >= min_visible_share; }
 };
 
 /// `balls`: the target first.

@@ -55,7 +55,7 @@ struct Response {
     int replays = 0;
     std::vector<int> plays{};  ///< by stimulus: how often its clip was shown to the end
     int pauses = 0;            ///< interruptions: during the clip, which then started over, or while choosing
-    bool begun_before = false;     ///< its clip had been begun in an earlier sitting, which broke off
+    bool begun_before = false;     ///< its clip had been begun in an earlier session, which broke off
     std::string reason{};          ///< skipped: why
     std::string exclusion{};       ///< why the participant leaves the analysis with it; empty: does not
     std::string input;             ///< "ray", "key"; "" where nothing was answered
@@ -81,7 +81,7 @@ struct Superseded {
 inline constexpr std::string_view check_failed_reason = "attention check failed: ";
 inline constexpr std::string_view practice_failed_reason = "practice failed: ";
 
-/// The participant's answers leave the analysis, for what an earlier sitting left (else Response::exclusion).
+/// The participant's answers leave the analysis, for what an earlier session left (else Response::exclusion).
 struct Exclusion {
     std::string reason;  ///< such as "practice failed: game-practice"
     Moment at{};

@@ -25,20 +25,20 @@ class ClipSource {
     [[nodiscard]] virtual const motion::Clip& clip(const Stimulus& stimulus) const = 0;
 };
 
-/// What earlier sittings of the participant left.
+/// What earlier sessions of the participant left.
 struct Resume {
-    /// Trial index -> correct (false only for a wrong choice of the game). A consent that was refused is not
-    /// among them: it is asked anew before anything else.
+    /// Trial index -> correct (false only for a wrong choice of the game). A consent that was declined is not
+    /// among them: it is asked again before anything else.
     std::map<int, bool> answered{};
     std::set<int> begun{};  ///< unanswered trials whose clip had been begun
     /// By stage and kind; not those that were forgiven when the participant was let in again.
     std::map<std::pair<std::string, CheckKind>, int> check_failures{};
     /// Answers to trials that a check repeats (TrialCheck::of_trial). Without, such a repeat is not judged.
     std::vector<Response> first_answers{};
-    double gap_s = 0.0;  ///< from the last thing known of the sitting before until now; 0: there was none
+    double gap_s = 0.0;  ///< from the last thing known of the session before until now; 0: there was none
 };
 
-/// The trials that are still to be answered, in order: none of later sittings (Stage::session) while an
+/// The trials that are still to be answered, in order: none of later visits (Stage::session) while an
 /// earlier one has any left, and no practice attempts after one that met the criterion, or of a stage whose
 /// trials have begun.
 [[nodiscard]] std::vector<int> trialsLeft(const Study& study, const StudyPlan& plan,
@@ -52,7 +52,7 @@ struct SessionStep {
 
 enum class SessionOutcome : unsigned char {
     running,
-    finished,  ///< this sitting's last page was left
+    finished,  ///< this visit's last page was left
     quit,      ///< ended before its end; the rest can be resumed
     aborted,   ///< by the operator: a drop-out
     declined,  ///< consent was not given
@@ -75,8 +75,8 @@ struct SessionProgress {
     std::string trial;  ///< the conditions of the trial under way, which the operator sees only on demand
 };
 
-/// The course of a session: the stages of the plan in order, each with its pages, trials and breaks (for the
-/// pointing study: Deichler et al. 2023, section 2.4.2).
+/// The timeline of a session: the stages of the plan in order, each with its pages, trials and breaks (for
+/// the pointing study: Deichler et al. 2023, section 2.4.2).
 ///
 /// A trial: a pause in which the avatar stands at ease (longer where the participant has been moved), the
 /// clip, then the answer. The clip's time is the display time since its first frame was shown. Its last pose

@@ -29,7 +29,7 @@ class AssumedAnswers {
     AssumedAnswers(const Study& study, const AssumedEffects& effects, std::span<const StudyPlan> plans);
 
     /// Those of which something is assumed, in the study's order.
-    [[nodiscard]] const std::vector<AskedMeasure>& measures() const { return measures_; }
+    [[nodiscard]] const std::vector<StudyMeasure>& measures() const { return measures_; }
     /// By participant, then in the order of the trials; a choice before its confidence.
     [[nodiscard]] const std::vector<PlannedAnswer>& planned() const { return planned_; }
 
@@ -40,7 +40,7 @@ class AssumedAnswers {
   private:
     /// What stands behind the answers of one measure.
     struct Model {
-        AskedKind kind = AskedKind::rating;
+        AnswerKind kind = AnswerKind::rating;
         std::vector<double> locations;  ///< by system; of a preference the strengths
         GroupShifts groups{};
         AssumedSpread spread{};
@@ -55,11 +55,11 @@ class AssumedAnswers {
         AnswerCurve curve;
     };
 
-    void addModel(const Study& study, const AskedMeasure& measure, const AssumedEffects& effects);
+    void addModel(const Study& study, const StudyMeasure& measure, const AssumedEffects& effects);
     [[nodiscard]] double drawOne(const Draw& draw, AssumedParticipant& participant,
                                  const std::vector<double>& items) const;
 
-    std::vector<AskedMeasure> measures_;
+    std::vector<StudyMeasure> measures_;
     std::vector<Model> models_;
     std::vector<PlannedAnswer> planned_;
     std::vector<Draw> draws_;

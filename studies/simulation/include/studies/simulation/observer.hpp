@@ -11,7 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/pose.hpp"
-#include "motion/pointing/pointing.hpp"
+#include "motion/pointing/rays.hpp"
 
 namespace deixis::studies {
 

@@ -26,12 +26,12 @@ struct FirstLook {
     friend bool operator==(const FirstLook&, const FirstLook&) = default;
 
     /// The vertical field of view in which all is seen with a twentieth of the picture free on every side,
-    /// for a picture of this width by height: least_view_rad where that does, and never above
-    /// greatest_view_rad.
+    /// for a picture of this width by height: min_view_rad where that does, and never above
+    /// max_view_rad.
     [[nodiscard]] double verticalView_rad(double aspect) const;
 };
-constexpr double least_view_rad = radiansFromDegrees(60.0);
-constexpr double greatest_view_rad = radiansFromDegrees(84.0);
+constexpr double min_view_rad = radiansFromDegrees(60.0);
+constexpr double max_view_rad = radiansFromDegrees(84.0);
 
 /// For eyes so high above the viewer's place (on the floor, -z is forward). The order of the spheres does not
 /// matter; there must be one.

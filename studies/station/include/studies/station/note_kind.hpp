@@ -7,7 +7,7 @@
 namespace deixis::studies {
 
 enum class NoteKind : std::uint8_t {
-    // The course of a session.
+    // The timeline of a session.
     session_start,
     stage_start,        ///< detail: its name
     instructions_read,  ///< which page

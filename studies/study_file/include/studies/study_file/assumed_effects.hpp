@@ -14,18 +14,18 @@
 namespace deixis::studies {
 
 /// What a study measures of its systems, over the scored stages for it.
-struct AskedMeasure {
+struct StudyMeasure {
     std::string name;  ///< "accuracy", "confidence", "preference", or Stage::measure
-    AskedKind kind = AskedKind::rating;
+    AnswerKind kind = AnswerKind::rating;
     int low = 0;
     int high = 1;
     int balls = 0;  ///< accuracy: shown in a trial, the most there are
 };
 
 /// What one stage measures, as its kind declares it.
-[[nodiscard]] std::vector<AskedMeasure> measuresOf(const Study& study, const Stage& stage);
+[[nodiscard]] std::vector<StudyMeasure> measuresOf(const Study& study, const Stage& stage);
 /// Accuracy first, then in the order of the stages.
-[[nodiscard]] std::vector<AskedMeasure> askedMeasures(const Study& study);
+[[nodiscard]] std::vector<StudyMeasure> studyMeasures(const Study& study);
 
 /// By name of a system, a layout or a distance.
 using ByName = std::map<std::string, double>;

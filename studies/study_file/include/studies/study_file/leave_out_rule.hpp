@@ -6,9 +6,9 @@
 namespace deixis::studies {
 
 /// Participants for whom any of these holds; none given: nobody is left out by a rule. Judged only where a
-/// participant has at least `least_answers` answers of the kind.
+/// participant has at least `min_answers` answers of the kind.
 struct LeaveOutRule {
-    static constexpr int least_answers = 10;
+    static constexpr int min_answers = 10;
 
     std::optional<double>
         same_rating_share{};                 ///< one rating in at least this share of a measure's; [0.51, 1]

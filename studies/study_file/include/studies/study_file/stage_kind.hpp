@@ -15,7 +15,7 @@ class TomlTable;
 struct StageReading;
 
 /// How what is measured is analysed.
-enum class AskedKind : unsigned char {
+enum class AnswerKind : unsigned char {
     accuracy,   ///< right or wrong, among so many balls
     rating,     ///< a number of one stimulus
     preference  ///< -2 clearly the left stimulus .. 2 clearly the right one
@@ -24,7 +24,7 @@ enum class AskedKind : unsigned char {
 struct DeclaredMeasure {
     std::string_view
         question;  ///< whose answers they are (Answer::question); empty: whether the choice was right
-    AskedKind kind = AskedKind::rating;
+    AnswerKind kind = AnswerKind::rating;
     std::string_view name;  ///< in tables and report; empty: Stage::measure
 };
 
@@ -44,7 +44,7 @@ struct StageDeclaration {
 
     bool answered = true;       ///< else it is a page that is only read
     bool is_break = false;      ///< a page that is not read again
-    bool asks_consent = false;  ///< a no ends the session, and is asked anew before all else
+    bool asks_consent = false;  ///< a no ends the session, and is asked again before all else
     bool in_pages = false;      ///< Trial::page counts up, see `pages`
     /// How many units a stage without clips has; null: none.
     int (*pages)(const Stage& stage) = nullptr;

@@ -65,7 +65,7 @@ struct TargetSpace {
     std::string from_manifest{};  ///< path (resolved) of a manifest whose items are the study's; then there
                                   ///< are no ranges unless a game draws distractors
     double ball_diameter_m = 0.1;
-    bool clear_view = true;  ///< balls that a participant could not see are drawn anew; else the bare rule
+    bool clear_view = true;  ///< balls that a participant could not see are drawn again; else the bare rule
 };
 
 /// One of the systems compared. Exactly one of `generator` and `manifest` is set.
@@ -99,7 +99,7 @@ struct BetweenFactor {
 [[nodiscard]] bool showsClips(StageKind kind);
 
 /// How the levels of a factor within participants meet the items.
-enum class Meeting : unsigned char {
+enum class Crossing : unsigned char {
     crossed,  ///< every item meets every level
     nested    ///< an item has one level, which it keeps; the levels share the items out evenly
 };
@@ -116,9 +116,9 @@ struct TrialDesign {
     std::vector<std::string> systems{};    ///< of [[systems]]
     std::vector<std::string> layouts{};    ///< of [[layouts]]
     std::vector<std::string> distances{};  ///< of [[distances]]; game only
-    Meeting system_meets = Meeting::crossed;
-    Meeting layout_meets = Meeting::nested;
-    Meeting distance_meets = Meeting::nested;
+    Crossing system_meets = Crossing::crossed;
+    Crossing layout_meets = Crossing::nested;
+    Crossing distance_meets = Crossing::nested;
     /// Trials come in blocks of one level of this factor ("system", "layout", "distance"); empty: no blocks.
     std::string block_by{};
     BlockOrder block_order = BlockOrder::shuffled;
@@ -164,7 +164,7 @@ struct Practice {
 struct Stage {
     std::string name;  ///< unique
     StageKind kind = StageKind::instructions;
-    int session = 1;                            ///< the stages of session 2 wait for another sitting
+    int session = 1;                            ///< the stages of session 2 wait for another visit
     std::map<std::string, std::string> when{};  ///< between factor -> level; empty: for everybody
     std::string text{};                         ///< the page's; of a stage with trials: none
     std::string emphasis{};                     ///< instructions: a line under the text, such as the question

@@ -20,7 +20,7 @@ namespace deixis::studies {
 /// Why boards cannot draw a text, and what to do about it.
 struct NotDrawn {
     std::string message;
-    const char* mend;
+    const char* hint;
 };
 
 /// None where they can. Not drawn are letters of a script that is written from right to left or whose letters

@@ -27,7 +27,7 @@ class Problems {
     explicit Problems(std::string file) : file_(std::move(file)) {}
 
     /// Notes a problem at a place (none: line 0) and a dotted key.
-    void add(toml::source_position at, std::string_view key, std::string message, std::string mend = {});
+    void add(toml::source_position at, std::string_view key, std::string message, std::string hint = {});
     /// Notes the problems of another file, which is named here.
     void add(toml::source_position at, std::vector<Error> others);
     /// All, in the order of the file.
@@ -95,7 +95,7 @@ class TomlTable {
     [[nodiscard]] std::pair<double, double> pair(std::string_view key, double low, double high);
     [[nodiscard]] std::pair<double, double> range(std::string_view key, double low, double high);
     /// A list of names; none twice unless `repeats`.
-    [[nodiscard]] std::vector<std::string> names(std::string_view key, std::size_t least, bool required,
+    [[nodiscard]] std::vector<std::string> names(std::string_view key, std::size_t min, bool required,
                                                  bool repeats = false);
     /// The same, out of `known`, which stand in `section`. Where `known` is empty, which is told elsewhere,
     /// any name passes.
@@ -113,12 +113,12 @@ class TomlTable {
     [[nodiscard]] TomlTable below(std::string_view key, const toml::table* table, Names known) const;
 
     /// Notes a problem with the value of `key`, or with the table where the key is missing.
-    void problem(std::string_view key, std::string message, std::string mend = {});
+    void problem(std::string_view key, std::string message, std::string hint = {});
     /// The same with entry `index` of a list, or entry `name` of a table.
-    void problemAt(std::string_view key, std::size_t index, std::string message, std::string mend = {});
-    void problemAt(std::string_view key, std::string_view name, std::string message, std::string mend = {});
+    void problemAt(std::string_view key, std::size_t index, std::string message, std::string hint = {});
+    void problemAt(std::string_view key, std::string_view name, std::string message, std::string hint = {});
     /// Notes that `key`, where it is there, does not go with what else is written.
-    void refuse(std::string_view key, std::string_view why);
+    void reject(std::string_view key, std::string_view why);
     [[nodiscard]] toml::source_position place(std::string_view key) const;
     [[nodiscard]] std::string dotted(std::string_view key) const;
 

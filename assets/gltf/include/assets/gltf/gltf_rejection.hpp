@@ -1,0 +1,21 @@
+// How reading a glTF file ends where it cannot go on.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+
+namespace deixis::assets::gltf {
+
+/// Thrown inside the readers of glTF files only, and turned into a Result where they are entered.
+struct Rejection {
+    Error error;
+};
+
+[[noreturn]] inline void reject(std::string where, std::string message,
+                                std::string hint = "Export the file anew") {
+    throw Rejection{Error{std::move(where), std::move(message), std::move(hint)}};
+}
+
+}  // namespace deixis::assets::gltf

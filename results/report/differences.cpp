@@ -1,0 +1,51 @@
+// Participants' paired differences.
+#include <fmt/core.h>
+
+#include "figures.hpp"
+#include "results/page/figure_differences.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+std::vector<DifferencePlot::Row> comparedRows(const AnalysisResult& result, const Measure& measure) {
+    std::vector<DifferencePlot::Row> rows;
+    for (const Comparison& pair : result.pairwise)
+        if (pair.measure == measure.name && !pair.differences.empty())
+            rows.push_back({pair.a, pair.b, pair.differences, pair.test.hodges_lehmann,
+                            pair.p_holm.value_or(1.0), pair.significant});
+    return rows;
+}
+
+}  // namespace
+
+Figure differencesFigure(const AnalysisResult& result, std::size_t index, Numbering& figures) {
+    const Measure& measure = result.measures[index];
+    const bool accuracy = measure.kind == MeasureKind::accuracy;
+    DifferencePlot plot;
+    plot.rows = comparedRows(result, measure);
+    plot.axis = {{"title", accuracy ? "difference, percentage points" : "difference, points of the scale"},
+                 {"labelExpr", accuracy ? "format(100 * datum.value, '.0f')" : "datum.label"}};
+    plot.text = [&](double value) { return scoreText(measure, value); };
+    return {
+        fmt::format("differences-{}", index + 1),
+        fmt::format("{} {}: each participant's difference (points) and their shift with its interval "
+                    "(Hodges&#8211;Lehmann; filled and starred where it is significant after Holm's "
+                    "correction). Right of 0 the system named first is higher.",
+                    figures.next(), escapeHtml(capitalised(measure.name))),
+        fmt::format("Participants' differences in {} between the systems of each pair, with the shift and "
+                    "its interval.{}",
+                    measure.name, shiftsText(plot)),
+        differencesSpec(plot)};
+}
+
+std::string differencesHtml(const AnalysisResult& result, Numbering& figures) {
+    if (result.participants < 2) return "";
+    std::string out;
+    for (std::size_t i = 0; i < result.measures.size(); ++i)
+        if (!comparedRows(result, result.measures[i]).empty())
+            out += figureHtml(differencesFigure(result, i, figures));
+    return out.empty() ? "" : "<h2>Paired differences</h2><div class=\"plots\">" + out + "</div>";
+}
+
+}  // namespace deixis::results

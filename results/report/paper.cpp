@@ -1,0 +1,175 @@
+#include "paper.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "computed.hpp"
+#include "paragraphs.hpp"
+#include "participants.hpp"
+#include "results/analysis/analysis_steps.hpp"
+#include "results/analysis/several_studies.hpp"
+#include "results/page/number_text.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+std::vector<std::string> escaped(const std::vector<std::string>& texts) {
+    std::vector<std::string> out;
+    for (const std::string& text : texts) out.push_back(escapeHtml(text));
+    return out;
+}
+
+std::string groupsText(const AnalysisResult& result, const Factor& factor) {
+    std::map<std::string, int> sizes;
+    if (factor.name == study_factor && !result.by_study.empty())
+        for (const AnalysisResult& one : result.by_study) sizes[one.table.study_name] = one.participants;
+    else
+        for (const auto& [participant, levels] : result.table.groups)
+            if (const auto level = levels.find(factor.name); level != levels.end()) ++sizes[level->second];
+    std::vector<std::string> out;
+    for (const std::string& level : factor.levels)
+        out.push_back(fmt::format("{}: {}", escapeHtml(level), sizes[level]));
+    return fmt::format("{} ({})", escapeHtml(factor.name), inSentence(out));
+}
+
+std::vector<std::string> limitations(const AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    std::vector<std::string> out;
+    if (result.synthetic)
+        out.emplace_back(
+            "Answers come from simulated participants: they show that the pipeline works and what a "
+            "study of this size could find, and nothing about people.");
+    if (!result.by_study.empty())
+        out.emplace_back(
+            "Participants were not assigned to the studies by this program: a difference between studies may "
+            "come from anything in which they differ, their people, clips and time among it. Pooled tests "
+            "take all participants as one sample, in which a study with more of them weighs more.");
+    const bool rated = std::any_of(table.measures.begin(), table.measures.end(),
+                                   [](const Measure& one) { return one.kind == MeasureKind::rating; });
+    if (result.participants > 1 && table.systems.size() > 1)
+        out.emplace_back(
+            "A difference that is not significant is not shown to be none: its interval tells which "
+            "differences the data leave possible.");
+    if (!result.items.empty())
+        out.emplace_back(
+            "The tests speak about other participants with these same targets and clips. For other "
+            "targets, look at the mixed models with item intercepts that the R script fits.");
+    if (rated)
+        out.emplace_back(
+            "Means take a rating's steps as equally wide, and the shift of the signed-rank test "
+            "supposes that differences lie evenly around it. Cumulative link models do not.");
+    std::set<std::string> families;
+    const auto count = [&families](const auto& tests) {
+        for (const auto& one : tests)
+            if (one.family_size > 0) families.insert(one.family);
+    };
+    count(result.pairwise);
+    count(result.rating_pairs);
+    count(result.author_trials);
+    count(result.author_trials_paired);
+    count(result.level_tests);
+    count(result.preferences);
+    count(result.chance);
+    count(result.order);
+    count(result.between);
+    count(result.preferences_between);
+    count(result.interactions);
+    count(result.group_interactions);
+    count(result.score_changes);
+    count(result.score_groups);
+    count(result.time_tests);
+    count(result.time_groups);
+    for (const AnalysisResult& study : result.by_study) {
+        count(study.pairwise);
+        count(study.rating_pairs);
+        count(study.author_trials);
+        count(study.author_trials_paired);
+        count(study.preferences);
+        count(study.between);
+    }
+    if (families.size() > 1)
+        out.push_back(
+            fmt::format("Holm's correction holds within each of the {} families of tests of this page, "
+                        "not over all of them together: name the families that were planned.",
+                        families.size()));
+    const bool at_desktop =
+        std::any_of(table.stations.begin(), table.stations.end(),
+                    [](const StationUse& one) { return one.kind == "desktop" && !one.synthetic; });
+    if (at_desktop)
+        out.emplace_back(
+            "Participants saw the avatar on a flat screen, without depth from two eyes and from their "
+            "own movement: pointing in a headset may be understood otherwise.");
+    if (const auto failed = static_cast<int>(table.failed_checks.size()); failed > 0)
+        out.push_back(fmt::format(
+            "{} failed an attention check and {} not excluded: {} answers count in the headline, and the "
+            "section on choices says what changes without them.",
+            counted(failed, "participant", "participants"), failed == 1 ? "is" : "are",
+            failed == 1 ? "this participant's" : "their"));
+    if (!table.left_out.empty() || table.withdrawn > 0)
+        out.emplace_back(
+            "Some participants are left out; where that decides, the section on choices says so.");
+    return out;
+}
+
+std::string itemsOf(const std::vector<std::string>& items) {
+    std::string out = "<ul class=\"findings\">";
+    for (const std::string& one : items) out += "<li>" + one + "</li>";
+    return out + "</ul>";
+}
+
+}  // namespace
+
+std::string designHtml(const AnalysisResult& result) {
+    const ResponseTable& table = result.table;
+    std::string out = "\n<h2>Design and participants</h2><dl>";
+    const auto entry = [&](const char* name, const std::string& html) {
+        out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
+    };
+    if (!table.systems.empty())
+        entry("Systems", fmt::format("{}: {}{}", table.systems.size(), inSentence(escaped(table.systems)),
+                                     table.systems.size() < 2           ? ""
+                                     : systemsMeetInParticipants(table) ? " (within participants)"
+                                                                        : " (between participants)"));
+    if (!table.measures.empty()) entry("Measures", inSentence(measureTexts(table)));
+    for (const Factor& factor : withinFactors(table))
+        entry("Within participants",
+              fmt::format("{} ({})", escapeHtml(factor.name), inSentence(escaped(factor.levels))));
+    for (const Factor& factor : table.between) entry("Between participants", groupsText(result, factor));
+    // It is not known how many were planned of other data than a study's, and for one kind of station.
+    std::string people = !table.study_hash.empty() && table.planned_participants > 0
+                             ? fmt::format("{} of {} planned have answered", result.participants,
+                                           std::max(result.participants, table.planned_participants))
+                             : counted(result.participants, "has answered", "have answered");
+    if (const std::string left_out = leftOutText(result); !left_out.empty())
+        people += "; left out: " + left_out;
+    entry("Participants", people);
+    for (const auto& [name, text] : participantEntries(result)) entry(name.c_str(), text);
+    if (const auto [min, max] = answersPerParticipant(table); max > 0)
+        entry("Answers",
+              fmt::format("{} in all, {} of each participant", table.rows.size(),
+                          min == max ? fmt::format("{}", max) : fmt::format("{} to {}", min, max)));
+    return out + "</dl>";
+}
+
+std::string paperHtml(const AnalysisResult& result) {
+    std::string out =
+        "\n<h2>For the paper</h2><p><b>Methods, to be copied.</b> " + methodsParagraph(result) + "</p>";
+    if (const std::string results = resultsParagraphs(result); !results.empty())
+        out +=
+            "<details><summary>Results, to be copied: means, and the comparisons of systems, levels, groups "
+            "and preferences" +
+            std::string("</summary>") + results + "</details>";
+    if (const auto limits = limitations(result); !limits.empty())
+        out += "<p><b>Limitations.</b></p>" + itemsOf(limits);
+    if (const auto works = references(result); !works.empty())
+        out += "<p><b>References.</b></p>" + itemsOf(works);
+    return out;
+}
+
+}  // namespace deixis::results
