@@ -185,9 +185,9 @@ Result<GltfClipFile> parseGltfClip(std::string_view bytes, const std::string& na
 }
 
 Result<GltfClipFile> readGltfClip(const std::filesystem::path& path, const GltfClipOptions& options) {
-    const auto bytes = openFile(path);
+    const auto bytes = readFile(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    return parseGltfClip(bytes->view(), path.string(), options, path.parent_path());
+    return parseGltfClip(*bytes, path.string(), options, path.parent_path());
 }
 
 std::vector<std::filesystem::path> gltfBufferFiles(std::string_view bytes,

@@ -274,7 +274,7 @@ Result<BvhFile> parseBvh(std::string_view text, const std::string& name, const B
 Result<BvhFile> readBvh(const std::filesystem::path& path, const BvhOptions& options) {
     const auto text = readUnpacked(path);
     if (!text) return tl::unexpected(text.error());
-    return parseBvh(text->view(), path.string(), options);
+    return parseBvh(*text, path.string(), options);
 }
 
 }  // namespace deixis::assets

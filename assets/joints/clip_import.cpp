@@ -224,13 +224,13 @@ Result<ImportedClip> importClipBytes(std::string_view bytes, const std::string& 
 Result<ImportedClip> importClip(const std::filesystem::path& path, const ImportOptions& options) {
     const auto bytes = readUnpacked(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    return importFrom(bytes->view(), path.string(), options, path.parent_path());
+    return importFrom(*bytes, path.string(), options, path.parent_path());
 }
 
 std::vector<std::filesystem::path> partsOfClip(const std::filesystem::path& path) {
     const auto bytes = readUnpacked(path);
-    if (!bytes || kindOf(bytes->view(), path.string()) != Kind::gltf) return {};
-    return gltfBufferFiles(bytes->view(), path);
+    if (!bytes || kindOf(*bytes, path.string()) != Kind::gltf) return {};
+    return gltfBufferFiles(*bytes, path);
 }
 
 std::string describe(const ImportedClip& imported) {

@@ -31,12 +31,10 @@ Result<std::string> unpack(const std::filesystem::path& path) {
 
 }  // namespace
 
-Result<FileBytes> readUnpacked(const std::filesystem::path& path) {
-    auto bytes = openFile(path);
-    if (!bytes || !bytes->view().starts_with("\x1f\x8b")) return bytes;
-    auto text = unpack(path);
-    if (!text) return tl::unexpected(text.error());
-    return FileBytes(std::move(*text));
+Result<std::string> readUnpacked(const std::filesystem::path& path) {
+    auto bytes = readFile(path);
+    if (!bytes || !bytes->starts_with("\x1f\x8b")) return bytes;
+    return unpack(path);
 }
 
 }  // namespace deixis::assets

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/files.hpp"
 
 namespace deixis::assets {
 
 /// The file's bytes, unpacked where they begin as gzip data do; at most 4 GiB then.
-[[nodiscard]] Result<FileBytes> readUnpacked(const std::filesystem::path& path);
+[[nodiscard]] Result<std::string> readUnpacked(const std::filesystem::path& path);
 
 }  // namespace deixis::assets

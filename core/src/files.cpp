@@ -1,10 +1,5 @@
 #include "core/files.hpp"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -107,37 +102,6 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_
     if (!in) return fail(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
     const auto size = fs::is_regular_file(status) ? fs::file_size(path, code) : 0;
     return readAll(in, path.string(), code ? 0 : static_cast<std::size_t>(size), max_bytes);
-}
-
-FileBytes::FileBytes(FileBytes&& other) noexcept
-    : bytes_(std::move(other.bytes_)), mapped_(std::exchange(other.mapped_, nullptr)), size_(other.size_) {}
-
-FileBytes::~FileBytes() {
-    if (mapped_ != nullptr) ::munmap(mapped_, size_);
-}
-
-std::string_view FileBytes::view() const {
-    return mapped_ != nullptr ? std::string_view(static_cast<const char*>(mapped_), size_) : bytes_;
-}
-
-Result<FileBytes> openFile(const std::filesystem::path& path, std::size_t mapped_from) {
-    struct stat status {};
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file >= 0 && ::fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0 &&
-        static_cast<std::size_t>(status.st_size) >= mapped_from) {
-        const auto size = static_cast<std::size_t>(status.st_size);
-        void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-        ::close(file);
-        if (mapped != MAP_FAILED) {
-            ::madvise(mapped, size, MADV_SEQUENTIAL);
-            return FileBytes(mapped, size);
-        }
-    } else if (file >= 0) {
-        ::close(file);
-    }
-    auto bytes = readFile(path);  // also tells what is wrong with the path
-    if (!bytes) return tl::unexpected(bytes.error());
-    return FileBytes(std::move(*bytes));
 }
 
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes) {

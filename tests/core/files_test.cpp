@@ -25,33 +25,12 @@ TEST_SUITE("core/files") {
         std::filesystem::remove_all(folder);
     }
 
-    TEST_CASE("a large file is mapped, a small one read, and both are the same") {
-        const auto folder = std::filesystem::temp_directory_path() / "deixis_mapped_test";
-        std::string bytes;
-        for (int i = 0; i < 3000; ++i) bytes += std::to_string(i);
-        REQUIRE(writeFile(folder / "file.bin", bytes));
-        auto mapped = openFile(folder / "file.bin", 10000);
-        REQUIRE(mapped);
-        CHECK(mapped->isMapped());
-        const FileBytes moved = std::move(*mapped);
-        CHECK(moved.view() == bytes);
-        const auto read = openFile(folder / "file.bin", 20000);
-        REQUIRE(read);
-        CHECK_FALSE(read->isMapped());
-        CHECK(read->view() == bytes);
-        REQUIRE(writeFile(folder / "empty.bin", ""));
-        CHECK(openFile(folder / "empty.bin", 0).value().view().empty());
-        std::filesystem::remove_all(folder);
-    }
-
     TEST_CASE("a missing file and a folder are errors that name the path") {
         const auto missing = readFile("/no/such/file.txt");
         REQUIRE_FALSE(missing);
         CHECK(missing.error().text().find("/no/such/file.txt") == 0);
         CHECK(missing.error().text().find("No such file") != std::string::npos);
         CHECK_FALSE(readFile(std::filesystem::temp_directory_path()));
-        CHECK_FALSE(openFile(std::filesystem::temp_directory_path(), 0));
-        CHECK_FALSE(openFile("/no/such/file.txt", 0));
     }
 
     TEST_CASE("what never ends is refused, and so is more than the most") {
@@ -60,7 +39,6 @@ TEST_SUITE("core/files") {
             REQUIRE_FALSE(read);
             CHECK(read.error().text().find(device) == 0);
             CHECK(read.error().text().find("device") != std::string::npos);
-            CHECK_FALSE(openFile(device, 0));
         }
         const auto folder = std::filesystem::temp_directory_path() / "deixis_bound_test";
         std::filesystem::remove_all(folder);

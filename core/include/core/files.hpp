@@ -6,7 +6,6 @@
 #include <istream>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "core/error.hpp"
 
@@ -25,31 +24,6 @@ inline constexpr std::size_t max_file_bytes = std::size_t{4} << 30U;
 [[nodiscard]] Result<std::string> readAll(std::istream& in, const std::string& name,
                                           std::size_t expected_bytes = 0,
                                           std::size_t max_bytes = max_file_bytes);
-
-/// What a file holds, to be looked at. A file of `mapped_from` bytes or more is mapped, so that a long
-/// recording need not fit into memory; it must not be shortened meanwhile. A smaller one is read.
-class FileBytes {
-  public:
-    explicit FileBytes(std::string bytes) : bytes_(std::move(bytes)) {}
-    FileBytes(FileBytes&& other) noexcept;
-    FileBytes& operator=(FileBytes&&) = delete;
-    FileBytes(const FileBytes&) = delete;
-    FileBytes& operator=(const FileBytes&) = delete;
-    ~FileBytes();
-
-    [[nodiscard]] std::string_view view() const;
-    [[nodiscard]] bool isMapped() const { return mapped_ != nullptr; }
-
-  private:
-    friend Result<FileBytes> openFile(const std::filesystem::path& path, std::size_t mapped_from);
-    FileBytes(void* mapped, std::size_t size) : mapped_(mapped), size_(size) {}
-
-    std::string bytes_{};
-    void* mapped_ = nullptr;
-    std::size_t size_ = 0;
-};
-[[nodiscard]] Result<FileBytes> openFile(const std::filesystem::path& path,
-                                         std::size_t mapped_from = std::size_t{64} << 20U);
 
 /// Writes to a neighbour and renames it into place: a reader sees the old file or the new one, never a half,
 /// and on return the disk has the new one, with its name and the folders made for it. A pipe or device is
