@@ -7,6 +7,7 @@
 
 #include "avatar_poser.hpp"
 #include "ball_met.hpp"
+#include "session_unit.hpp"
 #include "studies/study_file/stage_kind.hpp"
 #include "studies/study_file/standing.hpp"
 
@@ -134,10 +135,11 @@ PresentedFrame TrialReplay::at(double time_s) const {
     const auto pointed = pointer(time_s);
     const bool open = time_s >= recorded_.open_s;
     const bool answered = time_s >= recorded_.answered_s;
-    frame.balls = ballsOf(recorded_);
+    const auto replayed = unitOf(recorded_.trial.kind).replayed;
+    frame.balls = replayed != nullptr ? replayed(recorded_, time_s) : ballsOf(recorded_);
     BallMet met;
     if (pointed && open) met = nearestBall(frame.balls, *pointed);
-    for (std::size_t i = 0; i < frame.balls.size(); ++i) {
+    for (std::size_t i = 0; i < frame.balls.size() && replayed == nullptr; ++i) {
         const int place = static_cast<int>(i);
         BallLook& look = frame.balls[i].look;
         if (open) look = BallLook::selectable;

@@ -6,12 +6,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "attention_checks.hpp"
 #include "session_core.hpp"
 #include "timeline.hpp"
 
 namespace deixis::studies {
+
+struct RecordedTrial;
 
 class Unit {
   public:
@@ -85,6 +88,8 @@ struct UnitDeclaration {
     std::unique_ptr<Unit> (*make)(SessionCore& core, const TimelineItem& item);
     /// Whether the answer to a repeated trial is that of the first time, for kinds that may be repeated.
     CheckResult (*compare)(const TrialAnswer& first, const TrialAnswer& now, double tolerance) = nullptr;
+    /// The balls as they looked at a time of a recorded trial; null: those of the plan, lit by the ray.
+    std::vector<BallView> (*replayed)(const RecordedTrial& recorded, double time_s) = nullptr;
 };
 template <typename UnitOfKind>
 [[nodiscard]] std::unique_ptr<Unit> makeUnitOf(SessionCore& core, const TimelineItem& item) {

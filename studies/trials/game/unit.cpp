@@ -2,9 +2,9 @@
 // choice a study may ask how sure the participant is, and show the target.
 #include <fmt/core.h>
 
-#include <cmath>
 #include <vector>
 
+#include "answer_limit.hpp"
 #include "clip_trial.hpp"
 #include "scale_answer.hpp"
 
@@ -13,13 +13,11 @@ namespace deixis::studies {
 namespace {
 
 constexpr double feedback_s = 1.0;
-constexpr double time_up_s = 1.0;          ///< how long it is told that the time is up
-constexpr int countdown_from = 5;          ///< seconds left at which they are told,
-constexpr double longest_untold_s = 10.0;  ///< of a time limit that is longer than this
 
 class GameTrial : public ClipTrial {
   public:
-    GameTrial(SessionCore& core, const TimelineItem& item) : ClipTrial(core, item) {
+    GameTrial(SessionCore& core, const TimelineItem& item)
+        : ClipTrial(core, item), limit_(task_.time_limit_s) {
         if (task_.confidence) confidence_.emplace(core, task_.confidence->text, task_.confidence->scale);
     }
 
@@ -35,7 +33,7 @@ class GameTrial : public ClipTrial {
     [[nodiscard]] bool stepDone(const InputFrame& /*input*/, double since_s) override {
         if (draft_.status == ResponseStatus::skipped) return true;
         const bool late = draft_.status == ResponseStatus::timed_out;
-        if (!stage_.feedback) return since_s >= (late ? time_up_s : confirm_s);
+        if (!stage_.feedback) return since_s >= (late ? AnswerLimit::told_s : confirm_s);
         const double chosen_shown_s = late ? 0.0 : confirm_s;
         if (since_s < chosen_shown_s) return false;
         if (!revealed_) {
@@ -51,18 +49,17 @@ class GameTrial : public ClipTrial {
     }
 
     [[nodiscard]] std::string notice() const override {
-        const LanguageTable& words = core_.words();
-        if (done_ && draft_.status == ResponseStatus::timed_out) return words("notice_time_up");
-        if (revealed_) return words(draft_.correct() ? "feedback_correct" : "feedback_wrong");
-        if (done_ || seconds_left_ == 0) return {};
-        return words.seconds("notice_time_left", "notice_second_left", seconds_left_);
+        const bool late = draft_.status == ResponseStatus::timed_out;
+        if (revealed_ && !late)
+            return core_.words()(draft_.correct() ? "feedback_correct" : "feedback_wrong");
+        return limit_.notice(core_.words(), done_, late);
     }
 
   private:
     bool aiming_ = false;  ///< the ray is on a ball
     bool chosen_ = false;
     bool revealed_ = false;
-    int seconds_left_ = 0;  ///< told to the participant; 0: nothing is
+    AnswerLimit limit_;
     std::optional<ScaleAnswer> confidence_{};
 
     [[nodiscard]] bool committed() const override { return chosen_; }
@@ -119,7 +116,7 @@ class GameTrial : public ClipTrial {
         if (!gate_.accepts()) return;
         const bool selected = select(input);
         if (selected && met.button == button_id::replay) {
-            seconds_left_ = 0;
+            limit_.forget();
             replay();
         } else if (selected && met.ball >= 0 && inTime(selectTime(input))) {
             choose(input, met.ball);
@@ -131,17 +128,10 @@ class GameTrial : public ClipTrial {
     [[nodiscard]] double taken(double at_s) const {
         return at_s - draft_.motion_end.time_s - draft_.paused_s;
     }
-    [[nodiscard]] bool inTime(double at_s) const {
-        return task_.time_limit_s <= 0.0 || taken(at_s) <= task_.time_limit_s;
-    }
+    [[nodiscard]] bool inTime(double at_s) const { return limit_.admits(taken(at_s)); }
 
     void watchTime(const InputFrame& input) {
-        if (task_.time_limit_s <= 0.0) return;
-        const double left_s = task_.time_limit_s - taken(core_.now.time_s);
-        const int seconds = static_cast<int>(std::ceil(left_s));
-        const bool told = task_.time_limit_s > longest_untold_s && seconds <= countdown_from;
-        seconds_left_ = told ? std::max(seconds, 0) : 0;
-        if (left_s > 0.0) return;
+        if (!limit_.passed(taken(core_.now.time_s))) return;
         give(input, draft_.motion_end.time_s + draft_.paused_s + task_.time_limit_s, "");
         draft_.status = ResponseStatus::timed_out;
         core_.view.closePanel();
@@ -152,7 +142,7 @@ class GameTrial : public ClipTrial {
         draft_.values = {{"chosen_place", place, {}},
                          {"correct", place == trial_.targetPlace() ? 1.0 : 0.0, {}}};
         chosen_ = true;
-        seconds_left_ = 0;
+        limit_.forget();
         give(input, selectTime(input), "ray");
         if (confidence_)
             reopenAnswer(input);
