@@ -28,6 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double look_rad_per_pixel = radiansFromDegrees(0.07);
 constexpr double max_pitch_rad = radiansFromDegrees(80.0);
 constexpr double max_lean_m = 0.25;
+constexpr double farther_step_m = 0.05;  // a notch of the wheel, or a page key
 constexpr double lean_speed_per_s = 4.0;
 constexpr double settles_after_focus_s = 0.3;
 constexpr double longest_gap_s = 3600.0;  // between frames, for counting those dropped
@@ -106,6 +107,8 @@ void DesktopStation::State::onKey(int key) {
         if (key >= GLFW_KEY_KP_1 && key <= GLFW_KEY_KP_9) pending.digit = key - GLFW_KEY_KP_0;
         if (key == GLFW_KEY_SPACE) pending.confirm = true;
     }
+    if (key == GLFW_KEY_PAGE_UP) pending.farther_m += farther_step_m;
+    if (key == GLFW_KEY_PAGE_DOWN) pending.farther_m -= farther_step_m;
     if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER) pending.confirm = true;
     if (key == GLFW_KEY_ESCAPE) {
         pending.pause = true;
@@ -278,7 +281,8 @@ void DesktopStation::State::connectCallbacks() {
     glfwSetWindowUserPointer(w, this);
     glfwSetKeyCallback(w, [](GLFWwindow* from, int key, int, int action, int) {
         auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));
-        if (action == GLFW_PRESS) state->onKey(key);
+        const bool pages = key == GLFW_KEY_PAGE_UP || key == GLFW_KEY_PAGE_DOWN;
+        if (action == GLFW_PRESS || (pages && action == GLFW_REPEAT)) state->onKey(key);
         if (action != GLFW_RELEASE && key == GLFW_KEY_BACKSPACE) state->typed.erase();
     });
     glfwSetCharCallback(w, [](GLFWwindow* from, unsigned int character) {
@@ -286,6 +290,9 @@ void DesktopStation::State::connectCallbacks() {
     });
     glfwSetCursorPosCallback(w, [](GLFWwindow* from, double x, double y) {
         static_cast<State*>(glfwGetWindowUserPointer(from))->onCursor(x, y);
+    });
+    glfwSetScrollCallback(w, [](GLFWwindow* from, double, double notches) {
+        static_cast<State*>(glfwGetWindowUserPointer(from))->pending.farther_m += notches * farther_step_m;
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* from, int button, int action, int) {
         auto* state = static_cast<State*>(glfwGetWindowUserPointer(from));

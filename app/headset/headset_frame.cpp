@@ -11,6 +11,9 @@ namespace deixis::app {
 
 namespace {
 
+constexpr double push_m_s = 1.0;  // of what is held, by a stick pushed right through
+constexpr double stick_at_rest = 0.15;
+constexpr double longest_push_s = 0.1;  // between frames
 constexpr double recentre_hold_s = 1.0;
 constexpr double idle_wait_s = 0.02;  ///< between polls while the session does not run
 constexpr double ipd_changed_m = 0.0005;
@@ -152,6 +155,7 @@ std::optional<studies::PauseReason> HeadsetStation::State::pauseReason() {
 void HeadsetStation::State::readInput(studies::InputFrame& in) {
     const double now_s = session->now_s();
     in.time_s = std::max(last_time_s, frame ? frame->display_time_s : now_s);
+    const double elapsed_s = last_time_s > 0.0 ? std::min(in.time_s - last_time_s, longest_push_s) : 0.0;
     last_time_s = in.time_s;
     in.utc_s = in.time_s + utc_offset_s;
     in.input_time_s = std::min(now_s, in.time_s);
@@ -164,6 +168,8 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
     const studies::Hand hand = pointing_hand.hand();
     if (hand != before) note(studies::NoteKind::pointing_hand, nameOf(hand));
     in.select_held = press.held;
+    const double pushed = device.farther[static_cast<std::size_t>(hand)];
+    if (std::abs(pushed) > stick_at_rest) in.farther_m = pushed * push_m_s * elapsed_s;
     const studies::TrackedPose& aim = device.aim[static_cast<std::size_t>(hand)];
     if (aim.valid()) {
         const Pose& pose = aim.stage_from_device;

@@ -14,6 +14,7 @@ struct XrControllerBindings {
     const char* select;               ///< below /user/hand/HAND/input/
     std::array<const char*, 2> menu;  ///< by studies::Hand; empty: no such button
     const char* recentre;             ///< empty: no button for it
+    const char* farther;              ///< an axis, away from the hand above 0; empty: none
     bool haptic;
 };
 

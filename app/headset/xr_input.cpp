@@ -29,6 +29,7 @@ struct XrInput::Impl {
     std::array<XrPath, 2> hands{};
     XrActionSet actions = XR_NULL_HANDLE;
     XrAction aim = XR_NULL_HANDLE, grip = XR_NULL_HANDLE, select = XR_NULL_HANDLE, menu = XR_NULL_HANDLE;
+    XrAction farther = XR_NULL_HANDLE;
     XrAction recentre = XR_NULL_HANDLE, haptic = XR_NULL_HANDLE, gaze = XR_NULL_HANDLE;
     std::array<XrSpace, 2> aim_spaces{}, grip_spaces{};
     XrSpace gaze_space = XR_NULL_HANDLE;
@@ -46,6 +47,7 @@ struct XrInput::Impl {
     void suggestGaze() const;
     [[nodiscard]] XrSpace makeSpace(XrAction action, XrPath hand) const;
     [[nodiscard]] XrActionStateBoolean button(XrAction action, std::size_t hand) const;
+    [[nodiscard]] double axis(XrAction action, std::size_t hand) const;
 };
 
 XrInput::Impl::~Impl() {
@@ -92,6 +94,7 @@ void XrInput::Impl::suggest(const XrControllerBindings& controller) const {
         bind(select, "input", controller.select);
         bind(menu, "input", controller.menu[hand]);
         bind(recentre, "input", controller.recentre);
+        bind(farther, "input", controller.farther);
         bind(haptic, "output", controller.haptic ? "haptic" : "");
     }
     auto suggestion =
@@ -135,6 +138,15 @@ XrActionStateBoolean XrInput::Impl::button(XrAction action, std::size_t hand) co
     return state;
 }
 
+double XrInput::Impl::axis(XrAction action, std::size_t hand) const {
+    auto wanted = typed<XrActionStateGetInfo>(XR_TYPE_ACTION_STATE_GET_INFO);
+    wanted.action = action;
+    wanted.subactionPath = hands[hand];
+    auto state = typed<XrActionStateFloat>(XR_TYPE_ACTION_STATE_FLOAT);
+    check(xrGetActionStateFloat(session, &wanted, &state), "xrGetActionStateFloat");
+    return state.isActive == XR_TRUE ? static_cast<double>(state.currentState) : 0.0;
+}
+
 XrInput::XrInput(const XrRuntime& runtime, XrSession session, const XrInputOptions& options)
     : impl_(std::make_unique<Impl>(runtime, session)) {
     Impl& input = *impl_;
@@ -147,6 +159,7 @@ XrInput::XrInput(const XrRuntime& runtime, XrSession session, const XrInputOptio
     input.select = input.makeAction(XR_ACTION_TYPE_BOOLEAN_INPUT, "select", "Select", true);
     input.menu = input.makeAction(XR_ACTION_TYPE_BOOLEAN_INPUT, "menu", "Pause", true);
     input.recentre = input.makeAction(XR_ACTION_TYPE_BOOLEAN_INPUT, "recentre", "Recentre (hold)", true);
+    input.farther = input.makeAction(XR_ACTION_TYPE_FLOAT_INPUT, "farther", "Farther or nearer", true);
     input.haptic = input.makeAction(XR_ACTION_TYPE_VIBRATION_OUTPUT, "tick", "Tick", true);
     for (const auto& controller : controllerBindings())
         if (*controller.extension == '\0' || runtime.has(controller.extension)) input.suggest(controller);
@@ -201,6 +214,7 @@ XrInputState XrInput::read(XrSpace tracking, XrTime display_time,
         if (button.changed && select.lastChangeTime > 0)
             button.changed_s = station_seconds(select.lastChangeTime);
 
+        state.farther[hand] = input.axis(input.farther, hand);
         const XrActionStateBoolean menu = input.button(input.menu, hand);
         state.menu |= menu.currentState == XR_TRUE && menu.changedSinceLastSync == XR_TRUE;
         state.recentre_held |= input.button(input.recentre, hand).currentState == XR_TRUE;

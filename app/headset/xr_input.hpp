@@ -21,8 +21,10 @@ struct XrInputState {
     std::array<studies::TrackedPose, 2> aim{};   ///< by studies::Hand; -z points
     std::array<studies::TrackedPose, 2> grip{};  ///< by studies::Hand
     std::array<HandButton, 2> select{};          ///< by studies::Hand
-    bool menu = false;                           ///< went down in either hand
-    bool recentre_held = false;                  ///< in either hand, now
+    std::array<double, 2>
+        farther{};               ///< by studies::Hand: -1 nearer to 1 farther, as far as the stick is pushed
+    bool menu = false;           ///< went down in either hand
+    bool recentre_held = false;  ///< in either hand, now
     std::optional<studies::TrackedPose> gaze;
     std::array<std::vector<studies::HandJoint>, 2> joints{};
 };

@@ -61,11 +61,13 @@ struct InputFrame {
     /// is given at this time, unless the open answer was not yet shown then.
     std::optional<double> select_time_s;
     std::optional<int> digit;  ///< a number key went down: 1..9
-    bool confirm = false;      ///< Enter or Space went down (Space: not while a text field is open)
-    std::string typed{};       ///< characters typed, UTF-8; where the station has a keyboard
-    int erased = 0;            ///< how often Backspace went down, after what was typed
-    bool pause = false;        ///< Esc went down, or focus or tracking was lost
-    bool resume = false;       ///< the operator ends the pause
+    /// What is held by the ray is to go so much farther away: wheel, page keys, thumbstick.
+    double farther_m = 0.0;
+    bool confirm = false;  ///< Enter or Space went down (Space: not while a text field is open)
+    std::string typed{};   ///< characters typed, UTF-8; where the station has a keyboard
+    int erased = 0;        ///< how often Backspace went down, after what was typed
+    bool pause = false;    ///< Esc went down, or focus or tracking was lost
+    bool resume = false;   ///< the operator ends the pause
     std::vector<OperatorCommand> commands{};
     PauseReason pause_reason = PauseReason::unsaid;
     bool quit = false;          ///< the window was closed or the operator ends the session
