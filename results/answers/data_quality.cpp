@@ -60,7 +60,7 @@ int longestRun(const std::vector<double>& values) {
 void judgeRatings(const ResponseTable& table, const Rows& rows, ParticipantQuality& out) {
     std::vector<double> values;
     for (const Measure& measure : table.measures) {
-        if (measure.kind != MeasureKind::rating) continue;
+        if (measure.kind != MeasureKind::rating || !measure.unit.empty()) continue;
         values.clear();
         for (const ResponseRow* row : rows)
             if (row->measure == measure.name) values.push_back(row->value);

@@ -15,7 +15,7 @@ namespace {
 
 /// Confidence may be asked on several scales, each then a measure of its own.
 bool isRated(const Measure& measure) {
-    return measure.kind == MeasureKind::rating && measure.name != "confidence" &&
+    return measure.kind == MeasureKind::rating && measure.unit.empty() && measure.name != "confidence" &&
            !measure.name.starts_with("confidence (");
 }
 

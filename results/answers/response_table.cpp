@@ -103,6 +103,23 @@ void addMeasure(ResponseTable& table, const Measure& measure) {
     same->min_balls = std::min(same->min_balls, measure.min_balls);
 }
 
+Measure& measureNamed(ResponseTable& table, const std::string& name) {
+    return *std::find_if(table.measures.begin(), table.measures.end(),
+                         [&](const Measure& one) { return one.name == name; });
+}
+
+/// What is measured in a unit has no scale: its end is that of the answers, rounded up.
+void fitMeasured(ResponseTable& table) {
+    for (Measure& measure : table.measures) {
+        if (measure.unit.empty()) continue;
+        double max = 0.0;
+        for (const ResponseRow& row : table.rows)
+            if (row.measure == measure.name) max = std::max(max, row.value);
+        measure.high = 1.0;
+        for (int i = 0; measure.high < max; ++i) measure.high *= i % 3 == 1 ? 2.5 : 2.0;
+    }
+}
+
 /// What the answers to a question of a stage measure, and on which scale.
 struct StageScale {
     std::string stage;
@@ -111,6 +128,7 @@ struct StageScale {
     double low = 0.0;
     double high = 0.0;
     bool each_stimulus = true;
+    std::string unit{};
 };
 
 /// By stage and question.
@@ -175,7 +193,8 @@ MeasureOfAnswers readMeasures(SQLite::Database& database, const std::string& peo
                 preferences.push_back({measure, MeasureKind::preference, low, high, 0,
                                        planned(database, people, name, each, measure, table)});
             else
-                scales.push_back({name, declared.question, measure, low, high, each});
+                scales.push_back(
+                    {name, declared.question, measure, low, high, each, std::string(declared.unit)});
         }
     }
     for (const Measure& preference : preferences) addMeasure(table, preference);
@@ -188,6 +207,7 @@ MeasureOfAnswers readMeasures(SQLite::Database& database, const std::string& peo
     for (const StageScale& one : scales) {
         addMeasure(table, {one.measure, MeasureKind::rating, one.low, one.high, 0,
                            planned(database, people, one.stage, one.each_stimulus, one.measure, table)});
+        if (!one.unit.empty()) measureNamed(table, one.measure).unit = one.unit;
         measures[{one.stage, one.question}] = one.measure;
     }
     return measures;
@@ -344,6 +364,7 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
     readChoices(database, people, table);
     readRatings(database, people, measures, table);
     readPreferences(database, people, table);
+    fitMeasured(table);
     readResponseContext(database, people, table);
     readParticipantFields(database, people, table);
     const auto active =

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "results/database/counted_participants.hpp"
 #include "studies/study_file/stage_kind.hpp"
 
@@ -287,10 +289,33 @@ void joinColumns(SQLite::Database& database, std::vector<ExportColumn>& columns)
         });
 }
 
+/// What kinds of the study keep of a response beside, where it has no column yet.
+void keptColumns(SQLite::Database& database, std::vector<ExportColumn>& columns) {
+    SQLite::Statement kind(database, "SELECT DISTINCT kind FROM stages ORDER BY kind");
+    while (kind.executeStep()) {
+        const studies::StageDeclaration* declared = studies::findDeclaration(kind.getColumn(0).getString());
+        if (declared == nullptr) continue;
+        for (const studies::KeptField& field : declared->response_values.fields) {
+            const std::string name(field.name);
+            if (std::any_of(columns.begin(), columns.end(),
+                            [&](const ExportColumn& one) { return one.spec.name == name; }))
+                continue;
+            const bool worded = field.type == studies::KeptType::text;
+            columns.push_back(
+                {{name, worded ? text : number, std::string(field.about), std::string(field.unit)},
+                 fmt::format(
+                     "(SELECT {} FROM response_values AS v WHERE v.response = f.response AND v.name = "
+                     "'{}')",
+                     worded ? "text" : "value", name)});
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<ExportTable> exportTables(SQLite::Database& database) {
     std::vector<ExportTable> tables{responsesTable(), trialsTable(), sessionsTable(), eventsTable()};
+    keptColumns(database, tables.front().columns);
     joinColumns(database, tables.front().columns);
     return tables;
 }

@@ -205,6 +205,8 @@ void addProvenance(Json& out, const AnalysisResult& result) {
                                    {"planned", measure.planned},
                                    {"balls", measure.balls},
                                    {"fewest_balls", measure.min_balls}});
+    for (std::size_t i = 0; i < table.measures.size(); ++i)
+        if (!table.measures[i].unit.empty()) out["measures"][i]["unit"] = table.measures[i].unit;
     out["participants"] = result.participants;
     out["synthetic"] = result.synthetic;
     out["alpha"] = result.alpha;

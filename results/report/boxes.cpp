@@ -55,7 +55,9 @@ FigureJson scaleAxis(const Measure& measure) {
                 {"title", "correct choices"},
                 {"labelExpr", "format(100 * datum.value, '.0f') + '\u00a0%'"}};
     return {{"values", scaleValues(measure)},
-            {"title", fmt::format("{} ({:g} to {:g})", measure.name, measure.low, measure.high)},
+            {"title", measure.unit.empty()
+                          ? fmt::format("{} ({:g} to {:g})", measure.name, measure.low, measure.high)
+                          : fmt::format("{} ({})", measure.name, measure.unit)},
             {"format", "~r"}};
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 /// A study tells the scale; of other data only the answers are known.
 std::string ratingSentence(const ResponseTable& table, const Measure& measure, const std::string& name) {
+    if (!measure.unit.empty()) return fmt::format(" {} is measured in {}; 0 is exact.", name, measure.unit);
     if (!table.study_hash.empty())
         return fmt::format(" {} is the rating on the scale from {} to {}.", name, measure.low, measure.high);
     if (measure.low == measure.high)

@@ -24,6 +24,7 @@ std::string measureText(const ResponseTable& table, const Measure& measure) {
         return name + " (the target chosen, or not" +
                (measure.balls > 1 ? fmt::format("; chance: {})", ballsText(measure)) : ")");
     if (measure.kind == MeasureKind::preference) return name + " (between two systems, side by side)";
+    if (!measure.unit.empty()) return fmt::format("{} (measured, in {})", name, measure.unit);
     if (table.study_hash.empty())
         return fmt::format("{} (rated; answers from {} to {})", name, measure.low, measure.high);
     return fmt::format("{} (rated from {} to {})", name, measure.low, measure.high);

@@ -32,6 +32,8 @@ struct Measure {
     int min_balls = 0;  ///< likewise, the fewest
     /// Within which a difference counts as none that matters, declared before; 0: none was.
     double equivalence_bound = 0.0;
+    std::string unit{};  ///< of a quantity that was measured: "cm"; empty: of a scale. Then `high` is the
+                         ///< answers' own end, rounded up
 };
 
 /// What answers or participants differ in, and its levels in the order of the tables.

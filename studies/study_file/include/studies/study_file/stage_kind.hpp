@@ -26,6 +26,9 @@ struct DeclaredMeasure {
         question;  ///< whose answers they are (Answer::question); empty: whether the choice was right
     AnswerKind kind = AnswerKind::rating;
     std::string_view name;  ///< in tables and report; empty: Stage::measure
+    /// A quantity that is measured rather than answered on a scale, in this unit: 0 is exact, and its
+    /// question's low and high only bound it. Empty: it is not.
+    std::string_view unit{};
 };
 
 /// In which order a trial shows its stimuli.
