@@ -13,6 +13,7 @@
 #include "simulated_boards.hpp"
 #include "simulated_choice.hpp"
 #include "simulated_hand.hpp"
+#include "simulated_placing.hpp"
 #include "simulated_rater.hpp"
 #include "simulated_watching.hpp"
 
@@ -55,6 +56,7 @@ struct SimulatedParticipant::State {
           rater(given, traits, seed),
           watcher(avatar, given.observer.reading, rater),
           chooser(traits.observer, seed),
+          placer(traits.observer, seed),
           reactions(seed, "reactions"),
           sliding(seed, "sliding") {}
 
@@ -65,6 +67,7 @@ struct SimulatedParticipant::State {
     SimulatedRater rater;
     Watcher watcher;
     BallChooser chooser;
+    BallPlacer placer;
     Random reactions, sliding;
 
     Situation situation = Situation::watching;
@@ -128,6 +131,7 @@ struct SimulatedParticipant::State {
             since_s = time_s;
             dropPlan();
             choice.reset();
+            placer.forget();
             if (now == Situation::watching) {
                 watcher.forget();
                 decided.forget();
@@ -143,7 +147,9 @@ struct SimulatedParticipant::State {
             watcher.readSign(frame);
             if (watches) watcher.watch(frame, time_s);
         } else if (!hand.busy() && time_s >= not_before_s) {
-            if (now == Situation::choosing)
+            if (now == Situation::choosing && frame.balls.size() == 1)
+                placeBall(frame, board, time_s);
+            else if (now == Situation::choosing)
                 chooseBall(frame, time_s);
             else
                 answerBoard(frame, board, time_s);
@@ -161,6 +167,14 @@ struct SimulatedParticipant::State {
         felt_confidence.reset();
         hand.press(aimAtBall(frame, choice->place), frame.balls[choice->place].centre,
                    time_s + reactionTime());
+    }
+
+    /// A single ball is to be put somewhere, until the board is confirmed.
+    void placeBall(const PresentedFrame& frame, const BoardReading& board, double time_s) {
+        const double bias_rad = radiansFromDegrees(parameters.elevation_bias_deg);
+        const SeenArm arm{raised(watcher.gesture().lines, bias_rad), eyes()};
+        if (!placer.plan(frame, arm, hand, time_s + reactionTime()) && board.go_on != nullptr)
+            pressButton(frame, *board.go_on, time_s);
     }
 
     void answerBoard(const PresentedFrame& frame, const BoardReading& board, double time_s) {
@@ -319,6 +333,7 @@ struct SimulatedParticipant::State {
         input.typed = std::exchange(to_type, {});
         input.erased = std::exchange(to_erase, 0);
         if (hand.act(stage_from_viewer, input)) pressed(time_s);
+        input.farther_m = placer.farther_m(hand, input);
         return input;
     }
 

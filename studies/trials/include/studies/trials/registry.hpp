@@ -19,6 +19,7 @@
     KIND(parallel_rating) /* parallel_rating: 2 to 6 stimuli of one item on a page */ \
     KIND(pairwise)        /* preference: two stimuli of one item, which is better */  \
     KIND(game)            /* game: the referential game */                            \
+    KIND(placement)       /* placement: a ball is put where the avatar points */      \
     KIND(rest)            /* page: a break */
 
 namespace deixis::studies {
