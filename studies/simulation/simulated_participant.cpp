@@ -35,6 +35,13 @@ bool anyBall(const PresentedFrame& frame, BallLook look) {
                        [look](const BallView& ball) { return ball.look == look; });
 }
 
+/// A single ball beside a board that is to be confirmed is to be put somewhere; else it is to be chosen.
+bool placesBall(const PresentedFrame& frame) {
+    return frame.balls.size() == 1 && frame.panel &&
+           std::any_of(frame.panel->buttons.begin(), frame.panel->buttons.end(),
+                       [](const PanelButton& one) { return one.role == ButtonRole::go_on; });
+}
+
 Situation situationOf(const PresentedFrame& frame, const BoardReading& board) {
     if (board.open()) return Situation::board;
     const bool answered = anyBall(frame, BallLook::chosen) || anyBall(frame, BallLook::revealed);
@@ -147,7 +154,7 @@ struct SimulatedParticipant::State {
             watcher.readSign(frame);
             if (watches) watcher.watch(frame, time_s);
         } else if (!hand.busy() && time_s >= not_before_s) {
-            if (now == Situation::choosing && frame.balls.size() == 1)
+            if (now == Situation::choosing && placesBall(frame))
                 placeBall(frame, board, time_s);
             else if (now == Situation::choosing)
                 chooseBall(frame, time_s);
