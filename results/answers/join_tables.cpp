@@ -149,6 +149,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
         append(out.left_out_rows, next.left_out_rows);
         append(out.skipped_rows, next.skipped_rows);
         append(out.choices, next.choices);
+        out.target_positions.insert(next.target_positions.begin(), next.target_positions.end());
         append(out.watched, next.watched);
         out.planned_answers.insert(next.planned_answers.begin(), next.planned_answers.end());
         out.planned_participants += next.planned_participants;

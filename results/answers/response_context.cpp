@@ -135,6 +135,19 @@ void readBalls(SQLite::Database& database, const std::string& people, ResponseTa
     }
 }
 
+void readTargets(SQLite::Database& database, ResponseTable& table) {
+    const auto measured = [](const Measure& measure) { return !measure.unit.empty(); };
+    if (std::none_of(table.measures.begin(), table.measures.end(), measured)) return;
+    Statement targets(
+        database,
+        "SELECT DISTINCT target_id, target_x_m, target_y_m, target_z_m FROM trials WHERE target_id IS "
+        "NOT NULL AND target_x_m IS NOT NULL");
+    while (targets.executeStep())
+        table.target_positions[targets.getColumn(0).getString()] = {targets.getColumn(1).getDouble(),
+                                                                    targets.getColumn(2).getDouble(),
+                                                                    targets.getColumn(3).getDouble()};
+}
+
 }  // namespace
 
 void readResponseContext(SQLite::Database& database, const std::string& people, ResponseTable& table) {
@@ -143,6 +156,7 @@ void readResponseContext(SQLite::Database& database, const std::string& people, 
     readMarks(database, table);
     readParticipants(database, people, table);
     readBalls(database, people, table);
+    readTargets(database, table);
 }
 
 }  // namespace deixis::results

@@ -1,4 +1,5 @@
-// Tables of the game's choices.
+// Tables of the game's choices, and of what was measured over the target space.
+#include "results/analysis/measured_space.hpp"
 #include "results/answers/accuracy_by_angle.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "test_fields.hpp"
@@ -107,6 +108,20 @@ Table drift(const AnalysisResult& result) {
           [](auto& one) { return one.moved - one.moved_first - one.moved_last; },
           {.in = page_only}}},
         result.drift);
+}
+
+Table measuredSpace(const AnalysisResult& result) {
+    return tableOf<MeasuredPlace>("measured_space", units::trials, "What was measured, by the target's place",
+                                  {{"measure", &MeasuredPlace::measure},
+                                   {"unit", &MeasuredPlace::unit},
+                                   {"system", &MeasuredPlace::system},
+                                   {"item", &MeasuredPlace::target_id},
+                                   {"x_m", [](auto& one) { return one.position_m.x; }},
+                                   {"y_m", [](auto& one) { return one.position_m.y; }},
+                                   {"z_m", [](auto& one) { return one.position_m.z; }},
+                                   {"n", &MeasuredPlace::n},
+                                   {"mean", &MeasuredPlace::mean}},
+                                  measuredSpace(result.table));
 }
 
 Table targetSpace(const AnalysisResult& result) {

@@ -31,6 +31,10 @@ namespace deixis::results {
 /// Confusion and the accuracy over target space; empty where the balls' positions are not known.
 [[nodiscard]] std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering);
 
+/// What was measured in a unit, over the targets' places; empty where nothing was.
+[[nodiscard]] std::string measuredHtml(const AnalysisResult& result, Numbering& figures,
+                                       Numbering& numbering);
+
 /// Who answered how often on what; empty where every participant has as many answers under each system.
 [[nodiscard]] std::string presenceHtml(const AnalysisResult& result, Numbering& numbering);
 

@@ -54,7 +54,7 @@ class PlacementTrial : public ClipTrial {
         if (since_s < placed_shown_s) return false;
         if (!revealed_) {
             revealed_ = true;
-            core_.note("feedback");
+            core_.note(NoteKind::feedback);
             showDone();
         }
         return since_s >= placed_shown_s + target_shown_s;

@@ -66,6 +66,7 @@ namespace tables {
 [[nodiscard]] Table observers(const std::vector<ObserverReading>& readings, const char* trials = "choices");
 [[nodiscard]] Table drift(const AnalysisResult& result);
 [[nodiscard]] Table targetSpace(const AnalysisResult& result);
+[[nodiscard]] Table measuredSpace(const AnalysisResult& result);
 
 // People: what they told, how carefully they answered, who is left out.
 [[nodiscard]] Table scores(const AnalysisResult& result);
