@@ -43,7 +43,6 @@ void bindSame(Statement& to, int place, const SQLite::Column& value) {
 struct Standing {
     std::string status;
     std::string reason;
-    friend bool operator==(const Standing&, const Standing&) = default;
 };
 
 /// A change of locked files that was accepted, as the table has it.

@@ -318,21 +318,21 @@ std::string sharesText(const PreferenceCounts& counts) {
                        percent(counts.losses));
 }
 
-using Row = PreferenceBetweenResult;
+using BetweenRow = PreferenceBetweenResult;
 
 /// A group's answers; the names of the columns end in its letter.
-Fields<Row> answersFields(PreferenceCounts Row::*of, const std::string& group) {
+Fields<BetweenRow> answersFields(PreferenceCounts BetweenRow::*of, const std::string& group) {
     const auto share = [=](int PreferenceCounts::*which) {
-        return [=](const Row& one) { return (one.*of).share(one.*of.*which); };
+        return [=](const BetweenRow& one) { return (one.*of).share(one.*of.*which); };
     };
     const std::string inner = "answers_" + group + "/";
     const std::string capital = group == "a" ? " A" : " B";
-    Fields<Row> out{
+    Fields<BetweenRow> out{
         {"answers_", [=](auto& one) { return (one.*of).answers(); }, {.in = in_data, .json = "n"}},
         {"wins_", share(&PreferenceCounts::wins), {.latex = "wins", .json = "wins"}},
         {"ties_", share(&PreferenceCounts::ties), {.in = in_data, .json = "ties"}},
         {"losses_", share(&PreferenceCounts::losses), {.latex = "losses", .json = "losses"}}};
-    for (Field<Row>& field : out) {
+    for (Field<BetweenRow>& field : out) {
         field.column.name += group;
         field.column.json = inner + field.column.json;
         field.column.latex += capital;
@@ -343,18 +343,18 @@ Fields<Row> answersFields(PreferenceCounts Row::*of, const std::string& group) {
 }  // namespace
 
 Table preferencesBetween(const AnalysisResult& result) {
-    Fields<Row> fields{{"factor", &Row::factor, heading},
-                       {"system", &Row::system},
-                       {"other_system", &Row::other_system},
-                       {"a", &Row::a},
-                       {"b", &Row::b}};
-    fields = joined(joined(std::move(fields), answersFields(&Row::answers_a, "a")),
-                    answersFields(&Row::answers_b, "b"));
-    const auto shares = [](PreferenceCounts Row::*of) {
-        return [=](const Row& one) { return sharesText(one.*of); };
+    Fields<BetweenRow> fields{{"factor", &BetweenRow::factor, heading},
+                              {"system", &BetweenRow::system},
+                              {"other_system", &BetweenRow::other_system},
+                              {"a", &BetweenRow::a},
+                              {"b", &BetweenRow::b}};
+    fields = joined(joined(std::move(fields), answersFields(&BetweenRow::answers_a, "a")),
+                    answersFields(&BetweenRow::answers_b, "b"));
+    const auto shares = [](PreferenceCounts BetweenRow::*of) {
+        return [=](const BetweenRow& one) { return sharesText(one.*of); };
     };
-    fields.push_back({"shares_a", shares(&Row::answers_a), {.in = page_only}});
-    fields.push_back({"shares_b", shares(&Row::answers_b), {.in = page_only}});
+    fields.push_back({"shares_a", shares(&BetweenRow::answers_a), {.in = page_only}});
+    fields.push_back({"shares_b", shares(&BetweenRow::answers_b), {.in = page_only}});
     return tableOf("preferences_between", units::preferences,
                    "Groups of participants: preferences for system over other system (shares of answers), "
                    "rank-sum tests of participants' net preferences",
