@@ -91,8 +91,8 @@ TEST_SUITE("studies/angles") {
         // A plan from before they were kept.
         for (Trial& trial : plan->trials) trial.angles.reset();
         const std::string older = planJson(*plan);
-        for (const auto& trial : nlohmann::json::parse(older)["trials"])
-            CHECK_FALSE(trial.contains("angles"));
+        const auto without = nlohmann::json::parse(older);
+        for (const auto& trial : without["trials"]) CHECK_FALSE(trial.contains("angles"));
         back = planFromJson(older);
         REQUIRE(back.has_value());
         CHECK(planJson(*back) == older);
