@@ -45,7 +45,7 @@ bool BallPlacer::plan(const PresentedFrame& frame, const SeenArm& arm, Simulated
     const Ray from = aimAtBall(frame, 0);
     const Ray to{from.origin, glm::normalize(*believed_ - from.origin)};
     farther_m_ = glm::length(*believed_ - from.origin) - glm::dot(at - from.origin, from.direction);
-    hand.drag(from, to, *believed_, at_s);
+    hand.drag(from, to, at, at_s);  // who presses looks at what is pressed
     return true;
 }
 
