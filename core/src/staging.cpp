@@ -1,5 +1,6 @@
 #include "core/staging.hpp"
 
+#include <algorithm>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -59,8 +60,8 @@ Result<void> Staging::moveHome(const std::vector<fs::path>& names, const std::ve
         for (fs::path folder = place.parent_path(); grown.insert(folder).second;)
             folder = folder.parent_path();
     }
-    if (durable)
-        for (const fs::path& folder : grown) syncFolder(folder);
+    // Folders after what is in them.
+    if (durable) std::for_each(grown.rbegin(), grown.rend(), syncFolder);
     return {};
 }
 
