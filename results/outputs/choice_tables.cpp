@@ -113,7 +113,7 @@ Table drift(const AnalysisResult& result) {
 Table measuredSpace(const AnalysisResult& result) {
     return tableOf<MeasuredPlace>("measured_space", units::trials, "What was measured, by the target's place",
                                   {{"measure", &MeasuredPlace::measure},
-                                   {"unit", &MeasuredPlace::unit},
+                                   {"measured_in", &MeasuredPlace::unit},
                                    {"system", &MeasuredPlace::system},
                                    {"item", &MeasuredPlace::target_id},
                                    {"x_m", [](auto& one) { return one.position_m.x; }},

@@ -30,8 +30,8 @@ void breakOff(const LabFolder& lab, const std::string& participant) {
     const std::string later = "response IN (SELECT id FROM responses WHERE participant = '" + participant +
                               "' AND trial_index > 2)";
     db.exec("DELETE FROM answers WHERE " + later + "; DELETE FROM response_stimuli WHERE " + later +
-            "; DELETE FROM responses WHERE participant = '" + participant +
-            "' AND trial_index > 2; UPDATE sessions SET outcome = 'quit'");
+            "; DELETE FROM response_values WHERE " + later + "; DELETE FROM responses WHERE participant = '" +
+            participant + "' AND trial_index > 2; UPDATE sessions SET outcome = 'quit'");
 }
 
 }  // namespace

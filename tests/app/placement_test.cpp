@@ -43,7 +43,7 @@ TEST_SUITE("app/free_placement") {
         int answers = 0;
         double sum = 0.0;
         for (const auto& row : space.having({{"measure", "placement distance"}, {"system", "all"}})) {
-            CHECK(row.at("unit") == "cm");
+            CHECK(row.at("measured_in") == "cm");
             answers += std::stoi(row.at("n"));
             sum += std::stoi(row.at("n")) * std::stod(row.at("mean"));
         }

@@ -68,7 +68,7 @@ TEST_SUITE("app/push") {
                "CREATE TEMP TABLE later AS SELECT id FROM responses WHERE participant = 'S003' AND "
                "trial_index > 20;"
                "DELETE FROM answers WHERE response IN later; DELETE FROM response_stimuli WHERE response IN "
-               "later;"
+               "later; DELETE FROM response_values WHERE response IN later;"
                "DELETE FROM responses WHERE id IN later;"
                "DELETE FROM events WHERE session = 3 AND id >= (SELECT min(id) FROM events WHERE session = 3 "
                "AND "

@@ -17,13 +17,14 @@ inline void change(const std::string& database, const std::string& sql) {
 inline constexpr const char* tables_of_sessions[]{"events",         "tracking_blocks",    "hand_joints",
                                                   "trial_tracking", "session_properties", "consents"};
 inline constexpr const char* tables_of_participants[]{
-    "trial_stimuli", "trials", "plans", "participant_fields", "participant_groups", "sessions"};
+    "trial_stimuli",      "trial_values",       "trials",  "plans",
+    "participant_fields", "participant_groups", "sessions"};
 
 /// Leaves out people, as if they had never been there.
 inline void leaveOut(const std::string& database, const std::string& ids) {
     const std::string who = " IN (" + ids + ")";
     std::string sql;
-    for (const char* table : {"answers", "response_stimuli"})
+    for (const char* table : {"answers", "response_values", "response_stimuli"})
         sql += std::string("DELETE FROM ") + table +
                " WHERE response IN (SELECT id FROM responses WHERE participant" + who + ");";
     sql += "DELETE FROM responses WHERE participant" + who + ";";

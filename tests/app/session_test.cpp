@@ -110,6 +110,8 @@ TEST_SUITE("app/session") {
                 "sqlite3 " + database +
                 " 'update sessions set synthetic = 0; delete from answers where response in (select id from "
                 "responses where trial_index > 20); delete from response_stimuli where response in (select "
+                "id from responses where trial_index > 20); delete from response_values where response in "
+                "(select "
                 "id from responses where trial_index > 20); delete from responses where trial_index > 20; "
                 "update responses set hash = NULL'")
                 .status == 0);
