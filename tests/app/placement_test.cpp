@@ -54,7 +54,7 @@ TEST_SUITE("app/free_placement") {
 
         const std::string page = slurp(scratch / "r.html");
         CHECK(contains(page, "Errors over the target space"));
-        const auto replay = program("replay " + db + " --participant P01 --choices");
+        const auto replay = program("replay " + db + " --participant S001 --choices");
         INFO(replay.err);
         CHECK(replay.status == 0);
     }
