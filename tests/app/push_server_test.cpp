@@ -7,9 +7,23 @@ using namespace deixis::tests;
 
 namespace {
 
-/// Takes away what version 5 added, in a file or on a server.
+/// Takes away what versions 5 and 6 added, in a file or on a server.
 constexpr const char* back_to_4 =
-    "DROP VIEW responses_flat; ALTER TABLE questions DROP COLUMN labels; ALTER TABLE study DROP COLUMN "
+    "DROP VIEW responses_flat; DROP VIEW IF EXISTS game_trials; DROP VIEW IF EXISTS game_choices;"
+    "DROP VIEW IF EXISTS placements; ALTER TABLE trials ADD COLUMN distractors TEXT;"
+    "ALTER TABLE trials ADD COLUMN balls TEXT; ALTER TABLE trials ADD COLUMN target_place INTEGER;"
+    "ALTER TABLE responses ADD COLUMN chosen_place INTEGER; ALTER TABLE responses ADD COLUMN correct INTEGER;"
+    "UPDATE trials SET distractors = (SELECT v.text FROM trial_values AS v WHERE v.participant = "
+    "trials.participant AND v.trial_index = trials.trial_index AND v.name = 'distractors'), balls = (SELECT "
+    "v.text FROM trial_values AS v WHERE v.participant = trials.participant AND v.trial_index = "
+    "trials.trial_index AND v.name = 'balls'), target_place = (SELECT CAST(v.value AS INTEGER) FROM "
+    "trial_values AS v WHERE v.participant = trials.participant AND v.trial_index = trials.trial_index AND "
+    "v.name = 'target_place');"
+    "UPDATE responses SET chosen_place = (SELECT CAST(v.value AS INTEGER) FROM response_values AS v WHERE "
+    "v.response = responses.id AND v.name = 'chosen_place'), correct = (SELECT CAST(v.value AS INTEGER) FROM "
+    "response_values AS v WHERE v.response = responses.id AND v.name = 'correct');"
+    "DROP TABLE trial_values; DROP TABLE response_values;"
+    "ALTER TABLE questions DROP COLUMN labels; ALTER TABLE study DROP COLUMN "
     "locked_hash; ALTER TABLE study DROP COLUMN "
     "analysis;"
     "ALTER TABLE plans DROP COLUMN locked_hash; DROP INDEX sessions_of_participant;"
