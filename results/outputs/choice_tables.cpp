@@ -111,7 +111,8 @@ Table drift(const AnalysisResult& result) {
 }
 
 Table measuredSpace(const AnalysisResult& result) {
-    return tableOf<MeasuredPlace>("measured_space", units::answers, "What was measured, by the target's place",
+    return tableOf<MeasuredPlace>("measured_space", units::answers,
+                                  "What was measured, by the target's place",
                                   {{"measure", &MeasuredPlace::measure},
                                    {"measured_in", &MeasuredPlace::unit},
                                    {"system", &MeasuredPlace::system},

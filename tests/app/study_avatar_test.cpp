@@ -33,7 +33,7 @@ TEST_SUITE("app/study_avatar") {
         spill(scratch / "lost.glb", "HIERARCHY\n");
         checked = program("check " + (scratch / "study.toml"));
         CHECK(checked.status == 1);
-        CHECK(checked.err.find("not a glTF binary") != std::string::npos);
+        CHECK(checked.err.find("neither a glTF binary nor glTF text") != std::string::npos);
         CHECK_FAILS_SAYING(program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
                                    (scratch / "s.sqlite")),
                            "study.avatar");
@@ -100,7 +100,7 @@ TEST_SUITE("app/study_avatar") {
             avatarHashes(scratch / "moved/s.sqlite"), "name it with --avatar");
         CHECK(replayed("moved", clips + " --avatar " + (scratch / "moved/mine.glb")).status == 0);
         spill(scratch / "moved/mine.glb", "no figure");
-        CHECK_FAILS_SAYING(replayed("moved", clips), "not a glTF binary");
+        CHECK_FAILS_SAYING(replayed("moved", clips), "neither a glTF binary nor glTF text");
     }
 
     TEST_CASE("A figure without fingers and eyes carries a whole session") {

@@ -186,7 +186,8 @@ struct ResponseTable {
     /// Choices that the experimenter skipped, of participants who count; `value` is 0.
     std::vector<ResponseRow> skipped_rows{};
     std::vector<ChoiceRow> choices{};  ///< of participants who count, where the balls are known
-    /// By its id, where each target stands in the avatar's frame; of studies that measure a quantity in a unit.
+    /// By its id, where each target stands in the avatar's frame; of studies that measure a quantity in a
+    /// unit.
     std::map<std::string, Vec3> target_positions{};
     /// Choices with the arms that they were made after, where the clips are at hand; whoever reads them adds
     /// them (the reading of a database does not).
