@@ -138,9 +138,9 @@ Option Parser::addFlag(const std::string& names, bool& value, const std::string&
     return Option(app_->add_flag(names, value, what));
 }
 
-Option Parser::addTextOption(const std::string& names, std::function<void(const std::string&)> set,
+Option Parser::addTextOption(const std::string& names, const std::function<void(const std::string&)>& set,
                              const std::string& what) const {
-    return Option(app_->add_option_function<std::string>(names, std::move(set), what));
+    return Option(app_->add_option_function<std::string>(names, set, what));
 }
 
 Option Parser::addNumberOption(const std::string& names, std::function<void(double)> set,

@@ -86,7 +86,7 @@ class Parser {
     Option addOption(const std::string& names, Value& value, const std::string& what) const;
     Option addFlag(const std::string& names, bool& value, const std::string& what) const;
     /// For values that are more than text or a number: `set` may call rejectUsage.
-    Option addTextOption(const std::string& names, std::function<void(const std::string&)> set,
+    Option addTextOption(const std::string& names, const std::function<void(const std::string&)>& set,
                          const std::string& what) const;
     Option addNumberOption(const std::string& names, std::function<void(double)> set,
                            const std::string& what) const;
