@@ -32,9 +32,10 @@ bool BallPlacer::plan(const PresentedFrame& frame, const SeenArm& arm, Simulated
     if (!believed_) {
         const Ray& line = arm.lines.line;
         const AcrossRay across = acrossRay(line.direction);
-        const Vec3 direction =
-            glm::normalize(line.direction + std::tan(model_.noise_rad * placing_.normal()) * across.right +
-                           std::tan(model_.noise_rad * placing_.normal()) * across.above);
+        const double right_rad = model_.noise_rad * placing_.normal();  // drawn in this order by every compiler
+        const double above_rad = model_.noise_rad * placing_.normal();
+        const Vec3 direction = glm::normalize(line.direction + std::tan(right_rad) * across.right +
+                                              std::tan(above_rad) * across.above);
         const double along_m = std::max(0.5, depth_m + depth_sd_m * placing_.normal());
         believed_ = line.origin + along_m * direction;
         believed_->y = std::max(believed_->y, lowest_m);

@@ -44,10 +44,11 @@ class Database:
         self.close()
 
 
-# With what single ratings came to.
+# With what single ratings and choices came to.
 RESPONSES = (
-    "select r.*, t.stage, t.practice, a.value as rating from responses r "
+    "select r.*, t.stage, t.practice, a.value as rating, g.chosen_place from responses r "
     "join trials t on t.participant = r.participant and t.trial_index = r.trial_index "
+    "left join game_choices g on g.response = r.id "
     "left join answers a on a.response = r.id and a.question = 'rating'"
 )
 
