@@ -15,8 +15,11 @@ if [[ " $* " != *" --station"* ]]; then
     if [ -n "${DISPLAY:-}" ]; then
         station=(--station desktop)
     else
-        echo "No display: the simulated participant does the session, drawn off screen."
+        echo "No display: the simulated participant does the session; pictures of what it sees: pilot/*.png"
+        mkdir -p pilot
         station=(--station simulated)
+        # Whoever goes on with a session may be past these.
+        [ $# -gt 0 ] || station+=(--screenshot "rating=$PWD/pilot/rating.png" --screenshot "choosing=$PWD/pilot/choosing.png")
         name=pointing2023-simulated # never mixed with what people answered
     fi
 fi

@@ -15,8 +15,6 @@ namespace deixis::app {
 
 namespace {
 
-constexpr double draw_period_s =
-    0.5;  // of virtual time, besides key moments: a software renderer must keep up
 constexpr WindowSize picture_size{1280, 720};
 
 // Order matters: the renderer goes before its context.
@@ -74,41 +72,26 @@ class StatePictures {
 
 Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar,
                             const std::string& size, const std::shared_ptr<Screenshots>& screenshots) {
-    WindowSize view_size{480, 270};
-    WindowSize pictured_size = picture_size;
-    if (!size.empty()) {
-        const auto parsed = parseWindowSize(size);
-        if (!parsed) return tl::unexpected(parsed.error());
-        view_size = pictured_size = *parsed;
-    }
+    if (screenshots->wanted.empty()) return {};
+    const auto pictured_size = size.empty() ? Result<WindowSize>(picture_size) : parseWindowSize(size);
+    if (!pictured_size) return tl::unexpected(pictured_size.error());
     auto context = renderer::OffscreenContext::create();
     if (!context) return tl::unexpected(context.error());
-    // Nobody looks at the frames, but the pictures are for people: several samples only for them.
-    renderer::Quality quality;
-    quality.samples = screenshots->wanted.empty() ? 1 : quality.samples;
-    auto made = renderer::Renderer::create(avatar, quality);
+    auto made = renderer::Renderer::create(avatar, renderer::Quality{});
     if (!made) return tl::unexpected(made.error());
     const auto view = std::make_shared<OffscreenView>(OffscreenView{std::move(*context), std::move(*made)});
 
-    std::string details =
-        fmt::format("off screen, {}x{} pixels, drawn at key moments and every {:g} s of virtual time, {}",
-                    view_size.width, view_size.height, draw_period_s, view->renderer.driver());
-    station.attachViewer(
-        std::move(details),
-        [view, view_size, next_s = 0.0, pictures = StatePictures(view->renderer, pictured_size, screenshots)](
-            const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
-            if (frame.number <= 1) return;  // the participant has not been placed yet
-            const bool due = frame.key_moment || input.time_s >= next_s;
-            const bool pictured = pictures.wants(frame, input.time_s);
-            if (!due && !pictured) return;
-            renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
-            addNotice(scene, frame.notice);
-            if (due) {
-                (void)view->renderer.capture(scene, view_size.width, view_size.height);
-                next_s = input.time_s + draw_period_s;
-            }
-            if (pictured) pictures.see(std::move(scene), frame, input.time_s);
-        });
+    std::string details = fmt::format("pictures of {}x{} pixels, drawn off screen, {}", pictured_size->width,
+                                      pictured_size->height, view->renderer.driver());
+    station.attachViewer(std::move(details),
+                         [view, pictures = StatePictures(view->renderer, *pictured_size, screenshots)](
+                             const studies::PresentedFrame& frame, const studies::InputFrame& input) mutable {
+                             if (frame.number <= 1) return;  // the participant has not been placed yet
+                             if (!pictures.wants(frame, input.time_s)) return;
+                             renderer::Scene scene = sceneFromFrame(frame, input.stage_from_head);
+                             addNotice(scene, frame.notice);
+                             pictures.see(std::move(scene), frame, input.time_s);
+                         });
     return {};
 }
 

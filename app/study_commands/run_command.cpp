@@ -330,7 +330,7 @@ void addRunCommand(Parser cli, Command& chosen) {
                 *kind = studies::stationKindNamed(name).value();
             },
             "desktop: a window and a person; headset: a person in VR (OpenXR); simulated: a simulated "
-            "participant, drawn off screen")
+            "participant, without a window")
         .check(OneOf{{"desktop", "headset", "simulated"}})
         .showDefault("desktop");
     command.addOption("--db", options->database, "Database to begin or to go on with [STUDY.sqlite]");

@@ -46,8 +46,9 @@ std::string extremes(const AnalysisResult& result, std::size_t measure) {
         return medians ? out
                        : fmt::format("{} ({}{})", out, names.size() > 1 ? "each " : "", scoreText(of, mean));
     };
-    return fmt::format("{} had the highest mean {}, {} the lowest.", named(highest), escapeHtml(of.name),
-                       named(lowest));
+    const bool measured = !of.unit.empty();  // of errors nobody would call the large ones high
+    return fmt::format("{} had the {} mean {}, {} the {}.", named(highest), measured ? "largest" : "highest",
+                       escapeHtml(of.name), named(lowest), measured ? "smallest" : "lowest");
 }
 
 /// Pairs of systems, by the signed-rank tests of who met both, and by the rank-sum tests where nobody did.

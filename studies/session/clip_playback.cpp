@@ -25,18 +25,16 @@ bool ClipPlayback::leadIn(double now_s) {
     return false;
 }
 
-bool ClipPlayback::play(double now_s, std::uint64_t frame) {
+void ClipPlayback::play(double now_s, std::uint64_t frame) {
     if (!first_frame_) first_frame_ = frame;
     if (!onset_) {
         poser_.show(*clip_, 0.0);
-        return true;
+        return;
     }
     const double clip_time_s = std::clamp(now_s - onset_->time_s, 0.0, clip_->duration_s());
     poser_.show(*clip_, clip_time_s);
     halfway_ = clip_time_s >= clip_->duration_s() / 2.0;
-    if (clip_time_s < clip_->duration_s()) return false;
-    if (!last_frame_) last_frame_ = frame;
-    return true;
+    if (clip_time_s >= clip_->duration_s() && !last_frame_) last_frame_ = frame;
 }
 
 Shown ClipPlayback::shown(std::uint64_t frame, const Moment& at) {

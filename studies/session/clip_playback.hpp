@@ -30,10 +30,9 @@ class ClipPlayback {
     /// One step of the pause; true when it is over and the clip is to be played.
     bool leadIn(double now_s);
 
-    /// One step of the clip, in the frame of that number; true where the frame must be shown: its start,
-    /// until one of its frames has been, and its end. Its time counts from the display of the frame that
-    /// showed its start.
-    bool play(double now_s, std::uint64_t frame);
+    /// One step of the clip, in the frame of that number. It stands at its start until a frame of it has been
+    /// shown: its time counts from there.
+    void play(double now_s, std::uint64_t frame);
     [[nodiscard]] bool halfway() const { return halfway_; }
 
     /// A frame was shown at `at`.

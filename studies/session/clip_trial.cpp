@@ -48,7 +48,7 @@ void ClipTrial::step(const InputFrame& input) {
 
 void ClipTrial::stepPlaying(const InputFrame& input) {
     const bool was_halfway = playback_.halfway();
-    if (playback_.play(core_.now.time_s, core_.view.frame.number)) core_.view.frame.key_moment = true;
+    playback_.play(core_.now.time_s, core_.view.frame.number);
     if (!playback_.halfway() || was_halfway) return;
     showState(checked(0) ? PresentedState::check : PresentedState::pointing);
     if (checked(0)) showSign(input, false);

@@ -89,7 +89,7 @@ void ComparePage::stepPlaying(const InputFrame& input) {
         showState(PresentedState::playing);
     }
     const bool was_halfway = playback.halfway();
-    if (playback.play(core_.now.time_s, core_.view.frame.number)) core_.view.frame.key_moment = true;
+    playback.play(core_.now.time_s, core_.view.frame.number);
     if (!playback.halfway() || was_halfway) return;
     const bool number = checked(static_cast<int>(*playing_));
     showState(number ? PresentedState::check : PresentedState::pointing);

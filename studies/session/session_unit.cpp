@@ -44,7 +44,6 @@ void TrialUnit::give(const InputFrame& input, double given_s, const char* by) {
 void TrialUnit::complete() {
     response_ = draft_;
     done_ = true;
-    core_.view.frame.key_moment = true;
 }
 
 bool TrialUnit::skip(const InputFrame& input, const std::string& reason) {

@@ -28,7 +28,6 @@ bool sees(const Pose& stage_from_head, const Vec3& point) {
 
 void SessionView::beginFrame() {
     ++frame.number;
-    frame.key_moment = false;
     frame.tick = false;
     met_before_ = std::exchange(met_, {});
     onset_.beginFrame();
@@ -43,7 +42,6 @@ bool SessionView::place(const Layout& layout) {
     if (frame.viewer_place == layout.name) return false;
     frame.viewer_place = layout.name;
     frame.stage_from_viewer = viewerPose(layout);
-    frame.key_moment = true;
     return true;
 }
 
@@ -59,12 +57,10 @@ void SessionView::openPanel(Panel panel, double eye_height_m, PanelPlace stand) 
 void SessionView::updatePanel(Panel panel) {
     panel.stage_from_panel = stand_(panel, frame.stage_from_viewer, eye_height_m_);
     frame.panel = std::move(panel);
-    frame.key_moment = true;
     lightUp(met_);
 }
 
 void SessionView::closePanel() {
-    frame.key_moment = frame.key_moment || frame.panel.has_value();
     frame.panel.reset();
     frame.ray.reset();
     grabbed_ = 0;
@@ -75,20 +71,15 @@ void SessionView::showSign(const std::string& sentence, const std::string& large
     Panel sign = signPanel(sentence, large);
     sign.stage_from_panel = signPose(sign, avatar_head, eyes);
     frame.sign = std::move(sign);
-    frame.key_moment = true;
 }
 
 void SessionView::closeSign() {
-    frame.key_moment = frame.key_moment || frame.sign.has_value();
     frame.sign.reset();
 }
 
 void SessionView::lookAtBalls(BallLook all, int place, BallLook one) {
-    for (std::size_t i = 0; i < frame.balls.size(); ++i) {
-        const BallLook look = static_cast<int>(i) == place ? one : all;
-        frame.key_moment = frame.key_moment || frame.balls[i].look != look;
-        frame.balls[i].look = look;
-    }
+    for (std::size_t i = 0; i < frame.balls.size(); ++i)
+        frame.balls[i].look = static_cast<int>(i) == place ? one : all;
 }
 
 Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_head, bool at_balls) {
@@ -127,11 +118,7 @@ Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_h
 void SessionView::lightUp(const Aim& met) {
     if (!frame.panel) return;
     const auto light = [this](auto& parts, int id) {
-        for (auto& one : parts) {
-            const bool hovered = id != 0 && one.id == id && one.enabled;
-            frame.key_moment = frame.key_moment || one.hovered != hovered;
-            one.hovered = hovered;
-        }
+        for (auto& one : parts) one.hovered = id != 0 && one.id == id && one.enabled;
     };
     light(frame.panel->buttons, met.button);
     light(frame.panel->sliders, met.slider);
@@ -151,7 +138,6 @@ std::optional<SliderSet> SessionView::drag(const InputFrame& input, const Aim& m
         const Vec3 there = transformPoint(panel.stage_from_panel, {*x_m, track.y, 0.0});
         if (!slider.enabled || !sees(input.stage_from_head, there)) return std::nullopt;
         const int value = slider.valueAt(*x_m);
-        frame.key_moment = frame.key_moment || slider.value != value;
         slider.value = value;
         return SliderSet{slider.id, value};
     }
@@ -159,7 +145,6 @@ std::optional<SliderSet> SessionView::drag(const InputFrame& input, const Aim& m
 }
 
 void SessionView::confirmButton(int id) {
-    frame.key_moment = true;
     frame.ray.reset();
     for (std::size_t i = 0; frame.panel && i < frame.panel->buttons.size(); ++i) {
         PanelButton& one = frame.panel->buttons[i];
@@ -175,7 +160,6 @@ void SessionView::confirmButton(int id) {
 void SessionView::notice(std::string_view sentence) {
     if (frame.notice == sentence) return;
     frame.notice = sentence;
-    frame.key_moment = true;
 }
 
 }  // namespace deixis::studies

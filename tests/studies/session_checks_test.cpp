@@ -51,7 +51,6 @@ TEST_SUITE("studies/session_checks") {
             CHECK(driver.frame.sign.has_value() == (driver.state() == "check"));
             if (!driver.frame.sign || first_s > 0.0) continue;
             first_s = driver.time_s;
-            CHECK(driver.frame.key_moment);
             CHECK(textOf(*driver.frame.sign).find("4") != std::string::npos);
             CHECK(driver.frame.sign->buttons.empty());
             const auto head = static_cast<std::size_t>(driver.avatar.find("head"));

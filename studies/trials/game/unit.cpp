@@ -4,9 +4,8 @@
 
 #include <vector>
 
-#include "answer_limit.hpp"
-#include "clip_trial.hpp"
 #include "scale_answer.hpp"
+#include "timed_trial.hpp"
 
 namespace deixis::studies {
 
@@ -14,10 +13,9 @@ namespace {
 
 constexpr double feedback_s = 1.0;
 
-class GameTrial : public ClipTrial {
+class GameTrial : public TimedTrial {
   public:
-    GameTrial(SessionCore& core, const TimelineItem& item)
-        : ClipTrial(core, item), limit_(task_.time_limit_s) {
+    GameTrial(SessionCore& core, const TimelineItem& item) : TimedTrial(core, item, feedback_s) {
         if (task_.confidence) confidence_.emplace(core, task_.confidence->text, task_.confidence->scale);
     }
 
@@ -30,36 +28,15 @@ class GameTrial : public ClipTrial {
         ClipTrial::enter(input, moved);
     }
 
-    [[nodiscard]] bool stepDone(const InputFrame& /*input*/, double since_s) override {
-        if (draft_.status == ResponseStatus::skipped) return true;
-        const bool late = draft_.status == ResponseStatus::timed_out;
-        if (!stage_.feedback) return since_s >= (late ? AnswerLimit::told_s : confirm_s);
-        const double chosen_shown_s = late ? 0.0 : confirm_s;
-        if (since_s < chosen_shown_s) return false;
-        if (!revealed_) {
-            revealed_ = true;
-            core_.note(NoteKind::feedback);
-            showDone();
-        }
-        return since_s >= chosen_shown_s + feedback_s;
-    }
-
-    void resumeDone(const InputFrame& /*input*/) override {
-        if (draft_.status != ResponseStatus::skipped) showDone();
-    }
-
     [[nodiscard]] std::string notice() const override {
-        const bool late = draft_.status == ResponseStatus::timed_out;
-        if (revealed_ && !late)
+        if (revealed_ && !late())
             return core_.words()(draft_.correct() ? "feedback_correct" : "feedback_wrong");
-        return limit_.notice(core_.words(), done_, late);
+        return limit_.notice(core_.words(), done_, late());
     }
 
   private:
     bool aiming_ = false;  ///< the ray is on a ball
     bool chosen_ = false;
-    bool revealed_ = false;
-    AnswerLimit limit_;
     std::optional<ScaleAnswer> confidence_{};
 
     [[nodiscard]] bool committed() const override { return chosen_; }
@@ -125,19 +102,6 @@ class GameTrial : public ClipTrial {
         }
     }
 
-    [[nodiscard]] double taken(double at_s) const {
-        return at_s - draft_.motion_end.time_s - draft_.paused_s;
-    }
-    [[nodiscard]] bool inTime(double at_s) const { return limit_.admits(taken(at_s)); }
-
-    void watchTime(const InputFrame& input) {
-        if (!limit_.passed(taken(core_.now.time_s))) return;
-        give(input, draft_.motion_end.time_s + draft_.paused_s + task_.time_limit_s, "");
-        draft_.status = ResponseStatus::timed_out;
-        core_.view.closePanel();
-        finish();
-    }
-
     void choose(const InputFrame& input, int place) {
         draft_.values = {{"chosen_place", place, {}},
                          {"correct", place == trial_.targetPlace() ? 1.0 : 0.0, {}}};
@@ -174,13 +138,7 @@ class GameTrial : public ClipTrial {
         finish();
     }
 
-    void finish() {
-        core_.view.frame.ray.reset();
-        complete();
-        showDone();
-    }
-
-    void showDone() {
+    void showDone() override {
         const bool chosen = draft_.chosenPlace() >= 0;
         showState(revealed_ ? PresentedState::feedback
                   : chosen  ? PresentedState::chosen
@@ -192,7 +150,6 @@ class GameTrial : public ClipTrial {
         lookAtTask();
         PresentedFrame& frame = core_.view.frame;
         frame.balls[static_cast<std::size_t>(trial_.targetPlace())].look = BallLook::revealed;
-        frame.key_moment = true;
     }
 };
 

@@ -7,11 +7,10 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "answer_limit.hpp"
-#include "clip_trial.hpp"
 #include "studies/design/angles.hpp"
 #include "studies/design/visibility.hpp"
 #include "studies/session/replay.hpp"
+#include "timed_trial.hpp"
 
 namespace deixis::studies {
 
@@ -31,10 +30,9 @@ Vec3 onStoredGrid(const Vec3& point) {
             std::round(point.z * 1e4) / 1e4};
 }
 
-class PlacementTrial : public ClipTrial {
+class PlacementTrial : public TimedTrial {
   public:
-    PlacementTrial(SessionCore& core, const TimelineItem& item)
-        : ClipTrial(core, item), limit_(task_.time_limit_s) {}
+    PlacementTrial(SessionCore& core, const TimelineItem& item) : TimedTrial(core, item, target_shown_s) {}
 
     void enter(const InputFrame& input, bool moved) override {
         PresentedFrame& frame = core_.view.frame;
@@ -46,35 +44,15 @@ class PlacementTrial : public ClipTrial {
         ClipTrial::enter(input, moved);
     }
 
-    [[nodiscard]] bool stepDone(const InputFrame& /*input*/, double since_s) override {
-        if (draft_.status == ResponseStatus::skipped) return true;
-        const bool late = draft_.status == ResponseStatus::timed_out;
-        if (!stage_.feedback) return since_s >= (late ? AnswerLimit::told_s : confirm_s);
-        const double placed_shown_s = late ? 0.0 : confirm_s;
-        if (since_s < placed_shown_s) return false;
-        if (!revealed_) {
-            revealed_ = true;
-            core_.note(NoteKind::feedback);
-            showDone();
-        }
-        return since_s >= placed_shown_s + target_shown_s;
-    }
-
-    void resumeDone(const InputFrame& /*input*/) override {
-        if (draft_.status != ResponseStatus::skipped) showDone();
-    }
-
     [[nodiscard]] std::string notice() const override {
         if (revealed_) return {};
-        return limit_.notice(core_.words(), done_, draft_.status == ResponseStatus::timed_out);
+        return limit_.notice(core_.words(), done_, late());
     }
 
   private:
-    AnswerLimit limit_;
     bool held_ = false;
     bool moved_ = false;  ///< it has been put somewhere: there is something to confirm
     bool aiming_ = false;
-    bool revealed_ = false;
     double along_m_ = 0.0;  ///< the ray, while it is held
     Vec3 taken_from_{0.0};
 
@@ -91,9 +69,17 @@ class PlacementTrial : public ClipTrial {
     void openAnswer(const InputFrame& input) override {
         held_ = aiming_ = false;
         showState(PresentedState::choosing);
-        core_.openPanel(board(), input, deskPose);
+        core_.openPanel(board(), input, besideBall());
         core_.view.openBalls();
         core_.view.aim(input.pointer, input.stage_from_head, true);
+    }
+
+    /// Where the board hides neither the ball nor where it waits.
+    [[nodiscard]] PanelPlace besideBall() {
+        const BallView waiting{rest(), ball().radius_m, BallLook::waiting};
+        return [balls = std::vector{ball(), waiting}](const Panel& panel, const Pose& viewer, double eye_m) {
+            return deskPoseBesideBalls(panel, viewer, eye_m, balls);
+        };
     }
 
     [[nodiscard]] Panel board() const {
@@ -151,20 +137,8 @@ class PlacementTrial : public ClipTrial {
         moved_ = moved_ || glm::length(ball().centre - taken_from_) >= really_moved_m;
         if (input.select_held) return;
         held_ = false;
-        core_.view.updatePanel(board());
-    }
-
-    [[nodiscard]] double taken_s(double at_s) const {
-        return at_s - draft_.motion_end.time_s - draft_.paused_s;
-    }
-    [[nodiscard]] bool inTime(double at_s) const { return limit_.admits(taken_s(at_s)); }
-
-    void watchTime(const InputFrame& input) {
-        if (!limit_.passed(taken_s(core_.now.time_s))) return;
-        give(input, draft_.motion_end.time_s + draft_.paused_s + task_.time_limit_s, "");
-        draft_.status = ResponseStatus::timed_out;
-        core_.view.closePanel();
-        finish();
+        core_.openPanel(board(), input, besideBall());  // it could not be taken again from behind the board
+        core_.view.admitRestingRay();                   // which was aimed there
     }
 
     void confirm(const InputFrame& input, double at_s, const char* by) {
@@ -179,13 +153,7 @@ class PlacementTrial : public ClipTrial {
         finish();
     }
 
-    void finish() {
-        core_.view.frame.ray.reset();
-        complete();
-        showDone();
-    }
-
-    void showDone() {
+    void showDone() override {
         PresentedFrame& frame = core_.view.frame;
         const bool placed = draft_.status == ResponseStatus::answered;
         showState(revealed_ ? PresentedState::feedback
@@ -197,7 +165,6 @@ class PlacementTrial : public ClipTrial {
         if (frame.balls.size() < 2)
             frame.balls.push_back({trial_.target, ball().radius_m, BallLook::revealed});
         frame.balls[1].look = BallLook::revealed;
-        frame.key_moment = true;
     }
 };
 

@@ -1,4 +1,4 @@
-// Drawing what a simulated participant sees: the same scene and renderer as the desktop's, off screen.
+// Pictures of what a simulated participant sees: the same scene and renderer as the desktop's, off screen.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,9 @@
 
 namespace deixis::app {
 
-/// Attaches a renderer without a window to the station. `size` is "WIDTHxHEIGHT" or empty. A picture is taken
-/// of each state that `screenshots` wants, when it first comes and the participant has turned to it.
+/// Attaches a renderer without a window to the station, where `screenshots` wants pictures. `size` is
+/// "WIDTHxHEIGHT" or empty. A picture is taken of each state wanted, when it first comes and the participant
+/// has turned to it.
 [[nodiscard]] Result<void> drawSimulation(studies::SimulatedStation& station, const assets::Avatar& avatar,
                                           const std::string& size,
                                           const std::shared_ptr<Screenshots>& screenshots);

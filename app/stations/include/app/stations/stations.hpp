@@ -26,8 +26,7 @@ struct StationRequest {
     std::shared_ptr<Screenshots> screenshots = std::make_shared<Screenshots>();  ///< simulated only
 };
 
-/// Opens the station. The simulated one draws each key moment and several frames a second through the same
-/// renderer as the desktop, off screen, where the program was built with it.
+/// Opens the station. The simulated one draws nothing but the pictures wanted, by the desktop's renderer.
 [[nodiscard]] Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request,
                                                                     const studies::Study& study,
                                                                     const studies::StudyPlan& plan,

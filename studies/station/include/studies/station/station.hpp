@@ -198,7 +198,6 @@ struct PresentedFrame {
     std::optional<Panel> sign;
     Pose stage_from_viewer{};  ///< where the participant is asked to stand: on the floor, -z is forward
     std::string viewer_place;  ///< changes exactly when the viewer is moved: "across", "side-by-side"
-    bool key_moment = false;   ///< something new appears in this frame: it must be drawn, not skipped
     SessionStatus status{};    ///< for the operator
     /// One calm sentence to the participant beside all else ("Please step back to your place."); empty:
     /// none.
