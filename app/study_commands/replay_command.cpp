@@ -84,9 +84,10 @@ Result<void> printChoices(const results::Recording& recording, const studies::Cl
         fmt::print("trial {:>3}: chose {}, by the ray kept with the answer {}{}\n", trial.trial.index,
                    placeInWords(trial.chosenPlace()), placeInWords(by_ray), also);
     }
-    if (choices == 0)
-        return fail(recording.participant, "no choice among balls is among these answers",
-                    "--list prints what was answered");
+    if (choices == 0) {
+        fmt::print("{} has chosen among no balls\n", recording.participant);
+        return {};
+    }
     fmt::print("{} choices: {} the same from the ray kept with the answer; {} of {} from the tracked hand\n",
                choices, same, tracked_same, tracked);
     if (same != choices)
