@@ -15,6 +15,7 @@ if [ "${1:-}" = all ]; then scripts/install.sh all; else scripts/install.sh test
 logs=build/test-logs
 mkdir -p $logs
 counts=()
+skipped=()
 status=0
 say() { echo "== $* ($((SECONDS / 60)) min)"; }
 failed() {
@@ -41,6 +42,8 @@ run_tests() {
     say "$1: tests"
     ctest --preset "$@" -j2 --timeout 1200 2>&1 | tee "$log" || result=$?
     counts+=("$1: $(grep -E 'tests passed' "$log" || echo 'no result')")
+    # What a test case could not do here, "SKIPPED: case: reason", and why.
+    mapfile -t -O ${#skipped[@]} skipped < <(sed -n "s/^SKIPPED: /$1: /p" "build/$1/Testing/Temporary/LastTest.log" | sort -u)
     return "$result"
 }
 run_preset() { build "$1" && run_tests "$1"; }
@@ -89,6 +92,7 @@ esac
 
 echo
 printf '%s\n' "${counts[@]}"
+[ ${#skipped[@]} -eq 0 ] && echo "Nothing was skipped." || printf '%s\n' "${#skipped[@]} skipped:" "${skipped[@]}"
 say "end"
 [ "$status" -eq 0 ] && echo "All passed." || echo "Something failed: see above."
 exit "$status"
