@@ -1,4 +1,4 @@
-// The plan as JSON and as a table.
+// The plan as JSON: reading. Every key must be there, of its type, and no other.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,54 +23,6 @@ struct BadPlan : std::runtime_error {
         : std::runtime_error(message), where(std::move(where_)) {}
     std::string where;
 };
-
-Json positionJson(const Vec3& position) {
-    return Json::array({position.x, position.y, position.z});
-}
-
-Json checkJson(const TrialCheck& check) {
-    return {{"kind", checkKindName(check.kind)},
-            {"stimulus", check.stimulus},
-            {"expected", check.expected},
-            {"of_trial", check.of_trial}};
-}
-
-Json seenJson(const std::vector<SeenBalls>& seen) {
-    Json out = Json::object();
-    for (const SeenBalls& one : seen)
-        out[std::string(standingName(one.standing))] = {{"at_rest", one.at_rest}, {"pointing", one.pointing}};
-    return out;
-}
-
-Json anglesObject(const BallAngles& angles) {
-    return {{"avatar", angles.avatar_deg}, {"headset", angles.headset_deg}, {"desktop", angles.desktop_deg}};
-}
-
-Json trialJson(const Trial& trial) {
-    Json stimuli = Json::array();
-    for (const Stimulus& stimulus : trial.stimuli) {
-        Json& one = stimuli.emplace_back(Json{{"system", stimulus.system}, {"item", stimulus.item}});
-        if (stimulus.clip > 0) one["clip"] = stimulus.clip;
-    }
-    Json distractors = Json::array();
-    for (const Vec3& distractor : trial.distractors) distractors.push_back(positionJson(distractor));
-    Json out = {{"index", trial.index},
-                {"stage", trial.stage},
-                {"kind", stageKindName(trial.kind)},
-                {"practice", trial.practice},
-                {"attempt", trial.attempt},
-                {"page", trial.page},
-                {"stimuli", stimuli},
-                {"layout", trial.layout},
-                {"distance", trial.distance},
-                {"target", trial.target == Vec3(0.0) ? Json() : positionJson(trial.target)},
-                {"distractors", distractors},
-                {"ball_order", trial.ball_order},
-                {"check", trial.check ? checkJson(*trial.check) : Json()}};
-    if (!trial.seen.empty()) out["visibility"] = seenJson(trial.seen);
-    if (trial.angles) out["angles"] = anglesObject(*trial.angles);
-    return out;
-}
 
 /// An object read key by key: every key must be there, of its type, and no other.
 class Reader {
@@ -307,65 +259,7 @@ StudyPlan readPlan(const Json& document) {
     return plan;
 }
 
-std::string joined(const std::vector<std::string>& texts, std::string_view by) {
-    return fmt::format("{}", fmt::join(texts, by));
-}
-
-/// A row of the table for people.
-using Row = std::array<std::string, 8>;
-
-Row tableRow(const Trial& trial) {
-    std::vector<std::string> systems;
-    for (const Stimulus& stimulus : trial.stimuli)
-        systems.push_back(stimulus.clip == 0
-                              ? stimulus.system
-                              : fmt::format("{} (clip {})", stimulus.system, stimulus.clip + 1));
-    std::string role = "page";
-    if (trial.practice)
-        role = trial.attempt == 0 ? "practice" : fmt::format("practice, attempt {}", trial.attempt + 1);
-    else if (trial.check)
-        role = checkKindName(trial.check->kind);
-    else if (!trial.stimuli.empty())
-        role = "scored";
-    if (declarationOf(trial.kind).in_pages) role = fmt::format("page {}", trial.page + 1);
-
-    std::string shown;
-    if (const int place = trial.targetPlace(); place >= 0)
-        shown = fmt::format("target is ball {} of {}", place + 1, trial.ball_order.size());
-    if (trial.check && trial.check->kind == CheckKind::number)
-        shown = fmt::format("asks for {} with {}", trial.check->expected,
-                            systems[static_cast<std::size_t>(trial.check->stimulus)]);
-    if (trial.check && trial.check->kind == CheckKind::repeat)
-        shown += fmt::format("{}trial {} again", shown.empty() ? "" : ", ", trial.check->of_trial);
-    const auto orDash = [](std::string text) { return text.empty() ? std::string("-") : text; };
-    return {fmt::format("{}", trial.index),
-            trial.stage,
-            role,
-            orDash(joined(systems, " | ")),
-            trial.stimuli.empty() ? "-" : trial.stimuli.front().item,
-            orDash(trial.layout),
-            orDash(trial.distance),
-            orDash(shown)};
-}
-
 }  // namespace
-
-std::string planJson(const StudyPlan& plan) {
-    std::string out = fmt::format(
-        "{{\n  \"participant\": {},\n  \"number\": {},{}\n  \"study\": {},\n  \"study_hash\": {},\n  "
-        "\"seed\": "
-        "{},\n  \"groups\": {},\n  \"stages\": {},\n  \"trials\": [",
-        Json(plan.participant).dump(), plan.number,
-        plan.number_in_cell ? fmt::format("\n  \"number_in_cell\": {},", *plan.number_in_cell) : "",
-        Json(plan.study_name).dump(), Json(plan.study_hash).dump(), plan.seed, Json(plan.groups).dump(),
-        Json(plan.stages).dump());
-    const char* separator = "\n    ";
-    for (const Trial& trial : plan.trials) {  // a line each
-        out += separator + trialJson(trial).dump();
-        separator = ",\n    ";
-    }
-    return out + "\n  ]\n}\n";
-}
 
 Result<StudyPlan> planFromJson(std::string_view json) {
     try {
@@ -377,35 +271,6 @@ Result<StudyPlan> planFromJson(std::string_view json) {
     } catch (const Json::exception& error) {
         return fail("plan", fmt::format("this JSON cannot be read: {}", error.what()));
     }
-}
-
-std::string visibilityJson(const Trial& trial) {
-    return trial.seen.empty() ? std::string() : seenJson(trial.seen).dump();
-}
-
-std::string anglesJson(const Trial& trial) {
-    return trial.angles ? anglesObject(*trial.angles).dump() : std::string();
-}
-
-std::string planTable(const StudyPlan& plan) {
-    std::vector<Row> rows{{"trial", "stage", "role", "system", "item", "layout", "distance", "shown"}};
-    for (const Trial& trial : plan.trials) rows.push_back(tableRow(trial));
-    std::array<std::size_t, std::tuple_size_v<Row>> widths{};
-    for (const Row& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-
-    const std::string in_cell =
-        plan.number_in_cell ? fmt::format(", {} in its groups", *plan.number_in_cell) : "";
-    std::string out = fmt::format("participant {} (number {}{}), study {}, seed {}\n", plan.participant,
-                                  plan.number, in_cell, plan.study_name, plan.seed);
-    for (const auto& group : plan.groups) out += fmt::format("{}: {}\n", group.first, group.second);
-    for (const Row& row : rows) {
-        std::string line = fmt::format("{:>{}}", row[0], widths[0]);
-        for (std::size_t i = 1; i < row.size(); ++i) line += fmt::format("  {:<{}}", row[i], widths[i]);
-        line.erase(line.find_last_not_of(' ') + 1);
-        out += line + '\n';
-    }
-    return out;
 }
 
 }  // namespace deixis::studies
