@@ -152,6 +152,10 @@ bool sameField(const studies::PanelField& a, const studies::PanelField& b) {
     return a.id == b.id && a.text == b.text && a.active == b.active;
 }
 
+bool sameBall(const studies::BallView& a, const studies::BallView& b) {
+    return a.look == b.look && a.centre == b.centre;
+}
+
 template <typename Parts, typename Same>
 bool same(const Parts& a, const Parts& b, Same same_part) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_part);
@@ -174,9 +178,7 @@ bool Trace::changed(const studies::PresentedFrame& frame) const {
                     same(frame.panel->sliders, panel_->sliders, sameSlider) &&
                     same(frame.panel->fields, panel_->fields, sameField)))
         return true;
-    return !std::equal(
-        frame.balls.begin(), frame.balls.end(), looks_.begin(), looks_.end(),
-        [](const studies::BallView& ball, studies::BallLook look) { return ball.look == look; });
+    return !same(frame.balls, balls_, sameBall);
 }
 
 void Trace::remember(const studies::PresentedFrame& frame) {
@@ -188,8 +190,7 @@ void Trace::remember(const studies::PresentedFrame& frame) {
     notice_ = frame.notice;
     sign_ = signText(frame);
     panel_ = frame.panel;
-    looks_.clear();
-    for (const auto& ball : frame.balls) looks_.push_back(ball.look);
+    balls_ = frame.balls;
 }
 
 void Trace::presented(const studies::InputFrame& input, const studies::PresentedFrame& frame) {

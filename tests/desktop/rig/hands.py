@@ -5,13 +5,14 @@ import math
 import time
 
 import borrowed  # noqa: F401
-from geometry import Pose, add, length, rotate, scaled, subtract
+from geometry import Pose, add, angle_deg, length, rotate, scaled, subtract
 from session_trace import TraceTimeout
 
 DEG_PER_PIXEL = 0.07  # of the mouse that looks around: look_rad_per_pixel in desktop_station.cpp
 AIMING_S = 20.0
 ANSWER_S = 20.0  # until a click or a key must have done something; frames may be slow
 READING_S = 0.6  # a board takes no input right after it came up
+CARRIED_DEG = 1.5  # what is carried is on the ray, and the cursor on a pixel
 
 
 def head_of(line):
@@ -243,6 +244,32 @@ class Hands:
         kept = slider(self.look(), number)["value"]
         if kept != value:
             raise AssertionError(f"slider {number} was let go at {value} and stands at {kept}")
+
+    def carry_ball(self, to, notches):
+        """Takes the only ball, carries it in front of a point of the stage, turns the wheel by so many notches, away
+        from the person where they are positive, and lets go. Where it lies then."""
+
+        def away_m(line):
+            return length(subtract(line["balls"][0]["centre"], line["head"][:3]))
+
+        def in_front(line):
+            ball, wanted = (subtract(point, line["head"][:3]) for point in (line["balls"][0]["centre"], to))
+            return angle_deg(ball, wanted) < CARRIED_DEG
+
+        if self.hover_ball(0) is None:
+            raise AssertionError(f"the ball could not be taken; {self.trace.describe()}")
+        at = self.mouse.press()
+        try:
+            line = self.wait("the press", lambda now: now["utc_s"] > at[1] + 0.1)
+            self.point_at("where the ball is to go", lambda now: to, in_front)
+            line = self.wait("the ball there", in_front)
+            before_m = away_m(line)
+            self.mouse.turn_wheel(notches)
+            self.wait("the wheel", lambda now: (away_m(now) - before_m) * notches > 0.02 * notches**2)
+        finally:
+            at = self.mouse.release()
+        line = self.wait("a frame", lambda now: now["utc_s"] > at[1] + 0.1)
+        return tuple(line["balls"][0]["centre"])
 
     def type_into(self, number, text):
         """Clicks the field where it does not take what is typed, types, and sees that it stands there."""

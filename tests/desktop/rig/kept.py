@@ -4,8 +4,9 @@ import json
 
 import borrowed  # noqa: F401
 from checks import Database, require
-from geometry import length, subtract
+from geometry import angle_deg, length, subtract
 
+AVATAR_EYES = (0.0, 1.6, 0.1)
 LATE_S = 3.0  # from the end of xdotool's press to the stored answer: frames are slow
 
 
@@ -73,6 +74,9 @@ def check_answer(db, study, trial, response, meant):
     else:
         require(response["chosen_place"] is None, f"trial {index}: a ball was chosen")
     rows = db.rows("select * from answers where response = ? order by position", response["id"])
+    if meant.placed:
+        check_placed(db, trial, response, meant, rows)
+        return
     require(
         len(rows) == len(meant.answers), f"trial {index}: {len(rows)} answers instead of {len(meant.answers)}"
     )
@@ -105,6 +109,30 @@ def check_choice(trial, response, meant):
     require(
         response["correct"] == (meant.place == trial["target_place"]),
         f"trial {index}: 'correct' does not follow from the places",
+    )
+
+
+def check_placed(db, trial, response, meant, rows):
+    """The ball lies where it was let go; distance and angle are those between there and the target."""
+    index = trial["trial_index"]
+    (kept,) = db.rows("select * from placements where response = ?", response["id"])
+    placed = tuple(kept[f"placed_{axis}_m"] for axis in "xyz")
+    require(
+        length(subtract(placed, meant.placed)) < 1e-3,
+        f"trial {index}: the ball is stored at {placed}, it was let go at {meant.placed}",
+    )
+    target = tuple(trial[f"target_{axis}_m"] for axis in "xyz")
+    measured = {row["question"]: row["value"] for row in rows}
+    off_cm = 100.0 * length(subtract(placed, target))
+    require(
+        abs(measured["distance"] - off_cm) < 0.02,
+        f"trial {index}: {measured['distance']} cm are stored, the ball is {off_cm:.2f} cm off",
+    )
+    # As the avatar's eyes see it, about there.
+    off_deg = angle_deg(*(subtract(point, AVATAR_EYES) for point in (placed, target)))
+    require(
+        abs(measured["angle"] - off_deg) < 6.0,
+        f"trial {index}: {measured['angle']} degrees are stored, about {off_deg:.1f} are between ball and target",
     )
 
 

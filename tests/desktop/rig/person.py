@@ -25,6 +25,7 @@ class Meant:
 
     place: int = -1
     ball: tuple = ()  # centre of the ball that was aimed at
+    placed: tuple = ()  # where the ball was put
     answers: list = field(default_factory=list)  # Said, in order
     number_shown: dict = field(default_factory=dict)  # stimulus -> what its sign said
     pressed_utc_s: tuple = ()  # from and to, of the press that answered
@@ -214,6 +215,8 @@ class Person:
         return True
 
     def _choose(self, line):
+        if button(line, GO_ON):
+            return self._place(line)
         places = list(range(len(line["balls"])))
         self._random.shuffle(places)
         for place in places:
@@ -225,6 +228,22 @@ class Person:
         at = self.hands.click()
         self.hands.wait("chosen ball", lambda now: not now["state"].startswith(("choosing", "aiming")))
         self.meant[line["trial"]] = Meant(place=place, ball=ball, pressed_utc_s=at)
+        return True
+
+    def _place(self, line):
+        """Puts the ball somewhere near the avatar, now and then once more, and confirms."""
+        for _ in range(1 + (self._random.random() < 0.3)):
+            where = (self._random.uniform(-0.8, 0.8), self._random.uniform(0.5, 1.7), self._random.uniform(0.5, 1.5))
+            placed = self.hands.carry_ball(where, self._random.choice((-3, 4)))
+
+        def confirmed(now):
+            return not now["state"].startswith(("choosing", "aiming"))
+
+        if self._by_key(0.3):
+            at, by = self.hands.press_key("Return", confirmed), "key"
+        else:
+            at, by = self.hands.click_button(GO_ON, confirmed), "ray"
+        self.meant[line["trial"]] = Meant(placed=placed, pressed_utc_s=at, by=by)
         return True
 
     def play(self, stimulus):

@@ -28,6 +28,7 @@ SCENARIOS = {
     "genea-pairwise": studies.whole_study("genea-pairwise", "sv"),
     "distractor-distance": studies.whole_study("distractor-distance", "ko"),
     "pointing-style": studies.whole_study("pointing-style", "en"),
+    "free-placement": studies.whole_study("free-placement", "de"),
     "questions": studies.questions,
     "killed": broken_off.killed,
     "paused": broken_off.paused,

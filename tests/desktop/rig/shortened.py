@@ -3,7 +3,7 @@
 import re
 
 
-SYSTEMS = {"rating": 2, "pairwise": 3, "referential-game": 2}  # in stages that name none: the first so many
+SYSTEMS = {"rating": 2, "pairwise": 3, "referential-game": 2, "free-placement": 2}  # in stages that name none: the first so many
 
 
 def shortened(text, items):

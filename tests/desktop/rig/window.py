@@ -144,6 +144,10 @@ class Mouse:
     def release(self):
         return self.do("mouseup", 1)
 
+    def turn_wheel(self, notches):
+        """Away from the person where they are positive."""
+        return self.do("click", "--repeat", abs(notches), "--delay", 60, 4 if notches > 0 else 5)
+
     def key(self, name):
         return self.do("key", name)
 

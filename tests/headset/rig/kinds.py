@@ -22,7 +22,8 @@ PICTURES = (
     + [f"naturalness-{state}" for state in ("playing", "rating", "rating-answered")]
     + [f"game-{state}-{layout}" for state in ("pointing", "choosing", "aiming", "confidence")
        for layout in ("across", "side-by-side")]
-    + ["game-practice-feedback-side-by-side"]
+    + ["game-practice-feedback-side-by-side", "placement-choosing-across", "placement-choosing-across-answered",
+       "placement-aiming-across", "placement-practice-feedback-across"]
 )
 
 

@@ -109,6 +109,11 @@ class Participant:
         self._body = Pose(self.anchor.point((right_m, 0.0, 0.0)), self.anchor.orientation)
         self.stand()
 
+    def push_stick(self, forward, hand=None):
+        """The thumbstick, from -1 (towards the participant) to 1."""
+        getattr(self.remote.state, hand or self.hand).thumbstick[1] = forward
+        self.remote.send()
+
     def button(self, name, down, hand="right"):
         setattr(getattr(self.remote.state, hand), name, down)
         self.remote.send()

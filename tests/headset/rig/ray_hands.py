@@ -10,6 +10,7 @@ FIRST_OPTION, FIRST_FIELD = 1000, 5000  # as in studies/session.hpp
 ERASE, POINT, MINUS = 10, 11, 12  # keys of a number's pad: panel_layout.hpp
 ON_POINT_M = 0.004
 EYES_TURN_DEG = 40.0  # off straight ahead: for less nobody turns the head
+PUSHED_S = 0.4
 SEEN_FRAMES = 2  # until the program has surely seen the trigger
 
 
@@ -48,6 +49,13 @@ class Trigger:
         begun = self._body.trigger(down)
         self._moved_utc_s, self._first_frame = time.time(), None
         return begun, self._moved_utc_s
+
+    def turn_wheel(self, notches):
+        """A headset has a stick in its place."""
+        self._wait("the press", self.seen)
+        self._body.push_stick(1.0 if notches > 0 else -1.0)
+        time.sleep(PUSHED_S)
+        return self._body.push_stick(0.0)
 
     def seen(self, line):
         """Whether the program has seen what the trigger did last."""
@@ -99,6 +107,11 @@ class RayHands(Hands):
     def drag_slider(self, number, value):
         super().drag_slider(number, value)
         self.body.stand()
+
+    def carry_ball(self, to, notches):
+        placed = super().carry_ball(to, notches)
+        self.body.stand()
+        return placed
 
     def press_key(self, name, done):
         raise AssertionError(f"key {name}: there is no keyboard in a headset")

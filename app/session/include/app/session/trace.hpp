@@ -48,7 +48,7 @@ class Trace : public Recorder {
     std::string state_, stage_, place_, notice_, sign_;
     studies::SessionStatus status_;
     std::optional<studies::Panel> panel_;
-    std::vector<studies::BallLook> looks_;
+    std::vector<studies::BallView> balls_;
 };
 
 }  // namespace deixis::app
