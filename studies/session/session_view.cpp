@@ -117,7 +117,7 @@ Aim SessionView::aim(const std::optional<Ray>& pointer, const Pose& stage_from_h
 
 void SessionView::lightUp(const Aim& met) {
     if (!frame.panel) return;
-    const auto light = [this](auto& parts, int id) {
+    const auto light = [](auto& parts, int id) {
         for (auto& one : parts) one.hovered = id != 0 && one.id == id && one.enabled;
     };
     light(frame.panel->buttons, met.button);
