@@ -21,7 +21,7 @@ constexpr double nearest_on_ray_m = 0.3;  ///< along the ray
 constexpr double farthest_on_ray_m = 5.0;
 constexpr double really_moved_m = 0.01;  ///< more than a click shakes a hand
 /// Where the ball waits: beside the participant's right hand, nearer than any target, so that it tells none.
-const Vec3 rest_in_viewer{0.35, 1.0, -0.8};
+const Vec3 rest_in_viewer{0.5, 1.0, -0.8};
 /// What a flat screen is to hold beside it: the arm as it points ahead, and so nothing of the target.
 const Vec3 arm_ahead{0.0, 1.1, 1.6};
 
