@@ -274,15 +274,16 @@ void addEvaluateCommand(Parser cli, Command& chosen) {
         "demonstrations]");
     command
         .addOption("--bandwidth", options->bandwidth,
-                   "Of the kernel density: normal-reference, scott, scott-covariance, or hx,hy,hz in metres")
+                   "Bandwidth of the kernel density: normal-reference, scott, scott-covariance, or hx,hy,hz "
+                   "in metres")
         .showDefault();
     command
         .addOption("--meanshift-bandwidth", options->mean_shift_bandwidth,
-                   "Of the clusters of training targets: metres, or auto")
+                   "Bandwidth of the MeanShift clusters of training targets: metres, or auto")
         .showDefault();
     command.addOption("--study", options->study,
-                      "Study whose games the clips were made for: what simulated observers read, and what "
-                      "nobody can exceed");
+                      "Study for whose games the clips were made: adds what simulated observers choose, and "
+                      "the ceiling of any observer");
     addOutput(command, options->page, "HTML page to write [evaluation.html]");
     addForce(command, options->force);
     addJsonOrFile(command, options->json);

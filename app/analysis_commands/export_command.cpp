@@ -88,7 +88,7 @@ void addExportCommand(Parser cli, Command& chosen) {
         .showDefault();
     addOutput(command, request->folder, "Folder to write to [DB without its ending, and -csv]", "DIR");
     command.addFlag("--anonymise", request->options.anonymise,
-                    "Other ids, no free text, no notes, no dates: to be shared");
+                    "For sharing: other ids, no free text, no notes, no dates");
     command.addFlag("!--no-tracking", request->options.tracking, "Leave tracked frames out");
     command.callback([request, &chosen] { chosen = [request] { return exportTables(*request); }; });
 }

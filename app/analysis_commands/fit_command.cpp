@@ -332,7 +332,7 @@ void addFitCommand(Parser cli, Command& chosen) {
         .check(Range(0.5, 0.9999))
         .showDefault();
     addJsonOrFile(command, options->json);
-    command.addOption("--stimuli", options->stimuli, "Folder of the clips that were shown [where they lay]");
+    command.addOption("--stimuli", options->stimuli, "Folder of the clips that were shown [where they were]");
     command.addOption("--avatar", options->avatar,
                       "The avatar that was shown, glTF or VRM [the study's; else Deixis's own]");
     command.callback([options, &chosen] { chosen = [options] { return fitDatabase(*options); }; });

@@ -70,7 +70,7 @@ class PackageInMaking {
         syncFileSystem(folder_);
         std::error_code code;
         fs::current_path(before_, code);
-        if (fs::exists(target_, code)) return fail(target_.string(), "was made by somebody else meanwhile");
+        if (fs::exists(target_, code)) return fail(target_.string(), "was made by another program meanwhile");
         fs::rename(folder_, target_, code);
         if (code) return fail(target_.string(), "cannot be written: " + code.message());
         syncFolder(target_.parent_path());
@@ -170,7 +170,7 @@ void addPackageCommand(Parser cli, Command& chosen) {
     Parser command = cli.addCommand(
         "package",
         "Make a replication package: study, clips, avatar, anonymous data and report in one folder");
-    describe(command, {.writes = "the folder, which must not exist: half a package is never left.",
+    describe(command, {.writes = "the folder, which must not exist; it is complete or not there at all.",
                        .example = "deixis package study.sqlite -o replication",
                        .page = "docs/data-out.md"});
     command.addOption("DB", request->database, "Database of a study").required();

@@ -112,21 +112,24 @@ void addPowerCommand(Parser cli, Command& chosen) {
     effect.excludes(from);
     from.excludes(effect);
     command.addOption("--save-effects", options->effects_out,
-                      "File to write the effects to that were taken, to be changed and used again");
+                      "File to write the effects used to, for editing and reuse");
     auto goal = command
                     .addOption("--goal", options->goal,
-                               "Power that is wanted: tell for each contrast how many participants it "
-                               "needs, of those simulated")
+                               "Target power: print for each contrast the smallest simulated number of "
+                               "participants that reaches it")
                     .check(Range(0.01, 0.9999));
-    command.addFlag("--search", options->search, "With --goal: simulate numbers between, to the single one")
+    command
+        .addFlag("--search", options->search,
+                 "With --goal: simulate numbers in between, too, to find the exact one")
         .needs(goal);
-    command.addOption("--studies", options->options.studies, "Studies drawn for each number")
+    command
+        .addOption("--studies", options->options.studies, "Simulated studies for each number of participants")
         .check(Range(1, 1000000))
         .showDefault();
     addSeed(command, options->options.seed, "the answers");
     command.addOption("--alpha", options->options.alpha, "Level of significance; the study's where not given")
         .check(Range(1e-6, 0.5));
-    command.addOption("--level", options->options.level, "Level of the intervals of the power")
+    command.addOption("--level", options->options.level, "Confidence level of the intervals of power")
         .check(Range(0.5, 0.9999))
         .showDefault();
     addJsonOrFile(command, options->json);

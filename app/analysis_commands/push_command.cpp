@@ -51,7 +51,7 @@ Result<void> push(const PushRequest& request) {
 void addPushCommand(Parser cli, Command& chosen) {
     auto request = std::make_shared<PushRequest>();
     Parser command = cli.addCommand(
-        "push", "Bring a database's results to a PostgreSQL server, where many stations' lie together");
+        "push", "Copy a database's results to a PostgreSQL server that holds those of many stations");
     describe(command, {.writes = "to the server: the database's study, participants, sessions and answers. "
                                  "The database is only read.",
                        .example = "deixis push study.sqlite postgresql://lab@db.lab/deixis",

@@ -320,7 +320,7 @@ void addReportCommand(Parser cli, Command& chosen) {
         .check(OneOf{{"study"}});
     command
         .addOption("--measure", options->choice.join.measures,
-                   "Analyse this measure alone, such as what all of several studies measured; may be "
+                   "Analyse this measure only, such as one that several studies share; may be "
                    "repeated")
         .oneValueEachTime();
     command.addOption("--study", options->choice.study,
@@ -331,11 +331,11 @@ void addReportCommand(Parser cli, Command& chosen) {
     addCsv(command, options->files.csv, "Folder to write every table to, as CSV");
     command.addOption("--latex", options->files.latex, "Folder to write every table to, as LaTeX (booktabs)");
     command.addOption("--r", options->files.r,
-                      "Folder for the tables and analysis.R, which computes them anew and adds mixed models");
+                      "Folder for the tables and analysis.R, which recomputes them and adds mixed models");
     command.addOption("--stimuli", options->choice.stimuli,
                       "Folder of the clips that the databases' sessions showed [where they lay]");
     command.addFlag("--without-clips", options->choice.without_clips,
-                    "Do not look at those clips: the answers alone decide what is written");
+                    "Do not read those clips: use the answers only");
     command
         .addOption("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
         .check(Range(1e-6, 0.5));
@@ -361,14 +361,14 @@ void addReportCommand(Parser cli, Command& chosen) {
         .oneValueEachTime();
     command
         .addOption("--scale", options->scales,
-                   "The scale of ratings in CSV files, beyond which no answer may lie; "
+                   "The scale of ratings in CSV files; an answer outside it is an error; "
                    "may be repeated")
         .oneValueEachTime();
     command.addOption(
         "--stations", options->choice.stations,
         "Answers given at a desktop and in a headset: apart (a report each), together (station is "
-        "then a factor), or those of one kind; the study's, else apart. Simulated participants "
-        "always stand apart");
+        "then a factor), or those of one kind; the study's, else apart. Simulated participants are always "
+        "reported apart");
     command
         .addOption("--equivalence", options->equivalence,
                    "Bound within which two systems, levels or groups count as equivalent; may be repeated")

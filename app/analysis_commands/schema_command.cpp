@@ -36,8 +36,7 @@ Result<void> printSchemas(const std::string& name) {
 
 void addSchemaCommand(Parser cli, Command& chosen) {
     auto name = std::make_shared<std::string>();
-    Parser command =
-        cli.addCommand("schema", "Print the JSON Schema of an output, or list those that there are");
+    Parser command = cli.addCommand("schema", "Print the JSON Schema of an output, or list all schemas");
     describe(command, {.writes = "nothing; it prints the schema.",
                        .example = "deixis schema analysis",
                        .page = "docs/data-out.md"});

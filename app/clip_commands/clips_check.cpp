@@ -62,8 +62,8 @@ Result<void> check(const ClipsCheckArguments& options) {
 
 void addClipsCheckCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsCheckArguments>();
-    Parser command = clips.addCommand(
-        "check", "Name every problem of clip files at once, and tell whether they play on the avatar");
+    Parser command =
+        clips.addCommand("check", "List every problem of clip files, and whether they play on the avatar");
     describe(command, {.writes = "nothing; it prints the problems, and exits with 1 where there are any.",
                        .example = "deixis clips check clips/*.bvh",
                        .page = "docs/clip-format.md"});

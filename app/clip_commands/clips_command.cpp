@@ -6,7 +6,7 @@
 namespace deixis::app {
 
 void addClipsCommand(Parser cli, Command& chosen) {
-    Parser clips = cli.addCommand("clips", "Look into clip files, check, convert and cut them");
+    Parser clips = cli.addCommand("clips", "Inspect, check, convert and cut clip files");
     clips.requireCommand();
     describe(clips, {.writes = "nothing, or what -o names.",
                      .example = "deixis clips info clips/T001.bvh",

@@ -132,7 +132,7 @@ Result<void> info(const ClipsInfoArguments& options) {
 void addClipsInfoCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsInfoArguments>();
     Parser command = clips.addCommand(
-        "info", "Tell a clip's format, frames, rate, unit, up axis and bones, and how each was found out");
+        "info", "Show a clip's format, frames, rate, unit, up axis and bones, and how each was determined");
     describe(command, {.writes = "nothing; it prints what it found.",
                        .example = "deixis clips info clips/T001.bvh",
                        .page = "docs/clip-format.md"});

@@ -87,7 +87,7 @@ Result<void> printMap(const ClipsMapArguments& options) {
 
 void addClipsMapCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsMapArguments>();
-    Parser map = clips.addCommand("map", "Tell which joint of a clip plays which humanoid bone");
+    Parser map = clips.addCommand("map", "Show which joint of a clip is which humanoid bone");
     describe(map, {.writes = "nothing; it prints the mapping.",
                    .example = "deixis clips map take.bvh --toml > take.humanoid.toml",
                    .page = "docs/clip-format.md"});

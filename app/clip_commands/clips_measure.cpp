@@ -286,7 +286,7 @@ void addClipsMeasureCommand(Parser clips, Command& chosen) {
     command.addOption("--balls", options->balls,
                       "CSV of targets with distractors, as 'deixis targets STUDY' prints it: which ball each "
                       "ray chooses");
-    command.addFlag("--detect", options->detect, "Find the phases, even where the manifest tells them");
+    command.addFlag("--detect", options->detect, "Detect the phases, even where the manifest gives them");
     Option csv = command.addFlag("--csv", options->csv, "Print CSV, a line for each clip");
     addJson(command, options->json, "Print JSON, an object for each clip").excludes(csv);
     command.callback([options, &chosen] { chosen = [options] { return measure(*options); }; });

@@ -88,7 +88,8 @@ Result<void> mirror(const ClipsMirrorArguments& options) {
 
 void addClipsMirrorCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsMirrorArguments>();
-    Parser command = clips.addCommand("mirror", "Exchange left and right: of a clip, or a manifest");
+    Parser command =
+        clips.addCommand("mirror", "Mirror a clip, or all clips of a manifest: left becomes right");
     describe(command, {.writes = "the clip, or to a folder the clips of a manifest and their manifest.csv.",
                        .example = "deixis clips mirror T001.bvh -o T001-mirrored.bvh\ndeixis clips mirror "
                                   "clips/manifest.csv -o mirrored",

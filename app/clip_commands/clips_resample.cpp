@@ -32,7 +32,7 @@ Result<void> resample(const ClipsResampleArguments& options) {
 
 void addClipsResampleCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsResampleArguments>();
-    Parser command = clips.addCommand("resample", "Bring a clip to another frame rate");
+    Parser command = clips.addCommand("resample", "Resample a clip to another frame rate");
     describe(command, {.writes = "OUT, in the format that its ending names.",
                        .example = "deixis clips resample take.bvh -o take30.bvh --fps 30",
                        .page = "docs/segmentation.md"});

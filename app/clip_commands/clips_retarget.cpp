@@ -84,21 +84,22 @@ Result<void> retargetAll(const ClipsRetargetArguments& options) {
 
 void addClipsRetargetCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsRetargetArguments>();
-    Parser command = clips.addCommand("retarget", "Bring the clips of a manifest to an avatar, as BVH files");
+    Parser command =
+        clips.addCommand("retarget", "Retarget the clips of a manifest to an avatar, as BVH files");
     describe(command, {.writes = "to DIR a BVH file for each clip and manifest.csv; all of them or none.",
                        .example = "deixis clips retarget clips/manifest.csv -o on-avatar --keep pointing-ray",
                        .page = "docs/clip-format.md"});
     command.addOption("MANIFEST", options->manifest, "CSV, see docs/manifest.md").required();
     addOutput(command, options->folder, "Folder for the clips and their manifest", "DIR").required();
     addForce(command, options->force);
-    command.addOption("--keep", options->keep, "What a pointing arm keeps")
+    command.addOption("--keep", options->keep, "What retargeting keeps of a pointing arm")
         .check(OneOf{{"joint-angles", "pointing-ray"}})
         .showDefault();
     command.addOption("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
     command.addOption("--fingers", options->fingers, "Hands of figures without fingers while they point")
         .check(OneOf{{"relaxed", "pointing"}})
         .showDefault();
-    command.addOption("--feet", options->feet, "Whether feet that stand are held")
+    command.addOption("--feet", options->feet, "Whether planted feet are held in place")
         .check(OneOf{{"planted", "free"}})
         .showDefault();
     command.callback([options, &chosen] { chosen = [options] { return retargetAll(*options); }; });

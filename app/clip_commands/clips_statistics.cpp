@@ -272,10 +272,10 @@ void addClipsStatisticsCommand(Parser clips, Command& chosen) {
                       "Clips or manifests to compare with; style is normalised by them");
     Option asked = command.addOption(
         "--asked", options->asked,
-        "Clips or manifests with the poses that were asked for: one for each clip, or one for all");
+        "Clips or manifests with the reference poses that were asked for: one for each clip, or one for all");
     command
         .addOption("--asked-frames", options->asked_frames,
-                   "FIRST,LAST frames for which they were, from 0, at the clips' own rate [10,14]")
+                   "FIRST,LAST frames of the reference poses, counted from 0, at the clips' own rate [10,14]")
         .delimiter(',')
         .expected(2)
         .check(Range(0, 10'000'000))

@@ -285,7 +285,7 @@ class SystemClips {
         // The kept file may have suffered since it was made.
         if (const auto read = assets::importClip(file); !read) {
             Error error = read.error();
-            error.hint = fmt::format("Remove the folder {}: its clips are then made anew",
+            error.hint = fmt::format("Remove the folder {}: its clips are then made again",
                                      manifest.parent_path().string());
             return problem(std::move(error));
         }

@@ -95,7 +95,7 @@ class Sessions {
             studies::Resume resume = store_.resume(one.plan->participant, one.now_utc_s);
             if (studies::trialsLeft(study_, *one.plan, resume.answered).empty()) continue;
             if (one.answered_before == resume.answered.size())
-                return fail(where(one), "a sitting ended without an answer, and trials are left");
+                return fail(where(one), "a session ended without an answer, and trials are left");
             const std::size_t answered = resume.answered.size();
             out.push_back({one.plan, one.now_utc_s, answered, std::move(resume), {}});
         }

@@ -46,7 +46,8 @@ std::string anglesText(const StudySetup& setup) {
     }
     if (by_avatar.empty()) return {};
     std::string out =
-        "angles: how near the nearest distractor looks to the target, in degrees; the least of all sets of "
+        "angles: how near the nearest distractor looks to the target, in degrees; the smallest of all sets "
+        "of "
         "balls\n" +
         line("as the avatar's eyes see it", by_avatar);
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -48,7 +48,7 @@ Parts structureOf(const studies::Study& study) {
     for (const auto& factor : study.between)
         out.push_back(fmt::format("groups {} ({})", factor.name, fmt::join(factor.levels, ", ")));
     for (const auto& stage : study.stages) {
-        out.push_back(fmt::format("stage {} ({}{}, sitting {}, measure '{}', {})", stage.name,
+        out.push_back(fmt::format("stage {} ({}{}, visit {}, measure '{}', {})", stage.name,
                                   studies::stageKindName(stage.kind),
                                   stage.practice ? ", practice of " + stage.practice->of : "", stage.session,
                                   stage.measure, scaleText(stage.scale)));

@@ -60,7 +60,7 @@ std::string visibilityText(const StudySetup& setup, const assets::Avatar& avatar
     if (!drawn || !study.targets.clear_view) return out;
     const auto count = [&](studies::Redrawn what) { return std::count(drawn->begin(), drawn->end(), what); };
     return out +
-           fmt::format("  drawn anew, unlike the bare rule's: {} targets, and the distractors of {} others\n",
+           fmt::format("  redrawn, unlike the bare rule's: {} targets, and the distractors of {} others\n",
                        count(studies::Redrawn::target), count(studies::Redrawn::distractors));
 }
 

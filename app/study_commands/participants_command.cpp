@@ -97,7 +97,7 @@ Result<void> include(const ParticipantsArguments& options) {
     else
         fmt::print("{} takes part again\n", options.participant);
     for (const std::string& stage : done->practice)
-        fmt::print("practice {} was failed: it begins anew, and its answers so far are kept\n", stage);
+        fmt::print("practice {} was failed: it starts again, and its answers so far are kept\n", stage);
     if (const int forgiven = done->failed_checks_forgiven; forgiven > 0)
         fmt::print("{} failed {} no longer {} towards a rule\n", forgiven,
                    forgiven == 1 ? "attention check" : "attention checks",
@@ -140,12 +140,12 @@ void addParticipantsCommand(Parser cli, Command& chosen) {
         command.callback([options, act, &chosen] { chosen = [options, act] { return act(*options); }; });
         return std::make_pair(command, options);
     };
-    add("list", "List everybody who is in a database",
+    add("list", "List all participants of a database",
         {.writes = "nothing; it prints the list.",
          .example = "deixis participants list study.sqlite",
          .page = "docs/running-a-study.md"},
         false, list);
-    add("show", "Show one participant: fields, sessions, what happened",
+    add("show", "Show one participant: fields, sessions, events",
         {.writes = "nothing; it prints what is kept.",
          .example = "deixis participants show study.sqlite P07",
          .page = "docs/running-a-study.md"},
@@ -157,14 +157,14 @@ void addParticipantsCommand(Parser cli, Command& chosen) {
              .page = "docs/running-a-study.md"},
             true, exclude);
     exclude_command.addOption("--reason", excluded->reason, "Why; kept and reported").required();
-    add("include", "Let a participant in again; consent that was declined is asked anew",
+    add("include", "Include a participant again; consent that was declined is asked for again",
         {.writes = "to the database.",
          .example = "deixis participants include study.sqlite P07",
          .page = "docs/running-a-study.md"},
         true, include);
     const auto [withdraw_command, withdrawn] =
-        add("withdraw", "Erase everything that is kept of a participant",
-            {.writes = "to the database, from which all that the participant answered is gone for good.",
+        add("withdraw", "Erase all data of a participant",
+            {.writes = "to the database: all data of the participant are erased for good.",
              .example = "deixis participants withdraw study.sqlite P07 --yes",
              .page = "docs/running-a-study.md"},
             true, withdraw);

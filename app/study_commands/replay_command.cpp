@@ -134,8 +134,8 @@ Result<void> replay(ReplayArguments options) {
 
 void addReplayCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ReplayArguments>();
-    Parser command = cli.addCommand("replay", "Show again what a participant saw and did");
-    describe(command, {.writes = "nothing, unless --png or --mp4 name a place.",
+    Parser command = cli.addCommand("replay", "Replay what a participant saw and did");
+    describe(command, {.writes = "nothing, unless --png or --mp4 is given.",
                        .example = "deixis replay study.sqlite --participant P07 --list\ndeixis replay "
                                   "study.sqlite --participant P07 --trial 12 --mp4 trial.mp4",
                        .page = "docs/running-a-study.md"});
@@ -147,12 +147,13 @@ void addReplayCommand(Parser cli, Command& chosen) {
                     "Print each choice of the game and what the recorded rays give");
     command.addOption(
         "--stimuli", options->stimuli,
-        "Folder of the clips that were shown [what is locked beside the database; else where they lay]");
+        "Folder of the clips that were shown [what is locked beside the database; else where they were]");
     command.addOption("--avatar", options->avatar,
                       "The avatar that was shown, glTF or VRM [the one locked beside the database; else the "
                       "study's, from the database's folder on, or Deixis's own]");
 #ifdef DEIXIS_IMMERSIVE
-    command.addOption("--view", options->view.view, "first: by the participant's eyes; third: from outside")
+    command
+        .addOption("--view", options->view.view, "first: through the participant's eyes; third: from outside")
         .check(OneOf{{"first", "third"}})
         .showDefault();
     command.addOption("--png", options->view.png_folder,
@@ -161,10 +162,10 @@ void addReplayCommand(Parser cli, Command& chosen) {
     command.addOption("--fps", options->view.frames_per_s, "Frames a second of what is written")
         .check(Range(1.0, 240.0))
         .showDefault();
-    command.addOption("--speed", options->view.speed, "1: as it was; 0.25: four times as long")
+    command.addOption("--speed", options->view.speed, "Playback speed: 1 as recorded, 0.25 four times slower")
         .check(Range(0.05, 8.0))
         .showDefault();
-    command.addOption("--trail", options->view.trail_s, "Seconds of the way of head and hand that are shown")
+    command.addOption("--trail", options->view.trail_s, "Length of the trails of head and hand, in seconds")
         .check(Range(0.0, 60.0))
         .showDefault();
     command.addOption("--size", options->view.size, "Window or picture size").showDefault();

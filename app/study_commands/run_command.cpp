@@ -103,7 +103,7 @@ void tellOutcome(const std::string& participant, studies::SessionOutcome outcome
         case studies::SessionOutcome::finished:
             if (left > 0)
                 fmt::print(
-                    "{} has finished this sitting; {} trials wait for the next one, which the same command "
+                    "{} has finished this visit; {} trials wait for the next one, which the same command "
                     "with --participant {} begins\n",
                     participant, left, participant);
             return;
@@ -159,7 +159,7 @@ Result<void> checkTakesPart(const RunArguments& options, const results::Store& s
                     known->row.status == results::ParticipantStatus::excluded ? "is excluded" : "dropped out",
                     known->row.reason),
         fmt::format("'deixis participants include {} {}' lets the participant {}", options.database,
-                    participant, declined ? "be asked for consent anew" : "go on"));
+                    participant, declined ? "be asked for consent again" : "go on"));
 }
 
 struct Prepared {
@@ -305,7 +305,7 @@ Result<void> run(RunArguments options) {
 
 void addRunCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<RunArguments>();
-    Parser command = cli.addCommand("run", "Run one participant's session; resumes where it was left");
+    Parser command = cli.addCommand("run", "Run one participant's session, or resume it where it stopped");
     describe(
         command,
         {.writes =
@@ -333,7 +333,7 @@ void addRunCommand(Parser cli, Command& chosen) {
             "participant, without a window")
         .check(OneOf{{"desktop", "headset", "simulated"}})
         .showDefault("desktop");
-    command.addOption("--db", options->database, "Database to begin or to go on with [STUDY.sqlite]");
+    command.addOption("--db", options->database, "Database to create or to continue [STUDY.sqlite]");
     command
         .addOption("--accept-changes", options->accept_changes,
                    "Why the study's files were changed since it began; the reason is kept, and new "
@@ -347,7 +347,7 @@ void addRunCommand(Parser cli, Command& chosen) {
     command.addOption("--size", options->station.size, "Window or picture size, such as 1280x720");
     command
         .addOption("--resolution-scale", options->station.resolution_scale,
-                   "Of the picture size that the headset's runtime recommends (headset)")
+                   "Scale of the picture size that the headset's runtime recommends (headset)")
         .check(Range(0.2, 3.0))
         .showDefault();
     command.addFlag("--operator", options->station.operator_window,

@@ -71,7 +71,7 @@ void addTargetsCommand(Parser cli, Command& chosen) {
                                   "--picture targets.svg > targets.csv\ndeixis targets --grid > grid.csv",
                        .page = "docs/design.md"});
     command.addOption("STUDY", options->study, "Study file, or the name of one that ships");
-    command.addOption("--picture", options->picture, "SVG picture of them to write");
+    command.addOption("--picture", options->picture, "SVG picture of the targets to write");
     Option grid_option =
         command
             .addOption("--grid", options->grid,

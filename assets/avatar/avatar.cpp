@@ -50,7 +50,7 @@ class Assembler {
             gltf::reject(file_,
                          fmt::format("its skin follows {} joints, at most {} can be drawn",
                                      avatar_.skeleton.joints.size(), max_avatar_joints),
-                         "Merge joints of hair, clothes and face, then export the file anew");
+                         "Merge joints of hair, clothes and face, then export the file again");
         avatar_.vertices = std::move(mesh_.vertices);
         avatar_.textures = std::move(mesh_.textures);
         joinParts();
@@ -113,7 +113,7 @@ class Assembler {
         if (!(height > 1e-9 && height < 1e9))
             gltf::reject(file_,
                          fmt::format("stands {:.4g} units tall, expected a figure with a height", height),
-                         "Export the file anew");
+                         "Export the file again");
         const double unit = height_m_ ? *height_m_ / height : likelyUnit(height);
         const double height_m = height * unit;
         if (!height_m_ && !(height_m >= shortest_avatar_m && height_m <= tallest_avatar_m))
@@ -130,7 +130,7 @@ class Assembler {
         constexpr double near_m = 1e-3;
         if (const auto [low_m, high_m] = extent(); !(std::abs(high_m - low_m - height_m) < near_m))
             gltf::reject(file_, "its mesh is bound so far from its joints that rounding moves it",
-                         "Export the file anew, with its mesh near its armature");
+                         "Export the file again, with its mesh near its armature");
         avatar_.remarks.push_back(
             height_m_ ? fmt::format("{:.4g} units high: scaled to {:.2f} m, as asked for", height, height_m)
                       : fmt::format("{:.4g} units high: scaled by {:g} to {:.2f} m", height, unit, height_m));

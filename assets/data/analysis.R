@@ -809,7 +809,7 @@ if (any(answers$synthetic == 1, na.rm = TRUE)) cat("Some answers are simulated: 
 wrong <- compared[compared$off > 1e-6, ]
 cat(sprintf("%d numbers compared, the largest difference is %.2g; %d contrasts by mixed models\n", nrow(compared),
             max(compared$off, 0), nrow(mixed_models)))
-cat("Not computed anew: bootstrap intervals (their draws are the program's own), questionnaires' scores\n")
+cat("Not recomputed: bootstrap intervals (their draws are the program's own), questionnaires' scores\n")
 if (nrow(wrong) > 0) {
     print(head(wrong, 20), row.names = FALSE)
     quit(status = 1)

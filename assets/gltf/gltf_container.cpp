@@ -89,7 +89,7 @@ Chunks splitChunks(std::string_view bytes, const std::string& file) {
         reject(file, fmt::format("a glTF binary of version {}, expected 2", version));
     const std::size_t total = wordAt(bytes, 8);
     if (total > bytes.size())
-        reject(file, fmt::format("ends after {} of {} bytes", bytes.size(), total), "Copy the file anew");
+        reject(file, fmt::format("ends after {} of {} bytes", bytes.size(), total), "Copy the file again");
     bytes = bytes.substr(0, total);
     for (std::size_t at = 12; at + 8 <= bytes.size();) {
         const std::size_t length = wordAt(bytes, at);

@@ -47,7 +47,7 @@ Result<void> LongTableReader::checkScale(const std::string& name, double value, 
     return fail(where(column),
                 fmt::format("found \"{}\", beyond the scale of {} ({:g} to {:g})", cell(column), name,
                             scale->second.low, scale->second.high),
-                "Empty the cell where that stands for no answer, or mend --scale");
+                "Empty the cell where that stands for no answer, or correct --scale");
 }
 
 Result<void> LongTableReader::addRow(const ResponseRow& answer, const std::string& name, MeasureKind kind,

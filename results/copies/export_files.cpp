@@ -172,7 +172,7 @@ Result<ExportedFile> trackingFile(SQLite::Database& database, const AnonymousNam
                                   const std::filesystem::path& file) {
     std::vector<ColumnSpec> columns{
         {"participant", text, "Pseudonymous id"},
-        {"session", whole, "One sitting of a participant with the program"},
+        {"session", whole, "One session of a participant with the program"},
         {"trial_index", whole, "Trial under way; empty: none"},
         {"frame", whole, "Number of the frame"},
         {"display_time_s", number, "When it was shown, on the station's clock", "s"},

@@ -61,8 +61,8 @@ ExportedFile questionsFile(SQLite::Database& database) {
                                {"question", text, "As in responses.csv; choice: the game's"},
                                {"answer", text, "scale, choice, choices, number, text or ball"},
                                {"wording", text, "What the participant read"},
-                               {"low", number, "Least that could be answered"},
-                               {"high", number, "Most that could be answered"},
+                               {"low", number, "Lowest possible answer"},
+                               {"high", number, "Highest possible answer"},
                                {"option", text, "An option's id or a step's number: as in responses.csv"},
                                {"option_text", text, "What the participant read there"}})};
     SQLite::Statement rows(

@@ -16,7 +16,7 @@ using enum ColumnType;
 const ExportColumn participant_column{
     {"participant", text, "Pseudonymous id"}, "participant", Privacy::participant};
 const ExportColumn session{
-    {"session", whole, "One sitting of a participant with the program"}, "session", Privacy::session};
+    {"session", whole, "One session of a participant with the program"}, "session", Privacy::session};
 const ExportColumn trial_index{
     {"trial_index", whole, "Which answered unit, from 0 over all sessions in the order planned"},
     "trial_index"};
@@ -39,7 +39,7 @@ ExportTable responsesTable() {
         "responses.csv",
         "One row for each answer to a question or rating, and one for each response without any (a choice of "
         "the game, "
-        "a skipped trial). Answers that were given anew stand with the new ones only.",
+        "a skipped trial). Answers that were given again appear with the new ones only.",
         "FROM responses_flat AS f WHERE participant = ?1 ORDER BY trial_index, response, stimulus, question",
         {
             participant_column,
@@ -73,9 +73,9 @@ ExportTable responsesTable() {
               "The answer as a number; a preference runs from -2 (clearly left, system) to 2 (clearly right, "
               "other_system)"},
              "value"},
-            {{"scale_low", number, "Least that could be answered"},
+            {{"scale_low", number, "Lowest possible answer"},
              "(SELECT low FROM questions AS q WHERE q.stage = f.stage AND q.question = f.question)"},
-            {{"scale_high", number, "Most that could be answered"},
+            {{"scale_high", number, "Highest possible answer"},
              "(SELECT high FROM questions AS q WHERE q.stage = f.stage AND q.question = f.question)"},
             {{"text", text, "Chosen options by their ids, or what was typed"},
              "text",
@@ -185,7 +185,7 @@ ExportTable trialsTable() {
               "rest and pointing, JSON"},
              "visibility"},
             {{"least_seen_headset", number,
-              "Game: the least of these shares of any ball, at the place for a headset"},
+              "Game: the smallest of these shares of any ball, at the place for a headset"},
              "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
             {{"least_seen_desktop", number, "The same at the place for a desktop"},
              "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
@@ -195,8 +195,8 @@ ExportTable trialsTable() {
               "at the layout's places see it, JSON",
               "degrees"},
              "angles"},
-            {{"least_angle_avatar_deg", number, "Game: the least of these angles as the avatar's eyes see it",
-              "degrees"},
+            {{"least_angle_avatar_deg", number,
+              "Game: the smallest of these angles as the avatar's eyes see it", "degrees"},
              "(SELECT min(s.atom) FROM json_tree(t.angles, '$.avatar') AS s WHERE s.atom IS NOT NULL)"},
             {{"least_angle_headset_deg", number, "The same from the place for a headset", "degrees"},
              "(SELECT min(s.atom) FROM json_tree(t.angles, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
@@ -216,7 +216,7 @@ ExportTable sessionsTable() {
         "FROM sessions AS e WHERE participant = ?1 ORDER BY id",
         {
             participant_column,
-            {{"session", whole, "One sitting of a participant with the program"}, "id", Privacy::session},
+            {{"session", whole, "One session of a participant with the program"}, "id", Privacy::session},
             {{"station", text, "desktop, headset or simulated"}, "station"},
             {{"station_details", text, "Device, driver, display"}, "station_details", Privacy::left_out},
             {{"synthetic", truth, "1: a simulated participant answered; no evidence about people"},

@@ -95,7 +95,7 @@ std::optional<Error> orphanBeside(const fs::path& database) {
             fmt::format("is not there, and '{}' beside it holds the answers of one of this name that was "
                         "renamed, moved or deleted in a session",
                         copy.filename().string()),
-            "Give that file this name to go on with it, or take it to another folder to begin anew"};
+            "Give that file this name to go on with it, or take it to another folder to start again"};
     return std::nullopt;
 }
 

@@ -81,8 +81,8 @@ Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
                 "median where the notch lies within the box; diamond: mean; whiskers: 5th and 95th "
                 "percentile. Right: the same as angle between "
                 "forearm and target; dashed: the ceiling." +
-                (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the least "
-                                       "to the greatest; all else is of all clips.",
+                (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the "
+                                       "smallest to the largest; all else is of all clips.",
                                        max_box_points)
                          : std::string()),
             fmt::format("Box plots of the clips' accuracy by system; medians: {}.", mediansText(plot)),
@@ -108,8 +108,8 @@ Figure accuracyDifferences(const Evaluation& evaluation, Numbering& figures) {
             " Differences of accuracy at the targets that both systems were made for (points), and their "
             "typical difference with its interval (Hodges&#8211;Lehmann; filled and starred where p is at "
             "most 0.05 after Holm&#8217;s correction). Right of 0 the system named first is more accurate." +
-            (thinned ? fmt::format(" At most {} points a pair are drawn, evenly from the least to the "
-                                   "greatest difference.",
+            (thinned ? fmt::format(" At most {} points a pair are drawn, evenly from the smallest to the "
+                                   "largest difference.",
                                    max_difference_points)
                      : std::string()),
         "Differences of accuracy between the systems of each pair at their common targets, with the typical "

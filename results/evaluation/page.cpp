@@ -146,7 +146,7 @@ std::string methods(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     return fmt::format(
         "\n<h2>Methods</h2>\n<p>After section 3.2 of Deichler, Wang, Alexanderson and Beskow "
-        "(2023).</p>\n<p><b>Accuracy</b> of a clip is the greatest reward, Equation&#160;2: &#952; = 1 "
+        "(2023).</p>\n<p><b>Accuracy</b> of a clip is the highest reward, Equation&#160;2: &#952; = 1 "
         "&#8722; angle(hand to target, elbow to hand)/&#960;, reward = (e<sup>&#952;</sup> &#8722; 1)/e, "
         "among the frames within {:g} s of the time of pointing to either side (a window of {:g} s) in which "
         "the hand moves slower than {:g} m/s. The time of pointing is the frame in which the pointing "
@@ -164,7 +164,7 @@ std::string methods(const Evaluation& evaluation) {
         "system for one target count by their mean). The signed-rank test is exact up to 2,000 targets, ties "
         "among differences included; differences are rounded to 10<sup>&#8722;9</sup>, and those of zero "
         "left out of the ranking. Targets are a sample of places, not of people: p says how far the order of "
-        "two systems hangs on the places.</p>",
+        "two systems depends on the places.</p>",
         0.5 * input.rule.window_s, input.rule.window_s, input.rule.slower_than_m_s, input.training.size(),
         bandwidthWords(evaluation));
 }

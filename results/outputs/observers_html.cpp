@@ -28,8 +28,8 @@ std::string ranked(const ObserverRanking& ranking) {
 std::string observersFinding(const std::vector<ObserverReading>& readings) {
     if (readings.empty()) return "";
     std::string out =
-        "<li>What a simulated observer makes of the same arms hangs on what pointing is taken to mean. Its "
-        "expected accuracy, from the least to the greatest over " +
+        "<li>What a simulated observer makes of the same arms depends on how it reads pointing. Its expected "
+        "accuracy, from the lowest to the highest over " +
         fmt::format("{} observers: ", observer_names.size());
     std::string last;
     std::string spreads;

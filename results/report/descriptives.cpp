@@ -37,7 +37,7 @@ std::string orderTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.order.empty() || result.participants < 2) return "";
     return tableHtml(
         tables::order(result),
-        "Answers while a participant goes on: first and second half of each participant's answers, "
+        "Answers over the course of the study: first and second half of each participant's answers, "
         "signed-rank test over participants, Holm over the measures.",
         {"measure", "first_half", "second_half", "n", "p", "p_holm"}, numbering);
 }

@@ -122,7 +122,7 @@ std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {
     if (table.rows.empty()) return "";
     return tableHtml(
         table,
-        "Ratings taken one by one, pseudo-replicated: a participant's ratings hang together, so this "
+        "Ratings taken one by one, pseudo-replicated: a participant's ratings are correlated, so this "
         "describes and supports no test.",
         {"measure", "system", "n", "mean", "sd", "q05", "q25", "median", "q75", "q95"}, numbering);
 }

@@ -142,7 +142,7 @@ std::string testsParagraph(const AnalysisResult& result, const Computed& compute
         "correction. r is the rank-biserial correlation, (W+ &#8722; W&#8722;) / (W+ + W&#8722;). Holm's "
         "correction covers, each a family: {}. Corrected p values up to &#945;&#160;=&#160;{} count as "
         "significant. A participant without answers under one of two conditions is left out of their "
-        "comparison; nothing is filled in. That a difference is not significant does not show that there is "
+        "comparison; nothing is imputed. That a difference is not significant does not show that there is "
         "none: look at its interval.</p>",
         100.0 * result.level, joinedWith(families), result.alpha);
     if (computed.friedman)
@@ -235,7 +235,7 @@ std::string methodsHtml(const AnalysisResult& result) {
     if (computed.pairs || computed.preferences)
         out +=
             "<p><b>Other choices.</b> The pairs of systems are tested again with the participants who are "
-            "left out (excluded, dropped out; not who refused consent, withdrew, or answered practice and "
+            "left out (excluded, dropped out; not those who declined consent or withdrew, nor practice and "
             "checks), and without marked trials and participants who failed an attention check, where there "
             "are such ones. Each choice has Holm families of its own.</p>";
     if (computed.boxes)

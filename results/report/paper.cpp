@@ -54,16 +54,16 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
                                    [](const Measure& one) { return one.kind == MeasureKind::rating; });
     if (result.participants > 1 && table.systems.size() > 1)
         out.emplace_back(
-            "A difference that is not significant is not shown to be none: its interval tells which "
-            "differences the data leave possible.");
+            "A difference that is not significant has not been shown to be zero: its interval shows which "
+            "differences are compatible with the data.");
     if (!result.items.empty())
         out.emplace_back(
             "The tests speak about other participants with these same targets and clips. For other "
             "targets, look at the mixed models with item intercepts that the R script fits.");
     if (rated)
         out.emplace_back(
-            "Means take a rating's steps as equally wide, and the shift of the signed-rank test "
-            "supposes that differences lie evenly around it. Cumulative link models do not.");
+            "Means treat a rating's steps as equally wide, and the shift of the signed-rank test assumes "
+            "that differences are distributed symmetrically around it. Cumulative link models do not.");
     std::set<std::string> families;
     const auto count = [&families](const auto& tests) {
         for (const auto& one : tests)

@@ -62,7 +62,7 @@ Result<void> Store::changeLocked(const std::string& from, const std::string& to,
         row << from;
         if (!row.next()) {
             outcome = fail(impl_->path.string(), "the study was changed by another station meanwhile",
-                           "Look at what it has changed, and run this anew");
+                           "Look at what it has changed, and run this again");
             return;
         }
         auto study = impl_->query("UPDATE study SET locked_hash = ?");

@@ -126,7 +126,7 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
                          fmt::format("the database holds study '{}' with other files (locked as {:.12}, not "
                                      "{:.12}): another station has begun it, or changed it, meanwhile",
                                      known.text(0), known.text(1), locked_hash),
-                         "Run this anew: it then tells what differs"};
+                         "Run this again: it then says what differs"};
     }
     auto namesake = query("SELECT id FROM participants WHERE number = ?");
     namesake << registration.number;

@@ -136,7 +136,7 @@ void readDistances(StudyReader& reader) {
                   const Range range = asRange(table.range("distance_m", 0.01, 10.0));
                   if (table.sound("distance_m") && range.low < ball_m)
                       table.problem("distance_m",
-                                    fmt::format("found {} m as the least distance, expected no less than "
+                                    fmt::format("found {} m as the minimum distance, expected no less than "
                                                 "targets.ball_diameter_m ({} m): balls would overlap",
                                                 range.low, ball_m));
                   DistanceBand band{name, range, table.count("distractors", 1, 8), {}, {}};
@@ -221,7 +221,7 @@ void readRanges(TomlTable& table, StudyReader& reader) {
     if (table.sound("height_m") && !table.faulty("ball_diameter_m") &&
         space.height_m.low < space.ball_diameter_m / 2)
         table.problem("height_m",
-                      fmt::format("found {} m as the least height, expected at least {} m, half of "
+                      fmt::format("found {} m as the minimum height, expected at least {} m, half of "
                                   "targets.ball_diameter_m: balls would stick in the floor",
                                   space.height_m.low, space.ball_diameter_m / 2));
 }

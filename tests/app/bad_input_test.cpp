@@ -137,7 +137,7 @@ TEST_SUITE("app/bad-input") {
         }
     }
 
-    TEST_CASE("a manifest of several systems gives each system its own clips, or is refused") {
+    TEST_CASE("a manifest of several systems gives each system its own clips, or is rejected") {
         const Scratch scratch;
         const auto targets = program("targets pointing2023 --no-picture");
         spill(scratch / "targets.csv", targets.out);
@@ -205,7 +205,7 @@ TEST_SUITE("app/bad-input") {
         CHECK_FALSE(fs::exists(scratch / "o/manifest.csv"));
     }
 
-    TEST_CASE("databases that cannot be used are refused and left as they are") {
+    TEST_CASE("databases that cannot be used are rejected and left as they are") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         const auto run = [&] {
@@ -251,7 +251,7 @@ TEST_SUITE("app/bad-input") {
         }
     }
 
-    TEST_CASE("clip files that are no clips are refused") {
+    TEST_CASE("clip files that are no clips are rejected") {
         const Scratch scratch;
         spill(scratch / "empty.bvh", "");
         CHECK_FAILS_SAYING(program("clips joints " + (scratch / "empty.bvh") + " --csv"), "empty.bvh");

@@ -257,7 +257,7 @@ TEST_SUITE("app/clips_edit") {
                            "no joint 'ball'", "clips joints");
     }
 
-    TEST_CASE("a marker file that is wrong is refused with line and column") {
+    TEST_CASE("a marker file that is wrong is rejected with line and column") {
         const Scratch scratch;
         const std::string folder = generated(scratch);
         const std::string run =

@@ -91,7 +91,7 @@ TEST_SUITE("app/clips-retarget") {
         }
     }
 
-    TEST_CASE("a gesture that ends after its clip is refused, on the program's own avatar too") {
+    TEST_CASE("a gesture that ends after its clip is rejected, on the program's own avatar too") {
         const Scratch scratch;
         const std::string manifest = pointingClips(scratch, "direct");
         const std::string csv = slurp(manifest);

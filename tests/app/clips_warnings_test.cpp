@@ -23,7 +23,7 @@ std::string narrowClip(const Scratch& scratch) {
 
 }  // namespace
 
-TEST_SUITE("app/clips-doubts") {
+TEST_SUITE("app/clips-warnings") {
     TEST_CASE("shoulders that a wrong map makes narrow are doubted by map, check and retarget") {
         const Scratch scratch;
         const std::string clip = narrowClip(scratch);
@@ -45,7 +45,7 @@ TEST_SUITE("app/clips-doubts") {
         CHECK(retargeted.out.find(warning) != std::string::npos);
     }
 
-    TEST_CASE("a frame time in milliseconds is refused, and mended by the rate") {
+    TEST_CASE("a frame time in milliseconds is rejected, and mended by the rate") {
         const Scratch scratch;
         const std::string clip = narrowClip(scratch);
         std::string text = slurp(clip);

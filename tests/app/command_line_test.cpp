@@ -87,7 +87,7 @@ TEST_SUITE("app/command_line") {
         }
     }
 
-    TEST_CASE("What passed every range before is refused by the program") {
+    TEST_CASE("What passed every range before is rejected by the program") {
         for (const char* words : {"report x.sqlite --alpha nan", "generate direct --unsteadiness nan",
                                   "report x.sqlite --seed -1", "clips info x.bvh --unit inf",
                                   "clips trim a.bvh b.bvh --fps nan"}) {

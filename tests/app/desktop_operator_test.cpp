@@ -153,7 +153,7 @@ TEST_SUITE("app/desktop_operator") {
     }
 
     TEST_CASE(
-        "where the experimenter's window would cover the participant's, it is refused with what to do") {
+        "where the experimenter's window would cover the participant's, it is rejected with what to do") {
         const Scratch scratch;
         const Display display;
         CHECK_FAILS_SAYING(

@@ -326,7 +326,7 @@ TEST_SUITE("app/evaluate") {
         CHECK(contains(shown, " elapsed, 0:00 left"));
     }
 
-    TEST_CASE("Bad input is refused with the place and the mend") {
+    TEST_CASE("Bad input is rejected with the place and a hint") {
         const Scratch scratch;
         const std::string out = " -o " + (scratch / "e.html");
         CHECK_FAILS_SAYING(program("evaluate " + (scratch / "none.csv") + out), "none.csv",

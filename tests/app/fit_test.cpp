@@ -52,7 +52,7 @@ TEST_SUITE("app/fit") {
                   .status == 0);
     }
 
-    TEST_CASE("A database without choices, and a ray that is none, are refused.") {
+    TEST_CASE("A database without choices, and a ray that is none, are rejected.") {
         const Scratch scratch{WithSharedStimuli{}};
         REQUIRE(
             program("simulate genea-pairwise --participants 1 --db " + (scratch / "pairs.sqlite")).status ==

@@ -70,7 +70,7 @@ TEST_SUITE("app/locked_study") {
         CHECK(value(lab, "SELECT min(clip_file LIKE 'clips/%/T00_.bvh') FROM response_stimuli") == "1");
     }
 
-    TEST_CASE("A lab's changed files are refused with what has changed, and nothing is recorded") {
+    TEST_CASE("A lab's changed files are rejected with what has changed, and nothing is recorded") {
         const LabFolder lab;
         REQUIRE(lab.simulate().status == 0);
         const auto rejected = [&](const std::vector<std::string>& words) {
@@ -178,7 +178,7 @@ TEST_SUITE("app/locked_study") {
         CHECK_FAILS_SAYING(lab.run("P03", "--accept-changes 'finer'"), "another study", "from 1 to 7");
     }
 
-    TEST_CASE("A damaged or missing set is refused with one message, and nothing is recorded") {
+    TEST_CASE("A damaged or missing set is rejected with one message, and nothing is recorded") {
         const LabFolder lab;
         REQUIRE(lab.simulate().status == 0);
         const fs::path set = onlySet(lab);

@@ -114,7 +114,7 @@ TEST_SUITE("app/push") {
     }
 
     TEST_CASE(
-        "An answer that is another on the server, or another person's number, is refused and nothing is "
+        "An answer that is another on the server, or another person's number, is rejected and nothing is "
         "written") {
         PostgresServer* server = PostgresServer::get();
         if (server == nullptr) return;

@@ -77,7 +77,7 @@ TEST_SUITE("app/schemas") {
         CHECK(program("schema plans").status == 2);
     }
 
-    TEST_CASE("the plan of every study that ships is as its schema says, and what is not is refused") {
+    TEST_CASE("the plan of every study that ships is as its schema says, and what is not is rejected") {
         const Scratch scratch;
         for (const auto& study : fs::directory_iterator(sourceDir() / "assets/data/studies")) {
             const auto plan = program("plan " + study.path().stem().string() + " --participant P03 --json");
@@ -106,7 +106,7 @@ TEST_SUITE("app/schemas") {
         CHECK(contains(problems(other), "trials/*/target/*: 'high' is not of type 'number'"));
     }
 
-    TEST_CASE("a key of an analysis that its schema does not describe is refused, within tests too") {
+    TEST_CASE("a key of an analysis that its schema does not describe is rejected, within tests too") {
         if (shell("/usr/bin/python3 -c 'import jsonschema' || python3 -c 'import jsonschema'").status != 0) {
             tellSkipped("there is no Python with jsonschema");
             return;

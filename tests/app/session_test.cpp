@@ -85,7 +85,7 @@ TEST_SUITE("app/session") {
         CHECK(answerCount(scratch / "s.sqlite") == 60);
     }
 
-    TEST_CASE("two runs of one participant at once are refused, another participant is not") {
+    TEST_CASE("two runs of one participant at once are rejected, another participant is not") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         // Long, so that the first is still under way when the second comes.

@@ -146,7 +146,7 @@ TEST_SUITE("app/storage") {
                   .out == "P01|1\nP02|2\n");
     }
 
-    TEST_CASE("text that no server could hold is refused where it enters") {
+    TEST_CASE("text that no server could hold is rejected where it enters") {
         const Scratch scratch;
         const std::string latin = "\"$(printf 'Z\\374rich')\"";
         for (const std::string& arguments :
@@ -165,7 +165,7 @@ TEST_SUITE("app/storage") {
                            "answers.csv:2", "UTF-8");
     }
 
-    TEST_CASE("input that never ends is refused in one message") {
+    TEST_CASE("input that never ends is rejected in one message") {
         const Scratch scratch;
         // The address sanitizer reserves terabytes.
         const std::string limit =

@@ -116,7 +116,7 @@ TEST_SUITE("app/study_avatar") {
         CHECK(avatarHashes(scratch / "s.sqlite").size() == 64);
     }
 
-    TEST_CASE("A robot of 4.56 m is refused until the study says how tall it is, and then replayed so") {
+    TEST_CASE("A robot of 4.56 m is rejected until the study says how tall it is, and then replayed so") {
         const fs::path robot = sharedData("repro/RobotExpressive.glb");
         DEIXIS_SKIP_WITHOUT(robot);
         const Scratch scratch;

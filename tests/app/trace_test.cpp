@@ -135,7 +135,7 @@ TEST_SUITE("app/trace") {
         CHECK(rows == 64);
     }
 
-    TEST_CASE("a trace that cannot be written is refused before anything is kept") {
+    TEST_CASE("a trace that cannot be written is rejected before anything is kept") {
         const Scratch scratch;
         const std::string file = scratch / "nowhere/trace.jsonl";
         CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --participant P01 --db " +
@@ -145,7 +145,7 @@ TEST_SUITE("app/trace") {
         CHECK(db.execAndGet("select count(*) from participants").getInt() == 0);
     }
 
-    TEST_CASE("a storage delay that is no number is refused") {
+    TEST_CASE("a storage delay that is no number is rejected") {
         const Scratch scratch;
         for (const char* bad : {"slow", "-1", "0.2s", "nan"})
             CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --db " + (scratch / "s.sqlite"),

@@ -61,7 +61,7 @@ double hipHeight(const assets::Avatar& avatar) {
 }  // namespace
 
 TEST_SUITE("assets/avatar_height") {
-    TEST_CASE("An avatar that is no person's height is refused, and stands as tall as it is asked to") {
+    TEST_CASE("An avatar that is no person's height is rejected, and stands as tall as it is asked to") {
         const double plain_m = loaded(figure("plain", sized(1.0))).height_m;
         for (const double factor : {0.35, 0.6, 1.4, 1.8}) {
             CAPTURE(factor);

@@ -63,7 +63,7 @@ TEST_SUITE("assets/avatar_loading") {
         CHECK(result.error().text().find("/nowhere/avatar.glb") != std::string::npos);
     }
 
-    TEST_CASE("a file of another kind is refused by its first letters") {
+    TEST_CASE("a file of another kind is rejected by its first letters") {
         checkError(load("HIERARCHY\nROOT hips\n{\n}\n"), "neither a glTF binary nor glTF text");
         checkError(load(""), "neither a glTF binary nor glTF text");
     }
@@ -74,16 +74,16 @@ TEST_SUITE("assets/avatar_loading") {
         checkError(load(bytes), "no readable JSON");
     }
 
-    TEST_CASE("a mesh without a skin is refused") {
+    TEST_CASE("a mesh without a skin is rejected") {
         checkError(load(edited(goodFile(), R"("mesh":0,"skin":0)", R"("mesh":0,"skim":0)")), "skin");
         checkError(load(edited(goodFile(), R"("mesh":0,"skin":0)", R"("mesh":0,"skin":7)")), "7");
     }
 
-    TEST_CASE("a mesh without weights is refused") {
+    TEST_CASE("a mesh without weights is rejected") {
         checkError(load(edited(goodFile(), "WEIGHTS_0", "WEIGHTS_7")), "WEIGHTS_0");
     }
 
-    TEST_CASE("a scaled bone is refused") {
+    TEST_CASE("a scaled bone is rejected") {
         std::string bytes = goodFile();
         const std::string from = R"("name":"head","translation")";
         const std::string to = R"("name":"head","scale"      )";

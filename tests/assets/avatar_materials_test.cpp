@@ -174,7 +174,7 @@ TEST_SUITE("assets/avatar_materials") {
         CHECK(other->content_hash != avatar->content_hash);
     }
 
-    TEST_CASE("Names that leave the folder, or lead to no file, are refused before anything is opened") {
+    TEST_CASE("Names that leave the folder, or lead to no file, are rejected before anything is opened") {
         const GlbText file = figure(textured, data_image);
         REQUIRE(writeFile(folder().parent_path() / "outside.bin", file.bytes()).has_value());
         checkMaterialError(loadMaterials(file.json("../outside.bin"), "figure.gltf"), "leaves the folder");

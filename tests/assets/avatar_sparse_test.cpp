@@ -84,7 +84,7 @@ TEST_SUITE("assets/avatar_sparse") {
         }
     }
 
-    TEST_CASE("Sparse parts that leave the file or the accessor are refused by name") {
+    TEST_CASE("Sparse parts that leave the file or the accessor are rejected by name") {
         const RigOptions options;
         const Rig rig = makeRig(options);
         const std::size_t count = rig.vertices.size();

@@ -240,7 +240,7 @@ TEST_SUITE("assets/bvh_retarget") {
         CHECK(sum_deg / count < 8.0);
     }
 
-    TEST_CASE("What is no person is refused, naming the bones that lack") {
+    TEST_CASE("What is no person is rejected, naming the bones that lack") {
         const auto path = tests::sharedData("bvh/fairmotion_sinusoidal.bvh");
         DEIXIS_SKIP_WITHOUT(path);
         const Clip source = load(path);

@@ -170,7 +170,7 @@ TEST_SUITE("assets/clip_import") {
         std::filesystem::remove_all(folder);
     }
 
-    TEST_CASE("What is of no known kind, or no clip, is refused in one sentence") {
+    TEST_CASE("What is of no known kind, or no clip, is rejected in one sentence") {
         CHECK(contains(errorOf("", "clip"), "clip: is empty"));
         CHECK(contains(errorOf("dear diary", "clip.txt"), "clip.txt: is of no known kind: expected BVH"));
         CHECK(contains(errorOf("1 2 3\n", "clip.txt"), "no known kind"));
@@ -187,7 +187,7 @@ TEST_SUITE("assets/clip_import") {
         CHECK(contains(assets::importClip("no_such.bvh").error().text(), "no_such.bvh"));
     }
 
-    TEST_CASE("Absurd BVH files are refused and take neither time nor memory") {
+    TEST_CASE("Absurd BVH files are rejected and take neither time nor memory") {
         const std::string head = "HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 1 Xrotation }\nMOTION\n";
         CHECK(contains(errorOf(head + "Frames: 2000000000\nFrame Time: 0.1\n0\n", "f.bvh"),
                        "after 1 frames, expected 2000000000"));

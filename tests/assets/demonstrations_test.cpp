@@ -50,7 +50,7 @@ bool says(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_SUITE("assets/demonstrations") {
-    TEST_CASE("an unknown key or section is refused with file, line and key") {
+    TEST_CASE("an unknown key or section is rejected with file, line and key") {
         const std::string key = edited("raise_s = [0.65, 0.95]", "raise = [0.65, 0.95]");
         CHECK(says(demonstrationsError(key), "timing.raise_s: this key is missing"));
         const std::string more = edited("[stiff]", "[stiff]\nspeed = 3");
@@ -61,7 +61,7 @@ TEST_SUITE("assets/demonstrations") {
                    "d.toml:" + std::to_string(lineOf(section, "[moglow]")) + ": moglow: unknown key"));
     }
 
-    TEST_CASE("values of a wrong kind or size are refused with file, line and key") {
+    TEST_CASE("values of a wrong kind or size are rejected with file, line and key") {
         const auto rejected = [](const std::string& from, const std::string& to, const std::string& key,
                                  const std::string& reason) {
             const std::string text = edited(from, to);

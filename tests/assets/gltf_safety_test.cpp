@@ -134,7 +134,7 @@ TEST_SUITE("assets/gltf_safety") {
         checkInvariants(*file);
     }
 
-    TEST_CASE("Nodes that form a ring, or have two parents, are refused") {
+    TEST_CASE("Nodes that form a ring, or have two parents, are rejected") {
         checkError(TinyGltf().json(R"("nodes":[{"children":[1]},{"children":[2]},{"children":[1]}])"),
                    "already");
         checkError(TinyGltf().json(R"("nodes":[{"children":[1]},{"children":[0]}])"), "its own ancestor");
@@ -237,7 +237,7 @@ TEST_SUITE("assets/gltf_safety") {
         checkError(file({0, 900'000}), "stretch over");
     }
 
-    TEST_CASE("Values that are no numbers or no rotations are refused") {
+    TEST_CASE("Values that are no numbers or no rotations are rejected") {
         TinyGltf gltf;
         const int times = gltf.times({0, 1});
         const float no_number = std::numeric_limits<float>::quiet_NaN();

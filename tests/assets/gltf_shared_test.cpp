@@ -65,7 +65,7 @@ const std::set<std::string> not_read{
 }  // namespace
 
 TEST_SUITE("assets/gltf_shared") {
-    TEST_CASE("The validator's files never crash, and what it calls an error is refused or told") {
+    TEST_CASE("The validator's files never crash, and what it calls an error is rejected or told") {
         const auto folder = tests::sharedData("gltf/khronos_validator");
         DEIXIS_SKIP_WITHOUT(folder)
         int files = 0, faulty = 0, rejected = 0;

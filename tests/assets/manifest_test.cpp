@@ -57,7 +57,7 @@ TEST_SUITE("assets/manifest") {
         CHECK(says(errorOf(wide + row + ",3,x\n"), "m.csv:2: avatar_error_deg: found 'x'"));
     }
 
-    TEST_CASE("bad rows are refused with file, line and column") {
+    TEST_CASE("bad rows are rejected with file, line and column") {
         CHECK(says(errorOf(with(0, "")), "m.csv:2: clip: is empty"));
         CHECK(says(errorOf(with(3, "nan")), "m.csv:2: target_x: found 'nan', expected a finite number"));
         CHECK(
@@ -85,13 +85,13 @@ TEST_SUITE("assets/manifest") {
         CHECK(says(errorOf(header + "a.bvh,lab,G1,,,,left,,,,,30,7\n"), "m.csv:2: onset"));
     }
 
-    TEST_CASE("a header without a column, or with one twice, is refused by the column's name") {
+    TEST_CASE("a header without a column, or with one twice, is rejected by the column's name") {
         CHECK(says(errorOf(""), "m.csv: the manifest is empty"));
         CHECK(says(errorOf("clip,system\n"), "m.csv:1: target_id: this column is missing"));
         CHECK(says(errorOf("clip," + header + "b.bvh," + good), "m.csv:1: clip: this column stands"));
     }
 
-    TEST_CASE("broken quoting is refused with its line") {
+    TEST_CASE("broken quoting is rejected with its line") {
         CHECK(says(errorOf(header + "\"a.bvh,direct\n" + good),
                    "m.csv:2: a quoted field has no closing quote"));
         CHECK(says(errorOf(header + "\"a\"b,direct\n"), "m.csv:2: text follows a closing quote"));

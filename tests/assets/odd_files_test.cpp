@@ -124,7 +124,7 @@ std::string kinectLines() {
 }  // namespace
 
 TEST_SUITE("assets/odd_files") {
-    TEST_CASE("A frame time in milliseconds, or that is a rate, is refused with file, line and mend") {
+    TEST_CASE("A frame time in milliseconds, or that is a rate, is rejected with file, line and hint") {
         const std::string text = bvhOf(1.75);
         for (const char* wrong : {"33.3", "30", "1.1", "0.00001", "1e300"}) {
             const std::string odd = withLine(text, "Frame Time:", fmt::format("Frame Time: {}", wrong));
@@ -142,7 +142,7 @@ TEST_SUITE("assets/odd_files") {
             contains(rejection(withLine(text, "Frame Time:", "Frame Time: nan"), "a.bvh"), "finite number"));
     }
 
-    TEST_CASE("A bone of hundreds of metres is refused, with its joint, whatever unit was found") {
+    TEST_CASE("A bone of hundreds of metres is rejected, with its joint, whatever unit was found") {
         const std::string text = bvhOf(175.0);
         const auto knee = text.find("leftLowerLeg");
         const auto offset = text.find("OFFSET", knee);
@@ -193,7 +193,7 @@ TEST_SUITE("assets/odd_files") {
                       .epsilon(0.02));
     }
 
-    TEST_CASE("Seconds that are milliseconds are refused with the column's right name") {
+    TEST_CASE("Seconds that are milliseconds are rejected with the column's right name") {
         std::vector<double> times;
         for (int i = 0; i < 10; ++i) times.push_back(0.0333 * i);
         CHECK(imported(csvOf(times, "time_ms", 1e-3), "a.csv").rate.fps ==
@@ -219,7 +219,7 @@ TEST_SUITE("assets/odd_files") {
         }
     }
 
-    TEST_CASE("Decimal commas are refused in one message, as are numbers that are not finite") {
+    TEST_CASE("Decimal commas are rejected in one message, as are numbers that are not finite") {
         std::string commas = replacedAll(replacedAll(kinectLines(), ",", ";"), ".", ",");
         const std::string error = rejection(commas, "k.csv");
         CHECK(contains(error, "k.csv:1: found '2,5' in column 4, expected a finite number"));

@@ -33,7 +33,7 @@ TEST_SUITE("core/files") {
         CHECK_FALSE(readFile(std::filesystem::temp_directory_path()));
     }
 
-    TEST_CASE("what never ends is refused, and so is more than the most") {
+    TEST_CASE("what never ends is rejected, and so is more than the most") {
         for (const char* device : {"/dev/zero", "/dev/urandom", "/dev/null"}) {
             const auto read = readFile(device);
             REQUIRE_FALSE(read);

@@ -64,7 +64,7 @@ TEST_SUITE("core/foreign_csv") {
         CHECK(read("\x80,\x93\n") == Rows{{"\xE2\x82\xAC", "\xE2\x80\x9C"}});
     }
 
-    TEST_CASE("What is no text is refused; lines are counted with the comments") {
+    TEST_CASE("What is no text is rejected; lines are counted with the comments") {
         const auto rejected = readForeignCsv("a,b\n1,\x81\n", "x.csv");
         REQUIRE_FALSE(rejected);
         CHECK(rejected.error().where == "x.csv:2");

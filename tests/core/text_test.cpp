@@ -99,7 +99,7 @@ TEST_SUITE("core/words") {
 }
 
 TEST_SUITE("core/csv") {
-    TEST_CASE("A table that is not UTF-8 is refused with the line") {
+    TEST_CASE("A table that is not UTF-8 is rejected with the line") {
         const auto latin = parseCsv("id,name\nP01,Zo\xC3\xAB\nP02,Z\xFCrich\n", "people.csv");
         REQUIRE_FALSE(latin);
         CHECK(latin.error().where == "people.csv:3");

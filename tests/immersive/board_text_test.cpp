@@ -145,7 +145,7 @@ TEST_SUITE("immersive/board_text") {
 
     TEST_CASE(
         "every board of every shipped study, in each language: nothing overlaps, leaves its board or wraps "
-        "anew") {
+        "again") {
         for (const std::string& code : languageCodes()) {
             renderer::BoardFonts fonts = loadFonts();
             (void)fonts.require({}, allWords(code));

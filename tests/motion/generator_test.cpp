@@ -64,7 +64,7 @@ bool equal(const GeneratedClip& a, const GeneratedClip& b) {
 }  // namespace
 
 TEST_SUITE("motion/generator") {
-    TEST_CASE("an unknown system is refused with the names of those that there are") {
+    TEST_CASE("an unknown system is rejected with the names of those that there are") {
         const auto made = makeGenerator("moglow", referenceHumanoid(), {});
         REQUIRE_FALSE(made.has_value());
         CHECK(made.error().text().find("moglow") != std::string::npos);
@@ -72,7 +72,7 @@ TEST_SUITE("motion/generator") {
             CHECK(made.error().text().find(name) != std::string::npos);
     }
 
-    TEST_CASE("an avatar without the bones of both arms is refused by the bone's name") {
+    TEST_CASE("an avatar without the bones of both arms is rejected by the bone's name") {
         Skeleton avatar = referenceHumanoid();
         avatar.joints[static_cast<std::size_t>(Bone::rightLowerArm)].name = "prosthesis";
         for (const std::string& name : generatorNames()) {

@@ -68,7 +68,7 @@ TEST_SUITE("motion/motion_statistics") {
         CHECK(hellingerDistance({1.0, {4, 0, 0, 0}}, a) == hellingerDistance(a, {1.0, {4, 0, 0, 0}}));
     }
 
-    TEST_CASE("clips of other joints, other rates, too few frames or none at all are refused") {
+    TEST_CASE("clips of other joints, other rates, too few frames or none at all are rejected") {
         const auto rejection = [](const std::vector<JointTrajectories>& clips) {
             const auto found = motionStatistics(clips);
             REQUIRE_FALSE(found.has_value());

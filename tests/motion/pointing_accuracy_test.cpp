@@ -49,7 +49,7 @@ GeneratedClip made(const char* system, const Vec3& target) {
 }  // namespace
 
 TEST_SUITE("motion/pointing_accuracy") {
-    TEST_CASE("The accuracy is the greatest reward among slow frames of the window, worked by hand") {
+    TEST_CASE("The accuracy is the highest reward among slow frames of the window, worked by hand") {
         // 20 frames a second: the window of 0.15 s about frame 3 holds frames 2 to 4 (0.05 s either way).
         // Speeds: frame 2 (0.06 - 0)/0.1 = 0.6, frame 3 (0.07 - 0.05)/0.1 = 0.2, frame 4 (0.08 - 0.06)/0.1.
         const ArmTrack arm = track({0.0, 0.0, 0.05, 0.06, 0.07, 0.08, 0.08}, {90, 1, 2, 30, 10, 0, 0}, 0.05);
@@ -178,7 +178,7 @@ TEST_SUITE("motion/pointing_accuracy") {
         }
     }
 
-    TEST_CASE("A forearm of no length is refused") {
+    TEST_CASE("A forearm of no length is rejected") {
         auto clip = made("direct", {1.0, 1.2, 1.7}).clip;
         const HumanoidMap map = detectHumanoid(clip.skeleton);
         for (LocalPose& frame : clip.frames)

@@ -129,7 +129,7 @@ TEST_SUITE("motion/pointing_phases") {
         CHECK(p.clear_hold);
     }
 
-    TEST_CASE("a hand at rest, a position that is no number and a clip of two frames are refused") {
+    TEST_CASE("a hand at rest, a position that is no number and a clip of two frames are rejected") {
         const auto rejection = [](const std::vector<Vec3>& positions) {
             const auto phases = detectPhases(positions, Side::left, 1.0 / 30.0);
             REQUIRE_FALSE(phases.has_value());

@@ -114,7 +114,8 @@ TEST_SUITE("motion/pointing") {
         CHECK(motion::distanceToRay(ray, {2, 1, -2}).points_away);
     }
 
-    TEST_CASE("The ball that is chosen is the one missed by the smallest angle, not by the least distance") {
+    TEST_CASE(
+        "The ball that is chosen is the one missed by the smallest angle, not by the smallest distance") {
         const Ray ray{{0, 0, 0}, {0, 0, 1}};
         // 0.3 m aside at 1 m is 16.7 degrees; 0.5 m aside at 3 m is 9.5 degrees; one behind.
         const std::vector<Vec3> balls{{0.3, 0, 1}, {0, 0.5, 3}, {0, 0, -1}};
@@ -131,7 +132,7 @@ TEST_SUITE("motion/pointing") {
         CHECK_FALSE(motion::chosenBall(ray, {}).has_value());
     }
 
-    TEST_CASE("Names of rays read back as the same ray, and other names are refused") {
+    TEST_CASE("Names of rays read back as the same ray, and other names are rejected") {
         for (const auto kind : motion::all_pointing_rays)
             CHECK(motion::pointingRayFromName(motion::pointingRayName(kind)).value() == kind);
         CHECK_FALSE(motion::pointingRayFromName("elbow").has_value());

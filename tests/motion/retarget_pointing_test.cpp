@@ -307,7 +307,7 @@ TEST_SUITE("motion/retarget_pointing") {
         }
     }
 
-    TEST_CASE("A gesture that does not fit the clip is refused") {
+    TEST_CASE("A gesture that does not fit the clip is rejected") {
         const Recorded made = recorded(2);
         auto gesture = made.gesture;
         gesture.end_frame = made.clip.frameCount();

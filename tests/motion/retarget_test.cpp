@@ -301,7 +301,7 @@ TEST_SUITE("motion/retarget") {
         CHECK(turn(Bone::chest) == doctest::Approx(turn(Bone::upperChest)).epsilon(1e-6));
     }
 
-    TEST_CASE("What is no humanoid is refused with the names of the missing bones") {
+    TEST_CASE("What is no humanoid is rejected with the names of the missing bones") {
         auto map = avatarMap();
         map[Bone::leftHand] = -1;
         map[Bone::rightFoot] = -1;
@@ -347,7 +347,7 @@ TEST_SUITE("motion/positions") {
         }
     }
 
-    TEST_CASE("A frame that lacks joints is refused by number and names") {
+    TEST_CASE("A frame that lacks joints is rejected by number and names") {
         std::vector<motion::BonePositions> positions(2);
         const auto world = motion::worldPose(avatar(), motion::restPose(avatar()));
         for (std::size_t b = 0; b < motion::bone_count; ++b)

@@ -280,7 +280,7 @@ TEST_SUITE("motion/segmentation") {
         CHECK(outside.error().text().find("as the frame at rest, expected 0 to") != std::string::npos);
     }
 
-    TEST_CASE("what cannot be cut is refused with the reason") {
+    TEST_CASE("what cannot be cut is rejected with the reason") {
         const Skeleton& skeleton = referenceHumanoid();
         Clip t_pose;
         t_pose.skeleton = skeleton;

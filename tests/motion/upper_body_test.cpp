@@ -90,7 +90,7 @@ TEST_SUITE("motion/upper_body") {
               std::string::npos);
     }
 
-    TEST_CASE("An upper body without spine and hips, or with a joint on another, is refused") {
+    TEST_CASE("An upper body without spine and hips, or with a joint on another, is rejected") {
         auto positions = upperBody(armsMoving());
         positions[2][Bone::spine].reset();
         const auto missing =

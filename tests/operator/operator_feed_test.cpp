@@ -102,7 +102,7 @@ TEST_SUITE("operator/operator_feed") {
         CHECK_FALSE(f.feed->disk_free_bytes);
     }
 
-    TEST_CASE("only the stages of the sitting under way are told") {
+    TEST_CASE("only the stages of the visit under way are shown") {
         Fixture f;
         for (const auto& [name, visit] : {std::pair{"first", 1}, {"second", 2}, {"third", 2}}) {
             studies::Stage stage;

@@ -97,7 +97,8 @@ TEST_SUITE("operator/time_left") {
         CHECK(pace.underWay_s() == 0.0);
     }
 
-    TEST_CASE("what an earlier sitting answered tells nothing of the pace, and a repeated unit starts anew") {
+    TEST_CASE(
+        "what an earlier session answered tells nothing of the pace, and a repeated unit starts again") {
         SessionPace pace;
         pace.see({{"rating", 7, 10, true}}, 0.0, false);
         CHECK(pace.units() == 0);

@@ -46,7 +46,7 @@ TEST_SUITE("renderer/context") {
         std::puts(context ? "a context was made" : context.error().text().c_str());
     }
 
-    TEST_CASE("A driver with an older OpenGL is refused, naming 4.5 and the version found") {
+    TEST_CASE("A driver with an older OpenGL is rejected, naming 4.5 and the version found") {
         {
             Gl gl;
             if (gl.renderer->driver().find("Mesa") == std::string::npos) {
@@ -65,7 +65,7 @@ TEST_SUITE("renderer/context") {
 }
 
 TEST_SUITE("renderer/png") {
-    TEST_CASE("A written picture is a PNG of its size, and bytes that do not fit its size are refused") {
+    TEST_CASE("A written picture is a PNG of its size, and bytes that do not fit its size are rejected") {
         const auto path = std::filesystem::temp_directory_path() / "deixis_png_test.png";
         Image image{3, 2, {255, 0, 0, 0, 255, 0, 0, 0, 255, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
         REQUIRE(writePng(path, image));

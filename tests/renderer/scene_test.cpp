@@ -113,7 +113,7 @@ TEST_SUITE("renderer/avatar") {
               pixelAt(leaning, scene.camera, under).sum() + 60);
     }
 
-    TEST_CASE("A pose with another number of joints is refused with both numbers") {
+    TEST_CASE("A pose with another number of joints is rejected with both numbers") {
         Gl gl;
         Scene scene = emptyScene();
         scene.avatars = {postPose(), std::vector<Pose>(3)};

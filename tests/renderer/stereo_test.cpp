@@ -117,7 +117,7 @@ TEST_SUITE("renderer/stereo") {
         });
     }
 
-    TEST_CASE("Colours alone are drawn where no depth is wanted, and multiview is refused where it is not") {
+    TEST_CASE("Colours alone are drawn where no depth is wanted, and multiview is rejected where it is not") {
         inEachWay([](Renderer& drawing, StereoMode mode) {
             const Scene scene = fullScene();
             const Eyes eyes = eyesOf(scene.camera, fovOf(scene.camera, picture_width, picture_height), 0.064);
@@ -190,7 +190,7 @@ TEST_SUITE("renderer/hidden_area") {
         });
     }
 
-    TEST_CASE("Indices that are no triangles of the corners are refused") {
+    TEST_CASE("Indices that are no triangles of the corners are rejected") {
         Gl gl;
         std::array<HiddenArea, 2> areas;
         areas[1].corners = {{0.0F, 0.0F}, {1.0F, 0.0F}, {0.0F, 1.0F}};

@@ -172,7 +172,7 @@ TEST_SUITE("results/analysis") {
         CHECK(anyContains(result.remarks, "There are no answers on accuracy"));
     }
 
-    TEST_CASE("A decision that hangs on how zeros are treated is told") {
+    TEST_CASE("A decision that depends on how zeros are treated is told") {
         // Counted over all 2^11 patterns of signs by a script of a dozen lines: 118 of 2048 where the zero is
         // dropped, 78 where it is ranked first (Pratt).
         TableMaker made;

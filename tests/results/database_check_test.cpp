@@ -70,7 +70,7 @@ std::string rejection(const fs::path& path) {
 }  // namespace
 
 TEST_SUITE("results/database check") {
-    TEST_CASE("Of 300 files with random bytes changed each is refused, or its report has the same numbers") {
+    TEST_CASE("Of 300 files with random bytes changed each is rejected, or its report has the same numbers") {
         const fixtures::Folder folder;
         makeDatabase(folder / "whole.sqlite");
         const std::string whole = bytesOf(folder / "whole.sqlite");
@@ -100,7 +100,7 @@ TEST_SUITE("results/database check") {
         MESSAGE(rejected << " of 300 refused, " << by_hash << " of them by an answer's hash");
     }
 
-    TEST_CASE("A value changed behind the program's back is refused with its table and row, if it counts") {
+    TEST_CASE("A value changed behind the program's back is rejected with its table and row, if it counts") {
         const fixtures::Folder folder;
         makeDatabase(folder / "whole.sqlite");
         const std::string whole = bytesOf(folder / "whole.sqlite");
@@ -145,7 +145,7 @@ TEST_SUITE("results/database check") {
         CHECK(results::loadResponses(path).has_value());
     }
 
-    TEST_CASE("A row that refers to one that is not there is refused with its table and row") {
+    TEST_CASE("A row that refers to one that is not there is rejected with its table and row") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
         makeDatabase(path);

@@ -66,7 +66,7 @@ TEST_SUITE("results/density") {
               doctest::Approx(std::exp(-0.5) / (2.0 * 3.14159265358979 * 0.5 * 2.0)));
     }
 
-    TEST_CASE("Points without spread, bad bandwidths and rows of different length are refused") {
+    TEST_CASE("Points without spread, bad bandwidths and rows of different length are rejected") {
         const auto says = [](const auto& result, const char* words) {
             REQUIRE_FALSE(result);
             CHECK(result.error().text().find(words) != std::string::npos);
@@ -106,7 +106,7 @@ TEST_SUITE("results/mean_shift") {
         }
     }
 
-    TEST_CASE("No points and a bandwidth of nothing are refused") {
+    TEST_CASE("No points and a bandwidth of nothing are rejected") {
         CHECK_FALSE(meanShift({}, 1.0));
         CHECK_FALSE(meanShift({{1.0}}, 0.0));
         CHECK_FALSE(meanShift({{1.0}, {1.0, 2.0}}, 1.0));

@@ -111,7 +111,7 @@ TEST_SUITE("results/effect_estimates") {
         CHECK(none.error().text().find("that can be estimated") != std::string::npos);
     }
 
-    TEST_CASE("Answers that lack a system, or are all alike, are refused by name.") {
+    TEST_CASE("Answers that lack a system, or are all alike, are rejected by name.") {
         const Study study = plan_fixture::pointing();
         AssumedEffects effects;
         for (const SystemSource& system : study.systems)

@@ -199,7 +199,7 @@ TEST_SUITE("results/evaluation") {
         CHECK(nlohmann::json::accept(evaluationJson(evaluation)));  // JSON knows no NaN
     }
 
-    TEST_CASE("No clips, one training target and targets in a plane are refused with words") {
+    TEST_CASE("No clips, one training target and targets in a plane are rejected with words") {
         EvaluationInput none = small();
         none.clips.clear();
         CHECK(contains(evaluate(std::move(none)).error().text(), "no clip with a target"));

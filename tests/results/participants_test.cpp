@@ -134,7 +134,7 @@ TEST_SUITE("results/participants") {
         CHECK(fixtures::open(path).groupsTaken() == studies::GroupSizes{{{{"style", "calm"}}, 2}});
     }
 
-    TEST_CASE("Whoever declined is let in only to be asked anew, and does not count before agreeing") {
+    TEST_CASE("Whoever declined is let in only to be asked again, and does not count before agreeing") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
         makeDatabase(path);
@@ -181,7 +181,7 @@ TEST_SUITE("results/participants") {
         CHECK(countsTaken() == 2);
     }
 
-    TEST_CASE("Inclusion forgives failed checks and begins a failed practice anew, and keeps the answers") {
+    TEST_CASE("Inclusion forgives failed checks and begins a failed practice again, and keeps the answers") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
         const auto study = fixtures::study({"direct"});

@@ -29,7 +29,7 @@ std::string rejectionToLoad(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_SUITE("results/response_table") {
-    TEST_CASE("Nobody counts whose latest consent was refused, whatever the status says") {
+    TEST_CASE("Nobody counts whose latest consent was rejected, whatever the status says") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
         const auto study = fixtures::wideStudy();
@@ -232,7 +232,7 @@ TEST_SUITE("results/response_table") {
         CHECK(loadResponses(path)->rows.size() == 3);
     }
 
-    TEST_CASE("Files that hold no answers are refused with what they are") {
+    TEST_CASE("Files that hold no answers are rejected with what they are") {
         const fixtures::Folder folder;
         CHECK(contains(rejectionToLoad(folder / "missing.sqlite"), "no such file"));
         CHECK(contains(rejectionToLoad(folder / ""), "no such file"));

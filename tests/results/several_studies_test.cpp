@@ -271,7 +271,7 @@ TEST_SUITE("results/several_studies") {
         CHECK(result.table.database == "one.sqlite, three.sqlite, two-more.sqlite, two.sqlite");
     }
 
-    TEST_CASE("What studies do not share is refused with the reason") {
+    TEST_CASE("What studies do not share is rejected with the reason") {
         const auto one = studyOf("one", ratingsOf(3));
         CHECK(contains(
             rejection({one, studyOf("two", ratingsOf(3, "a,b", 100))}),

@@ -167,7 +167,7 @@ TEST_SUITE("results/store answers") {
               "P01|consent|1|1700000004.25|en|I take part of my own will.\n");
     }
 
-    TEST_CASE("Who declines is a drop-out with the answer itself, and is asked anew until agreeing") {
+    TEST_CASE("Who declines is a drop-out with the answer itself, and is asked again until agreeing") {
         Wide db;
         const auto state = [&] {
             return db.rows("SELECT status, reason FROM participants") +
@@ -260,7 +260,7 @@ TEST_SUITE("results/store answers") {
         CHECK(db.rows("SELECT count(*) FROM answers") == "2\n");
     }
 
-    TEST_CASE("A later sitting is told what was answered, begun and failed, and how long ago") {
+    TEST_CASE("A later session is told what was answered, begun and failed, and how long ago") {
         Wide db;
         auto failed = fixtures::answer(db.plan.trials[6], 0);
         failed.check_passed = false;
@@ -296,7 +296,7 @@ TEST_SUITE("results/store answers") {
         CHECK(nothing.gap_s == 0.0);
     }
 
-    TEST_CASE("A later sitting is told the first answers to what is repeated as a check") {
+    TEST_CASE("A later session is told the first answers to what is repeated as a check") {
         const fixtures::Folder folder;
         const auto study = fixtures::wideStudy();
         const auto plan = fixtures::widePlan(study, "P01");

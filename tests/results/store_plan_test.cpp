@@ -141,7 +141,7 @@ TEST_SUITE("results/store plan") {
               "T000|NULL|NULL\n");
     }
 
-    TEST_CASE("Another plan for the participant is refused, and what differs is listed") {
+    TEST_CASE("Another plan for the participant is rejected, and what differs is listed") {
         const fixtures::Folder folder;
         const auto study = fixtures::study({"direct", "stiff"});
         Store store = fixtures::open(folder / "a.sqlite");
@@ -167,7 +167,7 @@ TEST_SUITE("results/store plan") {
         CHECK_FALSE(contains(again.error().message, "trial 3"));
     }
 
-    TEST_CASE("Another study is refused, and what differs is listed") {
+    TEST_CASE("Another study is rejected, and what differs is listed") {
         const fixtures::Folder folder;
         auto study = fixtures::study({"direct", "stiff"});
         study.source = "seed = 1\nalpha = 0.01\n";

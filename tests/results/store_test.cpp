@@ -144,7 +144,7 @@ TEST_SUITE("results/store durability") {
         CHECK(reader.execAndGet("PRAGMA integrity_check").getString() == "ok");
     }
 
-    TEST_CASE("A second run of the same participant is refused until the first is gone, even killed") {
+    TEST_CASE("A second run of the same participant is rejected until the first is gone, even killed") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
         int ready[2];
@@ -199,14 +199,14 @@ TEST_SUITE("results/store durability") {
 }
 
 TEST_SUITE("results/store opening") {
-    TEST_CASE("A file that is no database is refused and left as it was") {
+    TEST_CASE("A file that is no database is rejected and left as it was") {
         const fixtures::Folder folder;
         std::ofstream(folder / "notes.txt") << "Dear diary, this file is certainly longer than a header.";
         CHECK(contains(rejectionToOpen(folder / "notes.txt"), "not a SQLite database"));
         CHECK(std::filesystem::file_size(folder / "notes.txt") == 56);
     }
 
-    TEST_CASE("Another program's database is refused and left as it was") {
+    TEST_CASE("Another program's database is rejected and left as it was") {
         const fixtures::Folder folder;
         SQLite::Database(folder / "b.sqlite", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE)
             .exec("CREATE TABLE photos (id)");
@@ -216,7 +216,7 @@ TEST_SUITE("results/store opening") {
         CHECK(reader.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 1);
     }
 
-    TEST_CASE("A newer database is refused with both versions named") {
+    TEST_CASE("A newer database is rejected with both versions named") {
         const fixtures::Folder folder;
         { Store store = fixtures::open(folder / "a.sqlite"); }
         SQLite::Database(folder / "a.sqlite", SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 7");
@@ -225,7 +225,7 @@ TEST_SUITE("results/store opening") {
         CHECK(contains(message, "up to 6"));
     }
 
-    TEST_CASE("A database locked by another program is refused") {
+    TEST_CASE("A database locked by another program is rejected") {
         const fixtures::Folder folder;
         { Store store = fixtures::open(folder / "a.sqlite"); }
         SQLite::Database other((folder / "a.sqlite").string(), SQLite::OPEN_READWRITE);
@@ -233,13 +233,13 @@ TEST_SUITE("results/store opening") {
         CHECK(contains(rejectionToOpen(folder / "a.sqlite"), "locked by another program"));
     }
 
-    TEST_CASE("A database held by a writing run is refused as locked") {
+    TEST_CASE("A database held by a writing run is rejected as locked") {
         const fixtures::Folder folder;
         const Store run = fixtures::open(folder / "a.sqlite", Durability::whole_run);
         CHECK(contains(rejectionToOpen(folder / "a.sqlite"), "locked by another program"));
     }
 
-    TEST_CASE("Missing and unwritable folders, and folders in place of files, are refused") {
+    TEST_CASE("Missing and unwritable folders, and folders in place of files, are rejected") {
         const fixtures::Folder folder;
         CHECK(contains(rejectionToOpen(folder / "nowhere/a.sqlite"), "does not exist"));
         CHECK(contains(rejectionToOpen(folder / ""), "found a folder"));
@@ -247,7 +247,7 @@ TEST_SUITE("results/store opening") {
         CHECK(contains(rejectionToOpen("/proc/a.sqlite"), "cannot be opened or created"));
     }
 
-    TEST_CASE("Read-only files and folders are refused") {
+    TEST_CASE("Read-only files and folders are rejected") {
         using std::filesystem::perms;
         const fixtures::Folder folder;
         { Store store = fixtures::open(folder / "a.sqlite"); }

@@ -30,7 +30,7 @@ TEST_SUITE("results/rational") {
         CHECK(read("9223372036854775807") == "9223372036854775807");
     }
 
-    TEST_CASE("What is no number is refused, saying why") {
+    TEST_CASE("What is no number is rejected, saying why") {
         const std::vector<std::string> wrong{"",     "-",   "1,5",  "abc",   "1e",  "1e+-3",
                                              "1//2", "/2",  "1/",   "--1",   "1 2", "0x1p3",
                                              "inf",  "nan", "1/-2", "1.2.3", "5-",  "1%"};

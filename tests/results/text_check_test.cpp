@@ -49,7 +49,7 @@ TEST_SUITE("results/texts") {
     }
 #endif
 
-    TEST_CASE("What is no text of a person's is kept as well as can be; a reason is refused") {
+    TEST_CASE("What is no text of a person's is kept as well as can be; a reason is rejected") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
         const auto study = fixtures::study({"direct"});

@@ -108,7 +108,7 @@ TEST_SUITE("results/withdraw") {
         CHECK(fixtures::open(path).participants().empty());
     }
 
-    TEST_CASE("Tokens are drawn anew for everybody: an id tells nothing of who withdrew") {
+    TEST_CASE("Tokens are drawn again for everybody: an id tells nothing of who withdrew") {
         const fixtures::Folder folder;
         const auto study = fixtures::wideStudy();
         std::set<std::string> tokens;

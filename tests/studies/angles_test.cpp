@@ -159,7 +159,7 @@ TEST_SUITE("studies/angles") {
         CHECK(none.error().hint.find("its angles") != std::string::npos);
     }
 
-    TEST_CASE("What visibility has drawn anew is marked, and nothing is by the bare rule.") {
+    TEST_CASE("What visibility has drawn again is marked, and nothing is by the bare rule.") {
         Study study = shippedPointing();
         const auto targets = sampleTargets(study);
         REQUIRE(targets.has_value());

@@ -115,7 +115,7 @@ TEST_SUITE("studies/language") {
         CHECK(contains(unknown.error().message, "\"translated\""));
     }
 
-    TEST_CASE("words in scripts that boards cannot draw are refused, with the script's name") {
+    TEST_CASE("words in scripts that boards cannot draw are rejected, with the script's name") {
         struct Case {
             std::string text;
             std::string script;

@@ -45,7 +45,7 @@ const std::vector<Vec3> balls{ball(0, 0), ball(10, 0), ball(0, 10)};
 }  // namespace
 
 TEST_SUITE("studies/observer") {
-    TEST_CASE("every reading has its name, and another is refused with all of them") {
+    TEST_CASE("every reading has its name, and another is rejected with all of them") {
         for (const char* const name :
              {"two-cue", "arm-finger", "eye-fingertip", "forearm", "shoulder-hand"}) {
             const auto reading = readingFromName(name);

@@ -185,7 +185,7 @@ TEST_SUITE("studies/plan_checks") {
         }
     }
 
-    TEST_CASE("Checks that a stage has no room or no use for are refused.") {
+    TEST_CASE("Checks that a stage has no room or no use for are rejected.") {
         Study study = studyOf({"a"});
         study.stages = {trials(study, "rating", StageKind::rating, 1)};
         const auto rejected = [&](CheckKind kind) {

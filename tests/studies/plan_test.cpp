@@ -356,7 +356,7 @@ TEST_SUITE("studies/plan") {
         CHECK(ordersOf(planOf(longer, targets, 7, us)) == ordersOf(planOf(study, targets, 7, us)));
     }
 
-    TEST_CASE("Participants and groups that the study does not know are refused.") {
+    TEST_CASE("Participants and groups that the study does not know are rejected.") {
         const Study study = rating();
         const std::vector<TargetItem> targets = targetsFor(study, 40);
         const Groups groups{{"measure", "appropriateness"}};
@@ -369,7 +369,7 @@ TEST_SUITE("studies/plan") {
         CHECK(errorOf(study, 40, {{"measure", "appropriateness"}, {"age", "old"}}).find("groups.age") == 0);
     }
 
-    TEST_CASE("Too few targets are refused with the number needed.") {
+    TEST_CASE("Too few targets are rejected with the number needed.") {
         CHECK(errorOf(pointing(), 19).empty());
         CHECK(errorOf(pointing(), 18).find("targets.count: found 18 targets, expected at least 19") == 0);
         const Study study = everyKind();
@@ -379,7 +379,7 @@ TEST_SUITE("studies/plan") {
         CHECK(errorOf(study, 20, {{"who", "us"}}).find("expected at least 21") != std::string::npos);
     }
 
-    TEST_CASE("A design that lacks what its trials are made of is refused by key.") {
+    TEST_CASE("A design that lacks what its trials are made of is rejected by key.") {
         const auto rejected = [](const auto& spoil) {
             Study study = pointing();
             study.stages = {study.stages[5]};

@@ -95,7 +95,7 @@ TEST_SUITE("studies/plan_text") {
         CHECK(game.at("stimuli").at(0).contains("item"));
     }
 
-    TEST_CASE("JSON that is no plan is refused with the place and the reason.") {
+    TEST_CASE("JSON that is no plan is rejected with the place and the reason.") {
         const StudyPlan plan = everything();
         const auto whole = nlohmann::ordered_json::parse(planJson(plan));
         const int rating = firstOf(plan, "rating");

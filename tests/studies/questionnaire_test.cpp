@@ -98,7 +98,7 @@ TEST_SUITE("studies/questionnaire") {
         CHECK_FALSE(computeScore(comfort, Score{"x", {"nobody"}}, {{"nobody", 1}}).has_value());
     }
 
-    TEST_CASE("The simulator sickness questionnaire reaches the greatest scores of Kennedy et al. (1993).") {
+    TEST_CASE("The simulator sickness questionnaire reaches the largest scores of Kennedy et al. (1993).") {
         const Folder folder;
         const Questionnaire ssq = questionnaireOf(folder, "ssq");
         REQUIRE(ssq.questions.size() == 16);

@@ -198,7 +198,7 @@ TEST_SUITE("studies/replay") {
               doctest::Approx(0.5));
     }
 
-    TEST_CASE("A play of a stimulus that the trial lacks is refused") {
+    TEST_CASE("A play of a stimulus that the trial lacks is rejected") {
         const OneClip clips;
         RecordedTrial recorded = game();
         recorded.plays.push_back({3, 11.0, {}});

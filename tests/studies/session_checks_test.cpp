@@ -66,7 +66,7 @@ TEST_SUITE("studies/session_checks") {
         CHECK_MESSAGE(!driver.frame.sign.has_value(), "the next trial is no check");
     }
 
-    TEST_CASE("a pause takes the number away, and the clip shows it anew") {
+    TEST_CASE("a pause takes the number away, and the clip shows it again") {
         Numbers driver(checksOf(CheckKind::number), {4.0}, 2.0);
         REQUIRE(driver.toState("check"));
         driver.step(pauseFor(PauseReason::escape));
@@ -138,7 +138,7 @@ TEST_SUITE("studies/session_checks") {
         }
     }
 
-    TEST_CASE("a repeated rating passes near its first, also when that was given in an earlier sitting") {
+    TEST_CASE("a repeated rating passes near its first, also when that was given in an earlier session") {
         for (const bool visits : {false, true})
             for (const int again : {1, 3, 4, 5}) {
                 CAPTURE(visits);
@@ -220,7 +220,7 @@ TEST_SUITE("studies/session_checks") {
         CHECK(driver.exclusions.empty());
     }
 
-    TEST_CASE("failures of earlier sittings count") {
+    TEST_CASE("failures of earlier sessions count") {
         Numbers driver(checksOf(CheckKind::number, CheckRule::exclude, 2), {5.0, 5.0});
         rate(driver, 1);
         CHECK(driver.exclusions.empty());
@@ -231,7 +231,7 @@ TEST_SUITE("studies/session_checks") {
         CHECK(driver.session->progress().checks_failed == 2);
     }
 
-    TEST_CASE("a rule counts the failures of its own kind of check alone, also those of earlier sittings") {
+    TEST_CASE("a rule counts the failures of its own kind of check alone, also those of earlier sessions") {
         Stage stage = ratingStage();
         stage.checks = {checksOf(CheckKind::number, CheckRule::exclude, 2),
                         checksOf(CheckKind::repeat, CheckRule::note)};

@@ -93,7 +93,7 @@ TEST_SUITE("studies/session_pages") {
         CHECK(driver.session->outcome() == SessionOutcome::declined);
     }
 
-    TEST_CASE("whoever declined is asked anew first when coming back, and goes on only after agreeing") {
+    TEST_CASE("whoever declined is asked again first when coming back, and goes on only after agreeing") {
         Driver driver({pageStage("information", "What this is about"),
                        questionnaireStage({question("age", QuestionKind::choice)}),
                        pageStage("consent", "May we?", StageKind::consent), ratingStage()});
@@ -177,7 +177,7 @@ TEST_SUITE("studies/session_pages") {
         CHECK(driver.count(NoteKind::break_end) == 1);
     }
 
-    TEST_CASE("a study without a last page of its own says thanks; one with a further sitting says so") {
+    TEST_CASE("a study without a last page of its own says thanks; one with a further visit says so") {
         for (const bool more : {false, true}) {
             CAPTURE(more);
             Driver driver({ratingStage(), ratingStage("later")});

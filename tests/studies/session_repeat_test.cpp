@@ -78,7 +78,7 @@ TEST_SUITE("studies/session_repeat") {
         CHECK_FALSE(driver.valueOf(button_id::first_slider).has_value());
     }
 
-    TEST_CASE("a choice that was made stands, and how sure one is of it is asked anew") {
+    TEST_CASE("a choice that was made stands, and how sure one is of it is asked again") {
         for (const bool repeats : {true, false}) {
             CAPTURE(repeats);
             Interrupted driver(confidenceGame(slider(0, 100)), {"one"}, repeats);

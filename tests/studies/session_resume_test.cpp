@@ -58,7 +58,7 @@ std::string pagesRead(const Driver& driver) {
 }  // namespace
 
 TEST_SUITE("studies/session_resume") {
-    TEST_CASE("what is left is what was not answered, in order, of one sitting and without vain practice") {
+    TEST_CASE("what is left is what was not answered, in order, of one visit and without vain practice") {
         Everything driver;
         const auto left = [&](const std::map<int, bool>& answered) {
             return trialsLeft(driver.study, driver.plan, answered);
@@ -97,7 +97,7 @@ TEST_SUITE("studies/session_resume") {
         CHECK(driver.count(NoteKind::break_end) == 2);
     }
 
-    TEST_CASE("killed after any event, a further sitting asks exactly what was not kept") {
+    TEST_CASE("killed after any event, a further session asks exactly what was not kept") {
         std::size_t events = 0;
         for (std::size_t killed = 0; killed == 0 || killed < events; ++killed) {
             CAPTURE(killed);

@@ -73,7 +73,8 @@ TEST_SUITE("studies/simulated_parameters") {
         CHECK(numbers(*read) == numbers(defaults));
     }
 
-    TEST_CASE("a parameter file with an unknown ray or key, or a missing one, is refused with line and key") {
+    TEST_CASE(
+        "a parameter file with an unknown ray or key, or a missing one, is rejected with line and key") {
         const std::string ray = changed("ray = \"two-cue\"", "ray = \"nose\"");
         CHECK(says(ray, "pointing.ray"));
         CHECK(says(ray, "nose"));
@@ -85,7 +86,7 @@ TEST_SUITE("studies/simulated_parameters") {
         CHECK_FALSE(loadSimulatedParameters("/no/such/file.toml").has_value());
     }
 
-    TEST_CASE("limits that exclude each other are refused: smooth below abrupt, clear below no preference") {
+    TEST_CASE("limits that exclude each other are rejected: smooth below abrupt, clear below no preference") {
         CHECK(says(changed("profile_smooth = 1.4", "profile_smooth = 1.0"), "profile_abrupt"));
         CHECK(says(changed("unsteady_speed_m_s = 0.22", "unsteady_speed_m_s = 0.04"), "steady_speed_m_s"));
         CHECK(says(changed("clear_zone = 1.2", "clear_zone = 0.3"), "tie_zone"));

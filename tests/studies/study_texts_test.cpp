@@ -167,7 +167,7 @@ TEST_SUITE("studies/study_texts") {
         }
     }
 
-    TEST_CASE("Texts in scripts that boards cannot draw are refused.") {
+    TEST_CASE("Texts in scripts that boards cannot draw are rejected.") {
         checkEdits("full.toml", {{"mid = \"mittel\"",
                                   "mid = \"وسط\"",
                                   "mid = \"وسط\"",

@@ -36,7 +36,7 @@ TEST_SUITE("studies/target_grid") {
         CHECK(table.has({{"target_id", "G1000"}, {"x", "2.0000"}, {"y", "2.2000"}, {"z", "2.2000"}}));
     }
 
-    TEST_CASE("A number that is no third power is refused with the nearest that are") {
+    TEST_CASE("A number that is no third power is rejected with the nearest that are") {
         const auto grid = targetGrid({{0, 0, 0}, {1, 1, 1}}, 900);
         REQUIRE_FALSE(grid);
         CHECK(grid.error().text().find("729 or 1000") != std::string::npos);

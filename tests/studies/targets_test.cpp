@@ -252,7 +252,7 @@ TEST_SUITE("studies/targets") {
         CHECK_FALSE(sampleTargets(space, {{"close", {0.1, 0.4}, 8}}, 1).has_value());
     }
 
-    TEST_CASE("Ranges that are upside down or empty of sense are refused.") {
+    TEST_CASE("Ranges that are upside down or empty of sense are rejected.") {
         const auto rejected = [](const TargetSpace& space, const DistanceBand& band = paper_band) {
             return !sampleTargets(space, {band}, 1).has_value();
         };
@@ -276,7 +276,7 @@ TEST_SUITE("studies/targets") {
         CHECK(sampleTargets(space, {}, 1).error().message.find("fitted") != std::string::npos);
     }
 
-    TEST_CASE("Fitted ranges are the least and greatest height, azimuth and radius of the positions.") {
+    TEST_CASE("Fitted ranges are the minimum and maximum height, azimuth and radius of the positions.") {
         TargetSpace space = paperLike();
         space.fit_manifest = "clips.csv";
         const Result<TargetSpace> fitted =

@@ -14,7 +14,7 @@ struct Rejection {
 };
 
 [[noreturn]] inline void reject(std::string where, std::string message,
-                                std::string hint = "Export the file anew") {
+                                std::string hint = "Export the file again") {
     throw Rejection{Error{std::move(where), std::move(message), std::move(hint)}};
 }
 

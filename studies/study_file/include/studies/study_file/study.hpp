@@ -229,7 +229,7 @@ struct Study {
     std::filesystem::path avatar{};               ///< glTF or VRM file; empty: the product's own
     /// To which `avatar` is scaled; none: as tall as its file has it.
     std::optional<double> avatar_height_m{};
-    double inter_trial_s = 0.6;  ///< pause between an answer and the next clip
+    double inter_trial_s = 0.6;  ///< inter-trial interval: between an answer and the next clip
     AfterInterruption after_interruption = AfterInterruption::resume;
     double instructions_again_after_s = 3600.0;  ///< who comes back later than this reads them again
     double alpha = 0.01;                         ///< for the report's tests
