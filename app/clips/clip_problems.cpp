@@ -8,6 +8,8 @@
 
 #include "assets/tables/humanoid_file.hpp"
 #include "motion/humanoid/mapping.hpp"
+#include "motion/pointing/phases.hpp"
+#include "motion/skeleton/kinematics.hpp"
 
 namespace deixis::app {
 
@@ -81,17 +83,15 @@ class Inspection {
         for (std::size_t b = 0; b < motion::bone_count; ++b) {
             const auto bone = static_cast<motion::Bone>(b);
             if (!map_.has(bone) || bone >= leftThumbMetacarpal) continue;
-            int jumps = 0;
-            std::size_t first = 0;
-            for (std::size_t f = 1; f < world_.size(); ++f)
-                if (glm::length(at(f, bone) - at(f - 1, bone)) > fastest_m_s * clip_.frame_time_s &&
-                    jumps++ == 0)
-                    first = f;
-            if (jumps == 0) continue;
-            const double length_m = glm::length(at(first, bone) - at(first - 1, bone));
+            const auto speed = motion::magnitudes(motion::jointTrajectory(world_, map_[bone]),
+                                                  clip_.frame_time_s, motion::Derivative::speed);
+            const auto jump = [](double m_s) { return m_s > fastest_m_s; };
+            const auto first = std::find_if(speed.begin(), speed.end(), jump);
+            if (first == speed.end()) continue;
+            const auto jumps = std::count_if(first, speed.end(), jump);
+            const auto frame = first - speed.begin();
             warning(fmt::format("{} jumps by {:.2f} m from frame {} to {} ({:.0f} m/s){}",
-                                motion::boneName(bone), length_m, first - 1, first,
-                                length_m / clip_.frame_time_s,
+                                motion::boneName(bone), *first * clip_.frame_time_s, frame, frame + 1, *first,
                                 jumps > 1 ? fmt::format(", and {} times more", jumps - 1) : ""));
         }
     }

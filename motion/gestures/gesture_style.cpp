@@ -50,11 +50,9 @@ Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int win
     if (window < 2) return fail("", fmt::format("found a window of {} frames, expected 2 or more", window));
     if (frames < 2) return fail("", fmt::format("found {} frames, style needs at least 2", frames));
 
-    const auto step = [&](std::size_t joint, int f) {
-        const auto& trajectory = motion.positions[joint];
-        const auto i = static_cast<std::size_t>(f);
-        return glm::length(trajectory[i] - trajectory[i - 1]);
-    };
+    std::vector<std::vector<double>> steps_m;  // [joint][frame - 1]
+    for (const auto& trajectory : motion.positions)
+        steps_m.push_back(magnitudes(trajectory, 1.0, Derivative::speed));
     const auto l = static_cast<std::size_t>(left);
     const auto r = static_cast<std::size_t>(right);
     std::vector<Style> out;
@@ -65,10 +63,10 @@ Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int win
         for (int j = first; j <= last; ++j) {
             const auto f = static_cast<std::size_t>(j);
             space += glm::length(motion.positions[l][f] - motion.positions[r][f]);
-            if (j == 0) continue;
-            for (std::size_t k = 0; k < motion.joints.size(); ++k) speed += step(k, j);
-            left_speed += step(l, j);
-            right_speed += step(r, j);
+            if (f == 0) continue;
+            for (const auto& of_joint : steps_m) speed += of_joint[f - 1];
+            left_speed += steps_m[l][f - 1];
+            right_speed += steps_m[r][f - 1];
         }
         const int whole_frames = window / 2 * 2 + 1;
         const double whole = whole_frames;

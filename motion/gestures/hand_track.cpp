@@ -1,7 +1,5 @@
 #include "hand_track.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "motion/skeleton/kinematics.hpp"
@@ -36,14 +34,7 @@ std::vector<HandTrack> trackHands(const Clip& recording, const HumanoidMap& map)
         HandTrack& track = tracks[side];
         track.arm_length_m /= static_cast<double>(recording.frames.size());
         track.trajectory.speed_m_s = speeds(track.reach, recording.frame_time_s);
-        const auto& hand = hands[side];
-        const std::size_t step = static_cast<std::size_t>(
-            std::max(1L, std::lround(difference_half_span_s / recording.frame_time_s)));
-        for (std::size_t f = 0; f < hand.size(); ++f) {
-            const std::size_t before = f - std::min(f, step);
-            const double time_s = static_cast<double>(f - before) * recording.frame_time_s;
-            track.step_speed_m_s.push_back(f > 0 ? glm::length(hand[f] - hand[before]) / time_s : 0.0);
-        }
+        track.step_speed_m_s = speeds(hands[side], recording.frame_time_s, {.before_s = 1.0 / 30.0});
         for (Vec3& reach : track.reach) reach /= track.arm_length_m;
     }
     return tracks;

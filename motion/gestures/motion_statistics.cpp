@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "motion/pointing/phases.hpp"
@@ -78,20 +77,6 @@ const std::vector<Bone>& comparedBones() {
 std::string_view derivativeName(Derivative derivative) {
     constexpr std::array<std::string_view, derivative_count> names{"speed", "acceleration", "jerk"};
     return names[static_cast<std::size_t>(derivative)];
-}
-
-std::vector<double> magnitudes(const std::vector<Vec3>& trajectory, double frame_time_s,
-                               Derivative derivative) {
-    std::vector<Vec3> values = trajectory;
-    for (std::size_t order = 0; order <= static_cast<std::size_t>(derivative) && !values.empty(); ++order) {
-        for (std::size_t i = 1; i < values.size(); ++i)
-            values[i - 1] = (values[i] - values[i - 1]) / frame_time_s;
-        values.pop_back();
-    }
-    std::vector<double> out;
-    out.reserve(values.size());
-    for (const Vec3& v : values) out.push_back(glm::length(v));
-    return out;
 }
 
 Histogram emptyHistogram(Derivative derivative) {

@@ -128,7 +128,7 @@ Held holdOf(const Excursion& excursion, const HandTrajectory& trajectory) {
 
 std::vector<double> displacements(const std::vector<Vec3>& positions, double frame_time_s) {
     constexpr double looked_at_s = 0.1;
-    const auto wanted = static_cast<std::size_t>(std::max(1.0, std::min(looked_at_s / frame_time_s, 1e6)));
+    const std::size_t wanted = framesIn(looked_at_s, frame_time_s);
     Vec3 rest{0.0};
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
@@ -140,10 +140,6 @@ std::vector<double> displacements(const std::vector<Vec3>& positions, double fra
     out.reserve(positions.size());
     for (const Vec3& p : positions) out.push_back(glm::length(p - rest));
     return out;
-}
-
-int framesIn(double time_s, double frame_time_s) {
-    return static_cast<int>(std::lround(std::min(time_s / frame_time_s, 1e6)));
 }
 
 /// Movements that become a stroke, each until it falls below half of that speed.
@@ -240,7 +236,7 @@ Result<DetectedGesture> detectPhases(const std::vector<Vec3>& hand_positions, Si
     Run whole;
     for (const Excursion& excursion :
          excursionsOf(trajectory.displacement, back_share * farthest, out_share * farthest,
-                      framesIn(min_rest_s, frame_time_s))) {
+                      static_cast<int>(framesIn(min_rest_s, frame_time_s)))) {
         const GesturePhases found = phasesOf(excursion, trajectory, hand);
         if (whole.end > 0 &&
             found.hold_frame - found.peak_frame <= out.phases.hold_frame - out.phases.peak_frame)
@@ -255,7 +251,8 @@ Result<DetectedGesture> detectPhases(const std::vector<Vec3>& hand_positions, Si
     const double still = std::max(still_share * maxOf(speed, whole), still_m_s);
     for (const Run& run : runsOf(out.phases.peak_frame, out.phases.hold_frame,
                                  [&](int f) { return speed[static_cast<std::size_t>(f)] < still; }))
-        out.clear_hold = out.clear_hold || run.frames() >= framesIn(min_hold_s, frame_time_s);
+        out.clear_hold =
+            out.clear_hold || run.frames() >= static_cast<int>(framesIn(min_hold_s, frame_time_s));
     out.strokes = strokesOf(speed, whole);
     return out;
 }

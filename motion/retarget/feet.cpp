@@ -6,6 +6,7 @@
 
 #include "motion/pointing/two_bone_ik.hpp"
 #include "motion/skeleton/bone_index.hpp"
+#include "motion/skeleton/kinematics.hpp"
 #include "motion/skeleton/minimum_jerk.hpp"
 
 namespace deixis::motion {
@@ -18,7 +19,7 @@ constexpr double low_m = 0.06;
 constexpr double left_m = 0.09;
 constexpr double slow_m_s = 0.3;
 constexpr double fast_m_s = 0.5;
-constexpr double speed_span_s = 0.05;
+constexpr VelocitySpan speed_span{0.025, 0.025};
 constexpr double longest_gap_s = 0.06;
 constexpr double shortest_contact_s = 0.10;
 constexpr double fade_s = 0.3;
@@ -26,10 +27,6 @@ constexpr double longest_slide_m = 0.12;
 constexpr double smoothing_s = 0.1;
 constexpr double deepest_drop_m = 0.1;
 constexpr double stretched = 0.9995;  // share of the leg's length to which a leg is stretched
-
-std::size_t framesIn(double time_s, double frame_time_s) {
-    return static_cast<std::size_t>(std::max(1.0, std::round(time_s / frame_time_s)));
-}
 
 /// Mean over the frames up to `reach` away.
 std::vector<double> smoothed(const std::vector<double>& values, std::size_t reach) {
@@ -284,16 +281,12 @@ class Foot {
 
 std::vector<char> floorContacts(const std::vector<Vec3>& point, double frame_time_s) {
     const std::size_t count = point.size();
-    const std::size_t reach_frames = std::max<std::size_t>(1, framesIn(speed_span_s / 2.0, frame_time_s));
+    const std::vector<double> speed = speeds(point, frame_time_s, speed_span);
     std::vector<char> contact(count, 0);
     bool on = false;
     for (std::size_t f = 0; f < count; ++f) {
-        const std::size_t first = f < reach_frames ? 0 : f - reach_frames;
-        const std::size_t last = std::min(count - 1, f + reach_frames);
-        const double span_s = static_cast<double>(last - first) * frame_time_s;
-        const double speed = span_s > 0.0 ? glm::length(point[last] - point[first]) / span_s : 0.0;
         const double height = point[f].y;
-        on = on ? speed < fast_m_s && height < left_m : speed < slow_m_s && height < low_m;
+        on = on ? speed[f] < fast_m_s && height < left_m : speed[f] < slow_m_s && height < low_m;
         contact[f] = on ? 1 : 0;
     }
     dropShortRuns(contact, 0, framesIn(longest_gap_s, frame_time_s));

@@ -35,11 +35,11 @@ Quat alongArc(const Quat& a, const Quat& b, double t) {
             of_a * a.z + of_b * b.z};
 }
 
+}  // namespace
+
 Pose interpolate(const Pose& a, const Pose& b, double t) {
     return {a.position + (b.position - a.position) * t, alongArc(a.orientation, b.orientation, t)};
 }
-
-}  // namespace
 
 void sample(const Clip& clip, double time_s, LocalPose& out) {
     const double last = clip.frameCount() - 1;

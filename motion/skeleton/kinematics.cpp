@@ -12,29 +12,55 @@ double squared(const Vec3& v) {
     return glm::dot(v, v);
 }
 
+std::vector<double> lengths(const std::vector<Vec3>& vectors) {
+    std::vector<double> out;
+    out.reserve(vectors.size());
+    for (const Vec3& v : vectors) out.push_back(glm::length(v));
+    return out;
+}
+
 }  // namespace
 
-std::vector<Vec3> velocities(const std::vector<Vec3>& positions, double frame_time_s) {
+std::size_t framesIn(double time_s, double frame_time_s) {
+    return static_cast<std::size_t>(std::clamp(std::round(time_s / frame_time_s), 1.0, 1e6));
+}
+
+std::vector<Vec3> velocities(const std::vector<Vec3>& positions, double frame_time_s, VelocitySpan span) {
+    const auto frames = [&](double time_s) { return time_s > 0.0 ? framesIn(time_s, frame_time_s) : 0; };
+    const std::size_t back = frames(span.before_s);
+    const std::size_t on = frames(span.after_s);
     std::vector<Vec3> out(positions.size(), Vec3(0.0));
-    if (positions.size() < 2) return out;
-    const auto last = static_cast<std::ptrdiff_t>(positions.size()) - 1;
-    const auto half = static_cast<std::ptrdiff_t>(
-        std::max(1.0, std::min(std::round(difference_half_span_s / frame_time_s), 1e6)));
-    for (std::ptrdiff_t i = 0; i <= last; ++i) {
-        const std::ptrdiff_t before = std::max<std::ptrdiff_t>(0, i - half);
-        const std::ptrdiff_t after = std::min(last, i + half);
-        out[static_cast<std::size_t>(i)] =
-            (positions[static_cast<std::size_t>(after)] - positions[static_cast<std::size_t>(before)]) /
-            (frame_time_s * static_cast<double>(after - before));
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const std::size_t before = i - std::min(i, back);
+        const std::size_t after = std::min(positions.size() - 1, i + on);
+        if (after > before)
+            out[i] =
+                (positions[after] - positions[before]) / (frame_time_s * static_cast<double>(after - before));
     }
     return out;
 }
 
-std::vector<double> speeds(const std::vector<Vec3>& positions, double frame_time_s) {
-    std::vector<double> out;
-    out.reserve(positions.size());
-    for (const Vec3& v : velocities(positions, frame_time_s)) out.push_back(glm::length(v));
+std::vector<double> speeds(const std::vector<Vec3>& positions, double frame_time_s, VelocitySpan span) {
+    return lengths(velocities(positions, frame_time_s, span));
+}
+
+std::vector<double> speedsAt(std::span<const double> times_s, const std::vector<Vec3>& positions) {
+    std::vector<double> out(positions.size(), 0.0);
+    for (std::size_t i = 1; i < positions.size(); ++i)
+        if (const double passed_s = times_s[i] - times_s[i - 1]; passed_s > 0.0)
+            out[i] = glm::length(positions[i] - positions[i - 1]) / passed_s;
     return out;
+}
+
+std::vector<double> magnitudes(const std::vector<Vec3>& positions, double frame_time_s,
+                               Derivative derivative) {
+    std::vector<Vec3> values = positions;
+    for (std::size_t order = 0; order <= static_cast<std::size_t>(derivative) && !values.empty(); ++order) {
+        for (std::size_t i = 1; i < values.size(); ++i)
+            values[i - 1] = (values[i] - values[i - 1]) / frame_time_s;
+        values.pop_back();
+    }
+    return lengths(values);
 }
 
 double upperMedian(std::vector<double> values) {
@@ -46,13 +72,11 @@ double upperMedian(std::vector<double> values) {
 std::optional<double> logDimensionlessJerk(const std::vector<Vec3>& positions, double frame_time_s) {
     const std::size_t n = positions.size();
     if (n < 4) return std::nullopt;
-    double fastest = 0.0;
-    for (std::size_t i = 1; i < n; ++i)
-        fastest = std::max(fastest, glm::length(positions[i] - positions[i - 1]) / frame_time_s);
+    const std::vector<double> speed = magnitudes(positions, frame_time_s, Derivative::speed);
+    const double fastest = *std::max_element(speed.begin(), speed.end());
     double cost = 0.0;
-    for (std::size_t i = 3; i < n; ++i)
-        cost += squared(positions[i] - 3.0 * positions[i - 1] + 3.0 * positions[i - 2] - positions[i - 3]);
-    cost *= frame_time_s / std::pow(frame_time_s, 6);
+    for (const double jerk : magnitudes(positions, frame_time_s, Derivative::jerk))
+        cost += jerk * jerk * frame_time_s;
     if (fastest <= 0.0 || cost <= 0.0) return std::nullopt;
     const double duration = frame_time_s * static_cast<double>(n - 1);
     return -std::log(std::pow(duration, 3) / (fastest * fastest) * cost);

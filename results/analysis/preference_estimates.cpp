@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -11,6 +13,7 @@
 #include "results/analysis/tests.hpp"
 #include "results/statistics/descriptive.hpp"
 #include "studies/study_file/answer_curve.hpp"
+#include "studies/study_file/root.hpp"
 
 namespace deixis::results {
 
@@ -75,19 +78,13 @@ double logLikelihood(const std::vector<PairAnswers>& pairs, const Cuts& cuts) {
 
 /// Where a concave function of `place` is highest; leaves `place` there, and returns how far it went.
 double climb(double& place, double low, double high, const std::function<double()>& height) {
-    constexpr double golden = 0.6180339887498949;
-    constexpr int rounds = 40;
+    constexpr int bits = std::numeric_limits<double>::digits / 2;  // more cannot be told of a top
     const double before = place;
-    const auto at = [&](double x) {
+    const auto depth = [&](double x) {
         place = x;
-        return height();
+        return -height();
     };
-    for (int round = 0; round < rounds; ++round) {
-        const double c = high - golden * (high - low);
-        const double d = low + golden * (high - low);
-        (at(c) >= at(d) ? high : low) = at(c) >= at(d) ? d : c;
-    }
-    place = 0.5 * (low + high);
+    place = boost::math::tools::brent_find_minima(depth, low, high, bits).first;
     return std::abs(place - before);
 }
 
@@ -156,18 +153,16 @@ double participantsShare(const std::vector<SharedSystems>& all, const Preference
     double wanted = 0.0;
     for (const SharedSystems& one : all) wanted += one.product;
     if (wanted <= 0.0) return 0.0;
-    double low = 0.0;
-    double high = 0.98;
-    constexpr int halvings = 40;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (low + high);
+    const auto excess = [&](double share) {
         double sum = 0.0;
         for (const SharedSystems& one : all)
             sum += one.count * curve.covariance(one.first_location, one.second_location, 1.0,
-                                                std::sqrt(middle * one.share));
-        (sum < wanted ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+                                                std::sqrt(share * one.share));
+        return sum - wanted;
+    };
+    constexpr double max_share = 0.98;
+    if (excess(max_share) <= 0.0) return max_share;
+    return studies::rootBetween(0.0, max_share, 1e-12, excess);
 }
 
 }  // namespace

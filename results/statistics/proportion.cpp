@@ -1,6 +1,7 @@
 #include "results/statistics/proportion.hpp"
 
 #include <algorithm>
+#include <boost/iterator/counting_iterator.hpp>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
@@ -10,6 +11,7 @@ namespace deixis::results {
 namespace {
 
 using boost::math::complement;
+using Counts = boost::counting_iterator<std::int64_t>;
 
 double lowerTail(const boost::math::binomial& counts, std::int64_t k) {
     return k < 0 ? 0.0 : boost::math::cdf(counts, static_cast<double>(k));
@@ -19,36 +21,23 @@ double upperTail(const boost::math::binomial& counts, std::int64_t k) {
     return k <= 0 ? 1.0 : boost::math::cdf(complement(counts, static_cast<double>(k - 1)));
 }
 
-/// All counts no more likely than `found`. Probabilities rise up to the mode and fall from there, so the far
-/// tail begins where a bisection finds it. Equal ones may differ in their last digits: R's allowance of 1e-7.
+/// All counts no more likely than `found`. Probabilities rise up to the mode and fall from there, so that the
+/// far tail's end is found by halving. Equal ones may differ in their last digits: R's allowance of 1e-7.
 double noMoreLikely(const boost::math::binomial& counts, std::int64_t found, std::int64_t n) {
     const auto chanceOf = [&](std::int64_t k) { return boost::math::pdf(counts, static_cast<double>(k)); };
     const double max = chanceOf(found) * (1.0 + 1e-7);
     const double expected = static_cast<double>(n) * counts.success_fraction();
     if (static_cast<double>(found) == expected) return 1.0;
     if (static_cast<double>(found) < expected) {
-        auto low =
-            static_cast<std::int64_t>(std::ceil(expected));  // the tail's first count lies in [low, high]
-        std::int64_t high = n + 1;
-        while (low < high) {
-            const std::int64_t middle = low + (high - low) / 2;
-            if (chanceOf(middle) <= max)
-                high = middle;
-            else
-                low = middle + 1;
-        }
-        return std::min(1.0, lowerTail(counts, found) + (low > n ? 0.0 : upperTail(counts, low)));
+        const auto first =
+            *std::partition_point(Counts(static_cast<std::int64_t>(std::ceil(expected))), Counts(n + 1),
+                                  [&](std::int64_t k) { return chanceOf(k) > max; });
+        return std::min(1.0, lowerTail(counts, found) + (first > n ? 0.0 : upperTail(counts, first)));
     }
-    std::int64_t low = -1;  // the tail's last count lies in [low, high]
-    auto high = static_cast<std::int64_t>(std::floor(expected));
-    while (low < high) {
-        const std::int64_t middle = low + (high - low + 1) / 2;
-        if (chanceOf(middle) <= max)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    return std::min(1.0, lowerTail(counts, low) + upperTail(counts, found));
+    const auto beyond =
+        *std::partition_point(Counts(0), Counts(static_cast<std::int64_t>(std::floor(expected)) + 1),
+                              [&](std::int64_t k) { return chanceOf(k) <= max; });
+    return std::min(1.0, lowerTail(counts, beyond - 1) + upperTail(counts, found));
 }
 
 }  // namespace

@@ -28,12 +28,8 @@ void AvatarPoser::advance(double now_s) {
     if (goal_ == nullptr) return;
     const double t = std::clamp((now_s - blend_start_s_) / blend_s, 0.0, 1.0);
     const double eased = t * t * (3.0 - 2.0 * t);
-    for (std::size_t j = 0; j < pose_.joints.size(); ++j) {
-        const Pose& a = from_.joints[j];
-        const Pose& b = goal_->joints[j];
-        pose_.joints[j] = {a.position + (b.position - a.position) * eased,
-                           glm::slerp(a.orientation, b.orientation, eased)};
-    }
+    for (std::size_t j = 0; j < pose_.joints.size(); ++j)
+        pose_.joints[j] = motion::interpolate(from_.joints[j], goal_->joints[j], eased);
     if (t >= 1.0) {
         pose_.joints = goal_->joints;
         goal_ = nullptr;

@@ -7,6 +7,7 @@
 
 #include "avatar_poser.hpp"
 #include "ball_met.hpp"
+#include "motion/skeleton/clip.hpp"
 #include "session_unit.hpp"
 #include "studies/study_file/stage_kind.hpp"
 #include "studies/study_file/standing.hpp"
@@ -27,10 +28,6 @@ const TrackedPose& headOf(const TrackingSample& sample, std::size_t) {
 
 const TrackedPose& aimOf(const TrackingSample& sample, std::size_t hand) {
     return sample.aim[hand];
-}
-
-Pose between(const Pose& a, const Pose& b, double t) {
-    return {a.position + t * (b.position - a.position), glm::slerp(a.orientation, b.orientation, t)};
 }
 
 // Rotations are kept in steps of 2^-15, each a little off unit length: at a few metres that would make a ray
@@ -159,8 +156,8 @@ std::optional<Pose> TrialReplay::tracked(double time_s, TrackedPart of) const {
     const auto before = after - 1;
     const double gap_s = after->display_time_s - before->display_time_s;
     if (!of(*before, hand_).valid() || gap_s > longest_gap_s) return std::nullopt;
-    return between(poseOf(of(*before, hand_)), poseOf(of(*after, hand_)),
-                   (time_s - before->display_time_s) / gap_s);
+    return motion::interpolate(poseOf(of(*before, hand_)), poseOf(of(*after, hand_)),
+                               (time_s - before->display_time_s) / gap_s);
 }
 
 std::optional<Pose> TrialReplay::head(double time_s) const {

@@ -66,20 +66,9 @@ Peak bestLapse(const std::vector<ChoiceTable>& tables, double place) {
         }
         return sum;
     };
-    double low = 0.0;
-    double high = 1.0;
-    if (slope(low) <= 0.0) {
-        high = low;
-    } else if (slope(high) >= 0.0) {
-        low = high;
-    } else {
-        constexpr int halvings = 45;
-        for (int i = 0; i < halvings; ++i) {
-            const double middle = 0.5 * (low + high);
-            (slope(middle) > 0.0 ? low : high) = middle;
-        }
-    }
-    const double lapse = 0.5 * (low + high);
+    const double lapse = slope(0.0) <= 0.0   ? 0.0
+                         : slope(1.0) >= 0.0 ? 1.0
+                                             : rootBetween(0.0, 1.0, 1e-13, slope);
     return {lapse, logLikelihoodAt(tables, place, lapse)};
 }
 
@@ -131,16 +120,16 @@ ObserverFit fitObserver(std::span<const SeenChoice> choices, const ObserverModel
     const Peak noise = highest(0.0, last_place, static_cast<int>(noises), by_noise);
     const Peak lapse = bestLapse(tables, noise.at);
     const double wanted = noise.value - allowedFall(level);
-    constexpr int halvings = 40;
+    constexpr double tolerance = 1e-9;
     const auto inDegrees = [](std::optional<double> place) {
         return place ? std::optional<double>(noiseAt(*place)) : std::nullopt;
     };
     ObserverFit out;
     out.choices = static_cast<int>(choices.size());
-    out.noise_deg = {noiseAt(noise.at), inDegrees(crossing(noise.at, 0.0, wanted, halvings, by_noise)),
-                     inDegrees(crossing(noise.at, last_place, wanted, halvings, by_noise))};
-    out.lapse_rate = {lapse.at, crossing(lapse.at, 0.0, wanted, halvings, by_lapse),
-                      crossing(lapse.at, 1.0, wanted, halvings, by_lapse)};
+    out.noise_deg = {noiseAt(noise.at), inDegrees(crossing(noise.at, 0.0, wanted, tolerance, by_noise)),
+                     inDegrees(crossing(noise.at, last_place, wanted, tolerance, by_noise))};
+    out.lapse_rate = {lapse.at, crossing(lapse.at, 0.0, wanted, tolerance, by_lapse),
+                      crossing(lapse.at, 1.0, wanted, tolerance, by_lapse)};
     out.log_likelihood = noise.value;
     out.aic = 2.0 * 2.0 - 2.0 * noise.value;
     return out;

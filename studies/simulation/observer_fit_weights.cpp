@@ -120,12 +120,12 @@ ObserverFit fitWeights(std::span<const SeenChoice> choices, const ObserverModel&
     best = climbed(best.at, dimensions, 0.05, logLikelihood);
 
     const double wanted = best.value - allowedFall(level);
-    constexpr int halvings = 10;
+    constexpr double tolerance = 1e-3;
     const auto fitted = [&](std::size_t which) {
         // Each step goes on from the best of the one before.
         const auto end = [&](double last) {
             Point from = best.at;
-            return crossing(best.at[which], last, wanted, halvings, [&](double value) {
+            return crossing(best.at[which], last, wanted, tolerance, [&](double value) {
                 Point at = from;
                 at[which] = value;
                 const Corner profile = climbed(at, which, 0.05, logLikelihood);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
 
-#include "studies/study_file/normal_probability.hpp"
+#include "studies/study_file/root.hpp"
 
 namespace deixis::studies {
 
@@ -36,7 +38,7 @@ struct Peak {
     double value = -std::numeric_limits<double>::infinity();
 };
 
-/// The highest of evenly spaced points, then by golden section between its neighbours.
+/// The highest of evenly spaced points, then by Brent's search between its neighbours.
 template <typename Function>
 [[nodiscard]] Peak highest(double low, double high, int points, Function function) {
     Peak best;
@@ -45,47 +47,26 @@ template <typename Function>
         const double x = low + step * i;
         if (const double y = function(x); y > best.value) best = {x, y};
     }
-    double a = std::max(low, best.at - step);
-    double b = std::min(high, best.at + step);
-    constexpr double golden = 0.6180339887498949;
-    constexpr int rounds = 28;
-    for (int i = 0; i < rounds; ++i) {
-        const double c = b - golden * (b - a);
-        const double d = a + golden * (b - a);
-        const double at_c = function(c);
-        const double at_d = function(d);
-        if (at_c > best.value) best = {c, at_c};
-        if (at_d > best.value) best = {d, at_d};
-        (at_c >= at_d ? b : a) = at_c >= at_d ? d : c;
-    }
-    return best;
+    constexpr int bits = std::numeric_limits<double>::digits / 2;  // more cannot be told of a peak
+    const auto [at, below] = boost::math::tools::brent_find_minima([&](double x) { return -function(x); },
+                                                                   std::max(low, best.at - step),
+                                                                   std::min(high, best.at + step), bits);
+    return -below > best.value ? Peak{at, -below} : best;
 }
 
-/// Where a profile falls to `wanted` between its peak and `end`, found by so many halvings; none where it
-/// does not.
+/// Where a profile falls to `wanted` between its peak and `end`, to half of `tolerance`; none where it does
+/// not.
 template <typename Profile>
-[[nodiscard]] std::optional<double> crossing(double peak, double end, double wanted, int halvings,
+[[nodiscard]] std::optional<double> crossing(double peak, double end, double wanted, double tolerance,
                                              Profile profile) {
-    if (profile(end) > wanted) return std::nullopt;
-    double above = peak;
-    double below = end;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (above + below);
-        (profile(middle) > wanted ? above : below) = middle;
-    }
-    return 0.5 * (above + below);
+    const auto above = [&](double at) { return profile(at) - wanted; };
+    if (peak == end || above(end) > 0.0) return std::nullopt;
+    return rootBetween(std::min(peak, end), std::max(peak, end), tolerance, above);
 }
 
 /// Half the quantile of chi-squared with one degree of freedom: how far a profile falls within its interval.
 [[nodiscard]] inline double allowedFall(double level) {
-    double low = 0.0;
-    double high = 10.0;
-    constexpr int halvings = 80;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (low + high);
-        (2.0 * normalBelow(middle) - 1.0 < level ? low : high) = middle;
-    }
-    return 0.5 * low * low;
+    return 0.5 * boost::math::quantile(boost::math::chi_squared(1.0), level);
 }
 
 }  // namespace deixis::studies

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "motion/skeleton/kinematics.hpp"
+
 namespace deixis::studies {
 
 namespace {
@@ -47,28 +49,19 @@ void GestureObserver::see(const std::vector<Pose>& stage_from_joint, double time
     observed.trunk = stage_from_joint[static_cast<std::size_t>(trunk_)].orientation;
 }
 
-std::vector<double> GestureObserver::speeds(std::size_t side) const {
-    std::vector<double> speed(seen_.size(), 0.0);
-    for (std::size_t i = 1; i < seen_.size(); ++i) {
-        const double passed_s = seen_[i].time_s - seen_[i - 1].time_s;
-        if (passed_s > 0.0) speed[i] = glm::length(seen_[i].tip[side] - seen_[i - 1].tip[side]) / passed_s;
-    }
-    return speed;
-}
-
 /// The longest run of frames in which the hand is raised and slow; the frame of the largest displacement
 /// where there is none.
-GestureObserver::Span GestureObserver::holdOf(std::size_t side, const std::vector<double>& speed) const {
-    std::vector<double> displacement(seen_.size());
-    for (std::size_t i = 0; i < seen_.size(); ++i)
-        displacement[i] = glm::length(seen_[i].tip[side] - seen_.front().tip[side]);
+GestureObserver::Span GestureObserver::holdOf(const std::vector<Vec3>& tip,
+                                              const std::vector<double>& speed) {
+    std::vector<double> displacement;
+    for (const Vec3& place : tip) displacement.push_back(glm::length(place - tip.front()));
     const auto farthest = std::max_element(displacement.begin(), displacement.end());
     const double peak_speed = *std::max_element(speed.begin(), speed.end());
     const auto peak = static_cast<std::size_t>(farthest - displacement.begin());
     Span best{peak, peak};
     std::size_t length = 0;
     std::size_t run = 0;
-    for (std::size_t i = 1; i < seen_.size(); ++i) {
+    for (std::size_t i = 1; i < tip.size(); ++i) {
         const bool held = displacement[i] >= raised_share * *farthest && speed[i] <= still_share * peak_speed;
         run = held ? run + 1 : 0;
         if (run <= length) continue;
@@ -90,8 +83,14 @@ SeenGesture GestureObserver::gesture() const {
     const std::size_t side = reach[0] > reach[1] ? 0 : 1;
     seen.hand = side == 0 ? motion::Side::left : motion::Side::right;
 
-    const std::vector<double> speed = speeds(side);
-    const Span hold = holdOf(side, speed);
+    std::vector<double> times_s;
+    std::vector<Vec3> tip;
+    for (const ObservedFrame& observed : seen_) {
+        times_s.push_back(observed.time_s);
+        tip.push_back(observed.tip[side]);
+    }
+    const std::vector<double> speed = motion::speedsAt(times_s, tip);
+    const Span hold = holdOf(tip, speed);
     std::vector<ArmLines> held;
     for (std::size_t i = hold.first; i <= hold.last; ++i) held.push_back(seen_[i].lines[side]);
     seen.lines = meanOf(held);

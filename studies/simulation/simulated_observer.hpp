@@ -45,8 +45,7 @@ class GestureObserver {
         std::size_t last = 0;  ///< included
     };
 
-    [[nodiscard]] std::vector<double> speeds(std::size_t side) const;
-    [[nodiscard]] Span holdOf(std::size_t side, const std::vector<double>& speed) const;
+    [[nodiscard]] static Span holdOf(const std::vector<Vec3>& tip, const std::vector<double>& speed);
 
     const motion::Skeleton& avatar_;
     motion::HumanoidMap map_;

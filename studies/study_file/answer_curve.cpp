@@ -1,29 +1,28 @@
 #include "studies/study_file/answer_curve.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/trapezoidal.hpp>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <limits>
 
+#include "core/pose.hpp"
 #include "studies/study_file/normal_probability.hpp"
 
 namespace deixis::studies {
 
 namespace {
 
-/// The expected value of a smooth function of a standard normal number. The trapezoid rule is exact to many
-/// digits for smooth functions that die away at both ends.
+/// The expected value of a function of a standard normal number. The trapezoid rule is exact to many digits
+/// for smooth functions that die away at both ends.
 template <typename Function>
 double overNormal(Function function) {
-    constexpr double step = 0.25;
-    constexpr int steps = 28;  // up to 7
-    double sum = 0.0;
-    double weights = 0.0;
-    for (int i = -steps; i <= steps; ++i) {
-        const double z = step * i;
-        const double weight = std::exp(-0.5 * z * z);
-        sum += weight * function(z);
-        weights += weight;
-    }
-    return sum / weights;
+    constexpr double farthest = 8.0;
+    constexpr double tolerance = 1e-10;
+    const double weight = 1.0 / std::sqrt(2.0 * pi);
+    return boost::math::quadrature::trapezoidal(
+        [&](double z) { return weight * std::exp(-0.5 * z * z) * function(z); }, -farthest, farthest,
+        tolerance);
 }
 
 }  // namespace
@@ -75,19 +74,17 @@ double AnswerCurve::covariance(double location, double sd, double shared) const 
 std::optional<double> AnswerCurve::location(double expected, double sd,
                                             std::span<const double> shifts) const {
     if (!(expected > low_ && expected < high_)) return std::nullopt;
-    const auto at = [&](double location) {
+    double reach = 50.0 + 50.0 * sd;
+    for (const double shift : shifts) reach = std::max(reach, 50.0 + 50.0 * sd + std::abs(shift));
+    // By signs alone: without an SD the mean is a stair, and the first place that is high enough is sought.
+    const auto side = [&](double location) {
         double sum = 0.0;
         for (const double shift : shifts) sum += mean(location + shift, sd);
-        return sum / static_cast<double>(shifts.size());
+        return sum / static_cast<double>(shifts.size()) < expected ? -1.0 : 1.0;
     };
-    const double reach = 50.0 + 50.0 * sd;
-    double below = low_ - reach;
-    double above = high_ + reach;
-    constexpr int halvings = 80;
-    for (int i = 0; i < halvings; ++i) {
-        const double middle = 0.5 * (below + above);
-        (at(middle) < expected ? below : above) = middle;
-    }
+    const auto [below, above] = boost::math::tools::bisect(
+        side, low_ - reach, high_ + reach,
+        boost::math::tools::eps_tolerance<double>(std::numeric_limits<double>::digits));
     return 0.5 * (below + above);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "motion/skeleton/clip.hpp"
+#include "motion/skeleton/kinematics.hpp"
 
 namespace deixis::motion {
 
@@ -24,14 +25,7 @@ struct JointTrajectories {
 /// move relative to the hips, fingers are not in every skeleton.
 [[nodiscard]] const std::vector<Bone>& comparedBones();
 
-enum class Derivative : unsigned char { speed, acceleration, jerk };
-constexpr std::size_t derivative_count = 3;
 [[nodiscard]] std::string_view derivativeName(Derivative derivative);  ///< "speed", ...
-
-/// Magnitudes of a derivative of a course by plain differences from frame to frame, in m/s, m/s^2 or m/s^3:
-/// 1, 2 or 3 fewer than there are frames.
-[[nodiscard]] std::vector<double> magnitudes(const std::vector<Vec3>& trajectory, double frame_time_s,
-                                             Derivative derivative);
 
 /// Counts in bins of equal width from 0 on; what lies beyond the last bin is counted in it.
 struct Histogram {

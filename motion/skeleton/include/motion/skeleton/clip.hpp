@@ -25,6 +25,8 @@ struct Clip {
 /// `out` is resized; give the same object each frame to save the allocation.
 void sample(const Clip& clip, double time_s, LocalPose& out);
 [[nodiscard]] LocalPose sample(const Clip& clip, double time_s);
+/// The pose at share `t` of the way from one to another, likewise; the rotations are of unit length.
+[[nodiscard]] Pose interpolate(const Pose& a, const Pose& b, double t);
 
 /// The clip at another frame rate, its first frame kept; the last sample lies within one new frame of the
 /// end. Fails where that takes more than 20 million poses of single joints (about 1 GB): an hour of a person

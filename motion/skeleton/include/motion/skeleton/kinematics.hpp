@@ -1,23 +1,48 @@
-// Speed, smoothness and steadiness of a point that was sampled at a steady rate. Pure functions on positions
-// in metres; `frame_time_s` is the time from one sample to the next, above 0.
+// How a point moves that was sampled over time: velocity, derivatives, smoothness, steadiness. Pure functions
+// on positions in metres; `frame_time_s` is the time from one sample to the next, above 0.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/pose.hpp"
 
 namespace deixis::motion {
 
-/// Half the span of the central differences below. Their low-pass (a moving average of the velocity) has its
-/// first zero at 15 Hz, so no other filter is used; the same span at every frame rate makes measures of the
-/// same movement at different rates comparable.
-constexpr double difference_half_span_s = 1.0 / 30.0;
+/// The whole number of frames nearest to a time, at least 1 and at most a million.
+[[nodiscard]] std::size_t framesIn(double time_s, double frame_time_s);
 
-/// Velocity at every sample, m/s: (p(t + h) - p(t - h)) / 2h with h the whole number of samples nearest to
-/// difference_half_span_s, at least one; towards the ends the span is cut off there. All zero for one sample.
-[[nodiscard]] std::vector<Vec3> velocities(const std::vector<Vec3>& positions, double frame_time_s);
-[[nodiscard]] std::vector<double> speeds(const std::vector<Vec3>& positions, double frame_time_s);
+/// The times before and after a sample between which its velocity is taken, in whole frames as by framesIn();
+/// 0 is none.
+struct VelocitySpan {
+    double before_s = 0.0;
+    double after_s = 0.0;
+};
+/// Central differences over a fifteenth of a second. Their low-pass (a moving average of the velocity) has
+/// its first zero at 15 Hz, so no other filter is used; the same span at every frame rate makes measures of
+/// the same movement at different rates comparable.
+constexpr VelocitySpan central_span{1.0 / 30.0, 1.0 / 30.0};
+
+/// Velocity at every sample, m/s: the difference of the positions at both ends of the span, over its time;
+/// towards the ends of the samples the span is cut off there. Zero where it is empty.
+[[nodiscard]] std::vector<Vec3> velocities(const std::vector<Vec3>& positions, double frame_time_s,
+                                           VelocitySpan span = central_span);
+[[nodiscard]] std::vector<double> speeds(const std::vector<Vec3>& positions, double frame_time_s,
+                                         VelocitySpan span = central_span);
+/// Of samples at times of their own, as many as positions and rising: from the sample before, m/s; 0 for the
+/// first, and where no time has passed.
+[[nodiscard]] std::vector<double> speedsAt(std::span<const double> times_s,
+                                           const std::vector<Vec3>& positions);
+
+enum class Derivative : unsigned char { speed, acceleration, jerk };
+constexpr std::size_t derivative_count = 3;
+
+/// Magnitudes of a derivative by plain differences from sample to sample, in m/s, m/s^2 or m/s^3: 1, 2 or 3
+/// fewer than there are samples.
+[[nodiscard]] std::vector<double> magnitudes(const std::vector<Vec3>& positions, double frame_time_s,
+                                             Derivative derivative);
 
 /// The median, of two in the middle the greater one, so that it is a value that was there. Of one value or
 /// more.
