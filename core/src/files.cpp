@@ -78,9 +78,10 @@ Result<std::string> readAll(std::istream& in, const std::string& name, std::size
                             std::size_t max_bytes) {
     if (expected_bytes > max_bytes) return tooLarge(name, max_bytes);
     std::string bytes;
-    constexpr std::size_t at_once = std::size_t{1} << 20U;
-    bytes.reserve(std::min(expected_bytes, std::size_t{1} << 30U) + at_once);
-    for (std::size_t count = 0; in; bytes.resize(count)) {
+    constexpr std::size_t block = std::size_t{1} << 16U;
+    // One byte more than expected: the end is met in the first reading.
+    std::size_t at_once = expected_bytes > 0 ? std::min(expected_bytes, std::size_t{1} << 30U) + 1 : block;
+    for (std::size_t count = 0; in; bytes.resize(count), at_once = std::max(block, count)) {
         bytes.resize(count + at_once);
         in.read(bytes.data() + count, static_cast<std::streamsize>(at_once));
         count += static_cast<std::size_t>(in.gcount());
