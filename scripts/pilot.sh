@@ -19,7 +19,8 @@ if [[ " $* " != *" --station"* ]]; then
         mkdir -p pilot
         station=(--station simulated)
         # Whoever goes on with a session may be past these.
-        [ $# -gt 0 ] || station+=(--screenshot "rating=$PWD/pilot/rating.png" --screenshot "choosing=$PWD/pilot/choosing.png")
+        [ $# -gt 0 ] || station+=(--force --screenshot "rating=$PWD/pilot/rating.png"
+            --screenshot "aiming-across=$PWD/pilot/game.png")
         name=pointing2023-simulated # never mixed with what people answered
     fi
 fi

@@ -157,9 +157,10 @@ Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed
 }
 
 Result<void> write(const results::Evaluation& evaluation, const EvaluateArguments& options) {
-    if (!options.tables.empty())
-        for (const auto& [name, bytes] : results::evaluationTables(evaluation))
-            if (auto written = writeFile(fs::path(options.tables) / name, bytes); !written) return written;
+    if (!options.tables.empty()) {
+        auto written = writeFolder(options.tables, results::evaluationTables(evaluation), options.force);
+        if (!written) return written;
+    }
     if (!options.json.empty())
         if (auto written = writeOutput(options.json, results::evaluationJson(evaluation)); !written)
             return written;

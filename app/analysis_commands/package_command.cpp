@@ -14,9 +14,9 @@
 #include "app/program/command_options.hpp"
 #include "app/program/version.hpp"
 #include "assets/data/data_paths.hpp"
-#include "core/durable.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "core/staging.hpp"
 #include "core/unique_name.hpp"
 #include "package_readme.hpp"
 #include "package_sets.hpp"
@@ -43,44 +43,41 @@ constexpr const char* packaged_database = "study.sqlite";
 class PackageInMaking {
   public:
     explicit PackageInMaking(const fs::path& target)
-        : before_(fs::current_path()),
-          target_(fs::absolute(target)),
-          folder_(target_.parent_path() /
-                  fmt::format(".{}.making-{}", target_.filename().string(), uniqueName())) {}
-    ~PackageInMaking() {
-        std::error_code code;
-        fs::current_path(before_, code);
-        fs::remove_all(folder_, code);
-    }
+        : before_(fs::current_path()), target_(fs::absolute(target)) {}
+    ~PackageInMaking() { leave(); }
     PackageInMaking(const PackageInMaking&) = delete;
     PackageInMaking& operator=(const PackageInMaking&) = delete;
 
     Result<void> enter() {
-        std::error_code code;
         // Shipped files stay where they are looked for.
         if (const char* data = std::getenv("DEIXIS_DATA"))
             setenv("DEIXIS_DATA", fs::absolute(data).c_str(), 1);
-        fs::create_directories(folder_, code);
-        if (!code) fs::current_path(folder_, code);
-        if (code) return fail(folder_.string(), "cannot be made: " + code.message());
+        auto staging = Staging::within(
+            target_.parent_path(), fmt::format(".{}.making-{}", target_.filename().string(), uniqueName()));
+        if (!staging) return tl::unexpected(staging.error());
+        staging_.emplace(std::move(*staging));
+        std::error_code code;
+        fs::current_path(staging_->path(), code);
+        if (code) return fail(staging_->path().string(), "cannot be entered: " + code.message());
         return {};
     }
     /// Nobody meets half of it.
     Result<void> publish() {
-        syncFileSystem(folder_);
+        leave();
         std::error_code code;
-        fs::current_path(before_, code);
         if (fs::exists(target_, code)) return fail(target_.string(), "was made by another program meanwhile");
-        fs::rename(folder_, target_, code);
-        if (code) return fail(target_.string(), "cannot be written: " + code.message());
-        syncFolder(target_.parent_path());
-        return {};
+        return staging_->become(target_, true);
     }
 
   private:
     fs::path before_;
     fs::path target_;
-    fs::path folder_;
+    std::optional<Staging> staging_{};
+
+    void leave() const {
+        std::error_code code;
+        fs::current_path(before_, code);
+    }
 };
 
 std::vector<std::string> filesHere() {

@@ -78,9 +78,13 @@ Result<void> analysePower(const PowerArguments& options) {
     if (!options.csv.empty()) {
         // Earlier versions took the file itself.
         const std::filesystem::path named(options.csv);
-        const std::string csv = (named.extension() == ".csv" ? named : named / "power.csv").string();
-        if (auto written = writeFile(csv, results::powerCsv(power->result())); !written) return written;
-        fmt::print(remarksBeside(options.json), "{}table: {}\n", options.json.empty() ? "\n" : "", csv);
+        const std::filesystem::path csv = named.extension() == ".csv" ? named : named / "power.csv";
+        const std::string folder = csv.has_parent_path() ? csv.parent_path().string() : ".";
+        auto written = writeFolder(folder, {{csv.filename().string(), results::powerCsv(power->result())}},
+                                   options.force);
+        if (!written) return written;
+        fmt::print(remarksBeside(options.json), "{}table: {}\n", options.json.empty() ? "\n" : "",
+                   csv.string());
     }
     return {};
 }

@@ -47,7 +47,6 @@ struct ReportArguments {
     std::vector<std::string> columns;
     std::vector<std::string> scales;
     std::string by;
-    bool force = false;
 };
 
 /// "MEASURE=BOUND", each.
@@ -95,19 +94,6 @@ Result<std::map<std::string, std::string>> columnsFrom(const std::vector<std::st
         out[text.substr(0, equals)] = text.substr(equals + 1);
     }
     return out;
-}
-
-using Tables = std::vector<std::pair<std::string, std::string>>;  ///< file names and their bytes
-
-/// Nothing where no folder is named.
-Result<void> writeTables(const std::string& folder, const Tables& tables) {
-    if (folder.empty()) return {};
-    std::error_code code;
-    std::filesystem::create_directories(folder, code);
-    if (code) return fail(folder, "cannot be made: " + code.message());
-    for (const auto& [name, bytes] : tables)
-        if (auto written = writeFile(std::filesystem::path(folder) / name, bytes); !written) return written;
-    return {};
 }
 
 /// Adds what observers would read where the clips that were shown are at hand. Returns a note where they are
@@ -182,30 +168,31 @@ Result<results::ResponseTable> loadAll(const std::vector<std::string>& data, con
 
 namespace {
 
+/// Tables first: where they may not be written, nothing is.
 Result<void> writeAnalysis(const results::AnalysisResult& analysis, const ReportFiles& files) {
-    // Tables may hold millions of answers: they are made beside the page.
-    const bool wants_csv = !files.csv.empty() || !files.r.empty();
-    auto csv = std::async(std::launch::async, [&] {
-        return wants_csv ? results::analysisTables(analysis, results::TableFormat::csv) : Tables{};
+    // Tables may hold millions of answers: the page is made beside them.
+    auto page = std::async(std::launch::async, [&] {
+        return files.page.empty() ? std::string() : results::renderReport(analysis);
     });
-    if (!files.page.empty())
-        if (auto written = writeFile(files.page, results::renderReport(analysis)); !written) return written;
-    if (!files.json.empty())
-        if (auto written = writeOutput(files.json, results::analysisJson(analysis)); !written) return written;
-    const Tables csv_tables = csv.get();
-    for (const std::string& folder : {files.csv, files.r})
-        if (auto written = writeTables(folder, csv_tables); !written) return written;
-    if (!files.latex.empty()) {
-        const Tables latex = results::analysisTables(analysis, results::TableFormat::latex);
-        if (auto written = writeTables(files.latex, latex); !written) return written;
-    }
+    FolderFiles tables;
+    if (!files.csv.empty() || !files.r.empty())
+        tables = results::analysisTables(analysis, results::TableFormat::csv);
+    if (auto written = writeFolder(files.csv, tables, files.force); !written) return written;
     if (!files.r.empty()) {
-        const auto script = readFile(assets::dataFile("analysis.R"));
+        auto script = readFile(assets::dataFile("analysis.R"));
         if (!script) return tl::unexpected(script.error());
-        if (auto written = writeFile(std::filesystem::path(files.r) / "analysis.R", *script); !written)
-            return written;
+        tables.emplace_back("analysis.R", std::move(*script));
+        if (auto written = writeFolder(files.r, tables, files.force); !written) return written;
     }
-    return {};
+    if (!files.latex.empty()) {
+        const FolderFiles latex = results::analysisTables(analysis, results::TableFormat::latex);
+        if (auto written = writeFolder(files.latex, latex, files.force); !written) return written;
+    }
+    const std::string html = page.get();
+    if (!files.page.empty())
+        if (auto written = writeFile(files.page, html); !written) return written;
+    if (files.json.empty()) return {};
+    return writeOutput(files.json, results::analysisJson(analysis));
 }
 
 /// "report.html" of the desktop is "report-desktop.html"; a folder gets one within.
@@ -219,7 +206,8 @@ ReportFiles filesOf(const ReportFiles& files, const std::string& kind) {
     const auto within = [&](const std::string& folder) {
         return folder.empty() ? folder : (std::filesystem::path(folder) / kind).string();
     };
-    return {named(files.page), named(files.json), within(files.csv), within(files.latex), within(files.r)};
+    return {named(files.page),   named(files.json), within(files.csv),
+            within(files.latex), within(files.r),   files.force};
 }
 
 /// One analysis, or one for each kind of station, with a page that leads to them and compares the stations.
@@ -326,7 +314,7 @@ void addReportCommand(Parser cli, Command& chosen) {
     command.addOption("--study", options->choice.study,
                       "Which study of a server that holds several: its name, or the beginning of its hash");
     addOutput(command, options->files.page, "HTML page to write [report.html]");
-    addForce(command, options->force);
+    addForce(command, options->files.force);
     addJsonOrFile(command, options->files.json);
     addCsv(command, options->files.csv, "Folder to write every table to, as CSV");
     command.addOption("--latex", options->files.latex, "Folder to write every table to, as LaTeX (booktabs)");
@@ -385,7 +373,7 @@ void addReportCommand(Parser cli, Command& chosen) {
             const bool json_alone = files.json == standard_output;
             if (files.page.empty() && !json_alone) files.page = "report.html";
             for (const std::string& file : {files.page, files.json})
-                if (auto free = checkReplaceable(file, options->force); !free) return free;
+                if (auto free = checkReplaceable(file, files.force); !free) return free;
             options->choice.join.by_study = !options->by.empty();
             auto bounds = boundsFrom(options->equivalence);
             if (!bounds) return tl::unexpected(bounds.error());

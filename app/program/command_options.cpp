@@ -32,8 +32,8 @@ Option addOutputLast(Parser command, std::string& output, const std::string& wha
     return command.addOption("OUT,-o,--output", output, what).valueName("FILE");
 }
 
-Option addForce(Parser command, bool& force) {
-    return command.addFlag("--force", force, "Replace what is there already");
+Option addForce(Parser command, bool& force, const std::string& what) {
+    return command.addFlag("--force", force, "Replace " + what + " there already");
 }
 
 Option addJson(Parser command, bool& json, const std::string& what) {

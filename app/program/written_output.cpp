@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/files.hpp"
+#include "core/staging.hpp"
 
 namespace deixis::app {
 
@@ -56,6 +57,36 @@ Result<void> checkReplaceable(const std::string& file, bool force) {
     std::error_code code;
     if (force || !std::filesystem::is_regular_file(file, code) || isOurs(file)) return {};
     return fail(file, "is there already, and Deixis did not write it", how_to_replace);
+}
+
+Result<void> checkFree(const std::string& file, bool force) {
+    std::error_code code;
+    if (force || file.empty() || !std::filesystem::exists(file, code)) return {};
+    return fail(file, "is there already", how_to_replace);
+}
+
+Result<void> writeFolder(const std::string& folder, const FolderFiles& files, bool force) {
+    namespace fs = std::filesystem;
+    if (folder.empty()) return {};
+    const auto first_line = [](std::string_view text) { return text.substr(0, text.find('\n')); };
+    std::error_code code;
+    for (const auto& [name, bytes] : files) {
+        const fs::path file = fs::path(folder) / name;
+        if (force || !fs::exists(file, code)) continue;
+        const auto there = readFile(file);
+        if (!there || first_line(*there) != first_line(bytes))
+            return fail(file.string(),
+                        "is there already, and is not an earlier version of what is to be written",
+                        "Name another folder, or --force to replace it");
+    }
+    auto staging = Staging::within(folder);
+    if (!staging) return tl::unexpected(staging.error());
+    std::vector<fs::path> names;
+    for (const auto& [name, bytes] : files) {
+        if (auto written = staging->add(name, bytes); !written) return written;
+        names.emplace_back(name);
+    }
+    return staging->moveHome(names, {}, false);
 }
 
 Result<void> writeUnlessEdited(const std::string& file, std::string_view bytes, bool force) {

@@ -122,14 +122,11 @@ Result<LockedFiles> verifyLocked(const fs::path& database, const std::string& ha
 }
 
 LockedSetWriter::LockedSetWriter(fs::path database, int lock)
-    : database_(std::move(database)),
-      staging_(lockedFolder(database_) / (making_prefix + uniqueName())),
-      lock_(lock),
-      adding_(std::make_unique<std::mutex>()) {}
+    : database_(std::move(database)), lock_(lock), adding_(std::make_unique<std::mutex>()) {}
 
 LockedSetWriter::LockedSetWriter(LockedSetWriter&& other) noexcept
     : database_(std::move(other.database_)),
-      staging_(std::exchange(other.staging_, {})),
+      staging_(std::move(other.staging_)),
       lock_(std::exchange(other.lock_, -1)),
       files_(std::move(other.files_)),
       adding_(std::move(other.adding_)) {}
@@ -154,20 +151,23 @@ Result<LockedSetWriter> LockedSetWriter::begin(const fs::path& database) {
             std::error_code ignored;
             fs::remove_all(entry.path(), ignored);
         }
-    if (auto made = makePrivateFolder(writer.staging_); !made) return tl::unexpected(made.error());
+    auto staging = Staging::within(home, making_prefix + uniqueName());
+    if (!staging) return tl::unexpected(staging.error());
+    writer.staging_.emplace(std::move(*staging));
+    if (auto made = makePrivateFolder(writer.staging_->path()); !made) return tl::unexpected(made.error());
     return writer;
 }
 
 LockedSetWriter::~LockedSetWriter() {
     if (lock_ < 0) return;
+    staging_.reset();
     std::error_code code;
-    fs::remove_all(staging_, code);
     fs::remove(lockedFolder(database_), code);  // where it is empty
     ::close(lock_);
 }
 
 Result<void> LockedSetWriter::add(const std::string& name, std::string_view bytes) {
-    const fs::path file = staging_ / name;
+    const fs::path file = staging_->path() / name;
     std::error_code code;
     fs::create_directories(file.parent_path(), code);
     if (auto written = writeFileUnsynced(file, bytes); !written) return written;
@@ -188,13 +188,9 @@ Result<std::string> LockedSetWriter::finish(bool durable) {
         if (verifyLocked(database_, hash)) return hash;
         fs::remove_all(set, code);
     }
-    if (auto written = writeFileUnsynced(staging_ / list_name, list); !written)
-        return tl::unexpected(written.error());
-    fs::permissions(staging_ / list_name, fs::perms::owner_read | fs::perms::owner_write, code);
-    if (durable) syncFileSystem(staging_);
-    fs::rename(staging_, set, code);
-    if (code) return fail(set.string(), "cannot be written: " + code.message());
-    if (durable) syncFolder(lockedFolder(database_));
+    if (auto written = staging_->add(list_name, list); !written) return tl::unexpected(written.error());
+    fs::permissions(staging_->path() / list_name, fs::perms::owner_read | fs::perms::owner_write, code);
+    if (auto moved = staging_->become(set, durable); !moved) return tl::unexpected(moved.error());
     if (durable) syncFolder(fs::absolute(lockedFolder(database_)).parent_path());
     return hash;
 }

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "app/clips/study_setup.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "app/study/recorded_avatar.hpp"
 #include "app/study/recorded_clips.hpp"
 #include "app/study_commands/study_commands.hpp"
@@ -22,6 +25,8 @@ namespace deixis::app {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 struct ReplayArguments {
     std::string database;
     std::string participant;
@@ -30,6 +35,7 @@ struct ReplayArguments {
     bool choices = false;
     std::string stimuli;
     std::string avatar;
+    bool force = false;
 #ifdef DEIXIS_IMMERSIVE
     ReplayOptions view;
 #endif
@@ -96,6 +102,13 @@ Result<void> printChoices(const results::Recording& recording, const studies::Cl
 }
 
 Result<void> replay(ReplayArguments options) {
+#ifdef DEIXIS_IMMERSIVE
+    const std::string picture = options.view.png_folder.empty()
+                                    ? ""
+                                    : (fs::path(options.view.png_folder) / first_replay_picture).string();
+    for (const std::string& file : {picture, options.view.mp4_file})
+        if (auto free = checkFree(file, options.force); !free) return free;
+#endif
     auto recording = results::loadRecording(options.database, options.participant);
     if (!recording) return tl::unexpected(recording.error());
     if (options.trial >= 0) {
@@ -159,6 +172,7 @@ void addReplayCommand(Parser cli, Command& chosen) {
     command.addOption("--png", options->view.png_folder,
                       "Write each frame as a PNG into a folder; no window");
     command.addOption("--mp4", options->view.mp4_file, "Write a film (needs ffmpeg); no window");
+    addForce(command, options->force, "pictures or a film that are");
     command.addOption("--fps", options->view.frames_per_s, "Frames a second of what is written")
         .check(Range(1.0, 240.0))
         .showDefault();

@@ -14,6 +14,7 @@
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/version.hpp"
+#include "app/program/written_output.hpp"
 #include "app/session/operator_feed.hpp"
 #include "app/session/recorders.hpp"
 #include "app/session/session_loop.hpp"
@@ -49,6 +50,7 @@ struct RunArguments {
     std::string stimuli;
     std::string accept_changes;
     std::vector<std::string> screenshots;
+    bool force = false;
     std::string trace;
     StationRequest station;
 };
@@ -261,6 +263,8 @@ Result<void> run(RunArguments options) {
     options.database = std::move(*database);
     auto screenshots = parseScreenshots(options.screenshots);
     if (!screenshots) return tl::unexpected(screenshots.error());
+    for (const auto& [state, picture] : *screenshots)
+        if (auto free = checkFree(picture, options.force); !free) return free;
     options.station.screenshots->wanted = std::move(*screenshots);
     const auto recording = recordingOptions();
     if (!recording) return tl::unexpected(recording.error());
@@ -363,6 +367,7 @@ void addRunCommand(Parser cli, Command& chosen) {
         .addOption("--screenshot", options->screenshots,
                    "A picture of a state of the simulated session; may be repeated")
         .valueName("STATE=FILE.png");
+    addForce(command, options->force, "pictures that are");
     command.addOption("--trace", options->trace,
                       "File to which a JSON line is added for each change of what is presented, while the "
                       "session runs");

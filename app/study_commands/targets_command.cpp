@@ -6,6 +6,8 @@
 #include "app/clips/study_setup.hpp"
 #include "app/clips/training_targets.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "app/study/angles_text.hpp"
 #include "app/study/visibility_text.hpp"
 #include "app/study_commands/study_commands.hpp"
@@ -24,6 +26,7 @@ namespace {
 struct TargetsArguments {
     std::string study;
     std::string picture;
+    bool force = false;
     int grid = 0;
     std::string training;
 };
@@ -38,6 +41,7 @@ Result<void> printGrid(const TargetsArguments& options) {
 }
 
 Result<void> printTargets(const TargetsArguments& options) {
+    if (auto free = checkFree(options.picture, options.force); !free) return free;
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
     if (!options.picture.empty()) {
@@ -72,6 +76,7 @@ void addTargetsCommand(Parser cli, Command& chosen) {
                        .page = "docs/design.md"});
     command.addOption("STUDY", options->study, "Study file, or the name of one that ships");
     command.addOption("--picture", options->picture, "SVG picture of the targets to write");
+    addForce(command, options->force, "a picture that is");
     Option grid_option =
         command
             .addOption("--grid", options->grid,

@@ -54,7 +54,7 @@ def show_again(settings, rig, database, picture):
         trial = db.value("select max(trial_index) from trials where stage = 'game'")
     folder = rig.folder / "replay"
     replays.replay(
-        settings, database, "--trial", trial, "--view", "third", "--png", folder, "--fps", FRAMES_PER_S, "--size", "1280x720",
+        settings, database, "--trial", trial, "--view", "third", "--png", folder, "--force", "--fps", FRAMES_PER_S, "--size", "1280x720",
         environment=rig.environment,
     )
     # The choice, and a second in which it is confirmed, are the end of it.

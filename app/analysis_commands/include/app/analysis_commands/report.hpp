@@ -18,6 +18,7 @@ struct ReportFiles {
     std::string csv{};    ///< a folder
     std::string latex{};  ///< a folder
     std::string r{};      ///< a folder: the tables as CSV and analysis.R, which computes them again
+    bool force = false;   ///< also over files in these folders that are no earlier versions of the same
 };
 
 /// Which of the answers that the data hold.

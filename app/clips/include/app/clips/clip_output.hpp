@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/staging.hpp"
 #include "motion/skeleton/clip.hpp"
 
 namespace deixis::app {
@@ -32,9 +34,6 @@ class OutputFolder {
     /// `force`: files that are there already are replaced. `durable`: what finish() has moved is on the disk,
     /// which clips that can be made again need not wait for.
     OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
-    ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
 
     /// `name` is relative to the folder. Fails where it is there already, and `force` was not given.
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
@@ -42,10 +41,9 @@ class OutputFolder {
 
   private:
     std::filesystem::path folder_;
-    std::filesystem::path staging_;
     bool force_;
     bool durable_;
-    bool made_folder_ = false;
+    std::optional<Staging> staging_{};  ///< made for the first file
     std::set<std::filesystem::path> names_;
 };
 

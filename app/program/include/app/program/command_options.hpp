@@ -14,8 +14,8 @@ Option addOutput(Parser command, std::string& output, const std::string& what, c
 /// The same where the file may also stand after the others without -o, as `positional`.
 Option addOutputLast(Parser command, std::string& output, const std::string& what);
 
-/// --force: what stands there is replaced.
-Option addForce(Parser command, bool& force);
+/// --force: `what` ("pictures that are") there already is replaced.
+Option addForce(Parser command, bool& force, const std::string& what = "what is");
 
 /// --json: what is printed is JSON.
 Option addJson(Parser command, bool& json, const std::string& what);

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -26,6 +28,17 @@ inline constexpr const char* standard_output = "-";
 /// Fails where a file stands that Deixis did not write: pages and numbers can be made again, and so replace
 /// those of an earlier run alone. An empty name and standard_output pass.
 [[nodiscard]] Result<void> checkReplaceable(const std::string& file, bool force);
+
+/// Fails where something stands there, unless `force` says so: for pictures and films, which do not say who
+/// made them. An empty name passes.
+[[nodiscard]] Result<void> checkFree(const std::string& file, bool force);
+
+using FolderFiles = std::vector<std::pair<std::string, std::string>>;  ///< file names and their bytes
+
+/// Makes the folder and writes the files there. Before any is written all are looked at: fails where one
+/// stands there that begins with another line, and so is no earlier version of the same table or script,
+/// unless `force` says so. Nothing is done where no folder is named.
+[[nodiscard]] Result<void> writeFolder(const std::string& folder, const FolderFiles& files, bool force);
 
 /// For files that are made to be edited: fails where another text stands there, unless `force` says so.
 [[nodiscard]] Result<void> writeUnlessEdited(const std::string& file, std::string_view bytes, bool force);

@@ -10,6 +10,8 @@
 
 namespace deixis::app {
 
+inline constexpr const char* first_replay_picture = "frame_00001.png";
+
 struct ReplayOptions {
     std::string view = "first";  ///< "first": by the participant's eyes; "third": from outside
     std::string png_folder;      ///< frame_00001.png, ...
