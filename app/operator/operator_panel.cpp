@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/operator/operator_words.hpp"
+#include "core/text.hpp"
 #include "operator_controls.hpp"
 #include "panel_pen.hpp"
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+
+#include "core/text.hpp"
 
 namespace deixis::app {
 
@@ -94,12 +95,6 @@ constexpr std::array<EventWords, 15> event_words{{
 }};
 
 }  // namespace
-
-std::string capitalised(std::string_view text) {
-    std::string out(text);
-    if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
-    return out;
-}
 
 std::string stateInWords(const studies::PresentedFrame& frame) {
     const std::string_view words = wordsFor(frame.state);

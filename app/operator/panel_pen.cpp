@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "core/text.hpp"
+
 namespace deixis::app {
 
 namespace {
 
 constexpr float light_radius = 6.0F;
-
-bool continuesLetter(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
-}
 
 }  // namespace
 
@@ -24,9 +22,9 @@ std::string PanelPen::fitted(ImFont* font, std::string_view text, float across) 
     constexpr std::string_view dots = "\u2026";
     const float left = across - widthOf(font, dots);
     std::size_t end = text.size();
-    while (end > 0 && (continuesLetter(text[end - 1]) || widthOf(font, text.substr(0, end)) > left)) --end;
+    while (end > 0 && (continuesCharacter(text[end - 1]) || widthOf(font, text.substr(0, end)) > left)) --end;
     // Up to the beginning of a letter that no longer fits.
-    while (end > 0 && end < text.size() && continuesLetter(text[end])) --end;
+    while (end > 0 && end < text.size() && continuesCharacter(text[end])) --end;
     return std::string(text.substr(0, end)) + std::string(dots);
 }
 

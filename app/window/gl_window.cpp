@@ -4,7 +4,9 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
+
+#include "core/number.hpp"
 
 namespace deixis::app {
 
@@ -30,16 +32,11 @@ void hintContext() {
 }  // namespace
 
 Result<WindowSize> parseWindowSize(const std::string& text) {
-    WindowSize size{0, 0};
-    const auto cross = text.find('x');
-    if (cross != std::string::npos) {
-        const char* end = text.data() + text.size();
-        const auto width = std::from_chars(text.data(), text.data() + cross, size.width);
-        const auto height = std::from_chars(text.data() + cross + 1, end, size.height);
-        const bool whole = width.ptr == text.data() + cross && height.ptr == end;
-        if (whole && size.width >= 64 && size.width <= 8192 && size.height >= 64 && size.height <= 8192)
-            return size;
-    }
+    const auto cross = std::min(text.find('x'), text.size());
+    const auto width = naturalNumber(text.substr(0, cross));
+    const auto height = naturalNumber(text.substr(std::min(cross + 1, text.size())));
+    if (width && height && *width >= 64 && *width <= 8192 && *height >= 64 && *height <= 8192)
+        return WindowSize{static_cast<int>(*width), static_cast<int>(*height)};
     return fail(
         "--size",
         fmt::format("'{}' is no size; expected WIDTHxHEIGHT, each 64 to 8192, such as 1280x720", text));

@@ -3,15 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "assets/gltf/gltf_clip.hpp"
 #include "assets/joints/bvh.hpp"
 #include "assets/joints/expmap_rows.hpp"
 #include "assets/joints/joint_positions.hpp"
+#include "core/number.hpp"
 #include "core/text.hpp"
 #include "length_unit.hpp"
 #include "motion/retarget/retarget.hpp"
@@ -104,11 +106,10 @@ Result<ImportedClip> importGltf(std::string_view bytes, const std::string& name,
     how.metres_per_unit = options.metres_per_unit;
     auto file = parseGltfClip(bytes, name, how, folder);
     const std::string& wanted = options.animation;
-    int place = 0;
-    if (const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), place);
-        !file && !wanted.empty() && code == std::errc() && end == wanted.data() + wanted.size()) {
+    if (const auto place = deixis::wholeNumber(wanted);
+        !file && place && std::abs(*place) <= std::numeric_limits<int>::max()) {
         how.animation.clear();
-        how.animation_index = place;
+        how.animation_index = static_cast<int>(*place);
         file = parseGltfClip(bytes, name, how, folder);
     }
     if (!file) return tl::unexpected(file.error());

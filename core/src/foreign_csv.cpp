@@ -100,9 +100,8 @@ Result<ForeignCsv> readForeignCsv(std::string bytes, const std::string& name) {
                         "Save the file as CSV in UTF-8");
         const auto first = std::find_if(text->begin(), text->end(),
                                         [](char c) { return static_cast<unsigned char>(c) >= 0x80U; });
-        out.taken_for_windows_1252.assign(first, std::find_if(first + 1, text->end(), [](char c) {
-                                              return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-                                          }));
+        out.taken_for_windows_1252.assign(first,
+                                          std::find_if_not(first + 1, text->end(), continuesCharacter));
         out.text = std::move(*text);
     }
     if (out.text.starts_with("\xEF\xBB\xBF")) out.text.erase(0, 3);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "core/text.hpp"
 
@@ -63,8 +62,7 @@ Mistyped mistypedAddress(std::string_view text) {
 }
 
 bool allDigits(std::string_view text) {
-    return std::all_of(text.begin(), text.end(),
-                       [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; });
+    return std::all_of(text.begin(), text.end(), isDigit);
 }
 
 std::string shownServerAddress(std::string_view address) {

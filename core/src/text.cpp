@@ -1,7 +1,6 @@
 #include "core/text.hpp"
 
 #include <algorithm>
-
 #include <cstdint>
 #include <cstring>
 
@@ -25,6 +24,13 @@ std::string_view trimmed(std::string_view text) {
 std::string lowerCase(std::string_view text) {
     std::string out(text);
     std::transform(out.begin(), out.end(), out.begin(), lower);
+    return out;
+}
+
+std::string capitalised(std::string_view text) {
+    std::string out(text);
+    if (!out.empty() && out.front() >= 'a' && out.front() <= 'z')
+        out.front() = static_cast<char>(out.front() - 'a' + 'A');
     return out;
 }
 
@@ -52,7 +58,7 @@ std::size_t characterLength(std::string_view text) {
                                                                  : 0;
     if (length == 0 || text.size() < length) return 0;
     for (std::size_t i = 1; i < length; ++i)
-        if ((at(i) & 0xC0U) != 0x80U) return 0;
+        if (!continuesCharacter(text[i])) return 0;
     // Longer than need be, a surrogate, or beyond the last character.
     if (first == 0xE0U && at(1) < 0xA0U) return 0;
     if (first == 0xEDU && at(1) >= 0xA0U) return 0;
@@ -112,6 +118,15 @@ void appendUtf8(std::string& text, char32_t character) {
         add(0x80U | ((c >> 6U) & 0x3FU));
     }
     add(0x80U | (c & 0x3FU));
+}
+
+char32_t nextCharacter(std::string_view text, std::size_t& at) {
+    const std::size_t length = std::max<std::size_t>(1, characterLength(text.substr(at)));
+    char32_t character = static_cast<unsigned char>(text[at++]);
+    if (length > 1) character &= 0x7FU >> length;
+    for (std::size_t i = 1; i < length; ++i)
+        character = character << 6U | (static_cast<unsigned char>(text[at++]) & 0x3FU);
+    return character;
 }
 
 }  // namespace deixis

@@ -121,7 +121,7 @@ void BoardFonts::noteMissing() {
 
 const char* afterCharacter(const char* at, const char* end) {
     ++at;
-    while (at < end && (static_cast<unsigned char>(*at) & 0xC0U) == 0x80U) ++at;
+    while (at < end && continuesCharacter(*at)) ++at;
     return at;
 }
 

@@ -9,6 +9,7 @@
 #include "rays.hpp"
 #include "results/evaluation/evaluation.hpp"
 #include "results/outputs/observers_html.hpp"
+#include "results/page/figure.hpp"
 #include "results/page/page.hpp"
 #include "results/statistics/descriptive.hpp"
 
@@ -65,13 +66,10 @@ std::string findings(const Evaluation& evaluation) {
         return fmt::format("<b>{}</b> ({:.3f}; mean error {:.1f}&#176;)", escapeHtml(system->system),
                            mean(system->rewards), mean(system->errors_deg));
     };
-    std::string out = "\n<ul class=\"findings\">" + observersFinding(evaluation.observers) + "<li>";
-    out += measured.size() == 1 ? "Mean accuracy of " + named(measured.front()) + "."
-                                : named(measured.front()) + " has the highest mean accuracy, " +
-                                      named(measured.back()) + " the lowest.";
-    out +=
-        fmt::format(" That is the forearm's, Equation&#160;2, whose ceiling is {:.3f}.</li>", reward_ceiling);
-    out += raysFinding(evaluation);
+    std::string means = measured.size() == 1 ? "Mean accuracy of " + named(measured.front()) + "."
+                                             : named(measured.front()) + " has the highest mean accuracy, " +
+                                                   named(measured.back()) + " the lowest.";
+    means += fmt::format(" That is the forearm's, Equation&#160;2, whose ceiling is {:.3f}.", reward_ceiling);
     // None is picked out: the strongest of several is no finding.
     std::string correlations;
     for (const auto& system : evaluation.systems)
@@ -79,13 +77,11 @@ std::string findings(const Evaluation& evaluation) {
             correlations += fmt::format("{}<b>{}</b> {}", correlations.empty() ? "" : ", ",
                                         escapeHtml(system.system), fixedText(system.correlation.rho, 3));
     if (!correlations.empty())
-        out += "<li>Spearman's correlation of accuracy with the density of the training targets: " +
-               correlations + "; p, and p after Holm's correction, stand in the table.</li>";
-    return out + "</ul>";
-}
-
-std::string plots(const std::string& figures) {
-    return "\n<div class=\"plots\">" + figures + "</div>";
+        correlations =
+            "Spearman's correlation of accuracy with the density of the training targets: " + correlations +
+            "; p, and p after Holm's correction, stand in the table.";
+    return "\n" +
+           itemsHtml({observersFinding(evaluation.observers), means, raysFinding(evaluation), correlations});
 }
 
 std::string systemsSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
@@ -93,7 +89,7 @@ std::string systemsSection(const Evaluation& evaluation, Numbering& figures, Num
     const bool compared = std::any_of(evaluation.comparisons.begin(), evaluation.comparisons.end(),
                                       [](const auto& pair) { return !pair.differences.empty(); });
     if (compared) drawn += figureHtml(accuracyDifferences(evaluation, figures));
-    std::string out = "\n<h2>Accuracy by system</h2>" + plots(drawn);
+    std::string out = "\n<h2>Accuracy by system</h2>" + figuresPlaced(drawn);
     out += systemsHtml(evaluation, tables);
     out += raysHtml(evaluation, tables);
     out += accuracyBoxesHtml(evaluation, tables);
@@ -119,7 +115,7 @@ std::string profilesSection(const Evaluation& evaluation, Numbering& figures, Nu
            "in brackets; the paper&#8217;s Figures 2 and 3). 0 is the time of pointing; steps that fewer "
            "than half of the clips have are left out. Dashed across: the ceiling of the reward, and the "
            "speed below which a frame counts.</p>" +
-           plots(drawn) + profilesHtml(evaluation, tables);
+           figuresPlaced(drawn) + profilesHtml(evaluation, tables);
 }
 
 std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Numbering& tables) {
@@ -127,8 +123,8 @@ std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Nu
         "\n<h2>Accuracy and training targets</h2>\n<p class=\"small intro\">In the maps a cell is a mean "
         "over y (from above) or over z (from behind); the agent stands at x = 0, z = 0, and its left is on "
         "the left.</p>";
-    out += "<div class=\"single\">" + figureHtml(densitySpace(evaluation, figures)) + "</div>";
-    out += plots(figureHtml(densityMap(evaluation, figures)));
+    out += figuresPlaced(figureHtml(densitySpace(evaluation, figures)), FigurePlace::single);
+    out += figuresPlaced(figureHtml(densityMap(evaluation, figures)));
     out += correlationTable(evaluation, tables);
     out +=
         "\n<p class=\"small intro\">Accuracy against density, a point a clip (the paper&#8217;s "
@@ -137,8 +133,8 @@ std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Nu
     std::string drawn;
     for (std::size_t i = 0; i < evaluation.systems.size(); ++i)
         drawn += figureHtml(densityScatter(evaluation, i, figures));
-    out += plots(drawn);
-    out += plots(figureHtml(accuracyMaps(evaluation, figures)));
+    out += figuresPlaced(drawn);
+    out += figuresPlaced(figureHtml(accuracyMaps(evaluation, figures)));
     return out + clustersHtml(evaluation, tables);
 }
 
@@ -171,9 +167,9 @@ std::string methods(const Evaluation& evaluation) {
 
 std::string provenance(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
-    std::string out = "\n<h2>Where the numbers come from</h2><dl>";
+    std::vector<Fact> facts;
     const auto entry = [&](const std::string& name, const std::string& html) {
-        out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
+        facts.push_back({name, html});
     };
     entry("Program", escapeHtml(input.program));
     for (const auto& [name, value] : input.build) entry(propertyLabel(name), escapeHtml(value));
@@ -187,7 +183,7 @@ std::string provenance(const Evaluation& evaluation) {
           fmt::format(
               "bandwidth {:.6g} m ({})", evaluation.mean_shift_bandwidth,
               evaluation.mean_shift_estimated ? "mean distance to the neighbour at quantile 0.3" : "given"));
-    return out + "</dl>";
+    return "\n<h2>Where the numbers come from</h2>" + factsHtml(facts);
 }
 
 }  // namespace

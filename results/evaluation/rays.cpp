@@ -38,7 +38,7 @@ std::string raysFinding(const Evaluation& evaluation) {
                     fmt::format("{:.1f}&#176; by {}", error, motion::pointingRayName(ray)));
     }
     if (orders.empty()) return "";
-    std::string out = "<li>Mean angle between ray and target: ";
+    std::string out = "Mean angle between ray and target: ";
     bool first = true;
     for (const auto& [system, said] : errors) {
         out += fmt::format("{}<b>{}</b> {}", first ? "" : "; ", escapeHtml(evaluation.systems[system].system),
@@ -61,7 +61,7 @@ std::string raysFinding(const Evaluation& evaluation) {
     } else if (evaluation.systems.size() > 1) {
         out += " All rays put the systems in the same order.";
     }
-    return out + "</li>";
+    return out;
 }
 
 std::string raysHtml(const Evaluation& evaluation, Numbering& tables) {

@@ -28,7 +28,7 @@ std::string ranked(const ObserverRanking& ranking) {
 std::string observersFinding(const std::vector<ObserverReading>& readings) {
     if (readings.empty()) return "";
     std::string out =
-        "<li>What a simulated observer makes of the same arms depends on how it reads pointing. Its expected "
+        "What a simulated observer makes of the same arms depends on how it reads pointing. Its expected "
         "accuracy, from the lowest to the highest over " +
         fmt::format("{} observers: ", observer_names.size());
     std::string last;
@@ -59,7 +59,7 @@ std::string observersFinding(const std::vector<ObserverReading>& readings) {
         });
         if (groups) out += " (&#8776;: within one percentage point.)";
     }
-    return out + " None of them is shown to read as people do.</li>";
+    return out + " None of them is shown to read as people do.";
 }
 
 std::string observersTable(const std::vector<ObserverReading>& readings, const char* trials,

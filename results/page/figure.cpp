@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <utility>
 
+#include "core/number.hpp"
 #include "results/page/templates.hpp"
 
 namespace deixis::results {
@@ -39,6 +39,12 @@ std::string figureHtml(const Figure& figure) {
                                       {"label", figure.label},
                                       {"caption", figure.caption},
                                       {"spec", scriptJson(spec)}});
+}
+
+std::string figuresPlaced(const std::string& figures, FigurePlace place) {
+    if (figures.empty()) return "";
+    return filled("figures.mustache",
+                  {{"place", place == FigurePlace::plots ? "plots" : "single"}, {"figures", figures}});
 }
 
 std::string systemColour(std::size_t index) {
@@ -113,7 +119,7 @@ FigureJson rowAxis(const std::vector<std::vector<std::string>>& names) {
 }
 
 double rounded(double value, int digits) {
-    return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
+    return finiteNumber(fmt::format("{:.{}g}", value, digits)).value_or(value);
 }
 
 FigureJson heightByWidth(const std::string& expression) {

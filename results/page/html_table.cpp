@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
+
 namespace deixis::results {
 
 namespace {
@@ -141,9 +143,7 @@ std::string tableHtml(const Table& table, const std::string& caption, Numbering&
 std::string foldedTable(const Table& table, const std::string& summary, const std::string& name,
                         const std::vector<Shown>& shown, const TableLook& look) {
     Json data = tableData(table, shown, look);
-    std::string about = summary;
-    if (!about.empty()) about[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(about[0])));
-    data["label"] = name + ": " + about;
+    data["label"] = name + ": " + lowerCase(summary.substr(0, 1)) + summary.substr(1);
     return folded(summary, filled("table.mustache", data));
 }
 

@@ -51,13 +51,6 @@ std::string ballsText(const Measure& measure) {
                : fmt::format("1 of {} balls", measure.balls);
 }
 
-std::string capitalised(std::string_view text) {
-    std::string out(text);
-    if (!out.empty() && out.front() >= 'a' && out.front() <= 'z')
-        out.front() = static_cast<char>(out.front() - 32);
-    return out;
-}
-
 std::string inSentence(const std::vector<std::string>& items) {
     std::string out;
     for (std::size_t i = 0; i < items.size(); ++i)

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <cctype>
 #include <string_view>
 #include <utility>
 
+#include "core/text.hpp"
 #include "results/page/figure.hpp"
 #include "results/page/templates.hpp"
 
@@ -16,9 +16,23 @@ std::string pageStart(const std::string& title, const std::string& heading) {
                   {{"title", title}, {"heading", heading}, {"css", templateText("page.css")}});
 }
 
+std::string factsHtml(const std::vector<Fact>& facts) {
+    Json rows = Json::array();
+    for (const Fact& fact : facts) rows.push_back({{"name", fact.name}, {"html", fact.html}});
+    return filled("facts.mustache", {{"facts", rows}});
+}
+
+std::string listHtml(const std::vector<std::string>& texts) {
+    return filled("list.mustache", {{"items", texts}});
+}
+
+std::string itemsHtml(std::vector<std::string> items) {
+    std::erase(items, "");
+    return filled("list.mustache", {{"html", items}});
+}
+
 std::string remarksHtml(const std::vector<std::string>& remarks) {
-    if (remarks.empty()) return "";
-    return "\n<h2>Remarks</h2>" + filled("list.mustache", {{"items", remarks}});
+    return remarks.empty() ? "" : "\n<h2>Remarks</h2>" + listHtml(remarks);
 }
 
 std::string withContents(const std::string& lead, const std::string& sections) {
@@ -45,9 +59,7 @@ std::string pageEnd(const std::string& elsewhere) {
 }
 
 std::string propertyLabel(std::string name) {
-    name = inWords(std::move(name));
-    if (!name.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    return name;
+    return capitalised(inWords(std::move(name)));
 }
 
 }  // namespace deixis::results

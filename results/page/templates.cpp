@@ -17,7 +17,9 @@
     extern "C" const char deixis_template_##name[]
 
 DEIXIS_TEMPLATE(contents, "contents.mustache");
+DEIXIS_TEMPLATE(facts, "facts.mustache");
 DEIXIS_TEMPLATE(figure, "figure.mustache");
+DEIXIS_TEMPLATE(figures, "figures.mustache");
 DEIXIS_TEMPLATE(folded, "folded.mustache");
 DEIXIS_TEMPLATE(list, "list.mustache");
 DEIXIS_TEMPLATE(note, "note.mustache");
@@ -33,7 +35,8 @@ namespace {
 using Data = kainjow::mustache::data;
 
 constexpr std::pair<std::string_view, const char*> texts[]{
-    {"contents.mustache", deixis_template_contents}, {"figure.mustache", deixis_template_figure},
+    {"contents.mustache", deixis_template_contents}, {"facts.mustache", deixis_template_facts},
+    {"figure.mustache", deixis_template_figure},     {"figures.mustache", deixis_template_figures},
     {"folded.mustache", deixis_template_folded},     {"list.mustache", deixis_template_list},
     {"note.mustache", deixis_template_note},         {"page.css", deixis_template_css},
     {"page_end.mustache", deixis_template_page_end}, {"page_start.mustache", deixis_template_page_start},

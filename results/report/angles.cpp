@@ -112,7 +112,7 @@ std::string angleTable(const AnalysisResult& result, const Rows& rows, Numbering
 std::string anglesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering) {
     const Rows rows = accuracyByAngle(result.table);
     if (rows.empty()) return "";
-    std::string out = "<div class=\"plots\">";
+    std::string out;
     int number = 0;
     for (const std::string& eyes : eyesOf(rows))
         out += figureHtml(
@@ -125,7 +125,7 @@ std::string anglesHtml(const AnalysisResult& result, Numbering& figures, Numberi
                          "this page.",
                          eyes),
              specOf(result, rows, eyes)});
-    return out + "</div>" + angleTable(result, rows, numbering);
+    return figuresPlaced(out) + angleTable(result, rows, numbering);
 }
 
 }  // namespace deixis::results

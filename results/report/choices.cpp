@@ -84,8 +84,7 @@ std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Number
     out += driftTable(result, numbering);
     out += observersTable(result.observers, "choices", numbering);
     out += anglesHtml(result, figures, numbering);
-    if (!result.target_space.empty())
-        out += "<div class=\"plots\">" + figureHtml(placesFigure(result, figures)) + "</div>";
+    if (!result.target_space.empty()) out += figuresPlaced(figureHtml(placesFigure(result, figures)));
     return out + targetTable(result, numbering);
 }
 

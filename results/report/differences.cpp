@@ -45,7 +45,7 @@ std::string differencesHtml(const AnalysisResult& result, Numbering& figures) {
     for (std::size_t i = 0; i < result.measures.size(); ++i)
         if (!comparedRows(result, result.measures[i]).empty())
             out += figureHtml(differencesFigure(result, i, figures));
-    return out.empty() ? "" : "<h2>Paired differences</h2><div class=\"plots\">" + out + "</div>";
+    return out.empty() ? "" : "<h2>Paired differences</h2>" + figuresPlaced(out);
 }
 
 }  // namespace deixis::results

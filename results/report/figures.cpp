@@ -25,7 +25,7 @@ std::string figuresHtml(const AnalysisResult& result, Numbering& figures) {
         for (std::size_t i = 0; i < result.measures.size(); ++i)
             if (const auto levels = levelsFigure(result, i, factor, figures)) out += figureHtml(*levels);
     if (!result.preferences.empty()) out += figureHtml(preferencesFigure(result, figures));
-    return out.empty() ? "" : "<div class=\"plots\">" + out + "</div>";
+    return figuresPlaced(out);
 }
 
 namespace {

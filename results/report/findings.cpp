@@ -10,6 +10,7 @@
 #include "results/analysis/several_studies.hpp"
 #include "results/outputs/observers_html.hpp"
 #include "results/page/number_text.hpp"
+#include "results/page/page.hpp"
 #include "studies.hpp"
 
 namespace deixis::results {
@@ -87,7 +88,7 @@ std::string systemsItem(const AnalysisResult& result, std::size_t measure, const
     std::string item = extremes(result, measure);
     if (!medians.empty()) item += " " + medians;
     if (result.participants > 1) item += " " + significance(result, result.measures[measure].name);
-    return item.size() > 1 ? "<li>" + where + item + "</li>" : "";
+    return item.size() > 1 ? where + item : "";
 }
 
 std::string levelSentence(const AnalysisResult& result, const std::string& measure,
@@ -175,23 +176,23 @@ std::string preferenceSentence(const AnalysisResult& result) {
 
 std::string findingsHtml(const AnalysisResult& result) {
     // What simulated participants chose is one observer's reading.
-    std::string out = result.synthetic ? observersFinding(result.observers) : std::string();
+    std::vector<std::string> items{result.synthetic ? observersFinding(result.observers) : std::string()};
     for (std::size_t measure = 0; measure < result.measures.size(); ++measure) {
         for (const AnalysisResult& study : result.by_study)
-            out += systemsItem(study, measure,
-                               fmt::format("<b>In {}</b> ({}): ", escapeHtml(study.table.study_name),
-                                           counted(study.participants, "participant", "participants")),
-                               mediansSentence(result, study.table.study_name, result.measures[measure]));
-        out +=
+            items.push_back(
+                systemsItem(study, measure,
+                            fmt::format("<b>In {}</b> ({}): ", escapeHtml(study.table.study_name),
+                                        counted(study.participants, "participant", "participants")),
+                            mediansSentence(result, study.table.study_name, result.measures[measure])));
+        items.push_back(
             systemsItem(result, measure,
                         result.by_study.empty()
                             ? std::string()
                             : fmt::format("<b>Pooled</b> over the {} studies ({}): ", result.by_study.size(),
                                           counted(result.participants, "participant", "participants")),
-                        mediansSentence(result, pooled_studies, result.measures[measure]));
+                        mediansSentence(result, pooled_studies, result.measures[measure])));
     }
     if (result.participants > 1) {
-        std::vector<std::string> items;
         for (const Measure& measure : result.measures) {
             for (const Factor& factor : withinFactors(result.table))
                 items.push_back(levelSentence(result, measure.name, factor.name));
@@ -205,12 +206,11 @@ std::string findingsHtml(const AnalysisResult& result) {
             items.push_back((result.by_study.empty() ? "" : "<b>Pooled</b>: ") + item);
         for (const Factor& factor : result.table.between)
             items.push_back(groupPreferenceSentence(result, factor.name));
-        for (const auto& item : items)
-            if (!item.empty()) out += "<li>" + item + "</li>";
-        out += interactionFindings(result);
+        for (const std::string& item : interactionFindings(result)) items.push_back(item);
     }
-    if (out.empty()) return "";
-    out = "<ul class=\"findings\">" + out + "</ul>";
+    std::erase(items, "");
+    if (items.empty()) return "";
+    std::string out = itemsHtml(items);
     if (result.participants > 1)
         out += fmt::format(
             "<p class=\"small\">Significant: at &#945;&#160;=&#160;{}, two-sided Wilcoxon signed-rank "

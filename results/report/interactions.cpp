@@ -71,7 +71,7 @@ std::string equivalenceHtml(const AnalysisResult& result, Numbering& numbering) 
         {"measure", "where", "a", "b", "bounds", "p", "p_holm", "verdict"}, numbering, dense_table);
 }
 
-std::string interactionFindings(const AnalysisResult& result) {
+std::vector<std::string> interactionFindings(const AnalysisResult& result) {
     std::map<std::string, std::string> found;  // by measure and factors
     const auto add = [&](const std::string& measure, const std::string& factors, const std::string& what) {
         std::string& of = found[fmt::format("{} in {}", factors, escapeHtml(measure))];
@@ -90,12 +90,11 @@ std::string interactionFindings(const AnalysisResult& result) {
         if (one.significant)
             add(one.measure, escapeHtml(one.other_factor) + " and " + escapeHtml(one.factor),
                 differs(one.c, one.d, one.a, one.b));
-    std::string out;
+    std::vector<std::string> out;
     for (const auto& [where, what] : found)
-        out += fmt::format(
-            "<li>Significant interaction of {}: {}. Differences over all levels of these factors "
-            "hide it.</li>",
-            where, what);
+        out.push_back(fmt::format(
+            "Significant interaction of {}: {}. Differences over all levels of these factors hide it.", where,
+            what));
     return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "results/analysis/analysis.hpp"
 #include "results/page/number_text.hpp"
@@ -15,6 +16,6 @@ namespace deixis::results {
 [[nodiscard]] std::string equivalenceHtml(const AnalysisResult& result, Numbering& numbering);
 
 /// Items of the list at the page's head: the significant ones.
-[[nodiscard]] std::string interactionFindings(const AnalysisResult& result);
+[[nodiscard]] std::vector<std::string> interactionFindings(const AnalysisResult& result);
 
 }  // namespace deixis::results

@@ -80,8 +80,7 @@ std::string measuredHtml(const AnalysisResult& result, Numbering& figures, Numbe
                 return one.measure == measure.name;
             }))
             continue;
-        out += "<div class=\"plots\">" + figureHtml(spaceFigure(result, measure, places, ++number, figures)) +
-               "</div>";
+        out += figuresPlaced(figureHtml(spaceFigure(result, measure, places, ++number, figures)));
         folded_tables += spaceTable(result, measure, numbering);
     }
     return out + folded_tables;

@@ -13,7 +13,8 @@
 #include "participants.hpp"
 #include "results/analysis/analysis_steps.hpp"
 #include "results/analysis/several_studies.hpp"
-#include "results/page/number_text.hpp"
+#include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 
@@ -117,19 +118,13 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
     return out;
 }
 
-std::string itemsOf(const std::vector<std::string>& items) {
-    std::string out = "<ul class=\"findings\">";
-    for (const std::string& one : items) out += "<li>" + one + "</li>";
-    return out + "</ul>";
-}
-
 }  // namespace
 
 std::string designHtml(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
-    std::string out = "\n<h2>Design and participants</h2><dl>";
-    const auto entry = [&](const char* name, const std::string& html) {
-        out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
+    std::vector<Fact> facts;
+    const auto entry = [&](const std::string& name, const std::string& html) {
+        facts.push_back({name, html});
     };
     if (!table.systems.empty())
         entry("Systems", fmt::format("{}: {}{}", table.systems.size(), inSentence(escaped(table.systems)),
@@ -149,26 +144,25 @@ std::string designHtml(const AnalysisResult& result) {
     if (const std::string left_out = leftOutText(result); !left_out.empty())
         people += "; left out: " + left_out;
     entry("Participants", people);
-    for (const auto& [name, text] : participantEntries(result)) entry(name.c_str(), text);
+    for (const auto& [name, text] : participantEntries(result)) entry(name, text);
     if (const auto [min, max] = answersPerParticipant(table); max > 0)
         entry("Answers",
               fmt::format("{} in all, {} of each participant", table.rows.size(),
                           min == max ? fmt::format("{}", max) : fmt::format("{} to {}", min, max)));
-    return out + "</dl>";
+    return "\n<h2>Design and participants</h2>" + factsHtml(facts);
 }
 
 std::string paperHtml(const AnalysisResult& result) {
     std::string out =
         "\n<h2>For the paper</h2><p><b>Methods, to be copied.</b> " + methodsParagraph(result) + "</p>";
     if (const std::string results = resultsParagraphs(result); !results.empty())
-        out +=
-            "<details><summary>Results, to be copied: means, and the comparisons of systems, levels, groups "
-            "and preferences" +
-            std::string("</summary>") + results + "</details>";
+        out += folded(
+            "Results, to be copied: means, and the comparisons of systems, levels, groups and preferences",
+            results);
     if (const auto limits = limitations(result); !limits.empty())
-        out += "<p><b>Limitations.</b></p>" + itemsOf(limits);
+        out += "<p><b>Limitations.</b></p>" + itemsHtml(limits);
     if (const auto works = references(result); !works.empty())
-        out += "<p><b>References.</b></p>" + itemsOf(works);
+        out += "<p><b>References.</b></p>" + itemsHtml(works);
     return out;
 }
 

@@ -127,22 +127,22 @@ std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering)
     if (table.left_out.empty())
         return table.withdrawn > 0 ? out + "<p>Nobody else is left out.</p>"
                                    : out + "<p>Nobody is left out.</p>";
-    out += "<p>The answers of these participants are left out:</p><ul>";
+    std::vector<std::string> people;
     for (const auto& one : table.left_out)
-        out += fmt::format("<li>{}: {} ({})</li>", escapeHtml(one.participant),
-                           one.dropped ? "dropped out" : "excluded", escapeHtml(one.reason));
-    return out + "</ul>";
+        people.push_back(fmt::format("{}: {} ({})", one.participant, one.dropped ? "dropped out" : "excluded",
+                                     one.reason));
+    return out + "<p>The answers of these participants are left out:</p>" + listHtml(people);
 }
 
 std::string provenance(const AnalysisResult& result) {
     const ResponseTable& table = result.table;
-    std::string out = "<h2>Where the numbers come from</h2><dl>";
-    const auto entry = [&](const char* name, const std::string& html) {
-        out += fmt::format("<dt>{}</dt><dd>{}</dd>", name, html);
+    std::vector<Fact> facts;
+    const auto entry = [&](const std::string& name, const std::string& html) {
+        facts.push_back({name, html});
     };
     entry("Data", escapeHtml(table.database));
     entry("Answers (SHA-256)", result.answers_hash);
-    out += studyOrigins(table);
+    for (const Fact& fact : studyOrigins(table)) facts.push_back(fact);
     if (!table.study_hash.empty()) {
         if (table.origins.empty()) {
             entry("Study", escapeHtml(table.study_name));
@@ -153,8 +153,7 @@ std::string provenance(const AnalysisResult& result) {
         entry("Avatar (SHA-256)", joined(table.avatar_hashes));
     }
     if (!result.options.program.empty()) entry("Analysed by", escapeHtml(result.options.program));
-    for (const auto& [name, value] : result.options.build)
-        entry(propertyLabel(name).c_str(), escapeHtml(value));
+    for (const auto& [name, value] : result.options.build) entry(propertyLabel(name), escapeHtml(value));
     entry("Settings",
           fmt::format("&#945; = {}, intervals at {:g}&#160;%, {} bootstrap resamples, seed {}", result.alpha,
                       100.0 * result.level, result.options.resamples, result.options.seed));
@@ -163,7 +162,7 @@ std::string provenance(const AnalysisResult& result) {
                                      station.synthetic ? " (no person answers)" : "", station.sessions,
                                      station.sessions == 1 ? "" : "s",
                                      station.details.empty() ? "" : "; " + escapeHtml(station.details)));
-    return out + "</dl>";
+    return "<h2>Where the numbers come from</h2>" + factsHtml(facts);
 }
 
 std::string stationKinds(const ResponseTable& table) {

@@ -84,8 +84,8 @@ std::string studiesHtml(const AnalysisResult& result, Numbering& numbering) {
     return out;
 }
 
-std::string studyOrigins(const ResponseTable& table) {
-    std::string out;
+std::vector<Fact> studyOrigins(const ResponseTable& table) {
+    std::vector<Fact> out;
     for (const DataOrigin& one : table.origins) {
         std::vector<std::string> facts;
         const auto add = [&](const char* name, const std::string& text) {
@@ -105,7 +105,7 @@ std::string studyOrigins(const ResponseTable& table) {
         add("recorded by ", fmt::format("{}", fmt::join(one.program_versions, ", ")));
         add("study file (SHA-256) ", one.study_hash);
         add("answers (SHA-256) ", one.answers_hash);
-        out += fmt::format("<dt>Study {}</dt><dd>{}</dd>", escapeHtml(one.study), fmt::join(facts, "; "));
+        out.push_back({"Study " + one.study, fmt::format("{}", fmt::join(facts, "; "))});
     }
     return out;
 }

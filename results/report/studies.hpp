@@ -3,10 +3,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "results/analysis/analysis.hpp"
 #include "results/page/figure.hpp"
 #include "results/page/number_text.hpp"
+#include "results/page/page.hpp"
 
 namespace deixis::results {
 
@@ -21,6 +23,6 @@ namespace deixis::results {
                                           const Measure& measure);
 
 /// Where each study's answers come from, as entries of a list; empty of one study.
-[[nodiscard]] std::string studyOrigins(const ResponseTable& table);
+[[nodiscard]] std::vector<Fact> studyOrigins(const ResponseTable& table);
 
 }  // namespace deixis::results

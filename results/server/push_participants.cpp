@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cstdlib>
 #include <utility>
 
 #include "core/hash.hpp"
@@ -46,7 +45,7 @@ std::optional<std::string> cellOf(const SQLite::Column& value) {
 
 std::optional<std::string> cellOf(const std::optional<std::string>& text, const TableColumn& column) {
     if (!text || column.type != "REAL") return text;
-    return fmt::format("{}", std::strtod(text->c_str(), nullptr));
+    return fmt::format("{}", numberIn<double>(*text));
 }
 
 }  // namespace

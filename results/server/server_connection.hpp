@@ -46,6 +46,13 @@ class ServerTransaction {
 
 /// The field's text; none where it is NULL.
 [[nodiscard]] std::optional<std::string> textOf(const pqxx::result& rows, int row, int column);
+/// The number that a cell's text is, NaN and infinity too.
+template <typename Number>
+[[nodiscard]] Number numberIn(const std::string& text) {
+    Number number{};
+    pqxx::from_string(text, number);
+    return number;
+}
 
 /// The error that a failing call stands for.
 [[nodiscard]] Error describeServer(const ServerAddress& address, const pqxx::failure& problem);

@@ -75,7 +75,7 @@ class StudyPush {
         std::map<std::string, Person> out;
         const pqxx::result rows = server_.run("SELECT id, number, token FROM participants");
         for (int i = 0; i < static_cast<int>(rows.size()); ++i)
-            out[*textOf(rows, i, 0)] = {std::stoi(*textOf(rows, i, 1)), textOf(rows, i, 2)};
+            out[*textOf(rows, i, 0)] = {numberIn<int>(*textOf(rows, i, 1)), textOf(rows, i, 2)};
         return out;
     }
 
@@ -127,7 +127,7 @@ class StudyPush {
     void pushWithdrawals() {
         const pqxx::result there = server_.run("SELECT utc_s, token FROM withdrawals");
         for (int i = 0; i < static_cast<int>(there.size()); ++i)
-            withdrawals_.add({std::stod(*textOf(there, i, 0)), textOf(there, i, 1)});
+            withdrawals_.add({numberIn<double>(*textOf(there, i, 0)), textOf(there, i, 1)});
         for (const Withdrawal& one : withdrawals_.addFrom(file_)) {
             server_.run(
                 fmt::format("INSERT INTO withdrawals (id, utc_s, token) SELECT coalesce(max(id), 0) + 1, "

@@ -2,8 +2,6 @@
 // of it is then a report like any other.
 #include <fmt/core.h>
 
-#include <cstdlib>
-
 #include "results/answers/response_reading.hpp"
 #include "results/database/database_open.hpp"
 #include "results/database/schema.hpp"
@@ -42,9 +40,9 @@ void bindAs(SQLite::Statement& to, int place, const std::optional<std::string>& 
     if (!text)
         to.bind(place);
     else if (type == "INTEGER")
-        to.bind(place, static_cast<std::int64_t>(std::stoll(*text)));
+        to.bind(place, numberIn<std::int64_t>(*text));
     else if (type == "REAL")
-        to.bind(place, std::strtod(text->c_str(), nullptr));
+        to.bind(place, numberIn<double>(*text));
     else
         to.bind(place, *text);
 }

@@ -2,12 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <cctype>
-#include <cstdlib>
 #include <optional>
 #include <regex>
 #include <stdexcept>
 
+#include "core/text.hpp"
 #include "results/database/migration_5.hpp"
 #include "results/database/schema.hpp"
 #include "results/database/views.hpp"
@@ -41,7 +40,7 @@ void giveTokens(ServerTransaction& server) {
     const pqxx::result rows = server.run(before_tokens_sql);
     const auto number = [&](int row, int column) -> std::optional<double> {
         const auto text = textOf(rows, row, column);
-        return text ? std::optional(std::strtod(text->c_str(), nullptr)) : std::nullopt;
+        return text ? std::optional(numberIn<double>(*text)) : std::nullopt;
     };
     for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
         const std::string participant = textOf(rows, i, 0).value();
@@ -122,10 +121,8 @@ std::string postgresViews() {
 std::string schemaOf(const std::string& study, const std::string& hash) {
     constexpr std::size_t max = 40;  // with the rest at most 63 bytes, PostgreSQL's limit
     std::string out = "deixis_";
-    for (const char c : study.substr(0, max)) {
-        const auto byte = static_cast<unsigned char>(c);
-        out += byte < 128 && std::isalnum(byte) != 0 ? static_cast<char>(std::tolower(byte)) : '_';
-    }
+    for (const char c : lowerCase(study.substr(0, max)))
+        out += isDigit(c) || (c >= 'a' && c <= 'z') ? c : '_';
     return out + "_" + hash.substr(0, 12);
 }
 

@@ -2,14 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "core/pose.hpp"
+
 namespace deixis::results {
 
 namespace {
+
+using Eigen::MatrixXd;
+using MatrixOf = Eigen::Map<const MatrixXd>;
+using VectorOf = Eigen::Map<const Eigen::VectorXd>;
 
 constexpr std::array<std::pair<BandwidthRule, std::string_view>, 3> rule_names{
     {{BandwidthRule::normal_reference, "normal-reference"},
@@ -30,41 +37,22 @@ Result<void> checkPoints(const Points& points) {
     return {};
 }
 
-/// Sums of products of deviations, divided by n - 1.
-Points sampleCovariance(const Points& points) {
-    const std::size_t d = points.front().size();
-    const auto n = static_cast<double>(points.size());
-    std::vector<double> centre(d, 0.0);
-    for (const auto& point : points)
-        for (std::size_t j = 0; j < d; ++j) centre[j] += point[j] / n;
-    Points covariance(d, std::vector<double>(d, 0.0));
-    for (const auto& point : points)
-        for (std::size_t j = 0; j < d; ++j)
-            for (std::size_t k = 0; k < d; ++k)
-                covariance[j][k] += (point[j] - centre[j]) * (point[k] - centre[k]) / (n - 1.0);
-    return covariance;
+/// A column for each point.
+MatrixXd matrixOf(const Points& points) {
+    MatrixXd out(points.front().size(), points.size());
+    for (Eigen::Index i = 0; i < out.cols(); ++i)
+        out.col(i) = VectorOf(points[static_cast<std::size_t>(i)].data(), out.rows());
+    return out;
 }
 
-/// Cholesky's factor; fails where the matrix is not positive definite, up to rounding.
-Result<Points> lowerFactor(const Points& matrix) {
-    const std::size_t d = matrix.size();
-    Points lower(d, std::vector<double>(d, 0.0));
-    for (std::size_t j = 0; j < d; ++j)
-        for (std::size_t k = 0; k <= j; ++k) {
-            double rest = matrix[j][k];
-            for (std::size_t i = 0; i < k; ++i) rest -= lower[j][i] * lower[k][i];
-            if (j != k) {
-                lower[j][k] = rest / lower[k][k];
-                continue;
-            }
-            if (!(rest > 1e-12 * matrix[j][j]))
-                return fail("",
-                            "the points lie in a plane of fewer dimensions than they have numbers: no "
-                            "bandwidth follows from their spread",
-                            "Give a bandwidth for each axis");
-            lower[j][j] = std::sqrt(rest);
-        }
-    return lower;
+MatrixXd sampleCovariance(const Points& points) {
+    const MatrixXd all = matrixOf(points);
+    const MatrixXd off = all.colwise() - all.rowwise().mean();
+    return off * off.transpose() / static_cast<double>(points.size() - 1);
+}
+
+std::vector<double> numbersOf(const MatrixXd& matrix) {
+    return {matrix.data(), matrix.data() + matrix.size()};
 }
 
 }  // namespace
@@ -80,70 +68,69 @@ Result<BandwidthRule> bandwidthRuleFromName(std::string_view name) {
                 "Expected normal-reference, scott or scott-covariance");
 }
 
-GaussianDensity::GaussianDensity(Points points, std::vector<double> bandwidths, Points factor)
-    : points_(std::move(points)), bandwidths_(std::move(bandwidths)), factor_(std::move(factor)) {
-    scale_ = 1.0 / static_cast<double>(points_.size());
-    for (std::size_t j = 0; j < factor_.size(); ++j)
-        scale_ /= std::sqrt(2.0 * 3.14159265358979323846) * factor_[j][j];
+GaussianDensity::GaussianDensity(const Points& points, std::vector<double> bandwidths,
+                                 std::vector<double> factor)
+    : bandwidths_(std::move(bandwidths)), factor_(std::move(factor)) {
+    const auto d = static_cast<Eigen::Index>(bandwidths_.size());
+    const MatrixOf lower(factor_.data(), d, d);
+    white_ = numbersOf(lower.triangularView<Eigen::Lower>().solve(matrixOf(points)));
+    scale_ =
+        1.0 / (static_cast<double>(points.size()) * (std::sqrt(2.0 * pi) * lower.diagonal().array()).prod());
 }
 
-Result<GaussianDensity> GaussianDensity::fit(Points points, const std::vector<double>& bandwidths) {
+Result<GaussianDensity> GaussianDensity::fit(const Points& points, const std::vector<double>& bandwidths) {
     if (auto checked = checkPoints(points); !checked) return tl::unexpected(checked.error());
     const std::size_t d = points.front().size();
     if (bandwidths.size() != d)
         return fail("",
                     fmt::format("found {} bandwidths for points of {} numbers, expected one for each axis",
                                 bandwidths.size(), d));
-    Points factor(d, std::vector<double>(d, 0.0));
-    for (std::size_t j = 0; j < d; ++j) {
-        if (!(bandwidths[j] > 0.0) || !std::isfinite(bandwidths[j]))
-            return fail("", fmt::format("found bandwidth {}, expected a number above 0", bandwidths[j]));
-        factor[j][j] = bandwidths[j];
-    }
-    return GaussianDensity(std::move(points), bandwidths, std::move(factor));
+    for (const double h : bandwidths)
+        if (!(h > 0.0) || !std::isfinite(h))
+            return fail("", fmt::format("found bandwidth {}, expected a number above 0", h));
+    const VectorOf diagonal(bandwidths.data(), static_cast<Eigen::Index>(d));
+    return GaussianDensity(points, bandwidths, numbersOf(diagonal.asDiagonal()));
 }
 
-Result<GaussianDensity> GaussianDensity::fit(Points points, BandwidthRule rule) {
+Result<GaussianDensity> GaussianDensity::fit(const Points& points, BandwidthRule rule) {
     if (auto checked = checkPoints(points); !checked) return tl::unexpected(checked.error());
     if (points.size() < 2)
         return fail("", "no bandwidth follows from a single point", "Give a bandwidth for each axis");
     const std::size_t d = points.front().size();
     const auto n = static_cast<double>(points.size());
     const double shrink = std::pow(n, -1.0 / (static_cast<double>(d) + 4.0));
-    Points covariance = sampleCovariance(points);
-    std::vector<double> bandwidths(d);
-    for (std::size_t j = 0; j < d; ++j) {
-        if (!(covariance[j][j] > 0.0))
-            return fail(
-                "", fmt::format("all points have the same number on axis {}: no bandwidth follows", j + 1),
-                "Give a bandwidth for each axis");
-        bandwidths[j] = shrink * std::sqrt(covariance[j][j]);
-        if (rule == BandwidthRule::normal_reference) bandwidths[j] *= 1.06 * std::sqrt((n - 1.0) / n);
+    const MatrixXd covariance = sampleCovariance(points);
+    std::vector<double> bandwidths;
+    for (const double variance : covariance.diagonal()) {
+        if (!(variance > 0.0))
+            return fail("",
+                        fmt::format("all points have the same number on axis {}: no bandwidth follows",
+                                    bandwidths.size() + 1),
+                        "Give a bandwidth for each axis");
+        bandwidths.push_back(shrink * std::sqrt(variance));
+        if (rule == BandwidthRule::normal_reference) bandwidths.back() *= 1.06 * std::sqrt((n - 1.0) / n);
     }
-    if (rule != BandwidthRule::scott_covariance) return fit(std::move(points), bandwidths);
-    for (auto& row : covariance)
-        for (double& value : row) value *= shrink * shrink;
-    auto factor = lowerFactor(covariance);
-    if (!factor) return tl::unexpected(factor.error());
-    return GaussianDensity(std::move(points), std::move(bandwidths), std::move(*factor));
+    if (rule != BandwidthRule::scott_covariance) return fit(points, bandwidths);
+    const Eigen::LLT<MatrixXd> cholesky(covariance);
+    const MatrixXd lower = cholesky.matrixL();
+    // Up to rounding: what is left of the variance on an axis, given those before.
+    if (cholesky.info() != Eigen::Success ||
+        !(lower.diagonal().array().square() > 1e-12 * covariance.diagonal().array()).all())
+        return fail("",
+                    "the points lie in a plane of fewer dimensions than they have numbers: no bandwidth "
+                    "follows from their spread",
+                    "Give a bandwidth for each axis");
+    return GaussianDensity(points, std::move(bandwidths), numbersOf(shrink * lower));
 }
 
 double GaussianDensity::operator()(const std::vector<double>& x) const {
-    const std::size_t d = factor_.size();
-    if (x.size() != d) throw std::invalid_argument("a density was asked for at a point of another dimension");
-    std::vector<double> z(d);
-    double sum = 0.0;
-    for (const auto& point : points_) {
-        double squares = 0.0;
-        for (std::size_t j = 0; j < d; ++j) {
-            double rest = x[j] - point[j];
-            for (std::size_t k = 0; k < j; ++k) rest -= factor_[j][k] * z[k];
-            z[j] = rest / factor_[j][j];
-            squares += z[j] * z[j];
-        }
-        sum += std::exp(-0.5 * squares);
-    }
-    return scale_ * sum;
+    const auto d = static_cast<Eigen::Index>(bandwidths_.size());
+    if (x.size() != bandwidths_.size())
+        throw std::invalid_argument("a density was asked for at a point of another dimension");
+    const MatrixOf lower(factor_.data(), d, d);
+    const MatrixOf points(white_.data(), d, static_cast<Eigen::Index>(white_.size()) / d);
+    const Eigen::VectorXd here = lower.triangularView<Eigen::Lower>().solve(VectorOf(x.data(), d));
+    return scale_ * (-0.5 * (points.colwise() - here).colwise().squaredNorm().array()).exp().sum();
 }
 
 }  // namespace deixis::results

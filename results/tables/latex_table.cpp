@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "results/tables/table.hpp"
 
 namespace deixis::results {
@@ -110,7 +111,7 @@ std::size_t lettersOf(const std::string& cell) {
             ++letters;
             while (i + 1 < cell.size() && ((cell[i + 1] >= 'a' && cell[i + 1] <= 'z') || cell[i + 1] == '{'))
                 ++i;
-        } else if (c != '$' && c != '{' && c != '}' && (c & 0xc0U) != 0x80U) {
+        } else if (c != '$' && c != '{' && c != '}' && !continuesCharacter(cell[i])) {
             ++letters;
         }
     }

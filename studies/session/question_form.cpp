@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/number.hpp"
+#include "core/text.hpp"
 
 namespace deixis::studies {
 
@@ -13,10 +15,6 @@ namespace {
 
 constexpr int longest_text = 500;
 constexpr int longest_number = 12;
-
-bool startsCharacter(char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-}
 
 /// What a number may consist of; a decimal comma is a point.
 std::string numberCharacters(const Question& question, const std::string& typed) {
@@ -32,17 +30,17 @@ std::string numberCharacters(const Question& question, const std::string& typed)
 }  // namespace
 
 void editText(std::string& text, std::string_view typed, int erased, int longest) {
-    auto characters = std::count_if(text.begin(), text.end(), startsCharacter);
+    auto characters = std::count_if(text.begin(), text.end(), std::not_fn(continuesCharacter));
     bool keeps = false;
     for (const char byte : typed) {
-        if (startsCharacter(byte)) {
+        if (!continuesCharacter(byte)) {
             keeps = static_cast<unsigned char>(byte) >= 0x20U && byte != 0x7F && characters < longest;
             if (keeps) ++characters;
         }
         if (keeps) text += byte;
     }
     for (; erased > 0 && !text.empty(); --erased) {
-        while (!startsCharacter(text.back()) && text.size() > 1) text.pop_back();
+        while (continuesCharacter(text.back()) && text.size() > 1) text.pop_back();
         text.pop_back();
     }
 }

@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
+#include "core/number.hpp"
 #include "core/text.hpp"
 #include "studies/boards/panel_layout.hpp"
 #include "studies/session/session.hpp"
@@ -40,15 +40,18 @@ Ask& askOf(std::vector<Ask>& asks, AskKind kind, std::size_t number, bool of_mov
 
 std::vector<double> numbersIn(const std::string& text) {
     std::vector<double> numbers;
-    const char* const end = text.data() + text.size();
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (!isDigit(text[i])) continue;
         // A hyphen right after a number parts the two.
         const bool negative = i > 0 && text[i - 1] == '-' && (i == 1 || !isDigit(text[i - 2]));
-        double number = 0.0;
-        const auto read = std::from_chars(text.data() + i, end, number, std::chars_format::fixed);
+        const auto digitsFrom = [&](std::size_t at) {
+            return std::min(text.find_first_not_of("0123456789", at), text.size());
+        };
+        std::size_t stop = digitsFrom(i);
+        if (stop + 1 < text.size() && text[stop] == '.') stop = digitsFrom(stop + 1);
+        const double number = finiteNumber(text.substr(i, stop - i)).value();
         numbers.push_back(negative ? -number : number);
-        i = static_cast<std::size_t>(read.ptr - text.data());
+        i = stop;
     }
     return numbers;
 }
@@ -125,11 +128,8 @@ BoardReading readBoard(const Panel& panel) {
 }
 
 std::optional<int> numberOn(const PanelButton& option) {
-    int number = 0;
-    const char* const end = option.label.data() + option.label.size();
-    const auto read = std::from_chars(option.label.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return number;
+    const auto number = wholeNumber(option.label);
+    return number ? std::optional<int>(static_cast<int>(*number)) : std::nullopt;
 }
 
 bool isNumbered(const std::vector<const PanelButton*>& options) {

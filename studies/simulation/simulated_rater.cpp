@@ -1,10 +1,10 @@
 #include "simulated_rater.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 
+#include "core/number.hpp"
 #include "core/text.hpp"
 
 namespace deixis::studies {
@@ -93,9 +93,8 @@ std::optional<int> lastNumberOn(const Panel& board) {
             // A minus belongs to the number where nothing stands before it that it could be a hyphen of.
             const bool negative =
                 start > 0 && text[start - 1] == '-' && (start == 1 || text[start - 2] == ' ');
-            int number = 0;
-            const auto read = std::from_chars(text.data() + start, text.data() + stop, number);
-            if (read.ec == std::errc()) found = negative ? -number : number;
+            if (const auto number = wholeNumber(text.substr(start, stop - start)))
+                found = static_cast<int>(negative ? -*number : *number);
             start = stop;
         }
     }

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 
+#include "core/text.hpp"
 #include "studies/texts/language_words.hpp"
 #include "text_advances.hpp"
 
@@ -15,8 +15,8 @@ namespace deixis::studies {
 namespace {
 
 struct Block {
-    std::uint32_t first;
-    std::uint32_t last;
+    char32_t first;
+    char32_t last;
     std::string_view script;
 };
 
@@ -52,17 +52,7 @@ constexpr std::array blocks{Block{0x0590, 0x05FF, "Hebrew"},
                             Block{0x10800, 0x10FFF, "a right-to-left"},
                             Block{0x1E800, 0x1EFFF, "a right-to-left"}};
 
-// The code point that begins at `at`, which moves behind it. A byte that is not UTF-8 stands for itself.
-std::uint32_t nextCodePoint(std::string_view text, std::size_t& at) {
-    const auto lead = static_cast<unsigned char>(text[at++]);
-    const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC0 ? 1 : 0;
-    std::uint32_t code = more == 0 ? lead : lead & (0x3FU >> static_cast<unsigned>(more));
-    for (int i = 0; i < more && at < text.size(); ++i)
-        code = code << 6U | (static_cast<unsigned char>(text[at++]) & 0x3FU);
-    return code;
-}
-
-bool within(const Block& block, std::uint32_t code) {
+bool within(const Block& block, char32_t code) {
     return code >= block.first && code <= block.last;
 }
 
@@ -71,7 +61,7 @@ constexpr std::array hangul_fonts{Block{0x3000, 0x3003, ""}, Block{0x3008, 0x301
                                   Block{0x3131, 0x318E, ""}, Block{0xAC00, 0xD7A3, ""},
                                   Block{0xFF01, 0xFF5E, ""}};
 
-bool hasShape(std::uint32_t code) {
+bool hasShape(char32_t code) {
     return std::any_of(hangul_fonts.begin(), hangul_fonts.end(),
                        [code](const Block& block) { return within(block, code); }) ||
            std::any_of(text_advances.begin(), text_advances.end(),
@@ -87,8 +77,8 @@ const char* const hint =
 std::optional<NotDrawn> notDrawn(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t begin = at;
-        const std::uint32_t code = nextCodePoint(text, at);
-        constexpr std::uint32_t byte_order_mark = 0xFEFF;
+        const char32_t code = nextCharacter(text, at);
+        constexpr char32_t byte_order_mark = 0xFEFF;
         if (code < 0x20 || code == byte_order_mark) continue;
         for (const Block& block : blocks)
             if (within(block, code))
@@ -100,7 +90,7 @@ std::optional<NotDrawn> notDrawn(std::string_view text) {
                     hint};
         if (!hasShape(code))
             return NotDrawn{fmt::format("found '{}' (U+{:04X}), for which the program's fonts have no shape",
-                                        text.substr(begin, at - begin), code),
+                                        text.substr(begin, at - begin), static_cast<unsigned>(code)),
                             hint};
     }
     return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "text_advances.hpp"
 
 namespace deixis::studies {
@@ -25,27 +26,6 @@ double widthOf(char32_t c, bool bold) {
     return found != text_advances.end() && found->character == c ? em(*found) : hangul_em;
 }
 
-/// The next code point of UTF-8; a broken byte counts as one.
-char32_t next(std::string_view text, std::size_t& at) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char lead = byte(at++);
-    int more = 0;
-    char32_t c = lead;
-    if (lead >= 0xF0) {
-        more = 3;
-        c = lead & 0x07U;
-    } else if (lead >= 0xE0) {
-        more = 2;
-        c = lead & 0x0FU;
-    } else if (lead >= 0xC0) {
-        more = 1;
-        c = lead & 0x1FU;
-    }
-    for (; more > 0 && at < text.size() && (byte(at) & 0xC0U) == 0x80U; --more)
-        c = (c << 6U) | (byte(at++) & 0x3FU);
-    return c;
-}
-
 struct Wrapping {
     double size_m;
     double width_m;
@@ -59,9 +39,9 @@ struct Wrapping {
     /// Bytes of a word that go on a line of their own; at least one character.
     [[nodiscard]] std::size_t cut(std::string_view word) const {
         std::size_t end = 0;
-        (void)next(word, end);
+        (void)nextCharacter(word, end);
         for (std::size_t longer = end; longer < word.size(); end = longer) {
-            (void)next(word, longer);
+            (void)nextCharacter(word, longer);
             if (!fits(word.substr(0, longer))) break;
         }
         return end;
@@ -84,7 +64,7 @@ struct Wrapping {
 
 double textWidth(std::string_view text, double size_m, bool bold) {
     double em = 0.0;
-    for (std::size_t at = 0; at < text.size();) em += widthOf(next(text, at), bold);
+    for (std::size_t at = 0; at < text.size();) em += widthOf(nextCharacter(text, at), bold);
     return em * size_m;
 }
 

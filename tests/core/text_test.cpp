@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 #include "core/csv.hpp"
 #include "core/random.hpp"
@@ -60,6 +61,21 @@ TEST_SUITE("core/text") {
         CHECK(storable("Z\xC3\xBCrich") == "Z\xC3\xBCrich");
     }
 
+    TEST_CASE("Characters are read one after another, and a byte that is no part of one stands for itself") {
+        std::size_t at = 0;
+        for (char32_t c = 1; c <= 0x10FFFF; ++c) {
+            if (c >= 0xD800 && c < 0xE000) continue;
+            const std::string text = encoded(c) + "a";
+            at = 0;
+            const char32_t found = nextCharacter(text, at);
+            if (found != c || at + 1 != text.size()) FAIL_CHECK(static_cast<unsigned>(c));
+        }
+        const std::string broken = "\xE2\x82!\xC0\xAF\xC3";
+        std::vector<unsigned> found;
+        for (at = 0; at < broken.size();) found.push_back(nextCharacter(broken, at));
+        CHECK(found == std::vector<unsigned>{0xE2, 0x82, '!', 0xC0, 0xAF, 0xC3});
+    }
+
     TEST_CASE("Random bytes become a text that can be kept, and such a text stays as it is") {
         Random random(5, "bytes");
         for (int i = 0; i < 2000; ++i) {
@@ -74,6 +90,13 @@ TEST_SUITE("core/text") {
 }
 
 TEST_SUITE("core/words") {
+    TEST_CASE("A first letter from a to z becomes a capital one") {
+        CHECK(capitalised("human-likeness") == "Human-likeness");
+        CHECK(capitalised("4 steps") == "4 steps");
+        CHECK(capitalised("\xC3\xA4") == "\xC3\xA4");
+        CHECK(capitalised("").empty());
+    }
+
     TEST_CASE("Blanks and line ends around a text go, those within stay") {
         CHECK(trimmed(" \t a b\r\n") == "a b");
         CHECK(trimmed("a").size() == 1);

@@ -40,6 +40,32 @@ TEST_SUITE("motion/kinematics") {
         CHECK(speed.front() < 0.02);
     }
 
+    TEST_CASE("a time has the whole number of frames that is nearest, at least one") {
+        CHECK(framesIn(0.1, 1.0 / 30.0) == 3);
+        CHECK(framesIn(0.1, 0.0333334) == 3);
+        CHECK(framesIn(0.1, 1.0 / 24.0) == 2);
+        CHECK(framesIn(0.0, 1.0 / 30.0) == 1);
+        CHECK(framesIn(1.0, 1e-9) == 1'000'000);
+    }
+
+    TEST_CASE("a velocity looks back as far as it is told to, and samples may stand at times of their own") {
+        // x = t^2: from t - h to t it goes at 2t - h, whatever stands after.
+        const std::vector<double> times{0.0, 0.1, 0.3, 0.3, 0.7};
+        std::vector<Vec3> uneven, even;
+        for (const double t : times) uneven.emplace_back(t * t, 0.0, 0.0);
+        for (int i = 0; i < 8; ++i) even.emplace_back(0.01 * i * i, 0.0, 0.0);
+        const auto at = speedsAt(times, uneven);
+        const std::vector<double> expected{0.0, 0.1, 0.4, 0.0, 1.0};
+        REQUIRE(at.size() == expected.size());
+        for (std::size_t i = 0; i < at.size(); ++i) CHECK(at[i] == Approx(expected[i]));
+        const auto back = speeds(even, 0.1, {.before_s = 0.2});
+        REQUIRE(back.size() == even.size());
+        CHECK(back[0] == 0.0);
+        CHECK(back[1] == Approx(0.1));  // cut off at the first sample
+        for (std::size_t i = 2; i < back.size(); ++i)
+            CHECK(back[i] == Approx(0.2 * static_cast<double>(i) - 0.2));
+    }
+
     TEST_CASE("a steady movement has the same velocity everywhere, its ends too, at any rate") {
         for (const double fps : {24.0, 30.0, 100.0, 120.0}) {
             std::vector<Vec3> positions;

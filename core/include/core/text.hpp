@@ -1,4 +1,8 @@
 // Characters and texts, whatever the locale.
+//
+// Decoding is ours and not utf8proc's: boards and their layout run in the browser, too, where it is not. What
+// utf8proc has beyond that finds no use: boards and panels measure their texts by the fonts themselves,
+// scripts whose letters combine are refused, and texts are erased by characters, as keyboards send them.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +22,9 @@ namespace deixis {
 /// With small letters for A to Z; other letters stay.
 [[nodiscard]] std::string lowerCase(std::string_view text);
 
+/// With a capital letter to begin with, where one of a to z stands there.
+[[nodiscard]] std::string capitalised(std::string_view text);
+
 /// Alike but for small and capital letters from A to Z.
 [[nodiscard]] bool sameLetters(std::string_view a, std::string_view b);
 
@@ -36,5 +43,14 @@ namespace deixis {
 
 /// Adds a character (a scalar value of Unicode) in UTF-8.
 void appendUtf8(std::string& text, char32_t character);
+
+/// The character at `at`, a place within the text, which moves behind it. A byte that is no part of one
+/// stands for itself.
+[[nodiscard]] char32_t nextCharacter(std::string_view text, std::size_t& at);
+
+/// Whether a byte of UTF-8 belongs to a character that began before it.
+[[nodiscard]] constexpr bool continuesCharacter(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+}
 
 }  // namespace deixis

@@ -11,9 +11,6 @@
 
 namespace deixis::app {
 
-/// With a capital letter to begin with.
-[[nodiscard]] std::string capitalised(std::string_view text);
-
 /// What the participant does in a frame, for somebody who knows the study but not the program: "Aims at a
 /// ball (side-by-side)". Empty before the first.
 [[nodiscard]] std::string stateInWords(const studies::PresentedFrame& frame);

@@ -23,6 +23,10 @@ struct Figure {
 
 /// A figure element with its specification in it.
 [[nodiscard]] std::string figureHtml(const Figure& figure);
+/// Where such elements stand: beside each other as far as there is room, or one alone.
+enum class FigurePlace : unsigned char { plots, single };
+/// Empty where there are none.
+[[nodiscard]] std::string figuresPlaced(const std::string& figures, FigurePlace place = FigurePlace::plots);
 /// At the page's end: the libraries, their licences and what calls them.
 [[nodiscard]] std::string_view figureScript();
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/text.hpp"
 #include "results/answers/response_table.hpp"
 #include "results/page/templates.hpp"
 #include "results/statistics/hodges_lehmann.hpp"
@@ -61,8 +62,5 @@ class Numbering {
 [[nodiscard]] std::string inSentence(const std::vector<std::string>& items);
 /// "1 participant", "3 participants".
 [[nodiscard]] std::string counted(int n, const char* one, const char* many);
-
-/// "Accuracy", "Human-likeness".
-[[nodiscard]] std::string capitalised(std::string_view text);
 
 }  // namespace deixis::results

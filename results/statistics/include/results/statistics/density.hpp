@@ -28,10 +28,11 @@ class GaussianDensity {
   public:
     /// With one bandwidth (standard deviation of the kernel) for each axis: H is diagonal. Fails where there
     /// are no points, rows differ in length, a number is not finite or a bandwidth not above 0.
-    [[nodiscard]] static Result<GaussianDensity> fit(Points points, const std::vector<double>& bandwidths);
+    [[nodiscard]] static Result<GaussianDensity> fit(const Points& points,
+                                                     const std::vector<double>& bandwidths);
     /// With the bandwidths of a rule. Fails further where there are fewer than two points, or where they lie
     /// in a plane of fewer dimensions (an axis without spread).
-    [[nodiscard]] static Result<GaussianDensity> fit(Points points, BandwidthRule rule);
+    [[nodiscard]] static Result<GaussianDensity> fit(const Points& points, BandwidthRule rule);
 
     /// The density at a point of d numbers, in 1 / unit^d. Throws std::invalid_argument on another length.
     [[nodiscard]] double operator()(const std::vector<double>& x) const;
@@ -40,11 +41,11 @@ class GaussianDensity {
     [[nodiscard]] const std::vector<double>& bandwidths() const { return bandwidths_; }
 
   private:
-    GaussianDensity(Points points, std::vector<double> bandwidths, Points factor);
+    GaussianDensity(const Points& points, std::vector<double> bandwidths, std::vector<double> factor);
 
-    Points points_;
     std::vector<double> bandwidths_;
-    Points factor_;  ///< lower triangle L with H = L L^T
+    std::vector<double> factor_;  ///< lower triangle L with H = L L^T, column by column
+    std::vector<double> white_;   ///< L^-1 of the points, one after the other
     double scale_ = 1.0;
 };
 
