@@ -31,7 +31,7 @@ std::string_view wordsFor(studies::PresentedState state) {
         case State::practice_again:
             return "Reads that there is more practice";
         case State::attention:
-            return "Reads a word about attention";
+            return "Reads a reminder to pay attention";
         case State::closing:
             return "Reads the closing words";
         case State::paused:
@@ -43,7 +43,7 @@ std::string_view wordsFor(studies::PresentedState state) {
         case State::pointing:
             return "Watches the avatar point";
         case State::check:
-            return "Is shown a number to give";
+            return "Is shown a number to enter";
         case State::rating:
             return "Rates the clip";
         case State::rated:
@@ -67,7 +67,7 @@ std::string_view wordsFor(studies::PresentedState state) {
         case State::over:
             return "The session is over";
     }
-    throw std::logic_error("a state without words");
+    throw std::logic_error("a state without a description");
 }
 
 struct EventWords {
