@@ -143,14 +143,14 @@ Result<void> checkThere(const std::vector<ClipToMeasure>& clips) {
 
 Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed) {
     if (!options.json.empty() && options.json == options.page)
-        return fail(options.page, "was named for both the page and the JSON");
+        return fail(options.page, "is named for both the page and the JSON");
     std::error_code code;
     for (const std::string& out : {options.page, options.json}) {
         if (auto checked = checkOutput(out); !checked) return checked;
         if (out.empty()) continue;
         for (const auto& file : listed.files)
             if (fs::equivalent(out, file.path, code))
-                return fail(out, "is one of the inputs; nothing is written over it", "Name another file");
+                return fail(out, "is one of the inputs and is not overwritten", "Name another file");
         if (auto free = checkReplaceable(out, options.force); !free) return free;
     }
     return {};
@@ -196,7 +196,7 @@ Result<results::StudyGames> gamesOfStudy(const std::string& name) {
             game.balls.insert(game.balls.end(), item.distractors[band].begin(), item.distractors[band].end());
         }
     if (out.games.empty() || out.places.empty())
-        return fail(name, "plays no referential game", "Observers read only games: leave --study out");
+        return fail(name, "has no referential game", "Observers need a game: leave --study out");
     const auto avatar = loadStudyAvatar(study);
     if (!avatar) return tl::unexpected(avatar.error());
     out.pointer_eye =
@@ -261,9 +261,8 @@ void addEvaluateCommand(Parser cli, Command& chosen) {
         "evaluate", "Measure how accurately systems' clips point: an HTML page, JSON and CSV tables");
     describe(
         command,
-        {.writes =
-             "the page (-o; evaluation.html in this folder where it is not given), and what --json and --csv "
-             "name. --json without FILE prints the numbers, and no page is written unless -o asks for it.",
+        {.writes = "the page (-o; default: evaluation.html in this folder), and the files of --json and "
+                   "--csv. --json without FILE prints the numbers, and a page is then written only with -o.",
          .example = "deixis evaluate clips/mine clips/direct -o evaluation.html --csv tables\ndeixis "
                     "evaluate clips/mine --json",
          .page = "docs/evaluation.md"});
@@ -289,7 +288,7 @@ void addEvaluateCommand(Parser cli, Command& chosen) {
     addForce(command, options->force);
     addJsonOrFile(command, options->json);
     addCsv(command, options->tables, "Folder to write every table to, as CSV");
-    command.addOption("--threads", options->threads, "Threads that read clips [one for each core]")
+    command.addOption("--threads", options->threads, "Threads that read clips [one per core]")
         .check(Range(1, 1024));
     command.callback([options, &chosen] {
         chosen = [options] {

@@ -57,19 +57,18 @@ Result<void> merge(const MergeRequest& request) {
         return fail(request.output, "was not written: the databases cannot be joined");
     }
     fmt::print("{} databases joined: {}\n", databases.size(), request.output);
-    for (const std::string& id : merged->withdrawn) fmt::print("left out, since withdrawn: {}\n", id);
+    for (const std::string& id : merged->withdrawn) fmt::print("left out because withdrawn: {}\n", id);
     for (const std::string& id : merged->excluded_in_one)
-        fmt::print("not counted, since excluded or dropped out in one of the databases: {}\n", id);
+        fmt::print("not counted because excluded or dropped out in one of the databases: {}\n", id);
     const auto sets = results::lockedSets(request.output);
     if (!sets) return tl::unexpected(sets.error());
     const auto lacking = copyLockedSets(databases, request.output, *sets);
     if (!lacking) return tl::unexpected(lacking.error());
     for (const std::string& hash : *lacking)
-        fmt::print(
-            stderr,
-            "note: the locked study {:.16} is beside none of the databases: sessions cannot go on in the "
-            "joined one until it lies in {}\n",
-            hash, lockedFolder(request.output).string());
+        fmt::print(stderr,
+                   "note: the locked study {:.16} is beside none of the databases: sessions cannot continue "
+                   "in the joined one until it is in {}\n",
+                   hash, lockedFolder(request.output).string());
     return {};
 }
 
@@ -78,15 +77,15 @@ Result<void> merge(const MergeRequest& request) {
 void addExportCommand(Parser cli, Command& chosen) {
     auto request = std::make_shared<ExportRequest>();
     Parser command = cli.addCommand("export", "Write a database's tables as CSV, with a codebook");
-    describe(command, {.writes = "CSV tables, codebook.md and codebook.json to DIR (-o; DATABASE-csv beside "
-                                 "the database where it is not given). An earlier export there is replaced.",
+    describe(command, {.writes = "CSV tables, codebook.md and codebook.json to DIR (-o; default: "
+                                 "DATABASE-csv beside the database). An earlier export there is replaced.",
                        .example = "deixis export study.sqlite -o tables --anonymise",
                        .page = "docs/data-out.md"});
     command.addOption("DB", request->database, "Database of a study").required();
     command.addOption("--format", request->format, "Format of the tables")
         .check(OneOf{{"csv"}})
         .showDefault();
-    addOutput(command, request->folder, "Folder to write to [DB without its ending, and -csv]", "DIR");
+    addOutput(command, request->folder, "Folder to write to [DB without its ending, plus -csv]", "DIR");
     command.addFlag("--anonymise", request->options.anonymise,
                     "For sharing: other ids, no free text, no notes, no dates");
     command.addFlag("!--no-tracking", request->options.tracking, "Leave tracked frames out");
@@ -96,10 +95,11 @@ void addExportCommand(Parser cli, Command& chosen) {
 void addMergeCommand(Parser cli, Command& chosen) {
     auto request = std::make_shared<MergeRequest>();
     Parser command = cli.addCommand("merge", "Join the databases of several stations of one study");
-    describe(command, {.writes = "a new database, and beside it the locked studies. A database that is "
-                                 "there already is never replaced.",
-                       .example = "deixis merge station1.sqlite station2.sqlite -o all.sqlite",
-                       .page = "docs/data-out.md"});
+    describe(command,
+             {.writes =
+                  "a new database, and beside it the locked studies. An existing database is never replaced.",
+              .example = "deixis merge station1.sqlite station2.sqlite -o all.sqlite",
+              .page = "docs/data-out.md"});
     command.addOption("DB", request->databases, "Databases to join, two or more").required().expected(-2);
     addOutput(command, request->output, "Database to make; must not exist").required();
     command.callback([request, &chosen] { chosen = [request] { return merge(*request); }; });

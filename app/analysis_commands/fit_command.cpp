@@ -66,8 +66,8 @@ Result<std::vector<results::Recording>> gamesOf(const std::string& database) {
         if (!recording->answers.empty()) out.push_back(std::move(*recording));
     }
     if (out.empty())
-        return fail(database, "holds no choices of a referential game that count",
-                    "Only those can tell how rays are read");
+        return fail(database, "has no choices of a referential game that count",
+                    "Only these show how rays are read");
     return out;
 }
 
@@ -113,7 +113,7 @@ Result<ChoicesMade> choicesMade(const FitArguments& options, const studies::Simu
         out.choices.push_back(std::move(choices));
     }
     if (out.choices.empty())
-        return fail(options.database, "holds no choice among several balls after a movement that points");
+        return fail(options.database, "has no choice among several balls after a pointing movement");
     return out;
 }
 
@@ -194,7 +194,7 @@ Result<void> writeParameters(const FitArguments& options, const Fitted& fitted) 
     }
     std::string out = *text;
     for (const auto& [key, value] : values) out = withValue(out, key, value);
-    out = fmt::format("# [pointing] was fitted by deixis fit to {}; all else is as it stands in\n# {}.\n\n",
+    out = fmt::format("# [pointing] was fitted by deixis fit to {}; everything else is from\n# {}.\n\n",
                       options.database, options.parameters) +
           out;
     if (auto written = writeUnlessEdited(options.output, out, options.force); !written) return written;
@@ -207,8 +207,8 @@ Result<void> writeParameters(const FitArguments& options, const Fitted& fitted) 
         kept.eye_line_share != fitted.observer.eye_line_share ||
         kept.visual_weight != fitted.observer.visual_weight)
         return fail(options.parameters,
-                    "its [pointing] could not be changed: its keys do not stand on lines of their own",
-                    "Write them as in the file that ships");
+                    "its [pointing] could not be changed: its keys are not on separate lines",
+                    "Write them as in the default file");
     fmt::print(remarksBeside(options.json), "parameters: {}\n", options.output);
     return {};
 }
@@ -230,8 +230,8 @@ void printWeights(std::FILE* to, const studies::ObserverFit& fit) {
         fmt::print(to, "{:<24} {:>8.3f} [{}, {}]\n", name, of.value, endText(of.lower, "0"),
                    endText(of.upper, "1"));
     };
-    if (fit.eye_line_share) line("eye_line_share, of all", *fit.eye_line_share);
-    if (fit.visual_weight) line("visual_weight, of all", *fit.visual_weight);
+    if (fit.eye_line_share) line("eye_line_share, pooled", *fit.eye_line_share);
+    if (fit.visual_weight) line("visual_weight, pooled", *fit.visual_weight);
 }
 
 /// Everybody by themselves with the weights of all, all as one, and all as differing in their noise.
@@ -248,7 +248,7 @@ Fitted fitAll(const ChoicesMade& made, studies::ObserverModel model, double leve
         row.update(fitJson(one));
         json["participants"].push_back(std::move(row));
     }
-    fmt::print(to, "{}", fitLine("all, as one", pooled));
+    fmt::print(to, "{}", fitLine("all, pooled", pooled));
     printWeights(to, pooled);
     json["pooled"] = fitJson(pooled);
     json["population"] = FitJson();
@@ -295,8 +295,7 @@ Result<void> fitDatabase(const FitArguments& options) {
     fmt::print(to, "{}; choice ~ (1 - lapse) P(ball | noise) + lapse / balls; {:.4g} % profile intervals\n",
                ray, 100.0 * options.level);
     if (made->synthetic) fmt::print(to, "Simulated participants are among them: no evidence about people.\n");
-    if (made->not_seen > 0)
-        fmt::print(to, "{} choices left out: nothing was seen to point\n", made->not_seen);
+    if (made->not_seen > 0) fmt::print(to, "{} choices left out: no pointing was seen\n", made->not_seen);
     const Fitted fitted = fitAll(*made, base->observer, options.level, json, to);
     if (!options.json.empty()) {
         if (auto written = writeOutput(options.json, json.dump(2) + "\n"); !written) return written;
@@ -313,7 +312,7 @@ void addFitCommand(Parser cli, Command& chosen) {
     Parser command = cli.addCommand(
         "fit", "Fit the simulated participant's noise, lapses and weights to the choices of a database");
     describe(command,
-             {.writes = "nothing but what it prints, unless -o or --json FILE name a place.",
+             {.writes = "only what it prints, unless -o or --json FILE is given.",
               .example =
                   "deixis fit study.sqlite -o observer.toml\ndeixis fit study.sqlite --ray arm-finger --json",
               .page = "docs/simulated-participant.md"});
@@ -322,12 +321,11 @@ void addFitCommand(Parser cli, Command& chosen) {
     addForce(command, options->force);
     command
         .addOption("--parameters", options->parameters,
-                   "Parameters that are not fitted (TOML) [those that ship]")
+                   "Parameters that are not fitted (TOML) [the default ones]")
         .defaultValue(assets::dataFile("simulated_participant.toml").string())
         .showDefault("");
-    command.addOption(
-        "--ray", options->ray,
-        "What is read from the arm: two-cue, arm-finger, eye-fingertip, ... [as in the parameters]");
+    command.addOption("--ray", options->ray,
+                      "How the arm is read: two-cue, arm-finger, eye-fingertip, ... [as in the parameters]");
     command.addOption("--level", options->level, "Level of the intervals")
         .check(Range(0.5, 0.9999))
         .showDefault();

@@ -97,8 +97,7 @@ Result<void> writeSums(const std::vector<std::string>& words) {
         sums += fmt::format("{}  {}\n", sha256Hex(*bytes), file);
         for (const std::string& word : words)
             if (bytes->find(word) != std::string::npos)
-                fmt::print(stderr,
-                           "note: {} holds the text '{}': look at it before you give the package away\n",
+                fmt::print(stderr, "note: {} contains the text '{}': check it before you share the package\n",
                            file, word);
     }
     return writeFileUnsynced("SHA256SUMS", sums);
@@ -144,8 +143,7 @@ Result<void> makePackage(const PackageRequest& request) {
     if (!target.has_filename()) target = target.parent_path();  // "FOLDER/"
     std::error_code code;
     if (fs::exists(fs::symlink_status(target, code)))
-        return fail(target.string(), "exists already; nothing is written over",
-                    "Name another folder with -o");
+        return fail(target.string(), "exists already and is not overwritten", "Name another folder with -o");
     const fs::path database = fs::absolute(request.database);
     if (!fs::is_regular_file(database, code))
         return fail(request.database, "No such file", "Name the database of a study");
@@ -155,7 +153,7 @@ Result<void> makePackage(const PackageRequest& request) {
     if (auto published = making.publish(); !published) return published;
     fmt::print("package: {}\n", request.folder);
     if (!request.free_text) fmt::print("What participants typed is left out; --free-text keeps it.\n");
-    fmt::print("Read {}/README.md before you give it away: it says what was left out, and what was not.\n",
+    fmt::print("Read {}/README.md before you share it: it says what was left out, and what was not.\n",
                request.folder);
     return {};
 }

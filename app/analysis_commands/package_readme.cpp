@@ -23,10 +23,10 @@ std::string whoTookPart(const PackageFacts& facts) {
     std::string out = counted(static_cast<long>(rows.size()), "participant", "participants");
     if (left > 0) out += fmt::format(", {} of them excluded or dropped out", left);
     if (facts.counts.declined > 0)
-        out += fmt::format("; {} refused consent: that they did is here, and no answer of theirs",
+        out += fmt::format("; {} declined consent: this is recorded here, but none of their answers",
                            facts.counts.declined);
     if (facts.people.withdrawn > 0)
-        out += fmt::format("; {} withdrew and left nothing", facts.people.withdrawn);
+        out += fmt::format("; {} withdrew, and none of their data is here", facts.people.withdrawn);
     out += ".\n\n";
     if (synthetic == 0) return out + "All answers were given by people.\n";
     return out +
@@ -38,32 +38,32 @@ std::string whoTookPart(const PackageFacts& facts) {
 
 std::string leftOut(const PackageFacts& facts) {
     std::string out =
-        R"(- Participants have other ids and numbers, in an order that follows nothing in the package.
-- Times are counted from each session's beginning; days and times of day are left out.
-- Computers, graphics cards and drivers, paths of files, participants' tokens and the distance of their eyes are left out;
+        R"(- Participants have other ids and numbers, in an order unrelated to anything in the package.
+- Times are counted from each session's start; days and times of day are left out.
+- Computers, graphics cards and drivers, paths of files, participants' tokens and eye distances are left out;
   the kind of headset and its runtime are kept.
-- Clips' authors, where the study names them, are called "author 1" and so on.
+- Clips' authors, if the study names them, are called "author 1" and so on.
 )";
     out += fmt::format(
         "- {} left out: reasons, remarks, why a study was changed.\n",
-        counted(facts.counts.reasons, "text of the experimenter's is", "texts of the experimenter's are"));
+        counted(facts.counts.reasons, "text by the experimenter is", "texts by the experimenter are"));
     if (facts.free_text)
-        out += "- **What participants typed is kept**, as was asked for. It may name people.\n";
+        out += "- **What participants typed is kept**, as requested. It may name people.\n";
     else
         out += fmt::format("- What participants typed is left out ({}).\n",
                            counted(facts.counts.free_texts, "answer", "answers"));
     if (!facts.tracking)
         out += "- Tracked movements of head and hands are left out.\n";
     else if (facts.tracked)
-        out += "- Tracked movements of head and hands are kept. People can be told apart by them.\n";
+        out += "- Tracked movements of head and hands are kept. People can be recognised by them.\n";
     out +=
-        R"(- Kept as it was: every answer, choice and response time, the head and the ray at each answer, what participants told
-  of themselves by number or choice (such as age), their language.
+        R"(- Kept unchanged: every answer, choice and response time, the head and the ray at each answer, what participants said
+  about themselves by number or choice (such as age), their language.
 
-What this does not hide: who knows that a person took part, and their age or height, may find them. The order of a
-participant's trials follows from the study's seed and their number when they enrolled; with the study file, which is here,
-that number can be found by trying. It says who somebody is only to those who have the lab's list of ids. Keep that list
-apart, or destroy it.
+What this does not hide: anyone who knows that a person took part, and their age or height, may find them. The order of a
+participant's trials follows from the study's seed and their number at enrolment; with the study file, which is here,
+that number can be found by trying. It identifies a person only to those who have the lab's list of ids. Keep that list
+separately, or destroy it.
 )";
     return out;
 }
@@ -87,13 +87,13 @@ std::string packageReadme(const PackageFacts& facts) {
 | `study.sqlite` | the database: plans, answers, events, tracked movements |
 | `study.locked/` | what participants were shown: study file, texts, targets, clips, avatar, with hashes |
 | `report.html`, `analysis.json` | the report, and its numbers; `analysis.schema.json` describes them |
-| `tables/` | the report's tables as CSV, and `analysis.R`, which computes them anew in R |
+| `tables/` | the report's tables as CSV, and `analysis.R`, which recomputes them in R |
 | `latex/` | the report's tables as LaTeX |
 | `data/` | the answers as CSV tables; `codebook.json` describes every column |
 | `SHA256SUMS` | of all files |
 
-Where answers come from several kinds of station there is a report, an analysis and a folder of tables for each.
-Clips of the built-in systems (`generator` in the study file) are synthetic: made by formulas, no recordings.
+If answers come from several kinds of station, there is a report, an analysis and a folder of tables for each.
+Clips of the built-in systems (`generator` in the study file) are synthetic: made by formulas, not recorded.
 
 ## How to use it
 
@@ -108,8 +108,8 @@ With Deixis (the version above; the numbers of `analysis.json` are those of its 
     deixis replay study.sqlite --participant ID
     deixis replay study.sqlite --participant ID --choices
 
-`again.json` is `analysis.json`, byte for byte where the program is the same build. To run participants of your own through
-the study as it was, in a copy, which further sessions change:
+`again.json` equals `analysis.json`, byte for byte with the same build of the program. To run your own participants through
+the study as it was, use a copy, since sessions change it:
 
     cp study.sqlite mine.sqlite; cp -r study.locked mine.locked
     deixis run --db mine.sqlite --participant ID

@@ -61,9 +61,9 @@ Result<PackagedSets> packageSets(const fs::path& database, const fs::path& copy)
     if (!hashes) return tl::unexpected(hashes.error());
     if (hashes->empty())
         return fail(database.string(),
-                    "nothing of the study is locked, so that its clips and avatar are not known for sure",
-                    fmt::format("'deixis run STUDY --db {}' locks them, with the next session; of simulated "
-                                "participants simulate anew",
+                    "nothing of the study is locked, so its clips and avatar are not known for certain",
+                    fmt::format("'deixis run STUDY --db {}' locks them, with the next session; for simulated "
+                                "participants, simulate again",
                                 database.string()));
     std::map<std::string, LockedFiles> sets;
     std::set<std::string> authors;

@@ -95,20 +95,19 @@ void addPowerCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<PowerArguments>();
     Parser command = cli.addCommand(
         "power", "How often a study would find assumed effects, and how many participants it needs");
-    describe(
-        command,
-        {.writes = "nothing but what it prints, unless --json FILE, --csv or --save-effects name a place.",
-         .example = "deixis power pointing2023 --effect pointing2023 --participants 20,40 --goal "
-                    "0.8\ndeixis power pointing2023 --from pilot.sqlite --json",
-         .page = "docs/power.md"});
-    command.addOption("STUDY", options->study, "Study file, or the name of one that ships").required();
+    describe(command,
+             {.writes = "only what it prints, unless --json FILE, --csv or --save-effects is given.",
+              .example = "deixis power pointing2023 --effect pointing2023 --participants 20,40 --goal "
+                         "0.8\ndeixis power pointing2023 --from pilot.sqlite --json",
+              .page = "docs/power.md"});
+    command.addOption("STUDY", options->study, "Study file, or the name of one included").required();
     command.addOption("--participants", options->participants, "Numbers of participants, such as 10,20,39")
         .delimiter(',')
         .check(Range(2, 2000))
         .showDefault();
-    auto effect = command.addOption(
-        "--effect", options->effect,
-        "Assumed means and spreads (TOML, docs/power.md), or the name of a file that ships");
+    auto effect =
+        command.addOption("--effect", options->effect,
+                          "Assumed means and spreads (TOML, docs/power.md), or the name of a file included");
     auto from =
         command
             .addOption("--from", options->from, "Databases or CSV files of the study to estimate them from")
@@ -131,16 +130,16 @@ void addPowerCommand(Parser cli, Command& chosen) {
         .check(Range(1, 1000000))
         .showDefault();
     addSeed(command, options->options.seed, "the answers");
-    command.addOption("--alpha", options->options.alpha, "Level of significance; the study's where not given")
+    command.addOption("--alpha", options->options.alpha, "Level of significance; default: the study's")
         .check(Range(1e-6, 0.5));
     command.addOption("--level", options->options.level, "Confidence level of the intervals of power")
         .check(Range(0.5, 0.9999))
         .showDefault();
     addJsonOrFile(command, options->json);
-    addCsv(command, options->csv, "Folder for the table power.csv; or the file, by a name that ends in .csv");
+    addCsv(command, options->csv, "Folder for the table power.csv, or a file name that ends in .csv");
     addForce(command, options->force);
     options->options.threads = 0;
-    command.addOption("--threads", options->options.threads, "Threads that simulate [one for each core]")
+    command.addOption("--threads", options->options.threads, "Threads that simulate [one per core]")
         .check(Range(1, 1024));
     command.callback([options, &chosen] {
         if (options->effect.empty() && options->from.empty())

@@ -28,19 +28,19 @@ Result<void> push(const PushRequest& request) {
     const results::PushOutcome& told = *pushed;
     if (told.upgraded_from)
         fmt::print(
-            "brought up to date: the server's tables of the study, which were of version {}; an older deixis "
-            "can no longer use them\n",
+            "upgraded: the server's tables of the study, which were of version {}; an older deixis can no "
+            "longer use them\n",
             *told.upgraded_from);
     if (told.rows == 0 && told.changed == 0 && told.erased.empty())
-        fmt::print("nothing new: the server holds all of {}\n", request.database);
+        fmt::print("nothing new: the server has all of {}\n", request.database);
     else
         fmt::print("pushed: {} participants, {} sessions and {} responses new ({} rows), {} rows changed\n",
                    told.participants, told.sessions, told.responses, told.rows, told.changed);
-    if (!told.erased.empty()) fmt::print("erased, since withdrawn: {}\n", idList(told.erased));
+    if (!told.erased.empty()) fmt::print("erased because withdrawn: {}\n", idList(told.erased));
     if (!told.withdrawn.empty())
-        fmt::print("not pushed, since withdrawn after they took part: {}\n", idList(told.withdrawn));
+        fmt::print("not pushed because withdrawn after they took part: {}\n", idList(told.withdrawn));
     if (!told.older.empty())
-        fmt::print("left as they are, since the server holds more of them than this file: {}\n",
+        fmt::print("left unchanged because the server has more of them than this file: {}\n",
                    idList(told.older));
     fmt::print("study: {}, in schema {} of {}\n", told.study, told.schema, withoutPasswords(request.server));
     return {};

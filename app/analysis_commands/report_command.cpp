@@ -90,7 +90,7 @@ Result<std::map<std::string, std::string>> columnsFrom(const std::vector<std::st
         const auto equals = text.find('=');
         if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
             return fail("--column", fmt::format("found \"{}\", expected MEANING=NAME", text),
-                        "Such as participant=subject: the file calls participants so");
+                        "Such as participant=subject, if the file calls participants subjects");
         out[text.substr(0, equals)] = text.substr(equals + 1);
     }
     return out;
@@ -118,8 +118,8 @@ std::string watchAgain(const std::vector<std::string>& data, const std::string& 
     // Of some databases alone they would not be the choices that the other tables count.
     for (results::ResponseTable& table : tables) table.watched.clear();
     return fmt::format(
-        "What simulated observers would read in the same arms, and choices by where an arm was at the "
-        "beginning and the end of its hold, are left out: {}",
+        "What simulated observers would choose after the same arms, and choices by where the arm pointed at "
+        "the start and end of its hold, are left out: {}",
         fmt::join(missing, "; "));
 }
 
@@ -130,7 +130,7 @@ Result<results::ResponseTable> loadOne(const std::string& data, const DataChoice
     std::error_code code;
     if (looksLikeServerAddress(data) && !std::filesystem::exists(data, code))
         return fail(data, "is neither a file nor the address of a PostgreSQL server",
-                    "Such an address begins postgresql://, in small letters");
+                    "Such an address begins with postgresql://, in lower case");
     auto table = results::loadAnswers(data, csv);
     if (table && !isDatabase(data))
         for (const std::string& note : table->notes) fmt::print(stderr, "note: {}: {}\n", data, note);
@@ -145,7 +145,7 @@ Result<std::vector<results::ResponseTable>> loadEach(const std::vector<std::stri
     for (auto one = data.begin(); one != data.end(); ++one)
         for (auto other = data.begin(); other != one; ++other)
             if (std::error_code code; *one == *other || std::filesystem::equivalent(*one, *other, code))
-                return fail(*one, "is named twice", "Name each of the data once");
+                return fail(*one, "is named twice", "Name each one once");
     // What is said of columns and scales is meant for the CSV files among them.
     const bool all_databases = std::all_of(data.begin(), data.end(), isDatabase);
     std::vector<results::ResponseTable> tables;
@@ -233,9 +233,9 @@ Result<void> writeByStation(results::ResponseTable table, const ReportFiles& fil
                              files);
     if (files.json == standard_output)
         return fail("--json",
-                    fmt::format("the answers come from {} kinds of station, each with an analysis of its own",
+                    fmt::format("the answers come from {} kinds of station, each with its own analysis",
                                 kinds.size()),
-                    "--stations KIND or together makes it one; --json FILE writes them all");
+                    "--stations KIND or together gives one; --json FILE writes them all");
     std::vector<results::StationReport> reports;
     for (const std::string& kind : kinds) {
         const std::string name = kind.empty() ? "unknown" : kind;
@@ -263,7 +263,7 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
     for (const std::string& file : {files.page, files.json})
         if (auto checked = checkOutput(file); !checked) return checked;
     if (!files.page.empty() && files.page == files.json)
-        return fail(files.page, "was named for both the page and the JSON");
+        return fail(files.page, "is named for both the page and the JSON");
     auto tables = loadEach(data, choice);
     if (!tables) return tl::unexpected(tables.error());
     const std::string note = choice.without_clips ? "" : watchAgain(data, choice.stimuli, *tables);
@@ -275,7 +275,7 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
     if (options.by_ratings.value_or(false) &&
         std::none_of(table->measures.begin(), table->measures.end(),
                      [](const results::Measure& one) { return one.kind == results::MeasureKind::rating; }))
-        return fail("--unit", "found \"ratings\", and the data hold none",
+        return fail("--unit", "found \"ratings\", but the data have none",
                     "Leave it out: choices and preferences are tested by participants");
     const ElapsedOnTerminal working("analysing");
     results::AnalysisOptions named = options;
@@ -288,23 +288,24 @@ void addReportCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ReportArguments>();
     Parser command = cli.addCommand(
         "report", "Analyse databases or long tables: an HTML page, and the numbers as JSON, CSV and LaTeX");
-    describe(command,
-             {.writes = "the page (-o; report.html in this folder where it is not given), and what --json, "
-                        "--csv, --latex and --r name. --json without FILE prints the numbers, and no page is "
-                        "written unless -o asks for it.",
-              .example =
-                  "deixis report study.sqlite -o report.html --csv tables\ndeixis report study.sqlite --json",
-              .page = "docs/analysis.md"});
+    describe(
+        command,
+        {.writes =
+             "the page (-o; default: report.html in this folder), and the files of --json, --csv, --latex "
+             "and --r. --json without FILE prints the numbers, and a page is then written only with -o.",
+         .example =
+             "deixis report study.sqlite -o report.html --csv tables\ndeixis report study.sqlite --json",
+         .page = "docs/analysis.md"});
     command
         .addOption("DATA", options->data,
-                   "Databases of one study or of several, CSV files with one line an answer, or a server's "
+                   "Databases of one study or of several, CSV files with one line per answer, or a server's "
                    "address (postgresql://USER@HOST:PORT/DATABASE)")
         .required();
     command
         .addOption("--by", options->by,
-                   "study: compares studies, each a group of participants: the systems within each and "
-                   "pooled. So are databases of studies of different names without it; each CSV file is "
-                   "then one study")
+                   "study: compare studies, each a group of participants: the systems within each and "
+                   "pooled. This is the default for databases of studies with different names; with it, each "
+                   "CSV file is one study")
         .check(OneOf{{"study"}});
     command
         .addOption("--measure", options->choice.join.measures,
@@ -312,7 +313,7 @@ void addReportCommand(Parser cli, Command& chosen) {
                    "repeated")
         .oneValueEachTime();
     command.addOption("--study", options->choice.study,
-                      "Which study of a server that holds several: its name, or the beginning of its hash");
+                      "Which study, if a server has several: its name, or the beginning of its hash");
     addOutput(command, options->files.page, "HTML page to write [report.html]");
     addForce(command, options->files.force);
     addJsonOrFile(command, options->files.json);
@@ -321,26 +322,25 @@ void addReportCommand(Parser cli, Command& chosen) {
     command.addOption("--r", options->files.r,
                       "Folder for the tables and analysis.R, which recomputes them and adds mixed models");
     command.addOption("--stimuli", options->choice.stimuli,
-                      "Folder of the clips that the databases' sessions showed [where they lay]");
+                      "Folder of the clips that the databases' sessions showed [where they were]");
     command.addFlag("--without-clips", options->choice.without_clips,
                     "Do not read those clips: use the answers only");
-    command
-        .addOption("--alpha", options->analysis.alpha, "Level of significance; the study's where not given")
+    command.addOption("--alpha", options->analysis.alpha, "Level of significance; default: the study's")
         .check(Range(1e-6, 0.5));
     command
         .addOption("--level", options->analysis.level,
-                   "Level of the intervals; 1 - alpha where not given, so that they and the tests agree")
+                   "Level of the intervals; default 1 - alpha, so that they agree with the tests")
         .check(Range(0.5, 0.9999));
     command.addOption("--resamples", options->analysis.resamples, "Resamples of the bootstrap")
         .check(Range(100, 1000000))
         .showDefault();
     command
         .addOption("--between", options->choice.csv.between,
-                   "Column of CSV files with the groups of a factor between participants; may be repeated")
+                   "Column of CSV files with the groups of a between-participants factor; may be repeated")
         .oneValueEachTime();
     command
         .addOption("--within", options->choice.csv.within,
-                   "Column of CSV files with the levels of a factor within participants; may be repeated")
+                   "Column of CSV files with the levels of a within-participants factor; may be repeated")
         .oneValueEachTime();
     command
         .addOption("--column", options->columns,
@@ -352,19 +352,20 @@ void addReportCommand(Parser cli, Command& chosen) {
                    "The scale of ratings in CSV files; an answer outside it is an error; "
                    "may be repeated")
         .oneValueEachTime();
-    command.addOption(
-        "--stations", options->choice.stations,
-        "Answers given at a desktop and in a headset: apart (a report each), together (station is "
-        "then a factor), or those of one kind; the study's, else apart. Simulated participants are always "
-        "reported apart");
+    command.addOption("--stations", options->choice.stations,
+                      "Answers given at a desktop and in a headset: apart (a report each), together (station "
+                      "is then a factor), or those of one kind; default: the study's choice, or apart. "
+                      "Simulated participants are always "
+                      "reported apart");
     command
         .addOption("--equivalence", options->equivalence,
                    "Bound within which two systems, levels or groups count as equivalent; may be repeated")
         .oneValueEachTime();
     command
-        .addOption("--unit", options->unit,
-                   "ratings: single ratings are tested, too, in tables marked as pseudo-replicated, beside "
-                   "participants' means; participants: these alone. The study's, else participants")
+        .addOption(
+            "--unit", options->unit,
+            "ratings: also test single ratings, in tables marked as pseudo-replicated, beside participants' "
+            "means; participants: only these. Default: the study's choice, or participants")
         .check(OneOf{{"participants", "ratings"}});
     addSeed(command, options->analysis.seed, "the bootstrap");
     command.callback([options, &chosen] {

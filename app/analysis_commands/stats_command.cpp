@@ -108,8 +108,9 @@ Result<void> runTest(StatsTest test, const Takes& takes, const StatsArguments& o
     };
     if (nullInfinite(*found)) addNote("numbers beyond 1.8e308 in size are null");
     if (table->rounded > 0)
-        addNote(fmt::format("decimals that are rounded fractions (7.333333333333333) were taken as these: {}",
-                            table->rounded));
+        addNote(fmt::format(
+            "decimals that are rounded fractions (7.333333333333333) were read as these fractions: {}",
+            table->rounded));
     if (table->decimal_commas) addNote("commas in numbers were read as decimal points");
     if (options.json)
         fmt::print("{}\n", found->dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -139,10 +140,9 @@ void addTest(Parser stats, Command& chosen, const std::string& name, const std::
     if (!takes.long_form) columns.required();
     if (takes.paired_by)
         command.addOption("--paired-by,--cluster", options->choice.paired_by,
-                          "Rows that agree in this column are one participant, who counts with their mean");
+                          "Rows with the same value in this column are one participant and are averaged");
     if (takes.long_form) {
-        command.addOption("--group", options->choice.group,
-                          "Long form: the column that tells the conditions apart");
+        command.addOption("--group", options->choice.group, "Long form: the column with the conditions");
         command.addOption("--value", options->choice.value, "Long form: the column with the numbers");
     }
     if (takes.level)
@@ -164,14 +164,14 @@ void addTest(Parser stats, Command& chosen, const std::string& name, const std::
                 "normal-reference, scott, scott-covariance, or one number for each column, as in 0.1,0.2")
             .showDefault();
         command.addOption("--at", options->density.at,
-                          "CSV file of the points at which the density is wanted [the rows themselves]");
+                          "CSV file of the points at which to compute the density [the rows themselves]");
     }
     if (takes.clusters) {
         command.addOption("--bandwidth", options->clusters.bandwidth, "auto, or a number above 0")
             .showDefault();
         command
             .addOption("--quantile", options->clusters.quantile,
-                       "Of the automatic bandwidth: the share of all points that are neighbours")
+                       "For the automatic bandwidth: the share of all points that are neighbours")
             .showDefault();
     }
     addJson(command, options->json, "Print one JSON object, with all digits");
@@ -205,9 +205,9 @@ void addStatsCommand(Parser cli, Command& chosen) {
             statsProportion, {.level = true, .chance = true}, "correct");
     addTest(stats, chosen, "describe", "Mean, spread and quantiles of columns", statsDescribe,
             {.long_form = true, .paired_by = true});
-    addTest(stats, chosen, "kde", "Gaussian kernel density of points, a column for each dimension", nullptr,
+    addTest(stats, chosen, "kde", "Gaussian kernel density of points, one column per dimension", nullptr,
             {.density = true}, "x,y,z");
-    addTest(stats, chosen, "meanshift", "MeanShift clusters of points, a column for each dimension", nullptr,
+    addTest(stats, chosen, "meanshift", "MeanShift clusters of points, one column per dimension", nullptr,
             {.clusters = true}, "x,y,z");
 }
 

@@ -55,7 +55,7 @@ struct Source {
         const auto found = std::find(header.begin(), header.end(), column);
         if (found == header.end())
             return fail(name, fmt::format("has no column \"{}\"", column),
-                        fmt::format("The columns found, parted by {}: {}", separatorName(separator),
+                        fmt::format("Columns found, separated by {}: {}", separatorName(separator),
                                     fmt::join(header, ", ")));
         if (std::find(found + 1, header.end(), column) != header.end())
             return fail(name, fmt::format("has several columns \"{}\"", column), "Name them differently");
@@ -291,8 +291,8 @@ Result<std::vector<std::string>> parseColumnNames(std::string_view text) {
 Result<StatsTable> readStatsTable(const ColumnChoice& choice) {
     if (choice.group.empty() != choice.value.empty())
         return fail("",
-                    "--group and --value belong together: the column that tells the conditions apart, and "
-                    "the column with the numbers");
+                    "--group and --value belong together: the column with the conditions, and the column "
+                    "with the numbers");
     if (choice.group.empty() && choice.columns.empty())
         return fail("", "no columns were named", "Name them: --columns a,b");
     const auto source = readSource(choice.file);
@@ -306,7 +306,7 @@ Result<StatsTable> readStatsTable(const ColumnChoice& choice) {
         return fail(source->name,
                     fmt::format("has numbers with a decimal comma ({}) and with a decimal point ({})",
                                 source->with_comma, source->with_point),
-                    "Write all of them in one way");
+                    "Write all of them in the same way");
     table.rounded = source->rounded;
     table.decimal_commas = !source->with_comma.empty();
     return table;

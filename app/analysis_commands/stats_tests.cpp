@@ -60,8 +60,8 @@ Result<void> needColumns(const StatsTable& table, std::size_t min, std::size_t m
 
 Result<void> needPairs(const StatsTable& table, const std::string& test) {
     if (table.paired) return {};
-    return fail(table.name, fmt::format("{} compares values that belong together", test),
-                "Name the column that tells whose they are: --paired-by participant");
+    return fail(table.name, fmt::format("{} compares paired values", test),
+                "Name the column that pairs them: --paired-by participant");
 }
 
 int rowsOf(const StatsTable& table) {
@@ -324,8 +324,8 @@ Result<Json> statsBootstrap(const StatsTable& table, const StatsOptions& options
             write(difference, at++);
         }
     note.addIf(undefined,
-               "an interval is undefined where there are no values, where their sums are too large, or "
-               "where the estimate lies beyond all resampled means");
+               "an interval is undefined if there are no values, if their sums are too large, or if the "
+               "estimate is beyond all resampled means");
     note.write(out);
     return out;
 }

@@ -64,7 +64,7 @@ void addClipsCheckCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsCheckArguments>();
     Parser command =
         clips.addCommand("check", "List every problem of clip files, and whether they play on the avatar");
-    describe(command, {.writes = "nothing; it prints the problems, and exits with 1 where there are any.",
+    describe(command, {.writes = "nothing; it prints the problems, and exits with 1 if there are any.",
                        .example = "deixis clips check clips/*.bvh",
                        .page = "docs/clip-format.md"});
     command.addOption("FILE", options->files, clip_file_kinds).required().expected(1, 1000000);

@@ -36,7 +36,7 @@ void addClipsConvertCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsConvertArguments>();
     Parser command = clips.addCommand(
         "convert", "Write a clip in another format, in metres and y up, on its own skeleton");
-    describe(command, {.writes = "OUT, in the format that its ending names.",
+    describe(command, {.writes = "OUT, in the format given by its ending.",
                        .example = "deixis clips convert take.csv -o take.bvh",
                        .page = "docs/clip-format.md"});
     command.addOption("IN", options->from, clip_file_kinds).required();

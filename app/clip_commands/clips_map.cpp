@@ -93,8 +93,7 @@ void addClipsMapCommand(Parser clips, Command& chosen) {
                    .page = "docs/clip-format.md"});
     map.addOption("FILE", options->file, clip_file_kinds).required();
     Option json = addJson(map, options->json, "Print JSON");
-    map.addFlag("--toml", options->toml,
-                "Print a file NAME.humanoid.toml, to be changed and put beside the clip")
+    map.addFlag("--toml", options->toml, "Print a file NAME.humanoid.toml to edit and put beside the clip")
         .excludes(json);
     map.callback([options, &chosen] { chosen = [options] { return printMap(*options); }; });
 }

@@ -199,15 +199,15 @@ Result<std::vector<assets::BallSet>> ballsFor(const NamedClip& clip, const std::
         return fail(clip.file.string(),
                     clip.target_id.empty()
                         ? fmt::format("names no target, and {} has {}", file, list.size())
-                        : fmt::format("points at {}, which {} has not", clip.target_id, file),
-                    "Balls go with a clip by the target_id of its manifest");
+                        : fmt::format("points at {}, which {} does not have", clip.target_id, file),
+                    "Balls are matched to a clip by the target_id in its manifest");
     const Vec3& listed = found->second.front().balls.front();
     constexpr double same_place_m = 1e-3;
     if (target && glm::length(*target - listed) > same_place_m)
         return fail(clip.file.string(),
                     fmt::format("its target is at {:.4f}, {:.4f}, {:.4f}, in {} at {:.4f}, {:.4f}, {:.4f}",
                                 target->x, target->y, target->z, file, listed.x, listed.y, listed.z),
-                    "Name the list that the clips were made for");
+                    "Give the list that the clips were made for");
     return found->second;
 }
 

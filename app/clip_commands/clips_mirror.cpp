@@ -53,7 +53,7 @@ Result<void> mirrorManifest(const ClipsMirrorArguments& options) {
     std::error_code code;
     if (fs::equivalent(home, options.out, code))
         return fail(options.out, "is the folder of the manifest itself",
-                    "Mirrored clips go to a folder of their own");
+                    "Put mirrored clips in another folder");
 
     OutputFolder folder(options.out, options.force);
     std::map<std::string, fs::path> done;  // by the source's name
@@ -90,13 +90,13 @@ void addClipsMirrorCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsMirrorArguments>();
     Parser command =
         clips.addCommand("mirror", "Mirror a clip, or all clips of a manifest: left becomes right");
-    describe(command, {.writes = "the clip, or to a folder the clips of a manifest and their manifest.csv.",
+    describe(command, {.writes = "the clip, or the clips of a manifest and their manifest.csv to a folder.",
                        .example = "deixis clips mirror T001.bvh -o T001-mirrored.bvh\ndeixis clips mirror "
                                   "clips/manifest.csv -o mirrored",
                        .page = "docs/segmentation.md"});
     command.addOption("IN", options->in, "Clip file, or a manifest").required();
     addOutputLast(command, options->out,
-                  "File for the mirrored clip: .bvh, .glb or .csv; of a manifest the folder for its clips")
+                  "File for the mirrored clip: .bvh, .glb or .csv; for a manifest, the folder for its clips")
         .required();
     addForce(command, options->force);
     addImportOptions(command, options->import);

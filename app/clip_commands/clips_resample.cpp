@@ -33,13 +33,13 @@ Result<void> resample(const ClipsResampleArguments& options) {
 void addClipsResampleCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsResampleArguments>();
     Parser command = clips.addCommand("resample", "Resample a clip to another frame rate");
-    describe(command, {.writes = "OUT, in the format that its ending names.",
+    describe(command, {.writes = "OUT, in the format given by its ending.",
                        .example = "deixis clips resample take.bvh -o take30.bvh --fps 30",
                        .page = "docs/segmentation.md"});
     command.addOption("IN", options->in, "Clip file").required();
     addOutputLast(command, options->out, "File for the clip at the new rate: .bvh, .glb or .csv").required();
     addForce(command, options->force);
-    command.addOption("--fps", options->fps, "Frames a second of OUT").required().check(Range(1.0, 1000.0));
+    command.addOption("--fps", options->fps, "Frames per second of OUT").required().check(Range(1.0, 1000.0));
     addImportOptionsWithoutRate(command, options->import);
     command.callback([options, &chosen] { chosen = [options] { return resample(*options); }; });
 }

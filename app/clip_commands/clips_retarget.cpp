@@ -86,7 +86,7 @@ void addClipsRetargetCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsRetargetArguments>();
     Parser command =
         clips.addCommand("retarget", "Retarget the clips of a manifest to an avatar, as BVH files");
-    describe(command, {.writes = "to DIR a BVH file for each clip and manifest.csv; all of them or none.",
+    describe(command, {.writes = "a BVH file for each clip and manifest.csv to DIR; all of them or none.",
                        .example = "deixis clips retarget clips/manifest.csv -o on-avatar --keep pointing-ray",
                        .page = "docs/clip-format.md"});
     command.addOption("MANIFEST", options->manifest, "CSV, see docs/manifest.md").required();

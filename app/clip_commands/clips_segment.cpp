@@ -97,10 +97,9 @@ void attach(std::vector<PointingClip>& clips, const MarkerTrack& marker, double 
 Result<void> attach(std::vector<PointingClip>& clips, const std::vector<assets::ListedTarget>& list,
                     const std::string& file) {
     if (list.size() != clips.size())
-        return fail(file,
-                    fmt::format("lists {} targets, and {} gestures were found", list.size(), clips.size()),
-                    "It takes one line for each gesture, in order; without -o and --targets the gestures "
-                    "are listed");
+        return fail(
+            file, fmt::format("lists {} targets, and {} gestures were found", list.size(), clips.size()),
+            "Give one line for each gesture, in order; without -o and --targets the gestures are listed");
     for (std::size_t i = 0; i < clips.size(); ++i) {
         clips[i].row.target_id = list[i].id;
         clips[i].row.target = list[i].position;
@@ -185,8 +184,8 @@ Result<void> write(const std::vector<PointingClip>& clips, const MappedClip& sou
 Result<void> segment(const ClipsSegmentArguments& options) {
     if (options.system.empty() || options.system.front() == '.' ||
         options.system.find_first_of("/\\") != std::string::npos)
-        return fail("--system",
-                    fmt::format("found '{}', expected a name that file names may hold", options.system));
+        return fail("--system", fmt::format("found '{}', expected a name that can be part of a file name",
+                                            options.system));
     const auto source = readMappedClip(options.recording, options.import);
     if (!source) return tl::unexpected(source.error());
     motion::SegmentationOptions how;
@@ -212,15 +211,16 @@ void addClipsSegmentCommand(Parser clips, Command& chosen) {
     describe(
         command,
         {.writes =
-             "nothing without -o; to DIR a BVH file for each gesture and manifest.csv, all of them or none.",
+             "nothing without -o; a BVH file for each gesture and manifest.csv to DIR, all of them or none.",
          .example = "deixis clips segment take3.bvh -o clips --targets targets.csv",
          .page = "docs/segmentation.md"});
-    command.addOption("RECORDING", options->recording, "Clip file of a person who points, y up").required();
+    command.addOption("RECORDING", options->recording, "Recording of a person who points, y up").required();
     Option out = addOutput(command, options->folder,
                            "Folder for the clips and their manifest [they are only listed]", "DIR");
     command
         .addOption("--by", options->by,
-                   "What ends a gesture: 'returns' of the hand to rest, or straight-arm 'holds' apart")
+                   "What ends a gesture: 'returns' (the hand goes back to rest) or 'holds' (each "
+                   "straight-arm hold is one)")
         .check(OneOf{{"returns", "holds"}})
         .showDefault();
     Option targets =
@@ -229,7 +229,7 @@ void addClipsSegmentCommand(Parser clips, Command& chosen) {
                           "marker's frame,x,y,z or time,x,y,z (the recording's axes)");
     command
         .addOption("--target-metres-per-unit", options->target_metres_per_unit,
-                   "Length of a unit of a marker in --targets")
+                   "Length in metres of the unit of a marker in --targets")
         .needs(targets)
         .check(Above{})
         .showDefault();
@@ -238,7 +238,8 @@ void addClipsSegmentCommand(Parser clips, Command& chosen) {
     command.addOption("--rest", options->rest_frame, "A frame in which both hands are at rest [found]")
         .check(FromZero{});
     command.addOption("--system", options->system, "Name of the system in the manifest").showDefault();
-    command.addFlag("--split", options->split, "Folders front, back and no-target, each with its manifest")
+    command
+        .addFlag("--split", options->split, "Make folders front, back and no-target, each with its manifest")
         .needs(out);
     addImportOptions(command, options->import);
     addForce(command, options->force).needs(out);

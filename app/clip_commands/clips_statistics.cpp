@@ -175,7 +175,7 @@ constexpr std::array<std::pair<const char*, double motion::Style::*>, 3> style_e
      {"handedness", &motion::Style::handedness}}};
 
 void print(const Found& found, const ClipsStatisticsArguments& options) {
-    fmt::print("{} clips at {:g} frames a second, {} joints relative to the hips\n",
+    fmt::print("{} clips at {:g} frames per second, {} joints relative to the hips\n",
                found.corpus.compared.size(), options.fps, found.movement.joints.size());
     fmt::print("{:<24} {:>10} {:>10}\n", "average", "mean", "sd");
     const char* const units[] = {"m/s", "m/s^2", "m/s^3"};
@@ -191,9 +191,9 @@ void print(const Found& found, const ClipsStatisticsArguments& options) {
                        motion::derivativeName(static_cast<motion::Derivative>(d)),
                        found.against->distances[d].pooled, found.against->distances[d].mean);
     }
-    fmt::print("\nstyle (window {} frames at 15 a second)  mean       sd      mean z\n",
+    fmt::print("\nstyle (window {} frames at 15 fps)       mean       sd      mean z\n",
                motion::style_window);
-    const char* const names[] = {"speed, m a frame over ten joints", "space, m",
+    const char* const names[] = {"speed, m per frame over ten joints", "space, m",
                                  "handedness, -1 right to 1 left"};
     for (std::size_t i = 0; i < style_elements.size(); ++i) {
         const auto element = style_elements[i].second;
@@ -203,7 +203,7 @@ void print(const Found& found, const ClipsStatisticsArguments& options) {
     if (!found.compliance) return;
     fmt::print("\npose compliance, frames {} to {}, {} joints     mean       sd\n", options.asked_frames[0],
                options.asked_frames[1], found.corpus.poses.front().joints.size());
-    fmt::print("{:<44} {:>8.4f} {:>8.4f}\n", "off what was asked, m a coordinate", found.compliance->mean_m,
+    fmt::print("{:<44} {:>8.4f} {:>8.4f}\n", "off the reference, m per coordinate", found.compliance->mean_m,
                found.compliance->sd_m);
 }
 
@@ -261,9 +261,9 @@ Result<void> statistics(const ClipsStatisticsArguments& options) {
 
 void addClipsStatisticsCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsStatisticsArguments>();
-    Parser command = clips.addCommand(
-        "statistics",
-        "Measure speed, acceleration, jerk and style of clips, distances of two sets, compliance with poses");
+    Parser command = clips.addCommand("statistics",
+                                      "Measure speed, acceleration, jerk and style of clips, distances "
+                                      "between two sets, compliance with poses");
     describe(command, {.writes = "nothing; it prints the numbers.",
                        .example = "deixis clips statistics made/*.bvh --against recorded/*.bvh --json",
                        .page = "docs/measures.md"});

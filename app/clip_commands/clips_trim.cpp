@@ -60,7 +60,7 @@ Result<void> trim(const ClipsTrimArguments& options) {
 void addClipsTrimCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsTrimArguments>();
     Parser command = clips.addCommand("trim", "Keep a part of a clip");
-    describe(command, {.writes = "OUT, in the format that its ending names.",
+    describe(command, {.writes = "OUT, in the format given by its ending.",
                        .example = "deixis clips trim take.bvh -o part.bvh --from 1.5s --to 3s",
                        .page = "docs/segmentation.md"});
     command.addOption("IN", options->in, "Clip file").required();

@@ -51,7 +51,7 @@ Result<void> generate(const GenerateArguments& options) {
 void addGenerateCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<GenerateArguments>();
     Parser command = cli.addCommand("generate", "Make a built-in system's clips for a list of targets");
-    describe(command, {.writes = "to DIR a BVH file for each target and manifest.csv; all of them or none.",
+    describe(command, {.writes = "a BVH file for each target and manifest.csv to DIR; all of them or none.",
                        .example = "deixis targets pointing2023 > targets.csv\ndeixis generate direct "
                                   "--targets targets.csv -o clips/direct",
                        .page = "docs/systems.md"});
@@ -66,11 +66,12 @@ void addGenerateCommand(Parser cli, Command& chosen) {
     addForce(command, options->force);
     addSeed(command, options->seed, "what varies from clip to clip");
     command
-        .addOption("--hold", options->settings.hold_s, "Seconds that a gesture is held [as the system does]")
+        .addOption("--hold", options->settings.hold_s,
+                   "How long a gesture is held, in seconds [as the system does]")
         .check(Range(0.1, 30.0));
     command
         .addOption("--unsteadiness", options->settings.unsteadiness_m,
-                   "Metres that the fingertip wanders during the hold [as the system does]")
+                   "How far the fingertip wanders during the hold, in metres [as the system does]")
         .check(Range(0.0, 0.5));
     command.callback([options, &chosen] { chosen = [options] { return generate(*options); }; });
 }

@@ -46,7 +46,7 @@ void addImportOptions(Parser command, assets::ImportOptions& options) {
     addImportOptionsWithoutRate(command, options);
     command
         .addNumberOption(
-            "--fps", [&options](double fps) { options.fps = fps; }, "Frames a second [as the file says]")
+            "--fps", [&options](double fps) { options.fps = fps; }, "Frames per second [as the file says]")
         .check(Range(1.0, 10000.0));
 }
 

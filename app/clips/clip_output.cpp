@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 Result<void> rejectReplacing(const fs::path& file, bool force) {
     std::error_code code;
     if (!force && fs::exists(file, code))
-        return fail(file.string(), "is there already", "Give another name, or --force to replace it");
+        return fail(file.string(), "exists already", "Give another name, or --force to replace it");
     return {};
 }
 

@@ -91,8 +91,8 @@ Result<std::unique_ptr<DesktopOperator>> DesktopOperator::open(GlWindow& partici
         return fail("--operator",
                     "there is no room on the screen for the experimenter's window, which must not cover the "
                     "participant's",
-                    "Connect a second monitor that shows a part of the desktop of its own, or make the "
-                    "participant's window smaller, such as with --size 960x540 and without --fullscreen");
+                    "Connect a second monitor that extends the desktop, or make the participant's window "
+                    "smaller, such as with --size 960x540 and without --fullscreen");
     // A window that fills a screen would else go away when the experimenter's is used.
     glfwSetWindowAttrib(participants.handle(), GLFW_AUTO_ICONIFY, GLFW_FALSE);
     glfwShowWindow((*window)->handle());
@@ -138,7 +138,7 @@ OperatorView DesktopOperator::view(const studies::PresentedFrame& frame, bool in
     view.device_kind = "Display";
     view.device = fmt::format("{}x{} pixels", shown_.width, shown_.height);
     view.device_state = in_front ? DeviceWords{"In use", true}
-                                 : DeviceWords{"Mouse and keyboard are not the participant's", false};
+                                 : DeviceWords{"The participant does not have mouse and keyboard", false};
     view.frames_per_s = frames_per_s_;
     view.dropped_frames = dropped_;
     view.pointer = "Mouse";

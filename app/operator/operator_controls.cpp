@@ -70,8 +70,7 @@ class Controls {
             if (button("Recentre (R)", half_)) controls_.recentre();
         }
         if (const auto left = controls_.repeatLeft(now_s_)) {
-            if (really("repeat", "Really repeat?", "The old answer is kept, and marked.", pen_.width(),
-                       *left))
+            if (really("repeat", "Really repeat?", "The old answer is kept and marked.", pen_.width(), *left))
                 controls_.repeatLast(now_s_);
         } else {
             if (button("Repeat last trial", half_)) controls_.repeatLast(now_s_);
@@ -95,7 +94,7 @@ class Controls {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {pen_.px(button_gap), pen_.px(PanelPen::line_gap)});
         pen_.write(pen_.gui().bold(), look::text, skips ? "Skip this trial?" : "Abort the session?");
         pen_.write(pen_.gui().small(), look::faint,
-                   skips ? "It is left without an answer. The reason is kept with it."
+                   skips ? "It gets no answer. The reason is kept with it."
                          : "The participant then counts as a drop-out. The answers so far and the reason are "
                            "kept.");
         ImGui::PopStyleVar();

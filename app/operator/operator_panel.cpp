@@ -108,11 +108,11 @@ class Panel {
         if (view_.warnings.empty() && !full && failure.empty()) return;
         pen_.section("Please note");
         if (!failure.empty())
-            pen_.warning("The session stops, for answers can no longer be saved: " + failure);
+            pen_.warning("The session stops, because answers can no longer be saved: " + failure);
         if (full)
             pen_.warning(
-                fmt::format("Only {} are free on the disk of the database. Make room before it is "
-                            "full: the session ends when nothing more can be kept.",
+                fmt::format("Only {} are free on the disk of the database. Make room before it is full: the "
+                            "session ends when nothing more can be saved.",
                             bytesInWords(*view_.feed.disk_free_bytes)));
         for (const std::string& warning : view_.warnings) pen_.warning(warning);
     }
@@ -158,7 +158,7 @@ class Panel {
         if (!shown) return;
         const std::string& words = view_.feed.progress.trial;
         pen_.write(gui_.regular(), words.empty() ? look::faint : look::text,
-                   words.empty() ? "No trial is under way." : words);
+                   words.empty() ? "No trial is running." : words);
     }
 
     void stages() const {
@@ -218,7 +218,7 @@ class Panel {
         pen_.light(in_use, in_use ? look::good : look::warning);
         pen_.write(gui_.regular(), in_use ? look::text : look::warning, view_.device_state.words);
         pen_.row("Frames", gui_.bold(), look::text,
-                 fmt::format("{:.0f} a second, {} dropped", view_.frames_per_s, view_.dropped_frames));
+                 fmt::format("{:.0f} per second, {} dropped", view_.frames_per_s, view_.dropped_frames));
         if (view_.has_place) distance();
         if (view_.tracked.empty()) {
             pen_.row("Pointer", gui_.bold(), look::text, view_.pointer);
@@ -245,7 +245,7 @@ class Panel {
                  distanceInWords(*view_.off_place_m));
         if (off)
             pen_.write(gui_.small(), look::warning,
-                       fmt::format("Farther than {}: the participant is asked back.",
+                       fmt::format("Farther than {}: the participant is asked to step back.",
                                    distanceInWords(view_.place_tolerance_m)));
     }
 

@@ -32,7 +32,7 @@ std::string_view wordsFor(studies::PresentedState state) {
         case State::practice_again:
             return "Reads that there is more practice";
         case State::attention:
-            return "Reads a word about attention";
+            return "Reads a reminder to pay attention";
         case State::closing:
             return "Reads the closing words";
         case State::paused:
@@ -44,7 +44,7 @@ std::string_view wordsFor(studies::PresentedState state) {
         case State::pointing:
             return "Watches the avatar point";
         case State::check:
-            return "Is shown a number to give";
+            return "Is shown a number to enter";
         case State::rating:
             return "Rates the clip";
         case State::rated:
@@ -68,7 +68,7 @@ std::string_view wordsFor(studies::PresentedState state) {
         case State::over:
             return "The session is over";
     }
-    throw std::logic_error("a state without words");
+    throw std::logic_error("a state without a description");
 }
 
 struct EventWords {

@@ -17,9 +17,8 @@ std::string expectNoData(const std::string& file) {
                       std::filesystem::is_directory(path, code);
     if (!data) return "";
     return "found '" + file +
-           "', which is no JSON file: what follows --json is the file to write. To print, put --json last, "
-           "or "
-           "write --json=-";
+           "', which is not a JSON file: a word after --json is the file to write. To print, put --json "
+           "last, or write --json=-";
 }
 
 }  // namespace

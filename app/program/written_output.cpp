@@ -49,14 +49,14 @@ bool isDatabase(const std::string& file) {
 
 Result<void> checkOutput(const std::string& file) {
     if (!file.empty() && isDatabase(file))
-        return fail(file, "is a database; a report is not written over it", "Name another file");
+        return fail(file, "is a database and is not overwritten by a report", "Name another file");
     return {};
 }
 
 Result<void> checkReplaceable(const std::string& file, bool force) {
     std::error_code code;
     if (force || !std::filesystem::is_regular_file(file, code) || isOurs(file)) return {};
-    return fail(file, "is there already, and Deixis did not write it", how_to_replace);
+    return fail(file, "exists already, and Deixis did not write it", how_to_replace);
 }
 
 Result<void> checkFree(const std::string& file, bool force) {
@@ -93,7 +93,7 @@ Result<void> writeUnlessEdited(const std::string& file, std::string_view bytes, 
     std::error_code code;
     if (!force && std::filesystem::exists(file, code)) {
         const auto there = readFile(file);
-        if (!there || *there != bytes) return fail(file, "is there already", how_to_replace);
+        if (!there || *there != bytes) return fail(file, "exists already", how_to_replace);
     }
     return writeFile(file, bytes);
 }

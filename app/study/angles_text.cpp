@@ -46,10 +46,9 @@ std::string anglesText(const StudySetup& setup) {
     }
     if (by_avatar.empty()) return {};
     std::string out =
-        "angles: how near the nearest distractor looks to the target, in degrees; the smallest of all sets "
-        "of "
+        "angles: between the target and the nearest distractor, in degrees; the smallest of all sets of "
         "balls\n" +
-        line("as the avatar's eyes see it", by_avatar);
+        line("as seen by the avatar", by_avatar);
     for (std::size_t i = 0; i < places.size(); ++i)
         out += line(fmt::format("{}, {}", places[i].layout, studies::standingName(places[i].standing)),
                     by_place[i]);

@@ -11,7 +11,7 @@ namespace {
 Result<int> numberFor(const std::string& participant, std::optional<int> asked, const results::Store& store) {
     if (asked && store.numberTaken(*asked))
         return fail("--number", fmt::format("{} is the number of another participant", *asked),
-                    "Give another one, or none: the next free one is then taken");
+                    "Give another one, or none: the next free one is then used");
     if (asked) return *asked;
     const auto wanted = studies::numberOfParticipant(participant);
     return wanted && !store.numberTaken(*wanted) ? *wanted : store.firstFreeNumber();

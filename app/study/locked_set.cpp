@@ -32,7 +32,7 @@ std::string reason(int code) {
 }
 
 const char* const put_back =
-    "Put the folder back as it was, from a copy: without it nobody can be shown what the others were shown";
+    "Restore the folder from a copy: without it nobody can be shown what the others were shown";
 
 /// What the files of a set have that its list does not say.
 std::vector<std::string> damages(const fs::path& set, const LockedFiles& files, SeenFiles& seen) {
@@ -92,7 +92,7 @@ Result<LockedFiles> readLockedList(const fs::path& set) {
     constexpr std::size_t digits = 64;
     for (std::string line; std::getline(lines, line);) {
         if (line.size() < digits + 3 || line.compare(digits, 2, "  ") != 0)
-            return fail((set / list_name).string(), fmt::format("'{}' is no hash and name", line));
+            return fail((set / list_name).string(), fmt::format("'{}' is not a hash and a name", line));
         files.emplace(line.substr(digits + 2), line.substr(0, digits));
     }
     return files;
@@ -106,7 +106,7 @@ Result<LockedFiles> verifyLocked(const fs::path& database, const std::string& ha
     const auto list = readFile(set / list_name);
     if (!list || sha256Hex(*list) != hash)
         return fail((set / list_name).string(),
-                    list ? "is not the list of the locked study any more" : "is missing", put_back);
+                    list ? "is no longer the list of the locked study" : "is missing", put_back);
     auto files = readLockedList(set);
     if (!files) return files;
     SeenFiles seen = seenFiles(database);

@@ -21,7 +21,7 @@ Result<assets::Avatar> shippedAvatarFor(const std::set<std::string>& hashes) {
     const bool known = !hashes.empty() && !hashes.contains("");
     if (avatar && known && !hashes.contains(avatar->content_hash))
         fmt::print(stderr,
-                   "note: the sessions showed another version of Deixis's avatar; this version's is taken\n");
+                   "note: the sessions showed another version of Deixis's avatar; this version's is used\n");
     return avatar;
 }
 

@@ -54,10 +54,9 @@ Result<fs::path> findClip(const results::ClipRecord& record, const fs::path& fol
         met = true;
     }
     if (met)
-        return fail(record.file, "holds another movement than the one that was shown",
+        return fail(record.file, "has another movement than the one that was shown",
                     "Name the folder of the clips that were shown with --stimuli");
-    return fail(record.file, "No such file; it is the clip that was shown",
-                "Name the folder that it lies in now with --stimuli");
+    return fail(record.file, "No such file; it is the clip that was shown", "Name its folder with --stimuli");
 }
 
 }  // namespace
@@ -69,7 +68,7 @@ Result<void> addShownClip(results::ClipRecords& to, const studies::Stimulus& sti
     return fail(
         database.string(),
         fmt::format("participants were shown different clips of {} for {}", stimulus.system, stimulus.item),
-        "Take the databases of each set of clips by themselves");
+        "Use the databases of each set of clips separately");
 }
 
 Result<RecordedClips> RecordedClips::load(const results::ClipRecords& records, const assets::Avatar& avatar,

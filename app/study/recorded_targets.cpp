@@ -21,7 +21,7 @@ Result<MarkerTrack> readMarker(const CsvSheet& sheet, double frame_time_s, doubl
     std::array<std::size_t, 3> places{};
     for (std::size_t i = 0; i < axes.size(); ++i) {
         const auto place =
-            sheet.column(axes[i], fmt::format("The columns are {},x,y,z; others are passed over", clock));
+            sheet.column(axes[i], fmt::format("The columns are {},x,y,z; others are ignored", clock));
         if (!place) return tl::unexpected(place.error());
         places[i] = *place;
     }
@@ -41,8 +41,8 @@ Result<MarkerTrack> readMarker(const CsvSheet& sheet, double frame_time_s, doubl
         track.samples.push_back(sample);
     }
     if (track.samples.empty())
-        return fail(sheet.name, "holds no position of the marker",
-                    fmt::format("Expected a line {},x,y,z for each moment in which it is seen", clock));
+        return fail(sheet.name, "has no position of the marker",
+                    fmt::format("Expected a line {},x,y,z for each moment in which it is visible", clock));
     std::stable_sort(track.samples.begin(), track.samples.end(),
                      [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
     return track;

@@ -86,25 +86,25 @@ Result<std::vector<studies::TargetItem>> targetsAsBegun(const StudySetup& setup)
 }
 
 Error holdsNone(const fs::path& database) {
-    return {database.string(), "holds no study yet",
+    return {database.string(), "has no study yet",
             fmt::format("deixis run STUDY --db {}", database.string())};
 }
 
 Error lockedNothing(const fs::path& database) {
     return {database.string(),
-            "was begun by a program that locked nothing yet, so that its study must be named once more",
+            "was begun by a program that did not lock the study, so the study must be named again",
             fmt::format("deixis run STUDY --db {}", database.string())};
 }
 
 /// Empty: this program plans as the one that locked the study.
 std::string plannerDifference(const LockedStudy& locked) {
     if (locked.planner == studies::planner_version) return "";
-    return fmt::format("this program plans trials in another way (version {}, not {})",
-                       studies::planner_version, locked.planner);
+    return fmt::format("this program plans trials differently (version {}, not {})", studies::planner_version,
+                       locked.planner);
 }
 
 std::string otherPlanner(const std::string& difference) {
-    return difference + " than the one that the study was begun with";
+    return difference + " than the one that began the study";
 }
 
 /// Of a database that an older program began: what is there now is locked.
@@ -137,7 +137,7 @@ Result<void> checkName(const StudyRequest& request, const results::Store& store)
     const std::string asked = studies::studyNamedIn(*text);
     if (asked.empty() || kept.empty() || asked == kept) return {};
     return fail(request.database.string(),
-                fmt::format("holds study '{}', but {} is '{}'", kept, file.string(), asked),
+                fmt::format("has the study '{}', but {} is '{}'", kept, file.string(), asked),
                 "Use the study file that it was begun with, or another database");
 }
 
@@ -153,9 +153,9 @@ Result<std::string> acceptChanges(const StudyRequest& request, results::Store& s
         if (!setup) return tl::unexpected(setup.error());
         if (const auto other = structureDifference(before.setup.study, setup->study); !other.empty())
             return fail(request.study,
-                        fmt::format("is another study than {} holds, whose answers it does not fit: {}",
+                        fmt::format("is another study than the one in {}, and does not fit its answers: {}",
                                     request.database.string(), other),
-                        "Begin another database for it, or put that back");
+                        "Use another database for it, or undo the change");
         hash = lockNow(*setup, request, store, false);
     }
     if (!hash) return hash;
@@ -163,7 +163,7 @@ Result<std::string> acceptChanges(const StudyRequest& request, results::Store& s
     if (auto kept = store.changeLocked(before.hash, *hash, what.dump(), request.accept_changes, utcNow_s());
         !kept)
         return tl::unexpected(kept.error());
-    fmt::print("changes accepted, and kept with the reason: {}\n", fmt::join(changes, "; "));
+    fmt::print("changes accepted, and recorded with the reason: {}\n", fmt::join(changes, "; "));
     return hash;
 }
 
@@ -225,23 +225,20 @@ Result<LockedStudy> studyUnderWay(const StudyRequest& asked, results::Store& sto
     if (!changes.empty() && request.accept_changes.empty())
         return fail(
             where,
-            fmt::format("holds study '{}' as it was locked when it began, and its files are other ones "
-                        "now: {}",
+            fmt::format("has the study '{}' as it was locked when it began, and its files have changed: {}",
                         current->setup.study.name, listed(changes)),
-            fmt::format("Put the old files back; or leave the study file out ('deixis run --db {}' goes "
-                        "on with what was locked); or name the reason with --accept-changes "
-                        "\"REASON\", which is kept: new participants then get the new files; or take another "
-                        "database",
+            fmt::format("Restore the old files; or leave the study file out ('deixis run --db {}' continues "
+                        "with what was locked); or give the reason with --accept-changes \"REASON\", which "
+                        "is recorded: new participants then get the new files; or use another database",
                         where));
     const bool only_planner = changes.empty();
     // A stored plan is never made again, so another planner matters to new participants alone.
     if (const auto other = plannerDifference(*current); !other.empty() && !planned) {
         changes.push_back(other);
         if (request.accept_changes.empty())
-            return fail(
-                where, otherPlanner(other),
-                "Use the program that it was begun with for new participants; or name the reason with "
-                "--accept-changes \"REASON\", which is kept");
+            return fail(where, otherPlanner(other),
+                        "Use the program that it was begun with for new participants; or give the reason "
+                        "with --accept-changes \"REASON\", which is recorded");
     }
     if (!request.accept_changes.empty()) {
         if (changes.empty())

@@ -41,9 +41,8 @@ std::string visibilityText(const StudySetup& setup, const assets::Avatar& avatar
                                                                [](const auto& item) { return item.placed; }));
     const std::size_t sets = placed * study.distances.size();
     std::string out = fmt::format(
-        "visibility: \"{}\"; sets of balls of which {:.0f} % or more of each is seen, past the avatar at "
-        "rest "
-        "and pointing\n",
+        "visibility: \"{}\"; sets of balls of which at least {:.0f} % of each is visible, past the avatar at "
+        "rest and pointing\n",
         study.targets.clear_view ? "clear" : "any", 100.0 * studies::min_visible_share);
     for (const auto& viewpoint : from) {
         std::vector<std::string> hidden = hiddenSets(setup, viewpoint, body);

@@ -61,10 +61,9 @@ std::vector<std::string> warningsOf(const studies::Study& study) {
         if (file.empty()) return;
         const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(folder);
         if (relative.empty() || *relative.begin() == "..")
-            out.push_back(
-                fmt::format("{}: {} lies outside the study's folder, which does not hold all that it "
-                            "needs on another machine",
-                            study.place(key), file.string()));
+            out.push_back(fmt::format(
+                "{}: {} is outside the study's folder, which is then incomplete on another machine",
+                study.place(key), file.string()));
     };
     warnPath("study.avatar", study.avatar);
     warnPath("targets.fit_manifest", study.targets.fit_manifest);
@@ -77,10 +76,9 @@ std::vector<std::string> warningsOf(const studies::Study& study) {
         if (!manifest) continue;
         for (const auto* row : rowsOfSystem(*manifest, system.name))
             if (fs::path(row->clip).is_absolute())
-                out.push_back(
-                    fmt::format("{}: {}:{}: clip: {} is an absolute path, which another machine may "
-                                "not have",
-                                study.place(key), system.manifest, row->line, row->clip));
+                out.push_back(fmt::format(
+                    "{}: {}:{}: clip: {} is an absolute path, which may not exist on another machine",
+                    study.place(key), system.manifest, row->line, row->clip));
     }
     constexpr double full_turn_rad = 6.2832;
     for (const auto& layout : study.layouts)
@@ -167,10 +165,10 @@ Result<void> check(const std::string& name) {
 void addCheckCommand(Parser cli, Command& chosen) {
     auto study = std::make_shared<std::string>();
     Parser command = cli.addCommand("check", "Check a study file: every problem, in every language");
-    describe(command, {.writes = "nothing; it prints what the study holds, or its mistakes.",
+    describe(command, {.writes = "nothing; it prints what the study contains, or its mistakes.",
                        .example = "deixis check my-study.toml",
                        .page = "docs/study-file.md"});
-    command.addOption("STUDY", *study, "Study file, or the name of one that ships").required();
+    command.addOption("STUDY", *study, "Study file, or the name of one included").required();
     command.callback([study, &chosen] { chosen = [study] { return check(*study); }; });
 }
 

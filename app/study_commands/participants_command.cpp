@@ -58,8 +58,8 @@ Result<void> list(const ParticipantsArguments& options) {
                found->rows.size() == 1 ? "participant" : "participants", answered, planned, found->withdrawn);
     if (found->uncleared > 0)
         fmt::print(
-            "A withdrawal was broken off: give 'deixis participants withdraw' with the same id again, to "
-            "clear the traces that free pages of the file still hold\n");
+            "A withdrawal was interrupted: run 'deixis participants withdraw' with the same id again, to "
+            "clear the traces in free pages of the file\n");
     return {};
 }
 
@@ -91,8 +91,8 @@ Result<void> include(const ParticipantsArguments& options) {
     if (!done) return tl::unexpected(done.error());
     if (done->consent_asked_anew)
         fmt::print(
-            "{0} did not give consent: the next session asks for it before anything else, and nothing of {0} "
-            "counts until it is given\n",
+            "{0} did not give consent: the next session asks for it first, and nothing of {0} counts until "
+            "it is given\n",
             options.participant);
     else
         fmt::print("{} takes part again\n", options.participant);
@@ -108,16 +108,15 @@ Result<void> include(const ParticipantsArguments& options) {
 Result<void> withdraw(const ParticipantsArguments& options) {
     if (!options.yes)
         return fail("--yes",
-                    fmt::format("is missing: everything that is kept of {} would be erased, for good",
-                                options.participant),
-                    "Give --yes where that is meant; reports and exports made before are yours to delete");
+                    fmt::format("is missing: all data of {} would be erased for good", options.participant),
+                    "Give --yes to confirm; reports and exports made before are yours to delete");
     auto done = results::withdrawParticipant(options.database, options.participant, utcNow_s());
     if (!done) return tl::unexpected(done.error());
     if (*done == results::Withdrawn::erased)
-        fmt::print("{} is withdrawn: everything kept in {} is erased, and counted as one withdrawal\n",
+        fmt::print("{} is withdrawn: all data in {} is erased, and counted as one withdrawal\n",
                    options.participant, options.database);
     else
-        fmt::print("The withdrawal that was broken off is finished: nothing of the person is left in {}\n",
+        fmt::print("The interrupted withdrawal is finished: nothing of the person is left in {}\n",
                    options.database);
     return {};
 }
@@ -127,7 +126,7 @@ Result<void> withdraw(const ParticipantsArguments& options) {
 void addParticipantsCommand(Parser cli, Command& chosen) {
     Parser group = cli.addCommand("participants", "List, show, exclude or withdraw participants");
     group.requireCommand();
-    describe(group, {.writes = "nothing, or to the database what the commands say.",
+    describe(group, {.writes = "nothing, or to the database, as each command says.",
                      .example = "deixis participants list study.sqlite",
                      .page = "docs/running-a-study.md"});
     const auto add = [&](const char* name, const char* what, const CommandText& text, bool one,
@@ -146,7 +145,7 @@ void addParticipantsCommand(Parser cli, Command& chosen) {
          .page = "docs/running-a-study.md"},
         false, list);
     add("show", "Show one participant: fields, sessions, events",
-        {.writes = "nothing; it prints what is kept.",
+        {.writes = "nothing; it prints what is stored.",
          .example = "deixis participants show study.sqlite P07",
          .page = "docs/running-a-study.md"},
         true, show);

@@ -108,27 +108,25 @@ void addPlanCommand(Parser cli, Command& chosen) {
                        .example = "deixis plan pointing2023 --participant P07\ndeixis plan --db "
                                   "study.sqlite --participant P07 --json",
                        .page = "docs/design.md"});
-    auto study = command.addOption("STUDY", options->study, "Study file, or the name of one that ships");
+    auto study = command.addOption("STUDY", options->study, "Study file, or the name of one included");
     auto database = command.addOption("--db", options->database,
-                                      "In place of STUDY: a database. The plan that it holds of the "
-                                      "participant, or that the next session would store");
+                                      "Instead of STUDY: a database. Prints the participant's stored plan, "
+                                      "or the one that the next session would store");
     database.excludes(study);
     command.addOption("--participant", options->participant, "Pseudonymous id, such as P07").required();
     command
         .addOption("--number", options->number,
-                   "Number of the participant in the study [the digits that the id ends in, or 1]")
+                   "Number of the participant in the study [the digits at the end of the id, or 1]")
         .check(Range(1, 999999));
-    auto group =
-        command.addOption("--group", options->groups,
-                          "Level of a factor between participants; may be repeated [as drawn where all "
-                          "before enrolled in "
-                          "the order of their numbers]");
+    auto group = command.addOption("--group", options->groups,
+                                   "Level of a between-participants factor; may be repeated [as if all "
+                                   "earlier numbers had enrolled in order]");
     group.valueName("FACTOR=LEVEL");
     database.excludes(group);
     addJson(command, options->json, "Print JSON instead of a table");
     command.callback([options, &chosen] {
         if (options->study.empty() && options->database.empty())
-            rejectUsage("plan", "Give STUDY, or with --db the database of a study under way");
+            rejectUsage("plan", "Give STUDY, or the database of a running study with --db");
         chosen = [options] { return printPlan(*options); };
     });
 }

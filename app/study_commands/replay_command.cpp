@@ -49,7 +49,7 @@ void printList(const results::Recording& recording) {
             shown += fmt::format("{}{} {}", shown.empty() ? "" : ", ", stimulus.system, stimulus.item);
         fmt::print("trial {:>3}  session {}  {}{}  {}  [{}]  {} frames{}\n", trial.index, answer.session,
                    trial.stage, trial.practice ? " (practice)" : "", answer.outcome, shown,
-                   answer.trial.tracking.size(), answer.superseded ? "  (done again: does not count)" : "");
+                   answer.trial.tracking.size(), answer.superseded ? "  (repeated: does not count)" : "");
     }
 }
 
@@ -87,17 +87,18 @@ Result<void> printChoices(const results::Recording& recording, const studies::Cl
             tracked_same += by_tracking == trial.chosenPlace();
             also = fmt::format(", by the tracked hand {}", placeInWords(by_tracking));
         }
-        fmt::print("trial {:>3}: chose {}, by the ray kept with the answer {}{}\n", trial.trial.index,
+        fmt::print("trial {:>3}: chose {}, by the ray stored with the answer {}{}\n", trial.trial.index,
                    placeInWords(trial.chosenPlace()), placeInWords(by_ray), also);
     }
     if (choices == 0) {
-        fmt::print("{} has chosen among no balls\n", recording.participant);
+        fmt::print("{} chose among no balls\n", recording.participant);
         return {};
     }
-    fmt::print("{} choices: {} the same from the ray kept with the answer; {} of {} from the tracked hand\n",
-               choices, same, tracked_same, tracked);
+    fmt::print(
+        "{} choices: {} the same from the ray stored with the answer; {} of {} from the tracked hand\n",
+        choices, same, tracked_same, tracked);
     if (same != choices)
-        return fail(recording.participant, "some choices are not those that the recorded rays give");
+        return fail(recording.participant, "some choices differ from those that the recorded rays give");
     return {};
 }
 
@@ -119,7 +120,7 @@ Result<void> replay(ReplayArguments options) {
             return fail(options.database,
                         fmt::format("{} has answered no trial {} that shows clips", options.participant,
                                     options.trial),
-                        "--list prints those that there are");
+                        "--list prints the trials");
     }
     if (options.list) {
         printList(*recording);
@@ -139,7 +140,7 @@ Result<void> replay(ReplayArguments options) {
     return showReplay(*recording, *clips, *avatar, options.view);
 #else
     return fail("replay", "this program was built without windows (DEIXIS_IMMERSIVE=OFF)",
-                "--list and --choices need none");
+                "--list and --choices need no window");
 #endif
 }
 
@@ -163,7 +164,7 @@ void addReplayCommand(Parser cli, Command& chosen) {
         "Folder of the clips that were shown [what is locked beside the database; else where they were]");
     command.addOption("--avatar", options->avatar,
                       "The avatar that was shown, glTF or VRM [the one locked beside the database; else the "
-                      "study's, from the database's folder on, or Deixis's own]");
+                      "study's, relative to the database's folder, or Deixis's own]");
 #ifdef DEIXIS_IMMERSIVE
     command
         .addOption("--view", options->view.view, "first: through the participant's eyes; third: from outside")
@@ -173,7 +174,7 @@ void addReplayCommand(Parser cli, Command& chosen) {
                       "Write each frame as a PNG into a folder; no window");
     command.addOption("--mp4", options->view.mp4_file, "Write a film (needs ffmpeg); no window");
     addForce(command, options->force, "pictures or a film that are");
-    command.addOption("--fps", options->view.frames_per_s, "Frames a second of what is written")
+    command.addOption("--fps", options->view.frames_per_s, "Frames per second of what is written")
         .check(Range(1.0, 240.0))
         .showDefault();
     command.addOption("--speed", options->view.speed, "Playback speed: 1 as recorded, 0.25 four times slower")

@@ -105,14 +105,14 @@ void tellOutcome(const std::string& participant, studies::SessionOutcome outcome
         case studies::SessionOutcome::finished:
             if (left > 0)
                 fmt::print(
-                    "{} has finished this visit; {} trials wait for the next one, which the same command "
+                    "{} has finished this visit; {} trials are left for the next one, which the same command "
                     "with --participant {} begins\n",
                     participant, left, participant);
             return;
         case studies::SessionOutcome::quit:
         case studies::SessionOutcome::running:
             if (left > 0)
-                fmt::print("{} has {} trials left; the same command with --participant {} goes on there\n",
+                fmt::print("{} has {} trials left; the same command with --participant {} continues there\n",
                            participant, left, participant);
     }
 }
@@ -185,7 +185,7 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
     const studies::StationInfo info = (*station)->info();
     if (store.hasSession(participant, !info.synthetic))
         return fail(options.database,
-                    fmt::format("the answers of {} were begun by a {}; they are not mixed with a {}'s",
+                    fmt::format("the answers of {} were begun by a {} and are not mixed with a {}'s",
                                 participant, info.synthetic ? "person" : "simulated participant",
                                 info.synthetic ? "simulated participant" : "person"),
                     "Name another participant with --participant, or another database with --db");
@@ -233,12 +233,12 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
         runSession(session, **station, told);
         told.finish();
     } catch (const results::DatabaseMoved& moved) {
-        throw std::runtime_error(fmt::format("{}. After that the same command with --participant {} goes on",
-                                             moved.what(), participant));
+        throw std::runtime_error(fmt::format(
+            "{}. After that the same command with --participant {} continues", moved.what(), participant));
     } catch (const std::exception& error) {
         throw std::runtime_error(
-            fmt::format("{}. All earlier answers are kept in {}; the same command with --participant {} goes "
-                        "on after them",
+            fmt::format("{}. All earlier answers are kept in {}; the same command with --participant {} "
+                        "continues after them",
                         error.what(), options.database, participant));
     }
     store.endSession(session.outcome(), utcNow_s());
@@ -310,21 +310,19 @@ Result<void> run(RunArguments options) {
 void addRunCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<RunArguments>();
     Parser command = cli.addCommand("run", "Run one participant's session, or resume it where it stopped");
-    describe(
-        command,
-        {.writes =
-             "to DATABASE, every answer as it is given; beside it DATABASE.locked, stimuli and the report "
-             "(STUDY.sqlite and STUDY.html in this folder where neither --db nor --report names them).",
-         .example = "deixis run pointing2023 --participant P07 --db study.sqlite",
-         .page = "docs/running-a-study.md"});
+    describe(command,
+             {.writes = "every answer to DATABASE as it is given; beside it DATABASE.locked, stimuli and the "
+                        "report (default: STUDY.sqlite and STUDY.html in this folder).",
+              .example = "deixis run pointing2023 --participant P07 --db study.sqlite",
+              .page = "docs/running-a-study.md"});
     command.addOption("STUDY", options->study,
-                      "Study file, or the name of one that ships [with --db: the study that it holds]");
+                      "Study file, or the name of one included [with --db: the study in the database]");
     command.addOption("--participant", options->participant,
                       "Pseudonymous id [the next free of P01, P02, ...]");
     command
         .addOption("--number", options->number,
-                   "Number of a new participant, which the order of trials follows [the digits that the id "
-                   "ends in, or the next free one]")
+                   "Number of a new participant, which determines the order of trials [the digits at the end "
+                   "of the id, or the next free one]")
         .check(Range(1, 999999));
     addLanguage(command, options->language);
     command
@@ -340,7 +338,7 @@ void addRunCommand(Parser cli, Command& chosen) {
     command.addOption("--db", options->database, "Database to create or to continue [STUDY.sqlite]");
     command
         .addOption("--accept-changes", options->accept_changes,
-                   "Why the study's files were changed since it began; the reason is kept, and new "
+                   "Why the study's files were changed since it began; the reason is recorded, and new "
                    "participants get the new files")
         .check([](const std::string& reason) {
             return trimmed(reason).empty() ? "needs a reason in words" : std::string();
@@ -355,25 +353,25 @@ void addRunCommand(Parser cli, Command& chosen) {
         .check(Range(0.2, 3.0))
         .showDefault();
     command.addFlag("--operator", options->station.operator_window,
-                    "The experimenter's window, on a second monitor or beside the participant's (desktop; a "
-                    "headset has it always)");
+                    "Open the experimenter's window, on a second monitor or beside the participant's "
+                    "(desktop; always open with a headset)");
     command.addFlag("--fullscreen", options->station.fullscreen, "Fill the screen (desktop)");
     command
         .addOption("--parameters", options->station.simulated_parameters,
-                   "Simulated participant's parameters (TOML) [those that ship]")
+                   "Simulated participant's parameters (TOML) [the default ones]")
         .defaultValue(assets::dataFile("simulated_participant.toml").string())
         .showDefault("");
     command
         .addOption("--screenshot", options->screenshots,
-                   "A picture of a state of the simulated session; may be repeated")
+                   "Write a picture of a state of the simulated session; may be repeated")
         .valueName("STATE=FILE.png");
     addForce(command, options->force, "pictures that are");
-    command.addOption("--trace", options->trace,
-                      "File to which a JSON line is added for each change of what is presented, while the "
-                      "session runs");
+    command.addOption(
+        "--trace", options->trace,
+        "File that gets a JSON line for each change in what is presented, while the session runs");
     command.callback([options, &chosen] {
         if (options->study.empty() && options->database.empty())
-            rejectUsage("run", "Give STUDY, or with --db the database of a study under way");
+            rejectUsage("run", "Give STUDY, or the database of a running study with --db");
         chosen = [options] { return run(*options); };
     });
 }

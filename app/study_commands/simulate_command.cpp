@@ -100,10 +100,10 @@ void addSimulateCommand(Parser cli, Command& chosen) {
     Parser command = cli.addCommand(
         "simulate", "Run whole studies with simulated participants, in virtual time, without drawing");
     describe(command, {.writes = "a new database, and beside it its locked study and the clips of the "
-                                 "built-in systems. A database that is there already is never replaced.",
+                                 "built-in systems. An existing database is never replaced.",
                        .example = "deixis simulate pointing2023 --participants 39 -o simulated.sqlite",
                        .page = "docs/simulated-participant.md"});
-    command.addOption("STUDY", options->study, "Study file, or the name of one that ships").required();
+    command.addOption("STUDY", options->study, "Study file, or the name of one included").required();
     command
         .addOption("--participants", options->participants,
                    "How many simulated participants, S001, S002 and so on")
@@ -114,7 +114,7 @@ void addSimulateCommand(Parser cli, Command& chosen) {
                       "Folder for the built-in systems' clips [beside the database]");
     command
         .addOption("--parameters", options->parameters,
-                   "Simulated participants' parameters (TOML) [those that ship]")
+                   "Simulated participants' parameters (TOML) [the default ones]")
         .defaultValue(assets::dataFile("simulated_participant.toml").string())
         .showDefault("");
     command.callback([options, &chosen] { chosen = [options] { return simulate(*options); }; });

@@ -70,27 +70,26 @@ void addTargetsCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<TargetsArguments>();
     Parser command = cli.addCommand(
         "targets", "Print a study's targets and distractors as CSV; with --picture draw them, too");
-    describe(command, {.writes = "nothing but what it prints, unless --picture names a file.",
+    describe(command, {.writes = "only what it prints, unless --picture is given.",
                        .example = "deixis targets pointing2023 > targets.csv\ndeixis targets pointing2023 "
                                   "--picture targets.svg > targets.csv\ndeixis targets --grid > grid.csv",
                        .page = "docs/design.md"});
-    command.addOption("STUDY", options->study, "Study file, or the name of one that ships");
+    command.addOption("STUDY", options->study, "Study file, or the name of one included");
     command.addOption("--picture", options->picture, "SVG picture of the targets to write");
     addForce(command, options->force, "a picture that is");
-    Option grid_option =
-        command
-            .addOption("--grid", options->grid,
-                       "Instead: so many test points (a third power; without a number 1000, as in the paper) "
-                       "within the limits of the training targets")
-            .expected(0, 1)
-            .showDefault("1000");
+    Option grid_option = command
+                             .addOption("--grid", options->grid,
+                                        "Instead: this many test points (a cube number; default 1000, as in "
+                                        "the paper) within the limits of the training targets")
+                             .expected(0, 1)
+                             .showDefault("1000");
     command.addOption("--training", options->training,
                       "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
     command.callback([options, grid_option, &chosen] {
         const bool grid = grid_option.given();
         if (grid != options->study.empty()) rejectUsage("targets", "Give either STUDY or --grid");
         if (!grid && !options->training.empty())
-            rejectUsage("--training", "Belongs to --grid: a study says itself where its targets lie");
+            rejectUsage("--training", "Only with --grid: a study has its own targets");
         chosen = [options, grid] { return grid ? printGrid(*options) : printTargets(*options); };
     });
 }

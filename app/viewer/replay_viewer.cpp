@@ -53,7 +53,7 @@ class Show {
         const studies::Trial& trial = answer(i).trial.trial;
         return fmt::format("Trial {} ({}{}): {}{}", trial.index, trial.stage,
                            trial.practice ? ", practice" : "", answer(i).outcome,
-                           answer(i).superseded ? " - done again, does not count" : "");
+                           answer(i).superseded ? " - repeated, does not count" : "");
     }
 
   private:
@@ -120,7 +120,7 @@ std::string quoted(const std::string& text) {
 Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
                        WindowSize size) {
     if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
-        return fail("--mp4", "ffmpeg is not installed, which makes the film",
+        return fail("--mp4", "ffmpeg, which makes the film, is not installed",
                     "Install it (Debian: apt install ffmpeg), or write pictures with --png FOLDER");
     // Written beside and renamed at the end: no half film.
     PartialFile partial(options.mp4_file, ".partial.mp4");
@@ -138,8 +138,7 @@ Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const Rep
         });
     const int status = pclose(ffmpeg);
     if (!frames) return tl::unexpected(frames.error());
-    if (status != 0)
-        return fail(options.mp4_file, "ffmpeg could not write the film; its own words stand above");
+    if (status != 0) return fail(options.mp4_file, "ffmpeg could not write the film; see its message above");
     if (auto moved = partial.finish(); !moved) return moved;
     fmt::print("{} frames: {}\n", *frames, options.mp4_file);
     return {};

@@ -39,7 +39,7 @@ Result<WindowSize> parseWindowSize(const std::string& text) {
         return WindowSize{static_cast<int>(*width), static_cast<int>(*height)};
     return fail(
         "--size",
-        fmt::format("'{}' is no size; expected WIDTHxHEIGHT, each 64 to 8192, such as 1280x720", text));
+        fmt::format("'{}' is not a size; expected WIDTHxHEIGHT, each 64 to 8192, such as 1280x720", text));
 }
 
 Result<std::unique_ptr<GlWindow>> GlWindow::open(const std::string& title, WindowSize size, bool fullscreen) {

@@ -131,7 +131,7 @@ TEST_SUITE("app/check_clips") {
                   withField(lab.read("clips/manifest.csv"), 1, clip, lab.path("clips/direct_T001.bvh")));
         const auto checked = program("check " + lab.path("study.toml"));
         CHECK_MESSAGE(checked.status == 0, checked.err);
-        for (const char* words : {"study.toml:5: study.avatar: ", "lies outside the study's folder",
+        for (const char* words : {"study.toml:5: study.avatar: ", "is outside the study's folder",
                                   "clips/manifest.csv:2: clip: ", "is an absolute path",
                                   "study.toml:21: layouts.heading_deg: 3.14159 looks like radians, expected "
                                   "degrees (180?)"})

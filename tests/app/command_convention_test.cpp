@@ -149,7 +149,12 @@ TEST_SUITE("app/command_convention") {
                         CHECK(option->check_sname("o"));
                         with_output.insert(command.words);
                     }
-                    if (name == "force") CHECK(option->get_description() == "Replace what is there already");
+                    if (name == "force") {
+                        CHECK(option->get_description().starts_with("Replace "));
+                        CHECK(option->get_description().ends_with(" there already"));
+                    }
+                    for (const char* writes : {"latex", "r", "png", "mp4", "screenshot", "picture"})
+                        if (name == writes) CHECK(command.app->get_option_no_throw("--force") != nullptr);
                     if (name == "json") CHECK(option->get_items_expected_min() == 0);
                     if (name == "seed") CHECK(option->get_description().starts_with("Seed of "));
                 }
@@ -220,6 +225,48 @@ TEST_SUITE("app/command_convention") {
         CHECK(slurp(scratch / "thesis.html") == "<html>my thesis</html>");
         CHECK(programIn(scratch, "report answers.csv -o thesis.html --force").status == 0);
         CHECK(slurp(scratch / "thesis.html") == slurp(scratch / "report.html"));
+    }
+
+    TEST_CASE("Tables replace their own earlier version, pictures nothing, unless --force is given") {
+        const Scratch scratch;
+        spill(scratch / "answers.csv",
+              "participant,system,rating\nP1,a,1\nP1,b,3\nP2,a,2\nP2,b,5\nP3,a,1\nP3,b,4\nP4,a,2\nP4,b,2\n");
+        const std::string report = "report answers.csv -o report.html --csv tables --latex tex --r r";
+        REQUIRE(programIn(scratch, report).status == 0);
+        const std::string means = slurp(scratch / "tables/means.csv");
+        CHECK(fs::exists(scratch / "tex/means.tex"));
+        CHECK(fs::exists(scratch / "r/analysis.R"));
+        // Other answers, the same tables.
+        spill(scratch / "answers.csv", slurp(scratch / "answers.csv") + "P5,a,1\nP5,b,5\n");
+        REQUIRE(programIn(scratch, report).status == 0);
+        CHECK(slurp(scratch / "tables/means.csv") != means);
+        // A lab's own file of that name stays, and nothing else is written.
+        for (const std::string mine : {"tables/means.csv", "tex/means.tex", "r/analysis.R"}) {
+            CAPTURE(mine);
+            const std::string made = slurp(scratch / mine);
+            spill(scratch / mine, "my own\n");
+            fs::remove(scratch / "report.html");
+            CHECK_FAILS_SAYING(programIn(scratch, report), mine, "--force");
+            CHECK(slurp(scratch / mine) == "my own\n");
+            CHECK_FALSE(fs::exists(scratch / "report.html"));
+            CHECK(programIn(scratch, report + " --force").status == 0);
+            CHECK(slurp(scratch / mine) == made);
+        }
+        spill(scratch / "fig.svg", "mine");
+        const std::string targets = "targets pointing2023 --picture fig.svg";
+        CHECK_FAILS_SAYING(programIn(scratch, targets), "fig.svg", "--force");
+        CHECK(slurp(scratch / "fig.svg") == "mine");
+        CHECK(programIn(scratch, targets + " --force").status == 0);
+        CHECK(slurp(scratch / "fig.svg").starts_with("<svg"));
+        spill(scratch / "clip.png", "mine");
+        CHECK_FAILS_SAYING(programIn(scratch, "view clip.bvh --screenshot clip.png"), "clip.png", "--force");
+        CHECK_FAILS_SAYING(
+            programIn(scratch, "run pointing2023 --station simulated --screenshot rating=clip.png"),
+            "clip.png", "--force");
+        CHECK_FAILS_SAYING(programIn(scratch, "replay s.sqlite --participant P01 --mp4 clip.png"), "clip.png",
+                           "--force");
+        CHECK(filesBelow(scratch.path()) > 3);
+        CHECK_FALSE(fs::exists(scratch / "pointing2023.sqlite"));
     }
 
     TEST_CASE("Spellings of earlier versions go on working") {

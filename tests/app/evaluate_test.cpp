@@ -197,7 +197,7 @@ TEST_SUITE("app/evaluate") {
             "--study", "no clip was made for a target of the study");
         CHECK_FAILS_SAYING(
             program("evaluate " + manifests() + " --study genea-pairwise -o " + (scratch / "n.html")),
-            "genea-pairwise", "plays no referential game");
+            "genea-pairwise", "has no referential game");
     }
 
     TEST_CASE("A clip without phases is measured at the peak of the gesture that is found") {

@@ -195,7 +195,7 @@ TEST_SUITE("app/locked_study") {
         }
         SUBCASE("the list was changed") {
             spill(set / "locked.sha256", slurp(set / "locked.sha256") + "\n");
-            rejected("is not the list");
+            rejected("is no longer the list");
         }
         SUBCASE("all is gone") {
             fs::remove_all(set.parent_path());
@@ -238,7 +238,7 @@ TEST_SUITE("app/locked_study") {
             db.exec("UPDATE study SET locked_hash = NULL; UPDATE plans SET locked_hash = NULL");
         }
         fs::remove_all(lab.path("study.locked"));
-        CHECK_FAILS_SAYING(lab.run("S001", "", ""), "named once more", "deixis run STUDY --db");
+        CHECK_FAILS_SAYING(lab.run("S001", "", ""), "named again", "deixis run STUDY --db");
         SUBCASE("as it was") {
             const auto ran = lab.run("S001");
             REQUIRE_MESSAGE(ran.status == 0, ran.err);

@@ -105,18 +105,18 @@ TEST_SUITE("app/push server") {
         INFO(done.err);
         REQUIRE(done.status == 0);
         CHECK(
-            done.out.find("brought up to date: the server's tables of the study, which were of version 3") !=
+            done.out.find("upgraded: the server's tables of the study, which were of version 3") !=
             std::string::npos);
         CHECK(server->sql(name, version) == newest);
         CHECK(server->sql(name, columns) == newest_columns);
         checkCounts(*server, name, files.both);
         CHECK(onServer(*server, name, answers_sql) == inFile(files.both, answers_sql));
-        CHECK(push(b, url).out.find("brought up to date") == std::string::npos);
+        CHECK(push(b, url).out.find("upgraded") == std::string::npos);
         CHECK(program(report).status == 0);
         fs::copy_file(a, scratch / "withdrawn.sqlite");
         REQUIRE(program("participants withdraw " + (scratch / "withdrawn.sqlite") + " S001 --yes").status ==
                 0);
-        CHECK(push(scratch / "withdrawn.sqlite", url).out.find("erased, since withdrawn: S001") !=
+        CHECK(push(scratch / "withdrawn.sqlite", url).out.find("erased because withdrawn: S001") !=
               std::string::npos);
 
         server->sql(name, "UPDATE " + schema + ".deixis_schema SET version = 2");

@@ -102,13 +102,13 @@ TEST_SUITE("app/push") {
 
         REQUIRE(program("participants withdraw " + file + " S001 --yes").status == 0);
         const auto erased = push(file, url);
-        CHECK(erased.out.find("erased, since withdrawn: S001") != std::string::npos);
+        CHECK(erased.out.find("erased because withdrawn: S001") != std::string::npos);
         checkCounts(*server, name, file);
         CHECK(server->sql(name, "SELECT count(*) FROM " + schemaIn(*server, name) + ".withdrawals") == "1\n");
         // An older copy does not bring them back, and is told so.
         const auto older = push(stations().a, url);
         CHECK(older.status == 0);
-        CHECK(older.out.find("not pushed, since withdrawn after they took part: S001") != std::string::npos);
+        CHECK(older.out.find("not pushed because withdrawn after they took part: S001") != std::string::npos);
         CHECK(onServer(*server, name, "SELECT count(*) FROM participants") == "2\n");
         CHECK(onServer(*server, name, "SELECT count(*) FROM withdrawals") == "1\n");
     }

@@ -197,6 +197,6 @@ TEST_SUITE("app/storage") {
                 CHECK(rejected.status != 0);
                 CHECK((rejected.out + rejected.err).find("Sesam") == std::string::npos);
             }
-        CHECK_FAILS_SAYING(program("report Postgresql://ann:Sesam@h/d"), "small letters");
+        CHECK_FAILS_SAYING(program("report Postgresql://ann:Sesam@h/d"), "lower case");
     }
 }

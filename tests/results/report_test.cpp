@@ -104,7 +104,7 @@ TEST_SUITE("results/report") {
         }
         const std::string html = renderReport(analyse(preferred));
         CHECK(contains(html, "preference (between two systems, side by side)"));
-        CHECK_FALSE(contains(html, "Means take a rating"));
+        CHECK_FALSE(contains(html, "Means treat a rating"));
         CHECK_FALSE(contains(html, "simulated participants: they show"));
     }
 

@@ -21,7 +21,7 @@ namespace deixis::app {
 /// that the format cannot hold.
 [[nodiscard]] Result<std::string> clipBytes(const motion::Clip& clip, const std::filesystem::path& file);
 
-/// The clip as a file. One that is there already is replaced only if `force` says so.
+/// The clip as a file. One that exists already is replaced only if `force` says so.
 [[nodiscard]] Result<void> writeClip(const motion::Clip& clip, const std::filesystem::path& file, bool force);
 
 /// A clip file's name without the endings of its format: "a/T1.bvh.gz" -> "T1".
@@ -35,7 +35,7 @@ class OutputFolder {
     /// which clips that can be made again need not wait for.
     OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
 
-    /// `name` is relative to the folder. Fails where it is there already, and `force` was not given.
+    /// `name` is relative to the folder. Fails where it exists already, and `force` was not given.
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
     [[nodiscard]] Result<void> finish();
 
