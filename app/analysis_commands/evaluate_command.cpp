@@ -158,7 +158,7 @@ Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed
 
 Result<void> write(const results::Evaluation& evaluation, const EvaluateArguments& options) {
     if (!options.tables.empty()) {
-        auto written = writeFolder(options.tables, results::evaluationTables(evaluation), options.force);
+        auto written = writeFolders({{options.tables, results::evaluationTables(evaluation)}}, options.force);
         if (!written) return written;
     }
     if (!options.json.empty())

@@ -174,20 +174,20 @@ Result<void> writeAnalysis(const results::AnalysisResult& analysis, const Report
     auto page = std::async(std::launch::async, [&] {
         return files.page.empty() ? std::string() : results::renderReport(analysis);
     });
-    FolderFiles tables;
-    if (!files.csv.empty() || !files.r.empty())
-        tables = results::analysisTables(analysis, results::TableFormat::csv);
-    if (auto written = writeFolder(files.csv, tables, files.force); !written) return written;
-    if (!files.r.empty()) {
-        auto script = readFile(assets::dataFile("analysis.R"));
-        if (!script) return tl::unexpected(script.error());
-        tables.emplace_back("analysis.R", std::move(*script));
-        if (auto written = writeFolder(files.r, tables, files.force); !written) return written;
+    std::vector<FolderFiles> folders;
+    if (!files.csv.empty() || !files.r.empty()) {
+        auto tables = results::analysisTables(analysis, results::TableFormat::csv);
+        if (!files.csv.empty()) folders.push_back({files.csv, tables});
+        if (!files.r.empty()) {
+            auto script = readFile(assets::dataFile("analysis.R"));
+            if (!script) return tl::unexpected(script.error());
+            tables.emplace_back("analysis.R", std::move(*script));
+            folders.push_back({files.r, std::move(tables)});
+        }
     }
-    if (!files.latex.empty()) {
-        const FolderFiles latex = results::analysisTables(analysis, results::TableFormat::latex);
-        if (auto written = writeFolder(files.latex, latex, files.force); !written) return written;
-    }
+    if (!files.latex.empty())
+        folders.push_back({files.latex, results::analysisTables(analysis, results::TableFormat::latex)});
+    if (auto written = writeFolders(folders, files.force); !written) return written;
     const std::string html = page.get();
     if (!files.page.empty())
         if (auto written = writeFile(files.page, html); !written) return written;

@@ -13,6 +13,8 @@ namespace deixis::app {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr const char* how_to_replace = "Give another name, or --force to replace it";
 
 /// Every page names the program at its head, and so does every JSON file; pages of 0.1.0 did in their text.
@@ -24,6 +26,22 @@ bool isOurs(const std::string& file) {
     return text->empty() || head.find("content=\"deixis\"") != std::string::npos ||
            head.find("\"deixis-") != std::string::npos ||
            text->find("eixis 0.1.0 (commit") != std::string::npos;
+}
+
+/// Whether each of these files that is there begins as it will begin.
+Result<void> checkEarlierVersions(const FolderFiles& wanted) {
+    const auto first_line = [](std::string_view text) { return text.substr(0, text.find('\n')); };
+    std::error_code code;
+    for (const auto& [name, bytes] : wanted.files) {
+        const fs::path file = fs::path(wanted.folder) / name;
+        if (!fs::exists(file, code)) continue;
+        const auto there = readFile(file);
+        if (!there || first_line(*there) != first_line(bytes))
+            return fail(file.string(),
+                        "is there already, and is not an earlier version of what is to be written",
+                        "Name another folder, or --force to replace it");
+    }
+    return {};
 }
 
 }  // namespace
@@ -40,7 +58,7 @@ Result<void> writeOutput(const std::string& file, std::string_view bytes) {
 
 bool isDatabase(const std::string& file) {
     std::error_code code;
-    if (!std::filesystem::is_regular_file(file, code)) return false;
+    if (!fs::is_regular_file(file, code)) return false;
     std::ifstream in(file, std::ios::binary);
     std::string start(15, '\0');
     in.read(start.data(), static_cast<std::streamsize>(start.size()));
@@ -55,43 +73,35 @@ Result<void> checkOutput(const std::string& file) {
 
 Result<void> checkReplaceable(const std::string& file, bool force) {
     std::error_code code;
-    if (force || !std::filesystem::is_regular_file(file, code) || isOurs(file)) return {};
+    if (force || !fs::is_regular_file(file, code) || isOurs(file)) return {};
     return fail(file, "exists already, and Deixis did not write it", how_to_replace);
 }
 
 Result<void> checkFree(const std::string& file, bool force) {
     std::error_code code;
-    if (force || file.empty() || !std::filesystem::exists(file, code)) return {};
+    if (force || file.empty() || !fs::exists(file, code)) return {};
     return fail(file, "is there already", how_to_replace);
 }
 
-Result<void> writeFolder(const std::string& folder, const FolderFiles& files, bool force) {
-    namespace fs = std::filesystem;
-    if (folder.empty()) return {};
-    const auto first_line = [](std::string_view text) { return text.substr(0, text.find('\n')); };
-    std::error_code code;
-    for (const auto& [name, bytes] : files) {
-        const fs::path file = fs::path(folder) / name;
-        if (force || !fs::exists(file, code)) continue;
-        const auto there = readFile(file);
-        if (!there || first_line(*there) != first_line(bytes))
-            return fail(file.string(),
-                        "is there already, and is not an earlier version of what is to be written",
-                        "Name another folder, or --force to replace it");
+Result<void> writeFolders(const std::vector<FolderFiles>& folders, bool force) {
+    for (const FolderFiles& one : folders)
+        if (auto ours = checkEarlierVersions(one); !ours && !force) return ours;
+    for (const FolderFiles& one : folders) {
+        auto staging = Staging::within(one.folder);
+        if (!staging) return tl::unexpected(staging.error());
+        std::vector<fs::path> names;
+        for (const auto& [name, bytes] : one.files) {
+            if (auto written = staging->add(name, bytes); !written) return written;
+            names.emplace_back(name);
+        }
+        if (auto moved = staging->moveHome(names, {}, false); !moved) return moved;
     }
-    auto staging = Staging::within(folder);
-    if (!staging) return tl::unexpected(staging.error());
-    std::vector<fs::path> names;
-    for (const auto& [name, bytes] : files) {
-        if (auto written = staging->add(name, bytes); !written) return written;
-        names.emplace_back(name);
-    }
-    return staging->moveHome(names, {}, false);
+    return {};
 }
 
 Result<void> writeUnlessEdited(const std::string& file, std::string_view bytes, bool force) {
     std::error_code code;
-    if (!force && std::filesystem::exists(file, code)) {
+    if (!force && fs::exists(file, code)) {
         const auto there = readFile(file);
         if (!there || *there != bytes) return fail(file, "exists already", how_to_replace);
     }

@@ -104,9 +104,8 @@ TEST_SUITE("app/push server") {
         const auto done = push(b, url);
         INFO(done.err);
         REQUIRE(done.status == 0);
-        CHECK(
-            done.out.find("upgraded: the server's tables of the study, which were of version 3") !=
-            std::string::npos);
+        CHECK(done.out.find("upgraded: the server's tables of the study, which were of version 3") !=
+              std::string::npos);
         CHECK(server->sql(name, version) == newest);
         CHECK(server->sql(name, columns) == newest_columns);
         checkCounts(*server, name, files.both);

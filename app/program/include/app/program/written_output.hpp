@@ -33,12 +33,16 @@ inline constexpr const char* standard_output = "-";
 /// made them. An empty name passes.
 [[nodiscard]] Result<void> checkFree(const std::string& file, bool force);
 
-using FolderFiles = std::vector<std::pair<std::string, std::string>>;  ///< file names and their bytes
+/// Files of a folder: their names and bytes.
+struct FolderFiles {
+    std::string folder;
+    std::vector<std::pair<std::string, std::string>> files;
+};
 
-/// Makes the folder and writes the files there. Before any is written all are looked at: fails where one
-/// stands there that begins with another line, and so is no earlier version of the same table or script,
-/// unless `force` says so. Nothing is done where no folder is named.
-[[nodiscard]] Result<void> writeFolder(const std::string& folder, const FolderFiles& files, bool force);
+/// Makes the folders and writes the files there, each folder's together. Before any is written all are looked
+/// at: fails where one stands there that begins with another line, and so is no earlier version of the same
+/// table or script, unless `force` says so.
+[[nodiscard]] Result<void> writeFolders(const std::vector<FolderFiles>& folders, bool force);
 
 /// For files that are made to be edited: fails where another text stands there, unless `force` says so.
 [[nodiscard]] Result<void> writeUnlessEdited(const std::string& file, std::string_view bytes, bool force);
