@@ -80,8 +80,8 @@ Result<void> analysePower(const PowerArguments& options) {
         const std::filesystem::path named(options.csv);
         const std::filesystem::path csv = named.extension() == ".csv" ? named : named / "power.csv";
         const std::string folder = csv.has_parent_path() ? csv.parent_path().string() : ".";
-        auto written = writeFolder(folder, {{csv.filename().string(), results::powerCsv(power->result())}},
-                                   options.force);
+        auto written = writeFolders(
+            {{folder, {{csv.filename().string(), results::powerCsv(power->result())}}}}, options.force);
         if (!written) return written;
         fmt::print(remarksBeside(options.json), "{}table: {}\n", options.json.empty() ? "\n" : "",
                    csv.string());

@@ -32,7 +32,8 @@ bool BallPlacer::plan(const PresentedFrame& frame, const SeenArm& arm, Simulated
     if (!believed_) {
         const Ray& line = arm.lines.line;
         const AcrossRay across = acrossRay(line.direction);
-        const double right_rad = model_.noise_rad * placing_.normal();  // drawn in this order by every compiler
+        const double right_rad =
+            model_.noise_rad * placing_.normal();  // drawn in this order by every compiler
         const double above_rad = model_.noise_rad * placing_.normal();
         const Vec3 direction = glm::normalize(line.direction + std::tan(right_rad) * across.right +
                                               std::tan(above_rad) * across.above);
