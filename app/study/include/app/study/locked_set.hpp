@@ -48,8 +48,8 @@ class LockedSetWriter {
 
     /// `name` is relative to the set. May be called by several threads.
     [[nodiscard]] Result<void> add(const std::string& name, std::string_view bytes);
-    /// The set's hash. A set of that hash that is there already and complete stays. `durable`: all of it is on
-    /// the disk on return.
+    /// The set's hash. A set of that hash that is there already and complete stays. `durable`: all of it is
+    /// on the disk on return.
     [[nodiscard]] Result<std::string> finish(bool durable);
 
   private:
