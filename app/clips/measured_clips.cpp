@@ -157,11 +157,12 @@ tl::expected<MeasuredClips, std::vector<Error>> measureClips(const std::vector<C
             finished.wait_for(lock, std::chrono::milliseconds(100));
             const std::size_t so_far = done;
             lock.unlock();
-            progress(so_far, clips.size());
+            if (so_far < clips.size()) progress(so_far, clips.size());
             lock.lock();
         }
     }
     for (std::thread& thread : pool) thread.join();
+    progress(clips.size(), clips.size());
 
     MeasuredClips out;
     std::vector<Error> problems;
