@@ -11,7 +11,7 @@
 #include "assets/data/demonstrations.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
-#include "core/unique_name.hpp"
+#include "core/staging.hpp"
 #include "motion/synthesis/generator.hpp"
 
 namespace deixis::app {
@@ -28,20 +28,18 @@ Result<void> makeClips(const studies::SystemSource& system, std::uint64_t seed,
     const auto generator = motion::makeGenerator(system.generator, maker.skeleton, *parameters);
     if (!generator) return tl::unexpected(generator.error());
     // Whole, or not there: whoever makes the same clips at the same time finds those of whoever was first.
-    const fs::path making = folder.parent_path() / (".making-" + uniqueName());
-    std::error_code code;
-    auto rows = generateClips(**generator, targets, seed, settings, making, true, false);
-    if (rows) {
-        // One without a manifest was left half by a program that was killed.
-        if (!fs::exists(folder / "manifest.csv", code)) fs::remove_all(folder, code);
-        fs::rename(making, folder, code);
-    }
-    const std::string why = code.message();
-    const bool moved = rows && !code;
-    if (!moved) fs::remove_all(making, code);
+    auto making = Staging::within(folder.parent_path());
+    if (!making) return tl::unexpected(making.error());
+    const auto rows = generateClips(**generator, targets, seed, settings, making->path(), true, false);
     if (!rows) return tl::unexpected(rows.error());
-    if (!moved && !fs::exists(folder / "manifest.csv", code))
-        return fail(folder.string(), "cannot be written: " + why);
+    const auto there = [&folder] {
+        std::error_code code;
+        return fs::exists(folder / "manifest.csv", code);
+    };
+    std::error_code code;
+    // One without a manifest was left half by a program that was killed.
+    if (!there()) fs::remove_all(folder, code);
+    if (auto became = making->become(folder, false); !became && !there()) return became;
     return {};
 }
 

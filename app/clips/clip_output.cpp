@@ -3,29 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "app/program/written_output.hpp"
 #include "assets/gltf/gltf_clip.hpp"
 #include "assets/joints/bvh.hpp"
 #include "assets/joints/joint_positions.hpp"
-#include "core/durable.hpp"
 #include "core/files.hpp"
-#include "core/unique_name.hpp"
 
 namespace deixis::app {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-Result<void> rejectReplacing(const fs::path& file, bool force) {
-    std::error_code code;
-    if (!force && fs::exists(file, code))
-        return fail(file.string(), "is there already", "Give another name, or --force to replace it");
-    return {};
-}
 
 bool isManifest(const fs::path& name) {
     return name.extension() == ".csv";
@@ -50,7 +41,7 @@ Result<std::string> clipBytes(const motion::Clip& clip, const fs::path& file) {
 }
 
 Result<void> writeClip(const motion::Clip& clip, const fs::path& file, bool force) {
-    if (auto free = rejectReplacing(file, force); !free) return free;
+    if (auto free = checkFree(file.string(), force); !free) return free;
     const auto bytes = clipBytes(clip, file);
     if (!bytes) return tl::unexpected(bytes.error());
     return writeFile(file, *bytes);
@@ -62,48 +53,28 @@ std::string clipStem(const fs::path& file) {
 }
 
 OutputFolder::OutputFolder(fs::path folder, bool force, bool durable)
-    : folder_(std::move(folder)),
-      staging_(folder_ / (".partial" + uniqueName())),
-      force_(force),
-      durable_(durable) {
-    std::error_code code;
-    made_folder_ = !fs::exists(folder_, code);
-}
-
-OutputFolder::~OutputFolder() {
-    std::error_code code;
-    fs::remove_all(staging_, code);
-    if (made_folder_) fs::remove(folder_, code);  // where it is empty
-}
+    : folder_(std::move(folder)), force_(force), durable_(durable) {}
 
 Result<void> OutputFolder::add(const fs::path& name, std::string_view bytes) {
-    if (auto free = rejectReplacing(folder_ / name, force_); !free) return free;
+    if (auto free = checkFree((folder_ / name).string(), force_); !free) return free;
     if (!names_.insert(name).second)
         return fail((folder_ / name).string(), "two clips would have this name",
                     "Give the clips names of their own");
-    return writeFileUnsynced(staging_ / name, bytes);
+    if (!staging_) {
+        auto made = Staging::within(folder_);
+        if (!made) return tl::unexpected(made.error());
+        staging_.emplace(std::move(*made));
+    }
+    return staging_->add(name, bytes);
 }
 
 Result<void> OutputFolder::finish() {
+    if (!staging_) return {};
     std::vector<fs::path> order(names_.begin(), names_.end());
     const auto manifests = std::stable_partition(order.begin(), order.end(),
                                                  [](const fs::path& name) { return !isManifest(name); });
-    std::error_code code;
-    if (durable_) syncFileSystem(staging_);
-    std::set<fs::path> folders{folder_, fs::absolute(folder_).parent_path()};
     // No manifest speaks of clips that are being replaced.
-    for (auto manifest = manifests; manifest != order.end(); ++manifest)
-        fs::remove(folder_ / *manifest, code);
-    for (const fs::path& name : order) {
-        fs::create_directories((folder_ / name).parent_path(), code);
-        fs::rename(staging_ / name, folder_ / name, code);
-        if (code) return fail((folder_ / name).string(), "cannot be written: " + code.message());
-        for (fs::path parent = (folder_ / name).parent_path(); folders.insert(parent).second;)
-            parent = parent.parent_path();
-    }
-    if (durable_)
-        for (const fs::path& folder : folders) syncFolder(folder);
-    return {};
+    return staging_->moveHome(order, {manifests, order.end()}, durable_);
 }
 
 }  // namespace deixis::app

@@ -16,7 +16,6 @@
 #include "core/durable.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
-#include "core/unique_name.hpp"
 
 namespace deixis::app {
 
@@ -25,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* list_name = "locked.sha256";
-constexpr const char* making_prefix = ".making-";
+constexpr const char* staging_name = ".making";
 
 std::string reason(int code) {
     return std::generic_category().message(code);
@@ -122,14 +121,11 @@ Result<LockedFiles> verifyLocked(const fs::path& database, const std::string& ha
 }
 
 LockedSetWriter::LockedSetWriter(fs::path database, int lock)
-    : database_(std::move(database)),
-      staging_(lockedFolder(database_) / (making_prefix + uniqueName())),
-      lock_(lock),
-      adding_(std::make_unique<std::mutex>()) {}
+    : database_(std::move(database)), lock_(lock), adding_(std::make_unique<std::mutex>()) {}
 
 LockedSetWriter::LockedSetWriter(LockedSetWriter&& other) noexcept
     : database_(std::move(other.database_)),
-      staging_(std::exchange(other.staging_, {})),
+      staging_(std::move(other.staging_)),
       lock_(std::exchange(other.lock_, -1)),
       files_(std::move(other.files_)),
       adding_(std::move(other.adding_)) {}
@@ -147,30 +143,27 @@ Result<LockedSetWriter> LockedSetWriter::begin(const fs::path& database) {
                         "Keep the database on a local disk");
         }
     LockedSetWriter writer(database, lock);
-    // Nobody else is making a set now: what lies here was left by a program that was killed.
+    // Nobody else is making a set now: one of this name was left by a program that was killed.
+    auto staging = Staging::within(home, staging_name);
+    if (!staging) return tl::unexpected(staging.error());
+    writer.staging_.emplace(std::move(*staging));
     std::error_code code;
-    for (const auto& entry : fs::directory_iterator(home, code))
-        if (entry.path().filename().string().rfind(making_prefix, 0) == 0) {
-            std::error_code ignored;
-            fs::remove_all(entry.path(), ignored);
-        }
-    if (auto made = makePrivateFolder(writer.staging_); !made) return tl::unexpected(made.error());
+    fs::permissions(writer.staging_->path(), fs::perms::owner_all, code);
     return writer;
 }
 
 LockedSetWriter::~LockedSetWriter() {
     if (lock_ < 0) return;
+    staging_.reset();
     std::error_code code;
-    fs::remove_all(staging_, code);
     fs::remove(lockedFolder(database_), code);  // where it is empty
     ::close(lock_);
 }
 
 Result<void> LockedSetWriter::add(const std::string& name, std::string_view bytes) {
-    const fs::path file = staging_ / name;
+    const fs::path file = staging_->path() / name;
+    if (auto written = staging_->add(name, bytes); !written) return written;
     std::error_code code;
-    fs::create_directories(file.parent_path(), code);
-    if (auto written = writeFileUnsynced(file, bytes); !written) return written;
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, code);
     std::string hash = sha256Hex(bytes);
     const std::lock_guard guard(*adding_);
@@ -188,13 +181,9 @@ Result<std::string> LockedSetWriter::finish(bool durable) {
         if (verifyLocked(database_, hash)) return hash;
         fs::remove_all(set, code);
     }
-    if (auto written = writeFileUnsynced(staging_ / list_name, list); !written)
-        return tl::unexpected(written.error());
-    fs::permissions(staging_ / list_name, fs::perms::owner_read | fs::perms::owner_write, code);
-    if (durable) syncFileSystem(staging_);
-    fs::rename(staging_, set, code);
-    if (code) return fail(set.string(), "cannot be written: " + code.message());
-    if (durable) syncFolder(lockedFolder(database_));
+    if (auto written = staging_->add(list_name, list); !written) return tl::unexpected(written.error());
+    fs::permissions(staging_->path() / list_name, fs::perms::owner_read | fs::perms::owner_write, code);
+    if (auto became = staging_->become(set, durable); !became) return tl::unexpected(became.error());
     if (durable) syncFolder(fs::absolute(lockedFolder(database_)).parent_path());
     return hash;
 }

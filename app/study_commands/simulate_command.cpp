@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 
@@ -15,7 +14,7 @@
 #include "app/study/stimuli.hpp"
 #include "app/study_commands/study_commands.hpp"
 #include "assets/data/data_paths.hpp"
-#include "core/durable.hpp"
+#include "core/staging.hpp"
 #include "results/database/database_files.hpp"
 #include "studies/design/plan.hpp"
 #include "studies/simulation/simulated_participant.hpp"
@@ -80,23 +79,13 @@ Result<void> simulate(const SimulateArguments& options) {
     const auto avatar = loadStudyAvatar(locked->setup.study);
     if (!avatar) return tl::unexpected(avatar.error());
 
-    // Written beside and renamed at the end: an interrupted simulation leaves no half database.
-    const fs::path partial = options.database + ".partial";
-    if (partial.has_parent_path()) fs::create_directories(partial.parent_path(), code);
-    const auto remove = [&partial](std::initializer_list<const char*> suffixes) {
-        std::error_code ignored;
-        for (const char* suffix : suffixes) fs::remove(partial.string() + suffix, ignored);
-    };
-    remove({"", "-wal", "-shm"});
+    PartialFile partial(options.database);
+    if (partial.path().has_parent_path()) fs::create_directories(partial.path().parent_path(), code);
     auto working = std::make_optional<ElapsedOnTerminal>("simulating");
-    const auto answers = simulateInto(partial, options, *locked, *avatar, *parameters);
+    const auto answers = simulateInto(partial.path(), options, *locked, *avatar, *parameters);
     working.reset();
-    if (!answers) {
-        remove({"", "-wal", "-shm"});
-        return tl::unexpected(answers.error());
-    }
-    if (auto moved = moveFile(partial, options.database); !moved) return moved;
-    remove({"-wal", "-shm"});
+    if (!answers) return tl::unexpected(answers.error());
+    if (auto moved = partial.finish(); !moved) return moved;
     fmt::print("{} simulated participants, {} trials and pages answered: {}\n", options.participants,
                *answers, options.database);
     return {};

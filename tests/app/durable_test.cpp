@@ -23,7 +23,7 @@ TEST_SUITE("app/durable") {
             CHECK(callAt("rename T001.bvh") < callAt("rename manifest.csv"));
             CHECK(callAt("rename manifest.csv") < disk_calls.size());
             if (durable) {
-                CHECK(callAt("syncfs .partial") < callAt("rename T001.bvh"));
+                CHECK(callAt("syncfs .making") < callAt("rename T001.bvh"));
                 for (const char* synced : {"fsync far", "fsync clips", "fsync deixis_test_"}) {
                     CHECK(callAt(synced) < disk_calls.size());
                     CHECK(callAt("rename manifest.csv") < callAt(synced));

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/staging.hpp"
 #include "motion/skeleton/clip.hpp"
 
 namespace deixis::app {
@@ -25,27 +27,23 @@ namespace deixis::app {
 /// A clip file's name without the endings of its format: "a/T1.bvh.gz" -> "T1".
 [[nodiscard]] std::string clipStem(const std::filesystem::path& file);
 
-/// A folder of clips and manifests in the making. The files lie in a hidden folder inside it until `finish`
-/// moves them all to their places, manifests last; whatever ends the work before leaves none of them.
+/// A folder of clips and manifests in the making: whatever ends the work before finish() leaves none of them.
 class OutputFolder {
   public:
     /// `force`: files that are there already are replaced. `durable`: what finish() has moved is on the disk,
     /// which clips that can be made again need not wait for.
     OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
-    ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
 
     /// `name` is relative to the folder. Fails where it is there already, and `force` was not given.
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
+    /// All come to their places, manifests last.
     [[nodiscard]] Result<void> finish();
 
   private:
     std::filesystem::path folder_;
-    std::filesystem::path staging_;
     bool force_;
     bool durable_;
-    bool made_folder_ = false;
+    std::optional<Staging> staging_{};  ///< made with the first file
     std::set<std::filesystem::path> names_;
 };
 

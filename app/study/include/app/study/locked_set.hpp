@@ -6,12 +6,14 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/study/seen_files.hpp"
 #include "core/error.hpp"
+#include "core/staging.hpp"
 
 namespace deixis::app {
 
@@ -55,7 +57,7 @@ class LockedSetWriter {
     LockedSetWriter(std::filesystem::path database, int lock);
 
     std::filesystem::path database_;
-    std::filesystem::path staging_;
+    std::optional<Staging> staging_{};
     int lock_ = -1;
     LockedFiles files_{};
     std::unique_ptr<std::mutex> adding_;
