@@ -16,12 +16,12 @@ session() {
     local study=$1 participant=$2 options=()
     shift 2
     for wanted in "$@"; do options+=(--screenshot "${wanted%%=*}=docs/images/${wanted#*=}.png"); done
-    "$program" run "$study" --station simulated --participant "$participant" --db "$scratch/$study.sqlite" "${options[@]}"
+    "$program" run "$study" --station simulated --participant "$participant" --db "$scratch/$study.sqlite" "${options[@]}" --force
 }
 session pointing2023 P01 rating=naturalness aiming-across=across pointing-side-by-side=side-by-side
 session sgtoolkit2021 P12 check=parallel # the check is at the third movement of its page: two are rated by then
 session genea-pairwise P01 pointing=pairwise
-"$program" targets pointing2023 --picture docs/images/targets.svg >/dev/null
+"$program" targets pointing2023 --picture docs/images/targets.svg --force >/dev/null
 
 # What is missing here keeps its picture.
 has() {

@@ -153,13 +153,12 @@ Result<void> checkOutputs(const EvaluateArguments& options, const Listed& listed
                 return fail(out, "is one of the inputs; nothing is written over it", "Name another file");
         if (auto free = checkReplaceable(out, options.force); !free) return free;
     }
-    return {};
+    return checkFolderFree(options.tables, {".csv"}, options.force);
 }
 
 Result<void> write(const results::Evaluation& evaluation, const EvaluateArguments& options) {
-    if (!options.tables.empty())
-        for (const auto& [name, bytes] : results::evaluationTables(evaluation))
-            if (auto written = writeFile(fs::path(options.tables) / name, bytes); !written) return written;
+    if (auto written = writeFolder(options.tables, results::evaluationTables(evaluation)); !written)
+        return written;
     if (!options.json.empty())
         if (auto written = writeOutput(options.json, results::evaluationJson(evaluation)); !written)
             return written;

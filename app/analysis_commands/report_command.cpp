@@ -47,7 +47,6 @@ struct ReportArguments {
     std::vector<std::string> columns;
     std::vector<std::string> scales;
     std::string by;
-    bool force = false;
 };
 
 /// "MEASURE=BOUND", each.
@@ -95,19 +94,6 @@ Result<std::map<std::string, std::string>> columnsFrom(const std::vector<std::st
         out[text.substr(0, equals)] = text.substr(equals + 1);
     }
     return out;
-}
-
-using Tables = std::vector<std::pair<std::string, std::string>>;  ///< file names and their bytes
-
-/// Nothing where no folder is named.
-Result<void> writeTables(const std::string& folder, const Tables& tables) {
-    if (folder.empty()) return {};
-    std::error_code code;
-    std::filesystem::create_directories(folder, code);
-    if (code) return fail(folder, "cannot be made: " + code.message());
-    for (const auto& [name, bytes] : tables)
-        if (auto written = writeFile(std::filesystem::path(folder) / name, bytes); !written) return written;
-    return {};
 }
 
 /// Adds what observers would read where the clips that were shown are at hand. Returns a note where they are
@@ -186,26 +172,36 @@ Result<void> writeAnalysis(const results::AnalysisResult& analysis, const Report
     // Tables may hold millions of answers: they are made beside the page.
     const bool wants_csv = !files.csv.empty() || !files.r.empty();
     auto csv = std::async(std::launch::async, [&] {
-        return wants_csv ? results::analysisTables(analysis, results::TableFormat::csv) : Tables{};
+        return wants_csv ? results::analysisTables(analysis, results::TableFormat::csv) : FolderFiles{};
     });
     if (!files.page.empty())
         if (auto written = writeFile(files.page, results::renderReport(analysis)); !written) return written;
     if (!files.json.empty())
         if (auto written = writeOutput(files.json, results::analysisJson(analysis)); !written) return written;
-    const Tables csv_tables = csv.get();
-    for (const std::string& folder : {files.csv, files.r})
-        if (auto written = writeTables(folder, csv_tables); !written) return written;
+    FolderFiles csv_tables = csv.get();
+    if (auto written = writeFolder(files.csv, csv_tables); !written) return written;
     if (!files.latex.empty()) {
-        const Tables latex = results::analysisTables(analysis, results::TableFormat::latex);
-        if (auto written = writeTables(files.latex, latex); !written) return written;
+        const FolderFiles latex = results::analysisTables(analysis, results::TableFormat::latex);
+        if (auto written = writeFolder(files.latex, latex); !written) return written;
     }
-    if (!files.r.empty()) {
-        const auto script = readFile(assets::dataFile("analysis.R"));
-        if (!script) return tl::unexpected(script.error());
-        if (auto written = writeFile(std::filesystem::path(files.r) / "analysis.R", *script); !written)
-            return written;
+    if (files.r.empty()) return {};
+    auto script = readFile(assets::dataFile("analysis.R"));
+    if (!script) return tl::unexpected(script.error());
+    csv_tables.emplace_back("analysis.R", std::move(*script));
+    return writeFolder(files.r, csv_tables);
+}
+
+/// Whether all of them may be written.
+Result<void> checkFiles(const ReportFiles& files) {
+    for (const std::string& file : {files.page, files.json}) {
+        if (auto checked = checkOutput(file); !checked) return checked;
+        if (auto free = checkReplaceable(file, files.force); !free) return free;
     }
-    return {};
+    if (!files.page.empty() && files.page == files.json)
+        return fail(files.page, "was named for both the page and the JSON");
+    if (auto free = checkFolderFree(files.csv, {".csv"}, files.force); !free) return free;
+    if (auto free = checkFolderFree(files.latex, {".tex"}, files.force); !free) return free;
+    return checkFolderFree(files.r, {".csv", ".R"}, files.force);
 }
 
 /// "report.html" of the desktop is "report-desktop.html"; a folder gets one within.
@@ -219,7 +215,8 @@ ReportFiles filesOf(const ReportFiles& files, const std::string& kind) {
     const auto within = [&](const std::string& folder) {
         return folder.empty() ? folder : (std::filesystem::path(folder) / kind).string();
     };
-    return {named(files.page), named(files.json), within(files.csv), within(files.latex), within(files.r)};
+    return {named(files.page),   named(files.json), within(files.csv),
+            within(files.latex), within(files.r),   files.force};
 }
 
 /// One analysis, or one for each kind of station, with a page that leads to them and compares the stations.
@@ -248,9 +245,12 @@ Result<void> writeByStation(results::ResponseTable table, const ReportFiles& fil
                     fmt::format("the answers come from {} kinds of station, each with an analysis of its own",
                                 kinds.size()),
                     "--stations KIND or together makes it one; --json FILE writes them all");
+    const auto nameOf = [](const std::string& kind) { return kind.empty() ? "unknown" : kind; };
+    for (const std::string& kind : kinds)
+        if (auto free = checkFiles(filesOf(files, nameOf(kind))); !free) return free;
     std::vector<results::StationReport> reports;
     for (const std::string& kind : kinds) {
-        const std::string name = kind.empty() ? "unknown" : kind;
+        const std::string name = nameOf(kind);
         const ReportFiles own = filesOf(files, name);
         const auto analysis = results::analyse(results::onlyAt(table, kind), options);
         if (auto written = writeAnalysis(analysis, own); !written) return written;
@@ -272,10 +272,7 @@ Result<void> writeByStation(results::ResponseTable table, const ReportFiles& fil
 
 Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
                          const results::AnalysisOptions& options, const DataChoice& choice) {
-    for (const std::string& file : {files.page, files.json})
-        if (auto checked = checkOutput(file); !checked) return checked;
-    if (!files.page.empty() && files.page == files.json)
-        return fail(files.page, "was named for both the page and the JSON");
+    if (auto free = checkFiles(files); !free) return free;
     auto tables = loadEach(data, choice);
     if (!tables) return tl::unexpected(tables.error());
     const std::string note = choice.without_clips ? "" : watchAgain(data, choice.stimuli, *tables);
@@ -326,7 +323,7 @@ void addReportCommand(Parser cli, Command& chosen) {
     command.addOption("--study", options->choice.study,
                       "Which study of a server that holds several: its name, or the beginning of its hash");
     addOutput(command, options->files.page, "HTML page to write [report.html]");
-    addForce(command, options->force);
+    addForce(command, options->files.force);
     addJsonOrFile(command, options->files.json);
     addCsv(command, options->files.csv, "Folder to write every table to, as CSV");
     command.addOption("--latex", options->files.latex, "Folder to write every table to, as LaTeX (booktabs)");
@@ -384,8 +381,6 @@ void addReportCommand(Parser cli, Command& chosen) {
             ReportFiles& files = options->files;
             const bool json_alone = files.json == standard_output;
             if (files.page.empty() && !json_alone) files.page = "report.html";
-            for (const std::string& file : {files.page, files.json})
-                if (auto free = checkReplaceable(file, options->force); !free) return free;
             options->choice.join.by_study = !options->by.empty();
             auto bounds = boundsFrom(options->equivalence);
             if (!bounds) return tl::unexpected(bounds.error());

@@ -8,6 +8,8 @@
 #include "app/clips/clip_files.hpp"
 #include "app/clips/study_setup.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "import_options.hpp"
 
 #ifdef DEIXIS_IMMERSIVE
@@ -25,9 +27,11 @@ struct ViewArguments {
     std::string avatar;
     assets::ImportOptions import;
     ViewOptions view;
+    bool force = false;
 };
 
 Result<void> view(const ViewArguments& options) {
+    if (auto free = checkFree(options.view.screenshot, options.force); !free) return free;
     const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     for (const std::string& remark : avatar->remarks) fmt::print(stderr, "{}: {}\n", options.avatar, remark);
@@ -51,7 +55,9 @@ void addViewCommand(Parser cli, Command& chosen) {
     addImportOptions(command, options->import);
     command.addOption("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
     command.addOption("--size", options->view.size, "Window or picture size").showDefault();
-    command.addOption("--screenshot", options->view.screenshot, "Write a PNG and open no window");
+    Option screenshot =
+        command.addOption("--screenshot", options->view.screenshot, "Write a PNG and open no window");
+    addForce(command, options->force).needs(screenshot);
     command.addOption(
         "--time", options->view.times_s,
         "Time in seconds at which the clip starts or the picture is taken; several make a strip");

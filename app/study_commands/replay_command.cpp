@@ -7,6 +7,8 @@
 
 #include "app/clips/study_setup.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "app/study/recorded_avatar.hpp"
 #include "app/study/recorded_clips.hpp"
 #include "app/study_commands/study_commands.hpp"
@@ -32,6 +34,7 @@ struct ReplayArguments {
     std::string avatar;
 #ifdef DEIXIS_IMMERSIVE
     ReplayOptions view;
+    bool force = false;
 #endif
 };
 
@@ -92,6 +95,10 @@ Result<void> printChoices(const results::Recording& recording, const studies::Cl
 }
 
 Result<void> replay(ReplayArguments options) {
+#ifdef DEIXIS_IMMERSIVE
+    if (auto free = checkFolderFree(options.view.png_folder, {".png"}, options.force); !free) return free;
+    if (auto free = checkFree(options.view.mp4_file, options.force); !free) return free;
+#endif
     auto recording = results::loadRecording(options.database, options.participant);
     if (!recording) return tl::unexpected(recording.error());
     if (options.trial >= 0) {
@@ -154,6 +161,7 @@ void addReplayCommand(Parser cli, Command& chosen) {
     command.addOption("--png", options->view.png_folder,
                       "Write each frame as a PNG into a folder; no window");
     command.addOption("--mp4", options->view.mp4_file, "Write a film (needs ffmpeg); no window");
+    addForce(command, options->force);
     command.addOption("--fps", options->view.frames_per_s, "Frames a second of what is written")
         .check(Range(1.0, 240.0))
         .showDefault();

@@ -14,6 +14,7 @@
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/version.hpp"
+#include "app/program/written_output.hpp"
 #include "app/session/operator_feed.hpp"
 #include "app/session/recorders.hpp"
 #include "app/session/session_loop.hpp"
@@ -49,6 +50,7 @@ struct RunArguments {
     std::string stimuli;
     std::string accept_changes;
     std::vector<std::string> screenshots;
+    bool force = false;  ///< replaces pictures
     std::string trace;
     StationRequest station;
 };
@@ -120,7 +122,7 @@ Result<void> report(const RunArguments& options) {
     const std::string page = options.report.empty()
                                  ? fs::path(options.database).replace_extension(".html").string()
                                  : options.report;
-    const auto written = writeReport({options.database}, {.page = page});
+    const auto written = writeReport({options.database}, {.page = page, .force = true});
     fmt::print("database: {}\n", fs::absolute(options.database).lexically_normal().string());
     if (!written) {
         if (!options.report.empty()) return written;
@@ -261,6 +263,8 @@ Result<void> run(RunArguments options) {
     options.database = std::move(*database);
     auto screenshots = parseScreenshots(options.screenshots);
     if (!screenshots) return tl::unexpected(screenshots.error());
+    for (const auto& [state, file] : *screenshots)
+        if (auto free = checkFree(file, options.force); !free) return free;
     options.station.screenshots->wanted = std::move(*screenshots);
     const auto recording = recordingOptions();
     if (!recording) return tl::unexpected(recording.error());
@@ -359,10 +363,11 @@ void addRunCommand(Parser cli, Command& chosen) {
                    "Simulated participant's parameters (TOML) [those that ship]")
         .defaultValue(assets::dataFile("simulated_participant.toml").string())
         .showDefault("");
-    command
-        .addOption("--screenshot", options->screenshots,
-                   "A picture of a state of the simulated session; may be repeated")
-        .valueName("STATE=FILE.png");
+    Option screenshot = command
+                            .addOption("--screenshot", options->screenshots,
+                                       "A picture of a state of the simulated session; may be repeated")
+                            .valueName("STATE=FILE.png");
+    addForce(command, options->force).needs(screenshot);
     command.addOption("--trace", options->trace,
                       "File to which a JSON line is added for each change of what is presented, while the "
                       "session runs");

@@ -6,12 +6,13 @@
 #include "app/clips/study_setup.hpp"
 #include "app/clips/training_targets.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "app/study/angles_text.hpp"
 #include "app/study/visibility_text.hpp"
 #include "app/study_commands/study_commands.hpp"
 #include "assets/data/data_paths.hpp"
 #include "assets/data/demonstrations.hpp"
-#include "core/files.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/synthesis/demonstration_library.hpp"
 #include "studies/design/target_grid.hpp"
@@ -24,6 +25,7 @@ namespace {
 struct TargetsArguments {
     std::string study;
     std::string picture;
+    bool force = false;
     int grid = 0;
     std::string training;
 };
@@ -38,6 +40,7 @@ Result<void> printGrid(const TargetsArguments& options) {
 }
 
 Result<void> printTargets(const TargetsArguments& options) {
+    if (auto checked = checkOutput(options.picture); !checked) return checked;
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
     if (!options.picture.empty()) {
@@ -49,7 +52,7 @@ Result<void> printTargets(const TargetsArguments& options) {
         std::vector<Vec3> demonstrations;
         for (const auto& demonstration : *library) demonstrations.push_back(demonstration.target);
         const std::string svg = studies::targetsSvg(setup->study.targets, setup->targets, demonstrations);
-        if (auto written = writeFile(options.picture, svg); !written) return written;
+        if (auto written = writeUnlessEdited(options.picture, svg, options.force); !written) return written;
         fmt::print(stderr, "picture: {}\n", options.picture);
     }
     fmt::print("{}", studies::targetsCsv(setup->study, setup->targets));
@@ -71,7 +74,8 @@ void addTargetsCommand(Parser cli, Command& chosen) {
                                   "--picture targets.svg > targets.csv\ndeixis targets --grid > grid.csv",
                        .page = "docs/design.md"});
     command.addOption("STUDY", options->study, "Study file, or the name of one that ships");
-    command.addOption("--picture", options->picture, "SVG picture of them to write");
+    Option picture = command.addOption("--picture", options->picture, "SVG picture of them to write");
+    addForce(command, options->force).needs(picture);
     Option grid_option =
         command
             .addOption("--grid", options->grid,

@@ -15,7 +15,7 @@
 #include "app/window/gl_window.hpp"
 #include "app/window/pressed_keys.hpp"
 #include "app/window/window_gui.hpp"
-#include "core/durable.hpp"
+#include "core/staging.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
 #include "renderer/drawing/renderer.hpp"
 #include "replay_scene.hpp"
@@ -87,15 +87,21 @@ Result<int> drawAll(const Show& show, const assets::Avatar& avatar, const Replay
 
 Result<void> writePictures(const Show& show, const assets::Avatar& avatar, const ReplayOptions& options,
                            WindowSize size) {
-    std::error_code code;
-    fs::create_directories(options.png_folder, code);
-    if (code) return fail(options.png_folder, "cannot be made: " + code.message());
-    int number = 0;
+    auto staging = Staging::within(options.png_folder);
+    if (!staging) return tl::unexpected(staging.error());
+    std::vector<fs::path> names;
     const auto frames = drawAll(show, avatar, options, size, [&](const renderer::Image& image) {
-        return renderer::writePng(fs::path(options.png_folder) / fmt::format("frame_{:05}.png", ++number),
-                                  image);
+        names.emplace_back(fmt::format("frame_{:05}.png", names.size() + 1));
+        return renderer::writePng(staging->path() / names.back(), image);
     });
     if (!frames) return tl::unexpected(frames.error());
+    // Frames of a longer replay would be taken for the end of this one.
+    std::vector<fs::path> outdated;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(options.png_folder, code))
+        if (entry.path().filename().string().starts_with("frame_") && entry.path().extension() == ".png")
+            outdated.push_back(entry.path().filename());
+    if (auto moved = staging->moveHome(names, outdated, false); !moved) return moved;
     fmt::print("{} frames: {}\n", *frames, options.png_folder);
     return {};
 }
@@ -111,12 +117,11 @@ Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const Rep
     if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
         return fail("--mp4", "ffmpeg is not installed, which makes the film",
                     "Install it (Debian: apt install ffmpeg), or write pictures with --png FOLDER");
-    // Written beside and renamed at the end: no half film.
-    const std::string partial = options.mp4_file + ".partial.mp4";
+    PartialFile partial(options.mp4_file, ".partial.mp4");
     const std::string command = fmt::format(
         "ffmpeg -y -loglevel error -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i - "
         "-vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p {}",
-        size.width, size.height, options.frames_per_s, quoted(partial));
+        size.width, size.height, options.frames_per_s, quoted(partial.path().string()));
     std::FILE* ffmpeg = popen(command.c_str(), "w");
     if (ffmpeg == nullptr) return fail("--mp4", "ffmpeg cannot be started");
     const auto frames =
@@ -126,13 +131,10 @@ Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const Rep
             return {};
         });
     const int status = pclose(ffmpeg);
-    std::error_code code;
-    if (!frames || status != 0) {
-        fs::remove(partial, code);
-        if (!frames) return tl::unexpected(frames.error());
+    if (!frames) return tl::unexpected(frames.error());
+    if (status != 0)
         return fail(options.mp4_file, "ffmpeg could not write the film; its own words stand above");
-    }
-    if (auto moved = moveFile(partial, options.mp4_file); !moved) return moved;
+    if (auto moved = partial.finish(); !moved) return moved;
     fmt::print("{} frames: {}\n", *frames, options.mp4_file);
     return {};
 }

@@ -46,7 +46,7 @@ def check_pictures(settings, rig, database):
     for view in ("first", "third"):
         folder = rig.folder / f"replay-{view}"
         said = replay(
-            settings, database, "--trial", trial, "--view", view, "--png", folder, *drawing,
+            settings, database, "--trial", trial, "--view", view, "--png", folder, "--force", *drawing,
             environment=rig.environment,
         )
         pictures = [path.read_bytes() for path in sorted(folder.glob("*.png"))]
@@ -59,6 +59,6 @@ def check_pictures(settings, rig, database):
     if shutil.which("ffmpeg") is None:
         return said + " (no ffmpeg: no film)"
     film = rig.folder / "replay.mp4"
-    replay(settings, database, "--trial", trial, "--mp4", film, *drawing, environment=rig.environment)
+    replay(settings, database, "--trial", trial, "--mp4", film, "--force", *drawing, environment=rig.environment)
     require(film.read_bytes()[4:8] == b"ftyp", f"{film} is no film")
     return said + " and filmed"

@@ -18,6 +18,7 @@ struct ReportFiles {
     std::string csv{};    ///< a folder
     std::string latex{};  ///< a folder
     std::string r{};      ///< a folder: the tables as CSV and analysis.R, which computes them again
+    bool force = false;   ///< what stands there is replaced, whoever wrote it
 };
 
 /// Which of the answers that the data hold.
@@ -32,7 +33,7 @@ struct DataChoice {
 };
 
 /// Analyses databases of one or several studies, long tables (CSV), or a study on a server, and writes the
-/// files.
+/// files. Fails before any work where one of them is there already and is not to be replaced.
 [[nodiscard]] Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles& files,
                                        const results::AnalysisOptions& options = {},
                                        const DataChoice& choice = {});
