@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -12,12 +13,12 @@
 #include "app/analysis_commands/report.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/progress_line.hpp"
 #include "app/program/version.hpp"
 #include "assets/data/data_paths.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "core/staging.hpp"
-#include "core/unique_name.hpp"
 #include "package_readme.hpp"
 #include "package_sets.hpp"
 #include "results/copies/anonymous_copy.hpp"
@@ -38,46 +39,29 @@ struct PackageRequest {
 
 constexpr const char* packaged_database = "study.sqlite";
 
-/// The folder in the making, and the working folder until the end: what is written within names no other.
-/// Gone with all in it unless it was finished.
-class PackageInMaking {
+/// Another working folder until the end: what is written within names no other.
+class WorkingFolder {
   public:
-    explicit PackageInMaking(const fs::path& target)
-        : before_(fs::current_path()), target_(fs::absolute(target)) {}
-    ~PackageInMaking() { leave(); }
-    PackageInMaking(const PackageInMaking&) = delete;
-    PackageInMaking& operator=(const PackageInMaking&) = delete;
+    WorkingFolder() : before_(fs::current_path()) {}
+    ~WorkingFolder() {
+        std::error_code code;
+        fs::current_path(before_, code);
+    }
+    WorkingFolder(const WorkingFolder&) = delete;
+    WorkingFolder& operator=(const WorkingFolder&) = delete;
 
-    Result<void> enter() {
+    Result<void> enter(const fs::path& folder) {
         // Shipped files stay where they are looked for.
         if (const char* data = std::getenv("DEIXIS_DATA"))
             setenv("DEIXIS_DATA", fs::absolute(data).c_str(), 1);
-        auto staging = Staging::within(
-            target_.parent_path(), fmt::format(".{}.making-{}", target_.filename().string(), uniqueName()));
-        if (!staging) return tl::unexpected(staging.error());
-        staging_.emplace(std::move(*staging));
         std::error_code code;
-        fs::current_path(staging_->path(), code);
-        if (code) return fail(staging_->path().string(), "cannot be entered: " + code.message());
+        fs::current_path(folder, code);
+        if (code) return fail(folder.string(), "cannot be entered: " + code.message());
         return {};
-    }
-    /// Nobody meets half of it.
-    Result<void> publish() {
-        leave();
-        std::error_code code;
-        if (fs::exists(target_, code)) return fail(target_.string(), "was made by another program meanwhile");
-        return staging_->become(target_, true);
     }
 
   private:
     fs::path before_;
-    fs::path target_;
-    std::optional<Staging> staging_{};
-
-    void leave() const {
-        std::error_code code;
-        fs::current_path(before_, code);
-    }
 };
 
 std::vector<std::string> filesHere() {
@@ -88,8 +72,9 @@ std::vector<std::string> filesHere() {
     return out;
 }
 
-/// SHA256SUMS. A file that holds one of `words`, by which a lab could be told, is named on stderr.
-Result<void> writeSums(const std::vector<std::string>& words) {
+/// SHA256SUMS. Returns notes on files that hold one of `words`, by which a lab could be told.
+Result<std::vector<std::string>> writeSums(const std::vector<std::string>& words) {
+    std::vector<std::string> notes;
     std::string sums;
     for (const std::string& file : filesHere()) {
         const auto bytes = readFile(file);
@@ -97,10 +82,12 @@ Result<void> writeSums(const std::vector<std::string>& words) {
         sums += fmt::format("{}  {}\n", sha256Hex(*bytes), file);
         for (const std::string& word : words)
             if (bytes->find(word) != std::string::npos)
-                fmt::print(stderr, "note: {} contains the text '{}': check it before you share the package\n",
-                           file, word);
+                notes.push_back(fmt::format(
+                    "{} contains the text '{}': check it before you share the package", file, word));
     }
-    return writeFileUnsynced("SHA256SUMS", sums);
+    if (auto written = writeFileUnsynced("SHA256SUMS", sums); !written)
+        return tl::unexpected(written.error());
+    return notes;
 }
 
 /// Folders of this machine that no file should name.
@@ -112,29 +99,36 @@ std::vector<std::string> foldersOf(const fs::path& database) {
     return out;
 }
 
-Result<void> writePackage(const PackageRequest& request, const fs::path& database) {
+/// Returns notes on it.
+Result<std::vector<std::string>> writePackage(const PackageRequest& request, const fs::path& database) {
+    auto working = std::make_optional<ElapsedOnTerminal>("copying");
     const auto sets = packageSets(database, packaged_database);
     if (!sets) return tl::unexpected(sets.error());
     const auto counts = results::copyAnonymously(
         database, packaged_database,
         {request.free_text, request.tracking, sets->hashes, sets->files, sets->authors});
     if (!counts) return tl::unexpected(counts.error());
+    working.reset();
     if (auto written =
-            writeReport({packaged_database}, {"report.html", "analysis.json", "", "latex", "tables"});
+            writeReport({packaged_database},
+                        {.page = "report.html", .json = "analysis.json", .latex = "latex", .r = "tables"});
         !written)
-        return written;
+        return tl::unexpected(written.error());
+    working.emplace("exporting");
     if (auto written = results::exportCsv(packaged_database, "data", {true, false, true}); !written)
         return tl::unexpected(written.error());
     const auto schema = readFile(assets::dataFile("schemas/analysis.schema.json"));
     if (!schema) return tl::unexpected(schema.error());
-    if (auto written = writeFileUnsynced("analysis.schema.json", *schema); !written) return written;
+    if (auto written = writeFileUnsynced("analysis.schema.json", *schema); !written)
+        return tl::unexpected(written.error());
     auto answers = results::loadResponses(packaged_database);
     if (!answers) return tl::unexpected(answers.error());
     auto people = results::listParticipants(packaged_database);
     if (!people) return tl::unexpected(people.error());
     const PackageFacts facts{std::move(*answers), std::move(*people), *counts,         request.free_text,
                              request.tracking,    counts->frames > 0, programVersion()};
-    if (auto written = writeFileUnsynced("README.md", packageReadme(facts)); !written) return written;
+    if (auto written = writeFileUnsynced("README.md", packageReadme(facts)); !written)
+        return tl::unexpected(written.error());
     return writeSums(foldersOf(database));
 }
 
@@ -147,10 +141,19 @@ Result<void> makePackage(const PackageRequest& request) {
     const fs::path database = fs::absolute(request.database);
     if (!fs::is_regular_file(database, code))
         return fail(request.database, "No such file", "Name the database of a study");
-    PackageInMaking making(target);
-    if (auto entered = making.enter(); !entered) return entered;
-    if (auto written = writePackage(request, database); !written) return written;
-    if (auto published = making.publish(); !published) return published;
+    const fs::path place = fs::absolute(target);
+    auto making = Staging::within(place.parent_path());
+    if (!making) return tl::unexpected(making.error());
+    std::vector<std::string> notes;
+    {
+        WorkingFolder working;
+        if (auto entered = working.enter(making->path()); !entered) return entered;
+        auto written = writePackage(request, database);
+        if (!written) return tl::unexpected(written.error());
+        notes = std::move(*written);
+    }
+    if (auto became = making->become(place, true); !became) return became;
+    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
     fmt::print("package: {}\n", request.folder);
     if (!request.free_text) fmt::print("What participants typed is left out; --free-text keeps it.\n");
     fmt::print("Read {}/README.md before you share it: it says what was left out, and what was not.\n",

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/analysis_commands/analysis_commands.hpp"
 #include "app/program/command_help.hpp"
+#include "app/program/progress_line.hpp"
 #include "core/server_address.hpp"
 #include "results/server/server.hpp"
 
@@ -23,7 +25,9 @@ std::string idList(const std::vector<std::string>& ids) {
 }
 
 Result<void> push(const PushRequest& request) {
+    auto working = std::make_optional<ElapsedOnTerminal>("pushing");
     const auto pushed = results::pushDatabase(request.database, request.server);
+    working.reset();
     if (!pushed) return tl::unexpected(pushed.error());
     const results::PushOutcome& told = *pushed;
     if (told.upgraded_from)

@@ -11,6 +11,7 @@
 #include "app/clips/clip_files.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/progress_line.hpp"
 #include "assets/tables/ball_list.hpp"
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
@@ -249,7 +250,8 @@ Result<void> measure(const ClipsMeasureArguments& options) {
         balls = std::move(*read);
     }
     std::vector<Entries> rows;
-    std::size_t left_out = 0;
+    std::vector<Error> problems;
+    auto working = std::make_optional<ElapsedOnTerminal>("measuring");
     for (const NamedClip& clip : *clips) {
         const auto found = measured(clip, options, balls);
         if (found) {
@@ -258,12 +260,13 @@ Result<void> measure(const ClipsMeasureArguments& options) {
             continue;
         }
         if (clips->size() == 1) return tl::unexpected(found.error());
-        fmt::print(stderr, "{}\n", found.error().text());
-        ++left_out;
+        problems.push_back(found.error());
     }
+    working.reset();
+    for (const Error& problem : problems) fmt::print(stderr, "{}\n", problem.text());
     print(rows, options);
-    if (left_out > 0)
-        return fail("", fmt::format("{} of {} clips could not be measured", left_out, clips->size()),
+    if (!problems.empty())
+        return fail("", fmt::format("{} of {} clips could not be measured", problems.size(), clips->size()),
                     "Each is named above");
     return {};
 }

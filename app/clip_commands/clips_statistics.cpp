@@ -12,6 +12,7 @@
 #include "app/clips/clip_files.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/progress_line.hpp"
 #include "clips_commands.hpp"
 #include "clips_motion.hpp"
 #include "motion/gestures/gesture_style.hpp"
@@ -248,7 +249,9 @@ Result<void> statistics(const ClipsStatisticsArguments& options) {
                     fmt::format("found {} to {}, expected a first and a last frame", options.asked_frames[0],
                                 options.asked_frames[1]),
                     "Such as 10,14");
+    auto working = std::make_optional<ElapsedOnTerminal>("measuring");
     const auto found = find(options);
+    working.reset();
     if (!found) return tl::unexpected(found.error());
     if (options.json)  // what is not UTF-8 in a file's name must not stop the output
         fmt::print("{}\n", asJson(*found, options).dump(2, ' ', false, Json::error_handler_t::replace));

@@ -79,7 +79,9 @@ Result<void> checkReplaceable(const std::string& file, bool force) {
 
 Result<void> checkFree(const std::string& file, bool force) {
     std::error_code code;
-    if (force || file.empty() || !fs::exists(file, code)) return {};
+    const auto there = fs::status(file, code);
+    if (isDatabase(file)) return fail(file, "is a database and is not overwritten", "Give another name");
+    if (force || !fs::exists(there) || fs::is_other(there)) return {};  // a pipe or a device
     return fail(file, "is there already", how_to_replace);
 }
 

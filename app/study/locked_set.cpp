@@ -16,7 +16,6 @@
 #include "core/durable.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
-#include "core/unique_name.hpp"
 
 namespace deixis::app {
 
@@ -25,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* list_name = "locked.sha256";
-constexpr const char* making_prefix = ".making-";
+constexpr const char* staging_name = ".making";
 
 std::string reason(int code) {
     return std::generic_category().message(code);
@@ -144,17 +143,12 @@ Result<LockedSetWriter> LockedSetWriter::begin(const fs::path& database) {
                         "Keep the database on a local disk");
         }
     LockedSetWriter writer(database, lock);
-    // Nobody else is making a set now: what lies here was left by a program that was killed.
-    std::error_code code;
-    for (const auto& entry : fs::directory_iterator(home, code))
-        if (entry.path().filename().string().rfind(making_prefix, 0) == 0) {
-            std::error_code ignored;
-            fs::remove_all(entry.path(), ignored);
-        }
-    auto staging = Staging::within(home, making_prefix + uniqueName());
+    // Nobody else is making a set now: one of this name was left by a program that was killed.
+    auto staging = Staging::within(home, staging_name);
     if (!staging) return tl::unexpected(staging.error());
     writer.staging_.emplace(std::move(*staging));
-    if (auto made = makePrivateFolder(writer.staging_->path()); !made) return tl::unexpected(made.error());
+    std::error_code code;
+    fs::permissions(writer.staging_->path(), fs::perms::owner_all, code);
     return writer;
 }
 
@@ -168,9 +162,8 @@ LockedSetWriter::~LockedSetWriter() {
 
 Result<void> LockedSetWriter::add(const std::string& name, std::string_view bytes) {
     const fs::path file = staging_->path() / name;
+    if (auto written = staging_->add(name, bytes); !written) return written;
     std::error_code code;
-    fs::create_directories(file.parent_path(), code);
-    if (auto written = writeFileUnsynced(file, bytes); !written) return written;
     fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, code);
     std::string hash = sha256Hex(bytes);
     const std::lock_guard guard(*adding_);
@@ -190,7 +183,7 @@ Result<std::string> LockedSetWriter::finish(bool durable) {
     }
     if (auto written = staging_->add(list_name, list); !written) return tl::unexpected(written.error());
     fs::permissions(staging_->path() / list_name, fs::perms::owner_read | fs::perms::owner_write, code);
-    if (auto moved = staging_->become(set, durable); !moved) return tl::unexpected(moved.error());
+    if (auto became = staging_->become(set, durable); !became) return tl::unexpected(became.error());
     if (durable) syncFolder(fs::absolute(lockedFolder(database_)).parent_path());
     return hash;
 }

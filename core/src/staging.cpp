@@ -45,8 +45,12 @@ Result<void> Staging::add(const fs::path& name, std::string_view bytes) const {
 
 Result<void> Staging::moveHome(const std::vector<fs::path>& names, const std::vector<fs::path>& outdated,
                                bool durable) {
-    if (durable) syncFileSystem(path_);
     std::error_code code;
+    for (const fs::path& name : names)
+        if (fs::is_directory(home_ / name, code))
+            return fail((home_ / name).string(), "is a folder, and a file is to be written there",
+                        "Give another name, or move the folder away");
+    if (durable) syncFileSystem(path_);
     for (const fs::path& name : outdated) fs::remove(home_ / name, code);
     std::set<fs::path> grown{home_, home_.parent_path()};
     for (const fs::path& name : names) {

@@ -63,15 +63,29 @@ TEST_SUITE("core/staging") {
         CHECK(folder.names() == Names{"kept", "kept/file"});
     }
 
-    TEST_CASE("Where a move fails, what has not been moved stays, and goes with the next of that name") {
+    TEST_CASE("Where a folder has the name of a file, nothing is moved or removed") {
         const Folder folder;
-        fs::create_directories(folder.path / "b.csv" / "in the way");
+        fs::create_directories(folder.path / "b.csv");
+        REQUIRE(writeFileUnsynced(folder.path / "outdated.csv", "old"));
         {
-            auto staging = Staging::within(folder.path, ".mine").value();
-            for (const char* name : {"a.csv", "b.csv", "c.csv"}) REQUIRE(staging.add(name, name));
-            const auto moved = staging.moveHome({"a.csv", "b.csv", "c.csv"}, {}, false);
+            auto staging = Staging::within(folder.path).value();
+            for (const char* name : {"a.csv", "b.csv"}) REQUIRE(staging.add(name, name));
+            const auto moved = staging.moveHome({"a.csv", "b.csv"}, {"outdated.csv"}, false);
             REQUIRE_FALSE(moved);
             CHECK(moved.error().where == (folder.path / "b.csv").string());
+        }
+        CHECK(folder.names() == Names{"b.csv", "outdated.csv"});
+    }
+
+    TEST_CASE("Where a move fails, what has not been moved stays, and goes with the next of that name") {
+        const Folder folder;
+        REQUIRE(writeFileUnsynced(folder.path / "b", "in the way"));
+        {
+            auto staging = Staging::within(folder.path, ".mine").value();
+            for (const char* name : {"a.csv", "b/b.csv", "c.csv"}) REQUIRE(staging.add(name, name));
+            const auto moved = staging.moveHome({"a.csv", "b/b.csv", "c.csv"}, {}, false);
+            REQUIRE_FALSE(moved);
+            CHECK(moved.error().where == (folder.path / "b/b.csv").string());
         }
         CHECK(fs::exists(folder.path / "a.csv"));
         CHECK(fs::exists(folder.path / ".mine/c.csv"));

@@ -27,7 +27,8 @@ class Staging {
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes) const;
 
     /// Moves files to the same names in its home, in this order, over those that are there. `outdated` names
-    /// files of the home that go before. Where a move fails, the folder stays with what has not been moved.
+    /// files of the home that go before. Fails before anything is moved where a folder has one of the names;
+    /// where a move fails all the same, the folder stays with what has not been moved.
     /// `durable`: on return the disk has them.
     [[nodiscard]] Result<void> moveHome(const std::vector<std::filesystem::path>& names,
                                         const std::vector<std::filesystem::path>& outdated, bool durable);
