@@ -30,7 +30,7 @@ inline constexpr const char* standard_output = "-";
 [[nodiscard]] Result<void> checkReplaceable(const std::string& file, bool force);
 
 /// Fails where something stands there, unless `force` says so: for pictures and films, which do not say who
-/// made them. An empty name passes.
+/// made them, and wherever a database stands. An empty name, a pipe and a device pass.
 [[nodiscard]] Result<void> checkFree(const std::string& file, bool force);
 
 /// Files of a folder: their names and bytes.
