@@ -127,7 +127,7 @@ Result<void> checkFolder(const fs::path& folder) {
     if (fs::is_empty(folder, code) || fs::exists(folder / "codebook.json", code) ||
         fs::exists(folder / staging_name, code))
         return {};
-    return fail(folder.string(), "the folder is not empty and holds no earlier export",
+    return fail(folder.string(), "the folder is not empty and does not contain an earlier export",
                 "Name another one with -o");
 }
 

@@ -15,7 +15,7 @@ struct Computed {
     bool preferences = false;
     bool chance = false;
     bool halves = false;         ///< first against second
-    bool systems_apart = false;  ///< systems that no participant met both of
+    bool systems_apart = false;  ///< systems that no participant saw both of
     bool groups = false;
     bool preferences_of_groups = false;
     bool scores = false;  ///< of a questionnaire asked again

@@ -59,8 +59,8 @@ Result<Points> lowerFactor(const Points& matrix) {
             }
             if (!(rest > 1e-12 * matrix[j][j]))
                 return fail("",
-                            "the points lie in a plane of fewer dimensions than they have numbers: no "
-                            "bandwidth follows from their spread",
+                            "the points lie in a subspace of fewer dimensions: no bandwidth can be estimated "
+                            "from their spread",
                             "Give a bandwidth for each axis");
             lower[j][j] = std::sqrt(rest);
         }
@@ -106,7 +106,8 @@ Result<GaussianDensity> GaussianDensity::fit(Points points, const std::vector<do
 Result<GaussianDensity> GaussianDensity::fit(Points points, BandwidthRule rule) {
     if (auto checked = checkPoints(points); !checked) return tl::unexpected(checked.error());
     if (points.size() < 2)
-        return fail("", "no bandwidth follows from a single point", "Give a bandwidth for each axis");
+        return fail("", "no bandwidth can be estimated from a single point",
+                    "Give a bandwidth for each axis");
     const std::size_t d = points.front().size();
     const auto n = static_cast<double>(points.size());
     const double shrink = std::pow(n, -1.0 / (static_cast<double>(d) + 4.0));
@@ -115,7 +116,9 @@ Result<GaussianDensity> GaussianDensity::fit(Points points, BandwidthRule rule) 
     for (std::size_t j = 0; j < d; ++j) {
         if (!(covariance[j][j] > 0.0))
             return fail(
-                "", fmt::format("all points have the same number on axis {}: no bandwidth follows", j + 1),
+                "",
+                fmt::format("all points have the same value on axis {}: no bandwidth can be estimated",
+                            j + 1),
                 "Give a bandwidth for each axis");
         bandwidths[j] = shrink * std::sqrt(covariance[j][j]);
         if (rule == BandwidthRule::normal_reference) bandwidths[j] *= 1.06 * std::sqrt((n - 1.0) / n);
@@ -130,7 +133,8 @@ Result<GaussianDensity> GaussianDensity::fit(Points points, BandwidthRule rule) 
 
 double GaussianDensity::operator()(const std::vector<double>& x) const {
     const std::size_t d = factor_.size();
-    if (x.size() != d) throw std::invalid_argument("a density was asked for at a point of another dimension");
+    if (x.size() != d)
+        throw std::invalid_argument("the density was requested at a point of another dimension");
     std::vector<double> z(d);
     double sum = 0.0;
     for (const auto& point : points_) {

@@ -79,7 +79,7 @@ bool hasShape(std::uint32_t code) {
 }
 
 const char* const hint =
-    "Expected a script whose letters stand one after another from left to right, such as Latin, Greek, "
+    "Expected a script whose letters follow each other from left to right, such as Latin, Greek, "
     "Cyrillic or Hangul, and no symbols beyond it";
 
 }  // namespace
@@ -99,7 +99,7 @@ std::optional<NotDrawn> notDrawn(std::string_view text) {
                         block.script),
                     hint};
         if (!hasShape(code))
-            return NotDrawn{fmt::format("found '{}' (U+{:04X}), for which the program's fonts have no shape",
+            return NotDrawn{fmt::format("found '{}' (U+{:04X}), which is not in the program's fonts",
                                         text.substr(begin, at - begin), code),
                             hint};
     }

@@ -104,9 +104,8 @@ TEST_SUITE("app/push server") {
         const auto done = push(b, url);
         INFO(done.err);
         REQUIRE(done.status == 0);
-        CHECK(
-            done.out.find("upgraded: the server's tables of the study, which were of version 3") !=
-            std::string::npos);
+        CHECK(done.out.find("upgraded: the server's tables of the study, which were of version 3") !=
+              std::string::npos);
         CHECK(server->sql(name, version) == newest);
         CHECK(server->sql(name, columns) == newest_columns);
         checkCounts(*server, name, files.both);
@@ -120,7 +119,7 @@ TEST_SUITE("app/push server") {
               std::string::npos);
 
         server->sql(name, "UPDATE " + schema + ".deixis_schema SET version = 2");
-        CHECK_FAILS_SAYING(push(files.a, url), schema, "has version 2", "no way leads", "Rename it");
+        CHECK_FAILS_SAYING(push(files.a, url), schema, "has version 2", "cannot be upgraded", "Rename it");
     }
 
     TEST_CASE("What is wrong with server, user or schema is told in one line, and passwords appear nowhere") {

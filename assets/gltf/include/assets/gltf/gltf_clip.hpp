@@ -27,7 +27,7 @@ struct GltfClipFile {
     std::string animation{};        ///< name of the one that was read; "animation 0" where it has none
     std::vector<std::string> animations{};  ///< all that the file has
     double metres_per_unit = 1.0;           ///< what was used
-    std::string unit{};                     ///< in words, such as "metre (as glTF has it)"
+    std::string unit{};                     ///< in words, such as "metre (as in glTF)"
     std::string frame_rate{};               ///< in words, such as "30 fps (the keys' rate)"
     std::vector<std::string> remarks{};     ///< what was unusual about the file and how it was taken
 };

@@ -27,7 +27,7 @@ void comparePreferencesOfGroups(AnalysisResult& result);
 /// The factor under which systems stand that no participant met both of.
 inline constexpr const char* systems_between = "system";
 
-/// Pairs of systems that no participant met both of, as groups of participants. Needs pairwise.
+/// Pairs of systems that no participant saw both of, as groups of participants. Needs pairwise.
 void compareSystemsBetween(const MeansByMeasure& means, AnalysisResult& result);
 
 /// Pairs of systems by single ratings, where they are asked for.

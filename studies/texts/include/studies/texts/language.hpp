@@ -23,7 +23,7 @@ enum class TextStatus : unsigned char {
 };
 /// As in the files: "written", "translated", "reviewed"; none for anything else.
 [[nodiscard]] std::optional<TextStatus> textStatusFromName(std::string_view name);
-/// In words: "translated, not reviewed by a speaker".
+/// In words: "translated, not reviewed by a native speaker".
 [[nodiscard]] std::string_view textStatusText(TextStatus status);
 
 class LanguageTable {
