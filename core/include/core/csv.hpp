@@ -1,4 +1,4 @@
-// CSV as RFC 4180 has it.
+// CSV according to RFC 4180.
 #pragma once
 
 #include <string>

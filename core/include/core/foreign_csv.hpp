@@ -1,4 +1,4 @@
-// CSV as spreadsheets and experiment programs write it.
+// CSV as written by spreadsheets and experiment programs.
 #pragma once
 
 #include <optional>

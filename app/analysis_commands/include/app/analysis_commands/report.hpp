@@ -1,4 +1,4 @@
-// Writing a report from whatever holds answers: for the command, and for the end of a session.
+// Writing a report from databases, CSV files or a server: for the command, and at the end of a session.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What the commands that change clips write: clip files in the
-// format that their name asks for, and whole folders, never half.
+// What the commands that change clips write: clip files in the format that their name asks for, and
+// complete folders, never half of one.
 #pragma once
 
 #include <filesystem>

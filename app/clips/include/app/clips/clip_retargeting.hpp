@@ -1,4 +1,4 @@
-// A folder of clips, listed in a manifest, brought to an avatar.
+// A folder of clips, listed in a manifest, retargeted to an avatar.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-// The command line as commands declare it: CLI11's parser behind a front, since its header takes each file
-// that includes it many seconds to compile. Both classes are handles that may be copied; what they stand for
-// lives as long as the program's CLI::App.
+// The command line as commands declare it: CLI11's parser behind a front, since each file that includes
+// its header takes many seconds to compile. Both classes are handles that may be copied; what they refer
+// to lives as long as the program's CLI::App.
 #pragma once
 
 #include <functional>

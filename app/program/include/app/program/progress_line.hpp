@@ -1,4 +1,4 @@
-// How far a long piece of work has come, as a line for a terminal.
+// The progress of long work, as a line for a terminal.
 #pragma once
 
 #include <condition_variable>

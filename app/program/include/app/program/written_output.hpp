@@ -1,4 +1,4 @@
-// What a command writes at the place that it was given: a file, or standard output.
+// Where a command writes its output: a file, or standard output.
 #pragma once
 
 #include <cstdio>

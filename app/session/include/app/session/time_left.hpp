@@ -1,4 +1,4 @@
-// How long a session will still take, from what the study's earlier sessions and this one took: pure logic.
+// The remaining time of a session, estimated from the study's earlier sessions and this one: pure logic.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Who takes part: the number, the groups and the plan of a participant, new or come back.
+// Who takes part: number, groups and plan of a participant, new or returning.
 #pragma once
 
 #include <optional>

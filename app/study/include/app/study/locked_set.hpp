@@ -1,5 +1,5 @@
-// A study as it was when its first participant came: all that participants see, or that decides it, as files
-// in a folder beside the database (docs/running-a-study.md, "What is locked").
+// A study as it was when its first participant came: everything that participants see, or that determines
+// it, as files in a folder beside the database (docs/running-a-study.md, "What is locked").
 #pragma once
 
 #include <filesystem>
@@ -47,8 +47,8 @@ class LockedSetWriter {
 
     /// `name` is relative to the set. May be called by several threads.
     [[nodiscard]] Result<void> add(const std::string& name, std::string_view bytes);
-    /// The set's hash. A set of that hash that is there already and complete stays. `durable`: all of it is on
-    /// the disk on return.
+    /// The set's hash. A set of that hash that is there already and complete stays. `durable`: all of it is
+    /// on the disk on return.
     [[nodiscard]] Result<std::string> finish(bool durable);
 
   private:

@@ -1,4 +1,4 @@
-// The choices of a database with the arms that they were made after, watched again from their clips.
+// The choices of a database with the movements that they followed, watched again from their clips.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The avatar that recorded sessions showed, found again.
+// Finding the avatar that recorded sessions showed.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Where the targets of a recording were: a list in the order of the gestures, or a marker's way over time.
+// The targets of a recording: a list in the order of the gestures, or a marker's trajectory.
 #pragma once
 
 #include <filesystem>

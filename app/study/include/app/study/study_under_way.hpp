@@ -1,4 +1,4 @@
-// The study that a session is of: locked at the first run, the same from then on.
+// The study of a session: locked at the first run, unchanged from then on.
 #pragma once
 
 #include <filesystem>

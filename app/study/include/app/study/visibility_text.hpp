@@ -1,4 +1,4 @@
-// What of a study's balls its participants see, for people.
+// How much of a study's balls participants can see, as text.
 #pragma once
 
 #include <string>

@@ -1,8 +1,8 @@
-// An avatar as CPU data: any humanoid glTF 2.0 or VRM figure, brought to one shape.
+// An avatar as CPU data: any humanoid glTF 2.0 or VRM figure, converted to one form.
 //
-// Whatever the file's rest pose, bone axes, scales and facing are, the skeleton that comes out stands in the
-// T pose in metres, y up, facing +z, its lowest vertex on the floor, and its joints have no rest rotations.
-// Joints that play a bone carry that bone's VRM name. How the skin is carried over: docs/avatar.md.
+// Whatever the file's rest pose, bone axes, scales and facing are, the resulting skeleton is in the T pose
+// in metres, y up, facing +z, its lowest vertex on the floor, and its joints have no rest rotations.
+// Joints that are a bone have that bone's VRM name. How the skin is transferred: docs/avatar.md.
 #pragma once
 
 #include <array>

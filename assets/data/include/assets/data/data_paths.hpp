@@ -1,4 +1,4 @@
-// Where the content that ships lies.
+// Where the content that comes with the program is.
 #pragma once
 
 #include <filesystem>

@@ -1,8 +1,8 @@
-// What a glTF 2.0 file says, as plain data: the one reader of glTF, for clips and for figures. Section
+// The content of a glTF 2.0 file as plain data: the one reader of glTF, for clips and for figures. Section
 // numbers are those of the glTF 2.0 specification (Khronos 2021).
 //
-// The reader is our own, since tinygltf passes over what has a wrong type, tells no place in the file, and
-// opens the files that it names while it parses, before anybody has judged their paths.
+// The reader is our own, since tinygltf ignores values of a wrong type, does not say where in the file an
+// error is, and opens the files that it names while it parses, before their paths can be checked.
 #pragma once
 
 #include <array>

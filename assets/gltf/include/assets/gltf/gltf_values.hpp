@@ -1,4 +1,4 @@
-// The bytes and numbers behind what a glTF document says, with every index and range checked.
+// The bytes and numbers that a glTF document refers to, with every index and range checked.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Decimal numbers in text, read quickly: what std::from_chars gives, to the last bit.
+// Decimal numbers in text, read quickly: the same as std::from_chars, to the last bit.
 #pragma once
 
 #include <array>

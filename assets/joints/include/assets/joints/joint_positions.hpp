@@ -1,5 +1,5 @@
-// Recordings that hold joint positions only: Kinect v2 body frames, CSV with named joints, the SGToolkit's
-// JSON. How positions become rotations: motion::clipFromPositions().
+// Recordings that have only joint positions: Kinect v2 body frames, CSV with named joints, SGToolkit JSON.
+// How positions become rotations: motion::clipFromPositions().
 #pragma once
 
 #include <string>

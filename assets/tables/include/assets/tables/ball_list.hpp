@@ -1,4 +1,4 @@
-// The balls that a pointing clip may be read as meaning, as CSV, such as `deixis targets` prints.
+// The balls among which a pointing clip is read, as CSV, such as `deixis targets` prints.
 #pragma once
 
 #include <filesystem>

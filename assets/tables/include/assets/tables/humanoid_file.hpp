@@ -1,4 +1,4 @@
-// A person's word on which joint plays which humanoid bone, and how tall an avatar is: a TOML file beside a
+// A user's file that says which joint is which humanoid bone, and how tall an avatar is: TOML beside a
 // clip or an avatar, documented in docs/clip-format.md and docs/avatar.md.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Style statistics and compliance of the SGToolkit (Yoon et al. 2021): equations 4 to 6, 8 and 9. Pure
-// functions.
+// Style statistics and pose compliance of the SGToolkit (Yoon et al. 2021): equations 4 to 6, 8 and 9.
+// Pure functions.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// A continuous recording of pointing, cut into gestures. Pure functions.
+// Cutting a continuous recording of pointing into gestures. Pure functions.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Which axis of its coordinates is up for a figure.
+// Which coordinate axis is up for a figure.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// The objective measure of a pointing clip (Deichler et al. 2023, section 3.2): how well the forearm points
-// at the target while the hand is slow, and how reward and speed run around the time of pointing. Pure
-// functions.
+// The objective measure of a pointing clip (Deichler et al. 2023, section 3.2): how well the forearm
+// points at the target while the hand is slow, and the time courses of reward and speed around the time of
+// pointing. Pure functions.
 #pragma once
 
 #include <optional>

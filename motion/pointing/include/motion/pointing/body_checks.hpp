@@ -1,5 +1,5 @@
-// What a body cannot or should not do: sliding feet, joints beyond their range, limbs inside the body. Pure
-// functions on world poses of a clip (worldPoses()) and its humanoid map.
+// What a body cannot or should not do: sliding feet, joints beyond their range, limbs inside the body.
+// Pure functions on world poses of a clip (worldPoses()) and its humanoid map.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How much room a standing body takes: what it may hide from somebody who looks past it.
+// How much room a standing body takes: what it may hide from an observer.
 #pragma once
 
 #include <optional>

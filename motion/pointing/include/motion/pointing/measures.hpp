@@ -1,4 +1,4 @@
-// Everything that can be told of one pointing clip without anybody watching it. docs/measures.md describes
+// Everything that can be measured on one pointing clip without human raters. docs/measures.md describes
 // each measure.
 #pragma once
 

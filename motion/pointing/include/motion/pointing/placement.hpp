@@ -1,4 +1,4 @@
-// Where a figure stands in its clip.
+// The place and facing of a figure in its clip.
 #pragma once
 
 #include "motion/skeleton/clip.hpp"

@@ -1,4 +1,5 @@
-// Any humanoid clip onto the avatar: from another skeleton's rotations, or from joint positions alone.
+// Retargeting any humanoid clip to the avatar: from another skeleton's rotations, or from joint positions
+// alone.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A clip: a skeleton and its poses at a steady frame rate.
+// A clip: a skeleton and its poses at a constant frame rate.
 #pragma once
 
 #include <vector>

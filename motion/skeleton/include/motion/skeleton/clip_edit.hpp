@@ -1,4 +1,4 @@
-// Clips cut, moved and seen in a mirror.
+// Cutting, moving and mirroring clips.
 #pragma once
 
 #include <vector>

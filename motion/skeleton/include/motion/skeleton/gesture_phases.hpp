@@ -1,4 +1,4 @@
-// When the hand of a pointing gesture does what, in frames of a clip.
+// The phases of a pointing gesture, in frames of a clip.
 #pragma once
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
-// Speed, smoothness and steadiness of a point that was sampled at a steady rate. Pure functions on positions
-// in metres; `frame_time_s` is the time from one sample to the next, above 0.
+// Speed, smoothness and steadiness of a point sampled at a constant rate. Pure functions on positions in
+// metres; `frame_time_s` is the time between samples, above 0.
 #pragma once
 
 #include <optional>

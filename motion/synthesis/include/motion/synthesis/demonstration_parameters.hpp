@@ -1,6 +1,6 @@
-// Parameters of the synthetic demonstrations and of the systems that are made from the same parts.
-// assets/data/demonstrations.toml holds the values and marks where each comes from; the defaults here are the
-// same values.
+// Parameters of the synthetic demonstrations and of the systems made from the same parts.
+// assets/data/demonstrations.toml has the values with their sources; the defaults here are the same
+// values.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The fonts of the board, at the pixel sizes and with the characters that it needs.
+// The fonts of a board, at the pixel sizes and with the characters that it needs.
 #pragma once
 
 #include <imgui.h>

@@ -1,4 +1,5 @@
-// OpenGL objects that own themselves, shader programs, and errors as exceptions. Private to the module.
+// OpenGL objects that manage their own lifetime, shader programs, and errors as exceptions. Private to the
+// module.
 #pragma once
 
 #include <epoxy/gl.h>

@@ -1,5 +1,5 @@
-// The part of each eye's picture that is never seen: black and nearer than everything, so that what follows
-// is not drawn there.
+// The part of each eye's picture that is never visible: black and nearer than everything, so that nothing
+// is drawn there.
 #pragma once
 
 #include "renderer/scene/stereo.hpp"

@@ -1,4 +1,4 @@
-// The parts of an analysis; private to it. Each fills in its own of the result, and needs the measures.
+// The parts of an analysis; private to it. Each fills in its part of the result, and needs the measures.
 #pragma once
 
 #include "results/analysis/analysis.hpp"

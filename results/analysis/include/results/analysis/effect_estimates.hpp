@@ -1,4 +1,4 @@
-// Assumed effects for a power analysis, estimated from answers that were given. How: docs/power.md.
+// Assumed effects for a power analysis, estimated from collected answers. How: docs/power.md.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What was measured in a unit, such as how far from its target a ball was put, over the targets' places.
+// Measures with a unit, such as the distance from ball to target, over the targets' places.
 #pragma once
 
 #include <string>

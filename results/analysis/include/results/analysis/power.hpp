@@ -1,6 +1,5 @@
-// How often a study would find what it looks for: whole studies drawn from assumed effects on the real plans,
-// and the report's own tests on each. The answers are simulated and no evidence about people. Conventions:
-// docs/power.md.
+// Power by simulation: whole studies are drawn from assumed effects on the real plans, with the report's
+// own tests on each. The answers are simulated and no evidence about people. Conventions: docs/power.md.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What simulated observers of several kinds make of the same arms: how far a system's accuracy hangs on what
-// pointing is taken to mean. They are no evidence about people. docs/evaluation.md.
+// What simulated observers of several kinds choose after the same arms: how far a system's accuracy
+// depends on how pointing is read. They are no evidence about people. docs/evaluation.md.
 #pragma once
 
 #include <array>

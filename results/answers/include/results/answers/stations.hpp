@@ -1,4 +1,5 @@
-// Where answers were given: at a desktop, in a headset, by simulated participants. They are analysed apart.
+// Where answers were given: at a desktop, in a headset, by simulated participants. They are analysed
+// separately.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// A database to be given away: the same study and answers, and nothing by which a person, a place or a moment
-// could be told that the analysis does not need. docs/data-out.md says what becomes of each table.
+// A database for sharing: the same study and answers, without anything that identifies a person, place or
+// time and that the analysis does not need. docs/data-out.md says how each table is treated.
 #pragma once
 
 #include <filesystem>

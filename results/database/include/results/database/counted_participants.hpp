@@ -1,4 +1,4 @@
-// Who counts, and why somebody does not.
+// Which participants count, and why others do not.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Opening the database files of a study: for a run, for changing participants, and only to read.
+// Opening the database files of a study: for a run, for changing participants, and read-only.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,5 +1,5 @@
-// Which locked sets a database's study has had, one after another: databases of one study can be joined where
-// one of them has had all the others' sets.
+// The locked sets that a database's study has had, in order: databases of one study can be joined if one
+// of them has had all the others' sets.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

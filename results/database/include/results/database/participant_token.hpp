@@ -1,5 +1,5 @@
-// What stands for a participant in the table of withdrawals: it tells nobody whose it was, and every copy of
-// the participant's rows carries it.
+// The token of a participant in the table of withdrawals: it does not reveal whose it was, and every copy
+// of the participant's rows has it.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What the tables hold of a study and of each person: for what copies rows from one database to another, and
-// for what erases them.
+// What the tables store about a study and about each person: for copying rows from one database to
+// another, and for erasing them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Abilities from preferences in the analysis' outputs; private to them.
+// Abilities from preferences in the analysis's outputs; private to them.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The space before the avatar, from above and from behind: its left on the left, two panels a row.
+// The space in front of the avatar, from above and from behind: its left on the left, two panels per row.
 #pragma once
 
 #include <string>

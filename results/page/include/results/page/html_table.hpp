@@ -1,4 +1,4 @@
-// Tables on a page: HTML of the one model of a table.
+// Tables on a page: HTML from the one model of a table.
 #pragma once
 
 #include <functional>

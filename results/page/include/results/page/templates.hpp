@@ -1,4 +1,4 @@
-// The skeletons of HTML: the files of results/page/templates, which stand in the program as they are.
+// The HTML templates: the files of results/page/templates, which are compiled into the program.
 #pragma once
 
 #include <string>

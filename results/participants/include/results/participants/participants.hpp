@@ -1,4 +1,4 @@
-// Looking after participants in a database: list, show, exclude, withdraw.
+// Managing participants in a database: list, show, exclude, include, withdraw.
 #pragma once
 
 #include <filesystem>

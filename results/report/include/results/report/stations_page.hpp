@@ -1,4 +1,4 @@
-// What leads to the reports of several kinds of station, and compares these.
+// The page that links to the reports of several kinds of station, and compares these.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Many stations' results in one place: a PostgreSQL database, which holds any number of studies beside each
-// other, each in a schema (namespace) of its own with the tables of docs/database.md. People's guide:
+// Many stations' results in one place: a PostgreSQL database, which holds any number of studies side by
+// side, each in its own schema (namespace) with the tables of docs/database.md. User's guide:
 // docs/server.md.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Bootstrap intervals, resampling whole participants: of means, and what those of other estimates need.
+// Bootstrap intervals, resampling whole participants: of means, and what other estimates' intervals need.
 #pragma once
 
 #include <cstdint>

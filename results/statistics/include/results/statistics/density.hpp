@@ -1,4 +1,4 @@
-// Multivariate Gaussian kernel density estimates, with the bandwidth conventions of the libraries in use.
+// Multivariate Gaussian kernel density estimates, with the bandwidth conventions of common libraries.
 #pragma once
 
 #include <string_view>

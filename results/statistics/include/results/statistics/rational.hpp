@@ -1,4 +1,4 @@
-// Exact fractions: what cells and scores are read as, so that differences which are equal on paper are equal.
+// Exact fractions for cells and scores, so that differences that are equal on paper are equal.
 #pragma once
 
 #include <compare>

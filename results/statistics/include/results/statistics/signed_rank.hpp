@@ -1,4 +1,4 @@
-// Wilcoxon's signed-rank test of paired differences. The conventions stand in docs/statistics.md.
+// Wilcoxon's signed-rank test of paired differences. Conventions: docs/statistics.md.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What was recorded of a participant's trials, to be shown again.
+// What was recorded in a participant's trials, for replay.
 #pragma once
 
 #include <filesystem>

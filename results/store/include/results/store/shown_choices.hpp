@@ -1,4 +1,4 @@
-// Choices of the game with what there was to see: which clip, which balls, from where.
+// Choices of the game with what was visible: which clip, which balls, from where.
 #pragma once
 
 #include <filesystem>

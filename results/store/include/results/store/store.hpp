@@ -1,6 +1,6 @@
-// The SQLite store: one file holds the participants, plans, sessions, responses and events of a study. The
-// schema is documented in docs/database.md. Failing SQLite calls inside a session throw; what a user can meet
-// on opening (a newer version, a locked or read-only file, not a database) is a Result.
+// The SQLite store: one file has the participants, plans, sessions, responses and events of a study. The
+// schema is documented in docs/database.md. Failing SQLite calls inside a session throw; what a user can
+// meet on opening (a newer version, a locked or read-only file, not a database) is a Result.
 #pragma once
 
 #include <chrono>

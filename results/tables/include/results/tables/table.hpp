@@ -1,5 +1,5 @@
-// One model of a table: its columns are declared once, with what is read from a result, and rendered as CSV,
-// JSON and LaTeX here, as HTML by the pages.
+// One model of a table: its columns are declared once, with how they are read from a result, and rendered
+// as CSV, JSON and LaTeX here, and as HTML by the pages.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,4 @@
-// What a ray meets on a board, and what a board hides.
+// What a ray hits on a board, and what a board hides.
 #pragma once
 
 #include <optional>

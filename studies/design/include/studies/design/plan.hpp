@@ -1,4 +1,4 @@
-// The plan: all that one participant answers, fixed before the first is shown.
+// The plan: everything that one participant answers, fixed before the first trial is shown.
 #pragma once
 
 #include <cstdint>

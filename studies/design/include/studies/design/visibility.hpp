@@ -1,4 +1,4 @@
-// Whether the balls of a trial can be seen from where the participant stands: past the avatar, at rest and
+// Whether the balls of a trial are visible from where the participant stands: past the avatar, at rest and
 // pointing, and past each other.
 #pragma once
 

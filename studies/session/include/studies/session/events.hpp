@@ -1,4 +1,4 @@
-// What happens in a session, as the session tells it and the store keeps it.
+// The events of a session, as the session reports them and the store records them.
 #pragma once
 
 #include <optional>

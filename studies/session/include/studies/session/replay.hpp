@@ -1,4 +1,4 @@
-// A trial as it was recorded, shown again: pure geometry and time, no database, no drawing.
+// Replaying a recorded trial: pure geometry and time, no database, no drawing.
 #pragma once
 
 #include <optional>

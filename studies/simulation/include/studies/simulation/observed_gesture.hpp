@@ -1,4 +1,4 @@
-// What an observer takes from a clip of a pointing gesture, without a session around it.
+// What an observer sees in a clip of a pointing gesture, without a session.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
-// The simulated participant's way of choosing a ball, fitted to choices that were made: its noise and its
-// lapse rate, and of two cues their weights, by maximum likelihood. The probability of a choice is
-// choiceChance(). docs/simulated-participant.md.
+// The simulated participant's way of choosing a ball, fitted to recorded choices: its noise and its lapse
+// rate, and the weights of two cues, by maximum likelihood. The probability of a choice is choiceChance().
+// docs/simulated-participant.md.
 #pragma once
 
 #include <optional>

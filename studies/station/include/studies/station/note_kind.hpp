@@ -1,4 +1,4 @@
-// What a note of the record is of: one name for each kind, in databases, traces and documents.
+// The kinds of notes in the record: one name for each, in databases, traces and documents.
 #pragma once
 
 #include <cstdint>

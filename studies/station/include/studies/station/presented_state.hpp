@@ -1,4 +1,4 @@
-// What a session is doing, as a frame says it: one name for each state, in traces, pictures and documents.
+// What a session is doing in a frame: one name for each state, in traces, pictures and documents.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Where a session is, for the operator.
+// The progress of a session, for the operator.
 #pragma once
 
 #include <string>

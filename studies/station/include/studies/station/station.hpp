@@ -1,8 +1,8 @@
-// The one interface between a session and whoever takes part in it: a desktop, a headset or a simulated
-// participant.
+// The one interface between a session and the person or program that takes part in it: a desktop, a
+// headset or a simulated participant.
 //
-// A station begins a frame (which paces, and is the only clock), tells what the person did, presents what the
-// session says, and reports whether the frame was really shown.
+// A station begins a frame (which sets the pace, and is the only clock), returns what the person did,
+// presents what the session says, and reports whether the frame was really shown.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// From something that varies normally to an answer: how a choice of the game, or a step on a scale, depends
-// on what lies behind it. What a power analysis and the estimation of its effects have in common.
+// From a normally distributed variable to an answer: how a choice of the game, or a step on a scale,
+// depends on it. Shared by power analysis and the estimation of its effects.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What a power analysis assumes of the answers to come: means of the systems, and how much answers differ.
+// What a power analysis assumes about future answers: means of the systems, and how much answers differ.
 // The file is documented in docs/power.md.
 #pragma once
 

@@ -1,5 +1,6 @@
-// What a kind of trial keeps that other kinds do not: named values of a trial as planned, and of a response,
-// beside its typed answers. A kind declares them (stage_kind.hpp); the store, copies and views know none.
+// Values that only one kind of trial has: named values of a planned trial, and of a response, beside its
+// typed answers. A kind declares them (stage_kind.hpp); the store, copies and views know none in
+// particular.
 #pragma once
 
 #include <optional>

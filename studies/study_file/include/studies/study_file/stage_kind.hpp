@@ -1,5 +1,5 @@
-// What the kinds of stages declare of themselves: all that reader, planner, store, export, power and analysis
-// ask of a kind. Declarations stand in studies/trials/KIND/declaration.cpp.
+// What the kinds of stages declare: everything that reader, planner, store, export, power and analysis
+// need to know about a kind. Declarations are in studies/trials/KIND/declaration.cpp.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// What a study is, as its TOML file says it, in one language. Documented key by key in docs/study-file.md.
+// A study as its TOML file describes it, in one language. Documented key by key in docs/study-file.md.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the text of a study file says, where the file itself and what it names may be gone.
+// What the text of a study file says, even if the file itself and the files that it names are gone.
 #pragma once
 
 #include <optional>

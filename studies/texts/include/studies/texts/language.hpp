@@ -1,6 +1,6 @@
-// The program's own words that a participant reads, in one language: buttons, pause pages, notices. A study's
-// texts are the study file's. Tables ship in assets/data/languages (en, de, sv, ko); a study file may bring
-// those of another language, or change single ones ([words.LANGUAGE], docs/study-file.md).
+// The program's own words that a participant reads, in one language: buttons, pause pages, notices. A
+// study's texts are in the study file. Tables for en, de, sv and ko are in assets/data/languages; a study
+// file may add those of another language, or change single ones ([words.LANGUAGE], docs/study-file.md).
 #pragma once
 
 #include <filesystem>

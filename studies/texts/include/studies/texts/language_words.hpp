@@ -1,4 +1,4 @@
-// The program's words as a TOML table says them; private to studies.
+// The program's words as read from a TOML table; private to studies.
 #pragma once
 
 #include <toml++/toml.h>

@@ -1,4 +1,4 @@
-// A TOML file read key by key, every key checked and every problem kept; private to studies.
+// A TOML file read key by key, with every key checked and every problem collected; private to studies.
 #pragma once
 
 #include <toml++/toml.h>
