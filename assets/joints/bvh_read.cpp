@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 6> channel_names{"Xposition", "Yposition"
                                                         "Xrotation", "Yrotation", "Zrotation"};
 
 /// Longer than the slowest frame rate, and shorter than the fastest, of any recording: from 1 to 10,000
-/// frames a second.
+/// frames per second.
 constexpr double longest_frame_s = 1.0;
 constexpr double shortest_frame_s = 1e-4;
 

@@ -245,7 +245,7 @@ BradleyTerry bradleyTerry(const ResponseTable& table, const BootstrapOptions& op
         addWins(sum, wins);
         each.push_back(wins);
     }
-    // What is drawn does not hang on how participants are called.
+    // What is drawn does not depend on how participants are called.
     std::sort(each.begin(), each.end());
     const auto estimates = bradleyTerryAbilities(sum);
     if (!estimates) {

@@ -138,7 +138,7 @@ void remarkRounded(AnalysisResult& result) {
                         n, n == 1 ? "answer is" : "answers are", n == 1 ? "is" : "are", example));
 }
 
-/// Decisions that hang on whose answers, and which, are taken.
+/// Decisions that depend on whose answers, and which, are taken.
 void remarkSensitivity(AnalysisResult& result) {
     for (const SensitivityResult& one : result.sensitivity) {
         const auto remark = [&](const char* choice, const AdjustedTest& other) {

@@ -93,7 +93,7 @@ bool isLocked(const SQLite::Exception& problem) {
 
 Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing,
                                      std::chrono::milliseconds patience) {
-    // SQLite does not wait for every lock: where two might wait for each other, one is refused at once.
+    // SQLite does not wait for every lock: where two might wait for each other, one is rejected at once.
     const auto until = std::chrono::steady_clock::now() + patience;
     for (;;) {
         try {

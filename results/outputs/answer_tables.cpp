@@ -167,7 +167,7 @@ Table participantMeans(const AnalysisResult& result) {
     return out;
 }
 
-/// What the tables hang on and do not tell.
+/// What the tables depend on and do not tell.
 Table settings(const AnalysisResult& result) {
     Table out{"settings", units::none, "Settings"};
     out.columns = {{"name", ColumnKind::text}, {"value", ColumnKind::number}};

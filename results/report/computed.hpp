@@ -11,7 +11,7 @@ struct Computed {
     bool ratings = false;  ///< single ones, of pairs of systems
     bool author_trials = false;
     bool friedman = false;  ///< of three systems and more
-    bool levels = false;    ///< of factors within participants
+    bool levels = false;    ///< of within-participants factors
     bool preferences = false;
     bool chance = false;
     bool halves = false;         ///< first against second

@@ -202,7 +202,7 @@ std::vector<const Stage*> Timeline::pagesBefore(std::size_t stage) const {
     return pages;
 }
 
-/// Pages of a stage that has begun are not shown again, but for the instructions where the visit goes on in
+/// Pages of a stage that has begun are not shown again, but for the instructions where the visit continues in
 /// it after a long time.
 std::vector<const Stage*> Timeline::pagesFor(const Trial& trial) const {
     const std::size_t place = placeOf(trial.stage);

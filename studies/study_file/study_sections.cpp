@@ -1,4 +1,4 @@
-// Distances, layouts, systems, factors between participants, targets, headset, analysis.
+// Distances, layouts, systems, between-participants factors, targets, headset, analysis.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ SystemSource readSystem(TomlTable& table, const std::string& name, const fs::pat
     return system;
 }
 
-/// The factors within participants that every study has.
+/// The within-participants factors that every study has.
 bool isBuiltInFactor(std::string_view name) {
     return name == "system" || name == "layout" || name == "distance";
 }

@@ -1,6 +1,6 @@
 // Boards draw one character after another, from left to right, each with a shape of its own from the
-// program's fonts. Scripts that need more are refused: a participant would read them backwards, in pieces, or
-// as question marks.
+// program's fonts. Scripts that need more are rejected: a participant would read them backwards, in pieces,
+// or as question marks.
 #include <fmt/format.h>
 
 #include <algorithm>

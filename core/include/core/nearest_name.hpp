@@ -6,7 +6,7 @@
 
 namespace deixis {
 
-/// The name nearest to `found`; empty where none is near.
+/// The name nearest to `found`; empty if none is near.
 [[nodiscard]] std::string_view nearestName(std::string_view found, std::span<const std::string_view> names);
 
 }  // namespace deixis

@@ -36,7 +36,7 @@ class OutputFolder {
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// `name` is relative to the folder. Fails where it exists already, and `force` was not given.
+    /// `name` is relative to the folder. Fails if it exists already, and `force` was not given.
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
     [[nodiscard]] Result<void> finish();
 

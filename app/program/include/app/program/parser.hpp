@@ -47,7 +47,7 @@ class Option {
     Option check(std::function<std::string(const std::string&)> problem);
     Option excludes(Option other);
     Option needs(Option other);
-    /// So many values; a negative number: at least so many.
+    /// So many values; a negative number: at least this many.
     Option expected(int count);
     Option expected(int min, int max);
     Option delimiter(char between);

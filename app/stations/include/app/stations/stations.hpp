@@ -26,7 +26,7 @@ struct StationRequest {
     std::shared_ptr<Screenshots> screenshots = std::make_shared<Screenshots>();  ///< simulated only
 };
 
-/// Opens the station. The simulated one draws each key moment and several frames a second through the same
+/// Opens the station. The simulated one draws each key moment and several frames per second through the same
 /// renderer as the desktop, off screen, where the program was built with it.
 [[nodiscard]] Result<std::unique_ptr<studies::Station>> openStation(const StationRequest& request,
                                                                     const studies::Study& study,

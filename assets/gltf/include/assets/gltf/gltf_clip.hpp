@@ -21,7 +21,7 @@ struct GltfClipOptions {
 
 struct GltfClipFile {
     motion::Clip clip;  ///< metres; frame 0 is the first key
-    /// The humanoid bones that VRM's extensions name; none where the file has no such extension.
+    /// The humanoid bones that VRM's extensions name; none if the file has no such extension.
     std::optional<motion::HumanoidMap> humanoid{};
     std::string humanoid_source{};  ///< "VRM 0.x", "VRMC_vrm", "VRMC_vrm_animation" or empty
     std::string animation{};        ///< name of the one that was read; "animation 0" where it has none
@@ -37,7 +37,7 @@ struct GltfClipFile {
 [[nodiscard]] Result<GltfClipFile> readGltfClip(const std::filesystem::path& path,
                                                 const GltfClipOptions& options = {});
 /// The same from bytes; `name` stands for the file in errors. Without a folder, buffers in other files are
-/// refused.
+/// rejected.
 [[nodiscard]] Result<GltfClipFile> parseGltfClip(std::string_view bytes, const std::string& name,
                                                  const GltfClipOptions& options = {},
                                                  const std::optional<std::filesystem::path>& folder = {});

@@ -49,7 +49,7 @@ struct Sparse {
 struct Accessor {
     int view = -1;  ///< -1: all zero, but for what `sparse` replaces
     std::size_t offset = 0, count = 0;
-    int component_type = 0;  ///< 5120..5126; other values are refused when it is read
+    int component_type = 0;  ///< 5120..5126; other values are rejected when it is read
     std::string type;        ///< "SCALAR", "VEC3", ...
     bool normalised = false, has_bounds = false;
     std::optional<Sparse> sparse;

@@ -14,7 +14,7 @@ namespace deixis::assets {
 
 /// A target with the distractors of one distance. Positions in metres, in the avatar's frame.
 struct BallSet {
-    std::string band;                  ///< name of the distance; empty where there is one alone
+    std::string band;                  ///< name of the distance; empty if there is one alone
     std::vector<Vec3> balls{};         ///< the target first
     std::vector<std::string> names{};  ///< of the balls: "target", "d1", "d2", ...
 };

@@ -27,8 +27,8 @@ void sample(const Clip& clip, double time_s, LocalPose& out);
 [[nodiscard]] LocalPose sample(const Clip& clip, double time_s);
 
 /// The clip at another frame rate, its first frame kept; the last sample lies within one new frame of the
-/// end. Fails where that takes more than 20 million poses of single joints (about 1 GB): an hour of a person
-/// with 55 joints at 100 frames a second.
+/// end. Fails if that takes more than 20 million poses of single joints (about 1 GB): an hour of a person
+/// with 55 joints at 100 frames per second.
 [[nodiscard]] Result<Clip> resample(const Clip& clip, double frame_time_s);
 
 }  // namespace deixis::motion

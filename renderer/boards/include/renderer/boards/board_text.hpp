@@ -24,10 +24,10 @@ struct FontKey {
 
 class BoardFonts {
   public:
-    /// Reads the font files; fails where one is missing.
+    /// Reads the font files; fails if one is missing.
     [[nodiscard]] static Result<BoardFonts> load();
 
-    /// Makes the atlas hold these fonts with these characters (UTF-8); true where it was built again, so that
+    /// Makes the atlas hold these fonts with these characters (UTF-8); true if it was built again, so that
     /// its texture must be made again.
     bool require(const std::set<FontKey>& keys, std::string_view characters);
     [[nodiscard]] ImFont* font(const FontKey& key) const { return fonts_.at(key); }

@@ -10,7 +10,7 @@ namespace deixis::renderer {
 class HiddenAreaPass {
   public:
     HiddenAreaPass();
-    /// Throws std::invalid_argument where the indices are no triangles of the corners.
+    /// Throws std::invalid_argument if the indices are not triangles of the corners.
     void set(const std::array<HiddenArea, 2>& areas);
     void draw(Views views);
 

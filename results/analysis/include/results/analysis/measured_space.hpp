@@ -20,7 +20,7 @@ struct MeasuredPlace {
     double mean = 0.0;     ///< in the unit
 };
 
-/// In the order of the measures, of "all" and the systems, and of the targets' ids. Empty where nothing is
+/// In the order of the measures, of "all" and the systems, and of the targets' ids. Empty if nothing is
 /// measured in a unit, or the places of its targets are not known.
 [[nodiscard]] std::vector<MeasuredPlace> measuredSpace(const ResponseTable& table);
 

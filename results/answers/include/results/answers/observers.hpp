@@ -29,7 +29,7 @@ struct ObservedChoice {
     std::string participant{};  ///< who chose
 };
 
-/// Choices where an arm goes on moving while it is held: of the ball nearest to a line when the hold began,
+/// Choices where an arm continues moving while it is held: of the ball nearest to a line when the hold began,
 /// or when it ended (Deichler et al. 2023, section 4).
 struct DriftResult {
     std::string system;
@@ -52,8 +52,8 @@ struct ObserverReading {
     std::string system;
     std::string layout;  ///< "all": over the layouts' trials
     double trials = 0.0;
-    /// Of each observer, the expected share of right choices with the noise and lapses of the parameters that
-    /// ship,
+    /// Of each observer, the expected share of correct choices with the noise and lapses of the parameters
+    /// that ship,
     std::array<double, observer_names.size()> accuracy{};
     /// and with neither: the ceiling of that reading, the share in which the target is what is read.
     std::array<double, observer_names.size()> without_error{};

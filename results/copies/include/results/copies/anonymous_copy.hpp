@@ -32,7 +32,7 @@ struct AnonymousCounts {
 };
 
 /// Writes the copy of a database into a new file. Participants are called as in an anonymised export. The
-/// same database and options give the same bytes. Fails where a set that the database speaks of is not among
+/// same database and options give the same bytes. Fails if a set that the database speaks of is not among
 /// `locked`.
 [[nodiscard]] Result<AnonymousCounts> copyAnonymously(const std::filesystem::path& database,
                                                       const std::filesystem::path& copy,

@@ -8,7 +8,7 @@
 
 namespace deixis::results {
 
-/// Empty where there are no preferences.
+/// Empty if there are no preferences.
 [[nodiscard]] std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering);
 
 }  // namespace deixis::results

@@ -9,7 +9,7 @@ namespace deixis::results {
 
 /// To the heading; both are text.
 [[nodiscard]] std::string pageStart(const std::string& title, const std::string& heading);
-/// A section; empty where there are none.
+/// A section; empty if there are none.
 [[nodiscard]] std::string remarksHtml(const std::vector<std::string>& remarks);
 /// Both, with a list of the sections' headings (h2, HTML without attributes) between them, which leads to
 /// them.

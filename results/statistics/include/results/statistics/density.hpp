@@ -26,7 +26,7 @@ enum class BandwidthRule : unsigned char {
 /// f(x) = 1/n sum_i N(x; x_i, H): a normal kernel on each point.
 class GaussianDensity {
   public:
-    /// With one bandwidth (standard deviation of the kernel) for each axis: H is diagonal. Fails where there
+    /// With one bandwidth (standard deviation of the kernel) for each axis: H is diagonal. Fails if there
     /// are no points, rows differ in length, a number is not finite or a bandwidth not above 0.
     [[nodiscard]] static Result<GaussianDensity> fit(Points points, const std::vector<double>& bandwidths);
     /// With the bandwidths of a rule. Fails further where there are fewer than two points, or where they lie

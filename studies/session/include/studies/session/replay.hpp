@@ -34,7 +34,7 @@ struct RecordedTrial {
     std::vector<KeptValue> values{};         ///< as Response::values
     std::optional<Ray> pointer{};            ///< at the answer
     Pose stage_from_head{};                  ///< at the answer
-    std::vector<TrackingSample> tracking{};  ///< in order of time; empty where nothing was tracked
+    std::vector<TrackingSample> tracking{};  ///< in order of time; empty if nothing was tracked
 
     /// As Response::chosenPlace().
     [[nodiscard]] int chosenPlace() const { return keptPlace(values, "chosen_place"); }

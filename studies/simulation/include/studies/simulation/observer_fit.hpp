@@ -22,7 +22,7 @@ struct SeenChoice {
 };
 
 /// Watches a recorded trial of the game at `frame_rate_hz` as a simulated participant does, from where the
-/// participant's head was in the hold. None where no ball was chosen, there was but one, or no arm was seen
+/// participant's head was in the hold. None if no ball was chosen, there was but one, or no arm was seen
 /// to point.
 [[nodiscard]] std::optional<SeenChoice> seenChoice(const RecordedTrial& recorded, const ClipSource& clips,
                                                    const motion::Skeleton& avatar,

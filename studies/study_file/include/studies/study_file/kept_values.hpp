@@ -38,7 +38,7 @@ struct KeptValue {
     std::string text{};
 };
 
-/// The number of that name; none where it is not kept.
+/// The number of that name; none if it is not kept.
 [[nodiscard]] std::optional<double> keptNumber(const std::vector<KeptValue>& values, std::string_view name);
 /// A place, counted from 0; -1 where none is kept.
 [[nodiscard]] int keptPlace(const std::vector<KeptValue>& values, std::string_view name);

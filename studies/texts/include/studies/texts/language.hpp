@@ -38,7 +38,7 @@ class LanguageTable {
     /// with the same placeholders ("{number}") as in languageKeys(), and no other key.
     [[nodiscard]] static Result<LanguageTable> load(const std::filesystem::path& file);
     /// Words that were kept, maybe by an earlier program: those that it lacked, or that say something else by
-    /// now, are as in the file `today` (where there is none, in English); those that are gone are passed
+    /// now, are as in the file `today` (if there is none, in English); those that are gone are passed
     /// over.
     [[nodiscard]] static Result<LanguageTable> loadKept(const std::filesystem::path& file,
                                                         const std::filesystem::path& today);
