@@ -2,7 +2,7 @@
 """Writes the picture of the rooms into docs/architecture.md and their list, docs/rooms.md, from the link lists in the
    CMakeLists.txt.
    scripts/draw_rooms.py           writes them
-   scripts/draw_rooms.py --check   fails where the pages say something else"""
+   scripts/draw_rooms.py --check   fails if the pages differ"""
 import pathlib
 import re
 import sys
@@ -35,7 +35,7 @@ def purpose(module, room, main):
         if not line.startswith("//"):
             break
         comment.append(line[2:].strip())
-    text = " ".join(comment)
+    text = " ".join(filter(None, comment))
     if not text:
         sys.exit(f"{header}: has no opening comment that says what the room is for")
     end = re.search(r"[.:](?= [A-Z]|$)", text)

@@ -96,8 +96,8 @@ Result<std::map<std::string, std::string>> columnsFrom(const std::vector<std::st
     return out;
 }
 
-/// Adds what observers would read where the clips that were shown are at hand. Returns a note where they are
-/// not; empty where nothing is missing.
+/// Adds what observers would read where the clips that were shown are available. Returns a note where they
+/// are not; empty where nothing is missing.
 std::string watchAgain(const std::vector<std::string>& data, const std::string& stimuli,
                        std::vector<results::ResponseTable>& tables) {
     std::set<std::string> missing;

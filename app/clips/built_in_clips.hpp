@@ -13,7 +13,7 @@
 namespace deixis::app {
 
 /// The manifest of the clips, in a folder under `folder` that is named after all that they depend on, and
-/// made there where it is not there yet. `maker` is the product's own avatar, for which they are made
+/// made there where it is not there yet. `maker` is Deixis's own avatar, for which they are made
 /// whichever one the study shows. Several threads and programs may ask for the same clips at once.
 [[nodiscard]] Result<std::filesystem::path> builtInManifest(const studies::SystemSource& system,
                                                             std::uint64_t seed,

@@ -7,7 +7,7 @@
 
 namespace deixis::app {
 
-/// A head whose pose is not valid is lost soon: nothing can be shown. Most runtimes rather go on with a
+/// A head whose pose is not valid is lost soon: nothing can be shown. Most runtimes rather continue with a
 /// guessed position when they see the room no more; then the room stands askew or sticks to the head, and a
 /// participant who bears with it for a while is asked too. A headset that never measures its position (one
 /// that only turns) has nothing to lose.

@@ -93,7 +93,7 @@ class XrSessionLoop {
     [[nodiscard]] std::optional<XrEyes> locateEyes(const XrFrame& frame) const;
     /// Where the head is then.
     [[nodiscard]] studies::TrackedPose locateHead(const XrFrame& frame) const;
-    /// Asks the runtime to let the session go through its last states; frames go on until it has.
+    /// Asks the runtime to let the session go through its last states; frames continue until it has.
     void requestExit();
     /// Ends it. Called exactly once for each begun frame.
     void end(const XrFrame& frame, const XrLayers& layers);

@@ -8,7 +8,7 @@ namespace deixis::app {
 
 namespace {
 
-/// `--json answers.csv` would take the data for the file to write; databases are refused wherever they are
+/// `--json answers.csv` would take the data for the file to write; databases are rejected wherever they are
 /// named.
 std::string expectNoData(const std::string& file) {
     std::error_code code;

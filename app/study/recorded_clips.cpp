@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file of each content that is locked beside the database; sets that are broken are passed over.
+// The file of each content that is locked beside the database; sets that are broken are skipped.
 std::map<std::string, fs::path> lockedClips(const fs::path& database) {
     std::map<std::string, fs::path> out;
     std::error_code code;

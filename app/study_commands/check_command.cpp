@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Each cell of the factors between participants.
+// Each cell of the between-participants factors.
 std::vector<studies::Groups> cells(const studies::Study& study) {
     std::vector<studies::Groups> out{{}};
     for (const auto& factor : study.between) {

@@ -85,7 +85,8 @@ Result<std::map<std::string, std::string>> parseScreenshots(const std::vector<st
         const auto equals = option.find('=');
         if (equals == std::string::npos || equals == 0 || equals + 1 == option.size())
             return fail("--screenshot", fmt::format("'{}' was given; expected STATE=FILE.png", option));
-        out[option.substr(0, equals)] = option.substr(equals + 1);
+        const std::string state = option.substr(0, equals);
+        out[state == "listening" ? "watching" : state] = option.substr(equals + 1);  // its earlier name
     }
     return out;
 }

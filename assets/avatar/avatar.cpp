@@ -39,7 +39,8 @@ class Assembler {
     }
 
     Avatar run() {
-        if (!isFinite()) gltf::reject(file_, "its nodes' scales and places give points that are not finite");
+        if (!isFinite())
+            gltf::reject(file_, "its nodes' scales and positions give points that are not finite");
         toMetres();
         toFloor();
         chooseJoints();
@@ -108,22 +109,22 @@ class Assembler {
         const auto [low, high] = extent();
         const double height = high - low;
         const std::string hint = fmt::format(
-            "Say how tall it is to be: avatar_height_m = 1.7 under [study], or height_m = 1.7 in {}",
+            "Say how tall it should be: avatar_height_m = 1.7 under [study], or height_m = 1.7 in {}",
             humanoidFileOf(file_).string());
         if (!(height > 1e-9 && height < 1e9))
-            gltf::reject(file_,
-                         fmt::format("stands {:.4g} units tall, expected a figure with a height", height),
+            gltf::reject(file_, fmt::format("is {:.4g} units tall, expected a figure with a height", height),
                          "Export the file again");
         const double unit = height_m_ ? *height_m_ / height : likelyUnit(height);
         const double height_m = height * unit;
         if (!height_m_ && !(height_m >= shortest_avatar_m && height_m <= tallest_avatar_m))
             gltf::reject(
                 file_,
-                unit == 1.0 ? fmt::format("stands {:.2f} m tall, expected {:g} to {:g} m, as people do",
-                                          height_m, shortest_avatar_m, tallest_avatar_m)
-                            : fmt::format("stands {:.4g} units tall, which in no usual unit are {:g} to {:g} "
-                                          "m, as people are",
-                                          height, shortest_avatar_m, tallest_avatar_m),
+                unit == 1.0
+                    ? fmt::format("is {:.2f} m tall, expected {:g} to {:g} m, like people", height_m,
+                                  shortest_avatar_m, tallest_avatar_m)
+                    : fmt::format(
+                          "is {:.4g} units tall, which in no common unit is {:g} to {:g} m, like people",
+                          height, shortest_avatar_m, tallest_avatar_m),
                 hint);
         if (unit == 1.0) return;
         scale(unit);
@@ -132,7 +133,7 @@ class Assembler {
             gltf::reject(file_, "its mesh is bound so far from its joints that rounding moves it",
                          "Export the file again, with its mesh near its armature");
         avatar_.remarks.push_back(
-            height_m_ ? fmt::format("{:.4g} units high: scaled to {:.2f} m, as asked for", height, height_m)
+            height_m_ ? fmt::format("{:.4g} units high: scaled to {:.2f} m, as requested", height, height_m)
                       : fmt::format("{:.4g} units high: scaled by {:g} to {:.2f} m", height, unit, height_m));
     }
 

@@ -62,7 +62,7 @@ MaterialLook MaterialReader::read(const gltf::Material& material, int index) {
     if (material.alpha_mode == "BLEND") {
         part.alpha_cutoff = 0.5F;
         remarks_.push_back(
-            fmt::format("{} is translucent: drawn where it covers more than half, else not",
+            fmt::format("{} is translucent: drawn only where it covers more than half",
                         material.name.empty() ? fmt::format("material {}", index) : material.name));
     }
     if (part.alpha_cutoff > 0.0F) part.alpha_cutoff /= static_cast<float>(std::max(factor[3], 1e-6));
@@ -118,7 +118,7 @@ AvatarTexture MaterialReader::decoded(int index) {
                              "\" ";
     const std::string bytes = values_.image(static_cast<std::size_t>(index));
     const std::string too_large = fmt::format("{}is wider or higher than {} pixels", name, widest_texture);
-    if (bytes.empty()) bad(name + "holds no bytes");
+    if (bytes.empty()) bad(name + "has no bytes");
     if (tooLargePng(bytes)) bad(too_large);
     tinygltf::Image image;
     std::string problem, warning;
@@ -126,7 +126,7 @@ AvatarTexture MaterialReader::decoded(int index) {
                                                 reinterpret_cast<const unsigned char*>(bytes.data()),
                                                 static_cast<int>(bytes.size()), nullptr);
     if (!loaded || image.component != 4 || image.width <= 0 || image.height <= 0)
-        bad(name + "is no readable PNG or JPEG picture");
+        bad(name + "is not a readable PNG or JPEG picture");
     if (image.width > widest_texture || image.height > widest_texture) bad(too_large);
     AvatarTexture texture;
     texture.width = image.width;

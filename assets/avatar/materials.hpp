@@ -29,7 +29,7 @@ class MaterialReader {
                    std::vector<std::string>& remarks)
         : doc_(document), values_(values), remarks_(remarks) {}
 
-    /// `material` may be -1, glTF's default material. A texture that cannot be decoded is refused.
+    /// `material` may be -1, glTF's default material. A texture that cannot be decoded is rejected.
     MaterialLook look(int material);
 
     /// Without their triangles.

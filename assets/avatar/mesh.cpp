@@ -112,9 +112,8 @@ class FigureReader {
             if (!followsHips(joint)) {
                 const int hips = rig_.humanoid[motion::Bone::hips];
                 once_.insert(
-                    fmt::format("the mesh of node \"{}\" hangs on no joint from \"{}\", which plays hips, "
-                                "downwards: left "
-                                "out. Where another joint is the hips, say so in {}",
+                    fmt::format("the mesh of node \"{}\" is attached to no joint from \"{}\" (the hips) "
+                                "downwards: left out. If another joint is the hips, say so in {}",
                                 n.name, rig_.joints[static_cast<std::size_t>(hips)].name,
                                 humanoidFileOf(doc_.file).filename().string()));
                 return;
@@ -180,7 +179,8 @@ class FigureReader {
 
     void add(const PrimitiveData& data, const MaterialLook& look, const Binding& binding,
              const std::string& mesh_name) {
-        if (data.more_than_four) once_.insert("vertices that follow more than 4 joints keep the 4 heaviest");
+        if (data.more_than_four)
+            once_.insert("vertices that follow more than 4 joints keep the 4 with the largest weights");
         if (data.unweighted) once_.insert("vertices without weights follow the first joint of their skin");
         const auto first = static_cast<std::uint32_t>(out_.vertices.size());
         for (std::size_t v = 0; v < data.positions.size(); ++v) {
@@ -243,7 +243,7 @@ class FigureReader {
         // 3. Otherwise the mesh is set into the rest pose for good. What the joints' different scales would
         // do to it in other poses is lost.
         once_.insert(fmt::format(
-            "joints scale or shear the mesh \"{}\" differently: it was set in the rest pose", mesh_name));
+            "joints scale or shear the mesh \"{}\" differently: it was fixed in the rest pose", mesh_name));
         for (std::size_t v = 0; v < data.positions.size(); ++v) {
             glm::dmat4 blended(0.0);
             for (const auto& [j, weight] : influencesOf(data, v))

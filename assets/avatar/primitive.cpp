@@ -65,7 +65,7 @@ class PrimitiveReader {
         const int accessor = attribute(name);
         const Rows read{values_.numbers(accessor, name), doc_.accessorWidth(accessor)};
         if (read.width != width && (also_width == 0 || read.width != also_width))
-            bad(fmt::format("{} has {} numbers a vertex, expected {}", name, read.width, width));
+            bad(fmt::format("{} has {} numbers per vertex, expected {}", name, read.width, width));
         if (count != 0 && read.size() != count)
             bad(fmt::format("{} has {} rows, expected {}", name, read.size(), count));
         return read;
@@ -87,7 +87,7 @@ class PrimitiveReader {
         const bool fan = primitive_.mode == mode_fan;
         if (!strip && !fan) {
             if (indices.size() % 3 != 0)
-                bad(fmt::format("{} indices are no whole number of triangles", indices.size()));
+                bad(fmt::format("{} indices are not a whole number of triangles", indices.size()));
             data_.triangles = std::move(indices);
             return;
         }

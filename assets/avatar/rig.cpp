@@ -120,7 +120,7 @@ class RigReader {
 
     /// What helps where a joint was taken for a wrong bone.
     [[nodiscard]] std::string wordFile() const {
-        return fmt::format("say in {} which joint plays which bone", humanoidFileOf(file_).string());
+        return fmt::format("say in {} which joint is which bone", humanoidFileOf(file_).string());
     }
     [[nodiscard]] std::string played(Bone bone) const {
         return fmt::format("{} (\"{}\")", motion::boneName(bone),
@@ -193,14 +193,14 @@ class RigReader {
             const int upper = rig_.humanoid[*above];
             if (own != upper && isAbove(upper, own)) continue;
             if (isAbove(own, upper))
-                gltf::reject(file_,
-                             fmt::format("the joint \"{}\" plays {} but stands above \"{}\", which plays {}",
-                                         joint(own).name, motion::boneName(bone), joint(upper).name,
-                                         motion::boneName(*above)),
-                             "Name the joints as VRM, Mixamo or another common rig does, or " + wordFile());
+                gltf::reject(
+                    file_,
+                    fmt::format("the joint \"{}\" is {} but is above \"{}\", which is {}", joint(own).name,
+                                motion::boneName(bone), joint(upper).name, motion::boneName(*above)),
+                    "Name the joints as VRM, Mixamo or another common rig does, or " + wordFile());
             joint(own).parent = upper;
             remarks.push_back(
-                fmt::format("the joint \"{}\" was hung on \"{}\"", joint(own).name, joint(upper).name));
+                fmt::format("the joint \"{}\" was attached to \"{}\"", joint(own).name, joint(upper).name));
         }
     }
 
@@ -212,9 +212,9 @@ class RigReader {
         const double size = glm::length(rise);
         if (!(size > 0.0) || !std::isfinite(size))
             gltf::reject(file_,
-                         fmt::format("{} and {} are in one place, expected a figure that stands",
-                                     played(hips), played(head)),
-                         "If other joints play these bones, " + wordFile());
+                         fmt::format("{} and {} are in one place, expected a standing figure", played(hips),
+                                     played(head)),
+                         "If other joints are these bones, " + wordFile());
         const auto nearestAxis = [](const Vec3& v) {
             int best = 0;
             for (int i = 1; i < 3; ++i)
@@ -228,11 +228,10 @@ class RigReader {
         if (!(glm::length(left) > 1e-6 * size))
             gltf::reject(
                 file_,
-                fmt::format("{} and {}, {} and {} are not apart to left and right, expected a figure "
-                            "that stands",
-                            played(leftUpperLeg), played(rightUpperLeg), played(leftUpperArm),
-                            played(rightUpperArm)),
-                "If other joints play these bones, " + wordFile());
+                fmt::format(
+                    "{} and {}, {} and {} are not apart to left and right, expected a standing figure",
+                    played(leftUpperLeg), played(rightUpperLeg), played(leftUpperArm), played(rightUpperArm)),
+                "If other joints are these bones, " + wordFile());
         left = glm::normalize(left);
         constexpr double about_straight = 0.966;  // within 15 degrees, asymmetry rather than facing
         if (const Vec3 axis = nearestAxis(left); glm::dot(axis, left) > about_straight) left = axis;

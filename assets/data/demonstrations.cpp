@@ -61,7 +61,7 @@ class Section {
         std::array<double, 2> values{};
         if (!read(key, values, limits)) return;
         if (values[0] > values[1])
-            return note(lineOf(*table_->get(key)), key, "the first number is greater than the second");
+            return note(lineOf(*table_->get(key)), key, "the first number is larger than the second");
         out = {values[0], values[1]};
     }
     void read(std::string_view key, Spread& out, Limits mean_limits) {

@@ -43,7 +43,7 @@ class Importer {
         if (grid.frames * joints.nodes.size() > max_poses)
             reject(doc_.file,
                    fmt::format("{} frames of {} joints are too many", grid.frames, joints.nodes.size()),
-                   "Export a shorter animation, or ask for fewer frames per second");
+                   "Export a shorter animation, or use fewer frames per second");
         const gltf::Poser poser(doc_, joints, tracks, out_.metres_per_unit, facing());
         out_.clip.skeleton = poser.skeleton();
         out_.clip.frame_time_s = grid.frame_time_s;
@@ -65,7 +65,7 @@ class Importer {
         if (!(metres > 0.0 && metres < 1e6))
             reject("metres per unit", fmt::format("found {}, expected more than 0", metres), "");
         out_.metres_per_unit = metres;
-        out_.unit = options_.metres_per_unit ? "as given" : "metre (as glTF has it)";
+        out_.unit = options_.metres_per_unit ? "as given" : "metre (as in glTF)";
     }
 
     /// -1 where the file has none.
@@ -94,7 +94,7 @@ class Importer {
             chosen = static_cast<std::size_t>(options_.animation_index);
             if (options_.animation_index == 0 && names.size() > 1)
                 out_.remarks.push_back(
-                    fmt::format("it has {} animations; the first was taken: {}", names.size(), listed()));
+                    fmt::format("it has {} animations; the first is used: {}", names.size(), listed()));
         }
         if (names.empty()) {
             out_.remarks.emplace_back("it has no animation: the clip is its rest pose, one frame");
@@ -121,14 +121,14 @@ class Importer {
         for (const auto& track : tracks) keys = std::max(keys, track.times->size());
         if (grid.frames > max_frames_always + max_frames_per_key * keys)
             reject(doc_.file,
-                   fmt::format("its {} keys or fewer a node stretch over {} frames", keys, grid.frames),
+                   fmt::format("its keys, at most {} per node, stretch over {} frames", keys, grid.frames),
                    "Give a lower number of frames per second");
         if (grid.uneven)
             out_.remarks.push_back(
-                fmt::format("keys stand at uneven times: resampled at {:.7g} fps", 1.0 / grid.frame_time_s));
+                fmt::format("keys are at uneven times: resampled at {:.7g} fps", 1.0 / grid.frame_time_s));
         if (grid.start_s > 1e-6)
             out_.remarks.push_back(
-                fmt::format("its first key stands at {:.4g} s: the clip begins there", grid.start_s));
+                fmt::format("its first key is at {:.4g} s: the clip begins there", grid.start_s));
         return grid;
     }
 
@@ -161,8 +161,7 @@ class Importer {
         const double longest = std::max({size.x, size.y, size.z});
         if (longest > 10.0 || (longest > 0.0 && longest < 0.1))
             out_.remarks.push_back(fmt::format(
-                "the figure measures {:.3g} m; where its unit is not the metre, give metres per unit",
-                longest));
+                "the figure measures {:.3g} m; if its unit is not the metre, give metres per unit", longest));
     }
 
     const gltf::Document& doc_;

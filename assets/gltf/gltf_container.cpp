@@ -48,7 +48,7 @@ std::string percentDecoded(std::string_view uri, const std::string& where) {
         const int high = i + 1 < uri.size() ? hexDigit(uri[i + 1]) : -1;
         const int low = i + 2 < uri.size() ? hexDigit(uri[i + 2]) : -1;
         if (high < 0 || low < 0)
-            reject(where, fmt::format("\"{}\" has a % without two hexadecimal digits behind it", uri));
+            reject(where, fmt::format("\"{}\" has a % without two hexadecimal digits after it", uri));
         path += static_cast<char>(high * 16 + low);
         i += 2;
     }
@@ -61,8 +61,8 @@ constexpr auto hint = "Keep the file's parts in its folder, or export it as .glb
 std::string_view whyRejected(const std::string& path) {
     if (path.empty()) return "is empty";
     const auto odd = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
-    if (std::any_of(path.begin(), path.end(), odd)) return "holds a control character";
-    if (path.find('\\') != std::string::npos) return "holds a backslash";
+    if (std::any_of(path.begin(), path.end(), odd)) return "contains a control character";
+    if (path.find('\\') != std::string::npos) return "contains a backslash";
     if (path.front() == '/') return "is an absolute path";
     if (path.find(':') < path.find('/')) return "has a scheme or a drive";
     for (const auto& part : std::filesystem::path(path))
@@ -124,7 +124,7 @@ std::string decodeDataUri(std::string_view uri, const std::string& where) {
     int count = 0;
     for (const char c : digits) {
         const int digit = base64Digit(c);
-        if (digit < 0) reject(where, "holds a character that is no base64 digit");
+        if (digit < 0) reject(where, "contains a character that is not a base64 digit");
         bits = bits << 6 | static_cast<std::uint32_t>(digit);
         count += 6;
         if (count < 8) continue;
@@ -148,7 +148,7 @@ std::string readNeighbour(const std::string& relative, const std::filesystem::pa
     const auto home = std::filesystem::canonical(folder.empty() ? "." : folder, code);
     const auto path = std::filesystem::canonical(home / relative, code);
     if (code || !std::filesystem::is_regular_file(path, code))
-        reject(where, fmt::format("names the file \"{}\", which is not there", relative), hint);
+        reject(where, fmt::format("names the file \"{}\", which does not exist", relative), hint);
     if (std::mismatch(home.begin(), home.end(), path.begin(), path.end()).first != home.end())
         reject(where, fmt::format("\"{}\" is a link that leaves the folder", relative), hint);
     const std::uintmax_t size = std::filesystem::file_size(path, code);

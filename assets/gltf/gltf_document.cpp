@@ -66,7 +66,7 @@ class DocumentReader {
         readList("accessors", &DocumentReader::readAccessor);
         const std::size_t nodes = root_.count("nodes");
         if (nodes > max_nodes)
-            reject(doc_.file, fmt::format("holds {} nodes, expected at most {}", nodes, max_nodes),
+            reject(doc_.file, fmt::format("has {} nodes, expected at most {}", nodes, max_nodes),
                    "Export the armature alone");
         doc_.nodes.resize(nodes);
         readList("nodes", &DocumentReader::readNode);
@@ -79,14 +79,14 @@ class DocumentReader {
         doc_.humanoid = readHumanoid(root_, doc_.nodes.size(), doc_.remarks);
         if (violations_ > max_remarks)
             doc_.remarks.push_back(
-                fmt::format("and {} more places break the specification", violations_ - max_remarks));
+                fmt::format("and {} more places violate the specification", violations_ - max_remarks));
     }
 
   private:
     /// Tells a breach of the specification that does no harm here.
     void tell(const Cursor& where, std::string_view what) {
         if (++violations_ <= max_remarks)
-            doc_.remarks.push_back(fmt::format("{} {} (against the specification)", where.path(), what));
+            doc_.remarks.push_back(fmt::format("{} {} (violates the specification)", where.path(), what));
     }
 
     /// Each element of a list; an empty list is told.
@@ -103,7 +103,7 @@ class DocumentReader {
     void readAsset() {
         const std::string version = root_.at("asset").at("version").text();
         if (version.substr(0, 2) != "2.")
-            reject(doc_.file, fmt::format("is of glTF version {}, expected 2.0", version),
+            reject(doc_.file, fmt::format("has glTF version {}, expected 2.0", version),
                    "Export it as glTF 2.0");
         for (const Cursor& one : root_.elements("extensionsRequired"))
             if (const std::string& name = one.text(); !isKnown(name, content_))
@@ -196,7 +196,7 @@ class DocumentReader {
         if (in.has("matrix")) {
             readMatrix(in.at("matrix"), node);
             if (in.has("translation") || in.has("rotation") || in.has("scale"))
-                tell(in, "has a matrix and its parts too; the matrix is taken");
+                tell(in, "has both a matrix and its parts; the matrix is used");
         }
         if (in.has("children")) readChildren(in.at("children"), static_cast<int>(index), node);
         static_cast<void>(in.index("camera", root_.count("cameras"), "camera"));
@@ -244,7 +244,7 @@ class DocumentReader {
             int& parent = doc_.nodes[static_cast<std::size_t>(child)].parent;
             if (parent >= 0)
                 in.at(i).reject(
-                    fmt::format("node {} is a child of node {} already; expected a tree", child, parent));
+                    fmt::format("node {} is already a child of node {}; expected a tree", child, parent));
             parent = index;
             node.children.push_back(child);
         }
@@ -276,8 +276,9 @@ class DocumentReader {
         }
         for (std::size_t node = 0; node < size; ++node)
             if (root_of_[node] < 0)
-                reject(doc_.file,
-                       fmt::format("node {} is its own ancestor or below such a one; expected a tree", node));
+                reject(
+                    doc_.file,
+                    fmt::format("node {} is its own ancestor or below such a node; expected a tree", node));
     }
 
     [[nodiscard]] bool isAbove(int top, int node) const {
@@ -330,7 +331,7 @@ class DocumentReader {
                 continue;
             }
             if (!targets.emplace(channel->node, channel->path).second) {
-                tell(channels.at(i), "moves what another channel moves; the first is taken");
+                tell(channels.at(i), "moves what another channel moves; the first is used");
                 continue;
             }
             if (has_matrix_[static_cast<std::size_t>(channel->node)])

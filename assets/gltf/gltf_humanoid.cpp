@@ -61,7 +61,8 @@ class HumanoidReader {
         if (node.json() == absent_node) return;
         const int index = node.index(node_count_, "node");
         if (!bone) {
-            remarks_.push_back(fmt::format("{} is no humanoid bone's name; it is passed over", node.path()));
+            remarks_.push_back(
+                fmt::format("{} is not the name of a humanoid bone; it is ignored", node.path()));
             return;
         }
         const auto taken = std::find_if(found_.nodes.begin(), found_.nodes.end(), [&](const auto& other) {
@@ -70,8 +71,8 @@ class HumanoidReader {
         if (taken == found_.nodes.end())
             found_.nodes.emplace_back(*bone, index);
         else
-            remarks_.push_back(fmt::format(
-                "{} names a bone or a node that is taken already; it is passed over", node.path()));
+            remarks_.push_back(
+                fmt::format("{} names a bone or node that is already taken; it is ignored", node.path()));
     }
 
     void addOther(const Cursor& node) { found_.other_nodes.push_back(node.index(node_count_, "node")); }

@@ -29,7 +29,8 @@ void checkSize(std::string_view text, const std::string& file) {
         if (c == '}' || c == ']') --depth;
         if (c != '{' && c != '[' && c != ',') continue;
         if (++values > max_values)
-            reject(file, fmt::format("holds more than {} values, which no clip or figure needs", max_values),
+            reject(file,
+                   fmt::format("has more than {} values, more than any clip or figure needs", max_values),
                    "Export the armature with its animation or its meshes alone");
         if (c != ',' && ++depth > deepest)
             reject(file, fmt::format("nests deeper than {} levels, expected a glTF file", deepest));
@@ -42,7 +43,7 @@ nlohmann::json parseJson(std::string_view text, const std::string& file) {
     checkSize(text, file);
     try {
         nlohmann::json json = nlohmann::json::parse(text.begin(), text.end());
-        if (!json.is_object()) reject(file, "its JSON is no object, expected a glTF file");
+        if (!json.is_object()) reject(file, "its JSON is not an object, expected a glTF file");
         return json;
     } catch (const nlohmann::json::exception& problem) {
         reject(file, fmt::format("no readable JSON, expected a glTF file ({})", problem.what()));
@@ -55,7 +56,7 @@ bool Cursor::has(const char* key) const {
 }
 
 Cursor Cursor::at(const char* key) const {
-    if (!has(key)) reject(fmt::format("has no \"{}\", which it must have", key));
+    if (!has(key)) reject(fmt::format("has no \"{}\", which is required", key));
     return {(*value_)[key], *file_, path_ + "/" + key};
 }
 
@@ -89,8 +90,7 @@ std::vector<std::string> Cursor::keys() const {
 std::size_t Cursor::whole() const {
     constexpr double max = 9007199254740992.0;
     const double found = value_->is_number() ? value_->get<double>() : -1.0;
-    if (!(found >= 0.0 && found <= max && found == std::floor(found)))
-        expected("a whole number, 0 or greater");
+    if (!(found >= 0.0 && found <= max && found == std::floor(found))) expected("a whole number, 0 or more");
     return static_cast<std::size_t>(found);
 }
 

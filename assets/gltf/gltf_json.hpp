@@ -11,7 +11,7 @@
 
 namespace deixis::assets::gltf {
 
-/// Parses JSON. Text that nests deeper than 64 levels or holds more than three million values is refused
+/// Parses JSON. Text that nests deeper than 64 levels or holds more than three million values is rejected
 /// before anything is built from it.
 [[nodiscard]] nlohmann::json parseJson(std::string_view text, const std::string& file);
 
@@ -22,13 +22,13 @@ class Cursor {
     Cursor(const nlohmann::json& value, const std::string& file, std::string path = {})
         : value_(&value), file_(&file), path_(std::move(path)) {}
 
-    [[nodiscard]] bool has(const char* key) const;  ///< refuses what is no object
+    [[nodiscard]] bool has(const char* key) const;  ///< rejects what is no object
     [[nodiscard]] Cursor at(const char* key) const;
     [[nodiscard]] Cursor at(std::size_t element) const;
-    [[nodiscard]] std::size_t size() const;  ///< elements of an array; refuses what is none
+    [[nodiscard]] std::size_t size() const;  ///< elements of an array; rejects what is none
     [[nodiscard]] std::vector<Cursor> elements(const char* key) const;  ///< none where the key is absent
     [[nodiscard]] std::size_t count(const char* key) const;             ///< of such elements; 0 where absent
-    [[nodiscard]] std::vector<std::string> keys() const;  ///< of an object; refuses what is none
+    [[nodiscard]] std::vector<std::string> keys() const;  ///< of an object; rejects what is none
     [[nodiscard]] const nlohmann::json& json() const { return *value_; }
 
     [[nodiscard]] std::size_t whole() const;  ///< a whole number from 0 to 2^53

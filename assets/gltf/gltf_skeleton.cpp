@@ -75,7 +75,7 @@ class Chooser {
         addAll(roots, top);
         if (renamed_ > 0)
             remarks_.push_back(
-                fmt::format("{} nodes have no name or one that stands twice; they got a number", renamed_));
+                fmt::format("{} nodes have no name or a repeated one; they got a number", renamed_));
         return std::move(joints_);
     }
 

@@ -116,12 +116,12 @@ class TracksReader {
                                turns ? "VEC4 of 5126, or normalised" : "VEC3 of 5126"));
         if (!input.has_bounds && told_bounds_.insert(sampler.input).second)
             remarks_.push_back(
-                fmt::format("/accessors/{} has no min and max (against the specification)", sampler.input));
+                fmt::format("/accessors/{} has no min and max (violates the specification)", sampler.input));
         for (const Accessor* accessor : {&input, &output})
             if (accessor->view >= 0 && doc_.views[static_cast<std::size_t>(accessor->view)].stride != 0 &&
                 !told_stride_) {
                 told_stride_ = true;
-                remarks_.emplace_back("animation data have a stride (against the specification)");
+                remarks_.emplace_back("animation data have a stride (violates the specification)");
             }
     }
 
@@ -232,7 +232,7 @@ FrameGrid frameGrid(const std::vector<Track>& tracks, double fps) {
     FrameGrid grid;
     const std::vector<double> times = allTimes(tracks);
     if (times.empty()) {
-        grid.words = "30 fps (no key tells)";
+        grid.words = "30 fps (no keys)";
         return grid;
     }
     grid.start_s = times.front();
@@ -250,7 +250,7 @@ FrameGrid frameGrid(const std::vector<Track>& tracks, double fps) {
         return grid;
     }
     if (times.size() == 1) {
-        grid.words = "30 fps (assumed: a single key does not tell)";
+        grid.words = "30 fps (assumed: a single key)";
         return grid;
     }
     std::vector<double> gaps;
@@ -272,15 +272,15 @@ FrameGrid frameGrid(const std::vector<Track>& tracks, double fps) {
         grid.frames = steps.count * parts + 1;
         grid.snap_s = std::min(steps.residual + rounding, 0.25 * grid.frame_time_s);
         grid.words = parts == 1 ? fmt::format("{:.7g} fps (the keys' rate)", 1.0 / grid.frame_time_s)
-                                : fmt::format("{:.7g} fps (keys stand {:.4g} s apart)",
-                                              1.0 / grid.frame_time_s, steps.step);
+                                : fmt::format("{:.7g} fps (keys are {:.4g} s apart)", 1.0 / grid.frame_time_s,
+                                              steps.step);
         return grid;
     }
     std::nth_element(gaps.begin(), gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2), gaps.end());
     const double usual = gaps[gaps.size() / 2];
     resampleAt(usual > 1.0 / 40.0 ? 30.0 : usual > 1.0 / 80.0 ? 60.0 : 120.0);
     grid.uneven = true;
-    grid.words = fmt::format("{:.7g} fps (keys stand at uneven times)", 1.0 / grid.frame_time_s);
+    grid.words = fmt::format("{:.7g} fps (keys at uneven times)", 1.0 / grid.frame_time_s);
     return grid;
 }
 

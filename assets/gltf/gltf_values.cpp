@@ -92,7 +92,7 @@ std::string_view Values::outside(const Outside& from, std::size_t min_bytes, con
     if (found != outside_.end()) return found->second;
     if (!from.data_uri.empty()) return outside_[place] = decodeDataUri(from.data_uri, place);
     if (from.file.empty()) return {};
-    if (!folder_) reject(place, "names a file, and there is no folder to read it from");
+    if (!folder_) reject(place, "names a file, but there is no folder to read it from");
     return outside_[place] = readNeighbour(from.file, *folder_, min_bytes, place);
 }
 
@@ -103,7 +103,7 @@ std::string_view Values::buffer(int index, const std::string& where) const {
                        fmt::format("{}: /buffers/{}/uri", document_.file, index))
             .substr(0, buffer.length);
     if (index != 0 || !document_.has_bin)
-        reject(where, fmt::format("lies in buffer {}, which has no data", index));
+        reject(where, fmt::format("is in buffer {}, which has no data", index));
     return document_.bin.substr(0, buffer.length);
 }
 
@@ -124,8 +124,8 @@ std::string_view Values::bytes(int view_index, std::size_t offset, std::size_t c
         reject(where, fmt::format("stride {} does not fit elements of {} bytes", stride, element));
     if (offset > data.size() || data.size() - offset < element ||
         count - 1 > (data.size() - offset - element) / stride)
-        reject(where, fmt::format("{} elements from byte {} on leave buffer view {} of {} bytes", count,
-                                  offset, view_index, data.size()));
+        reject(where, fmt::format("{} elements from byte {} exceed buffer view {} of {} bytes", count, offset,
+                                  view_index, data.size()));
     return data.substr(offset, (count - 1) * stride + element);
 }
 

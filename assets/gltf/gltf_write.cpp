@@ -32,7 +32,7 @@ void checkClip(const Clip& clip) {
     check(clip.frame_time_s > 0.0 && std::isfinite(clip.frame_time_s), "the frame time is not positive");
     for (int j = 0; j < clip.skeleton.size(); ++j) {
         const Joint& joint = clip.skeleton.joints[static_cast<std::size_t>(j)];
-        check(joint.parent < j, "a joint stands before its parent");
+        check(joint.parent < j, "a joint comes before its parent");
         check(finite(joint.rest) && (!joint.end_site || std::isfinite(glm::length(*joint.end_site))),
               "a rest pose is not finite or not of unit length");
     }
@@ -139,7 +139,7 @@ class Writer {
         std::vector<float> times;
         for (std::size_t k = 0; k < count; ++k)
             times.push_back(static_cast<float>(static_cast<double>(k) * clip_.frame_time_s));
-        for (std::size_t k = 1; k < count; ++k) check(times[k] > times[k - 1], "frames stand too close");
+        for (std::size_t k = 1; k < count; ++k) check(times[k] > times[k - 1], "frames are too close");
         const std::size_t input = glb_.add(times, count, "SCALAR");
         glb_.setBounds(input, Json::array({times.front()}), Json::array({times.back()}));
         Json samplers = Json::array();
@@ -225,7 +225,7 @@ std::string whyNoVrmAnimation(const Clip& clip, const motion::HumanoidMap& human
         for (const auto& frame : clip.frames)
             if (glm::length(frame.joints[joint].position - clip.skeleton.joints[joint].rest.position) >
                 still_m)
-                return fmt::format("the bone {} moves in its parent; only the hips may",
+                return fmt::format("the bone {} moves relative to its parent; only the hips may",
                                    motion::boneName(bone));
     }
     const auto rest = motion::worldPose(clip.skeleton, motion::restPose(clip.skeleton));

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 6> channel_names{"Xposition", "Yposition"
                                                         "Xrotation", "Yrotation", "Zrotation"};
 
 /// Longer than the slowest frame rate, and shorter than the fastest, of any recording: from 1 to 10,000
-/// frames a second.
+/// frames per second.
 constexpr double longest_frame_s = 1.0;
 constexpr double shortest_frame_s = 1e-4;
 
@@ -203,9 +203,9 @@ class Parser {
                          "found frame time " + quoted(word) + ", expected seconds from " +
                              fmt::format("{:g} to {:g}", shortest_frame_s, longest_frame_s),
                          *time > longest_frame_s
-                             ? "30 frames a second are 0.0333333: is it in milliseconds, or the number of "
-                               "frames a second? Correct it, or give the rate with --fps"
-                             : "30 frames a second are 0.0333333: correct it, or give the rate with --fps");
+                             ? "30 frames per second are 0.0333333: is it in milliseconds, or the number of "
+                               "frames per second? Correct it, or give the rate with --fps"
+                             : "30 frames per second are 0.0333333: correct it, or give the rate with --fps");
         clip_.frame_time_s = *time;
         return {};
     }
@@ -235,8 +235,7 @@ class Parser {
             if (hasPositions(j))
                 for (LocalPose& frame : clip_.frames)
                     frame.joints[j].position += clip_.skeleton.joints[j].rest.position;
-        remarks.emplace_back(
-            "positions of joints below the root are close to 0: taken as shifts from OFFSET");
+        remarks.emplace_back("positions of joints below the root are close to 0: read as shifts from OFFSET");
     }
 
     BvhText in_;

@@ -148,10 +148,9 @@ Result<ImportedClip> importAs(Kind kind, std::string_view bytes, const std::stri
     }
     return fail(name, bytes.empty()
                           ? "is empty, expected a clip"
-                          : "is of no known kind: expected BVH, glTF (also VRM), CSV of joint positions with "
-                            "a header, a Kinect "
-                            "v2 recording (101 numbers a line), exponential maps (99 or 117 numbers a line) "
-                            "or the SGToolkit's JSON");
+                          : "has no known format: expected BVH, glTF (also VRM), CSV of joint positions with "
+                            "a header, a Kinect v2 recording (101 numbers per line), exponential maps (99 or "
+                            "117 numbers per line) or SGToolkit JSON");
 }
 
 /// Far away values are a wrong unit or damaged data, and make nonsense of every sum.

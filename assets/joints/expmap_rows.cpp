@@ -76,7 +76,7 @@ Result<ImportedClip> parseExpmapRows(std::string_view text, const std::string& n
     out.format = kind->name;
     out.rate = options.fps ? FoundRate{*options.fps, Origin::given} : FoundRate{kind->fps, Origin::assumed};
     if (!options.fps)
-        out.remarks.emplace_back(std::string("the rows do not tell their rate: ") + kind->fps_remark);
+        out.remarks.emplace_back(std::string("the rows do not give their rate: ") + kind->fps_remark);
     out.clip.frame_time_s = 1.0 / out.rate.fps;
     out.up = findUp(out.clip, motion::detectHumanoid(out.clip.skeleton), options.up_axis);
     turnUp(out.clip, out.up.axis);

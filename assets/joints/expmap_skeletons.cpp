@@ -109,11 +109,9 @@ motion::Skeleton skeletonOf(const std::vector<Row>& rows) {
 const ExpmapSkeleton* expmapSkeleton(std::size_t columns) {
     static const std::array<ExpmapSkeleton, 2> all{
         {{"exponential maps (Human3.6M)", 3 + 3 * human36m.size(), 0.001, "millimetre", 25.0,
-          "25 fps, to which these data are mostly thinned; recordings as published have 50",
-          skeletonOf(human36m)},
+          "25 fps, the usual reduced rate of these data; published recordings have 50", skeletonOf(human36m)},
          {"exponential maps (CMU)", 3 + 3 * cmu.size(), 0.0254 / 0.45, "1/0.45 inch", 30.0,
-          "30 fps, to which these data are mostly thinned; recordings as published have 120",
-          skeletonOf(cmu)}}};
+          "30 fps, the usual reduced rate of these data; published recordings have 120", skeletonOf(cmu)}}};
     for (const ExpmapSkeleton& skeleton : all)
         if (skeleton.columns == columns) return &skeleton;
     return nullptr;

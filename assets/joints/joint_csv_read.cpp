@@ -123,9 +123,9 @@ class JointCsvReader {
         bones_ = bonesByName(columns_.joints);
         if (std::all_of(bones_.joint.begin(), bones_.joint.end(), [](int joint) { return joint < 0; }))
             return fail(where(),
-                        "found no joint whose name is that of a person's bone among '" +
-                            columns_.joints.front() + "' and the others",
-                        "Name the joints as VRM, Mixamo or Kinect name them, such as hips, leftUpperArm");
+                        "found no joint with the name of a human bone among '" + columns_.joints.front() +
+                            "' and the others",
+                        "Name the joints as VRM, Mixamo or Kinect do, such as hips, leftUpperArm");
         if (auto rows = readRows(); !rows) return tl::unexpected(rows.error());
         return sampled();
     }
@@ -151,7 +151,7 @@ class JointCsvReader {
                 time_s = *time * columns_.seconds_per_unit;
                 if (!recording_.times_s.empty() && time_s <= recording_.times_s.back())
                     return fail(where(),
-                                "found a time that is not after the one before, expected rising times");
+                                "found a time that is not after the one before, expected increasing times");
             }
             recording_.times_s.push_back(time_s);
             for (std::size_t b = 0; b < motion::bone_count; ++b) {
@@ -231,7 +231,7 @@ class JointCsvReader {
                 const auto frames = framesOver(times, step_s, name_, out.remarks);
                 if (!frames) return tl::unexpected(frames.error());
                 count = *frames;
-                out.remarks.emplace_back("times are not evenly spaced: sampled at their middle step");
+                out.remarks.emplace_back("times are not evenly spaced: resampled at their median step");
             }
         }
         out.frames.resize(count);
@@ -242,7 +242,7 @@ class JointCsvReader {
                         track.at(evenly ? times[f] : times.front() + static_cast<double>(f) * step_s);
             standInForTrunk(out.frames[f]);
         }
-        if (unknown_) out.remarks.emplace_back("unknown positions are bridged by straight lines");
+        if (unknown_) out.remarks.emplace_back("missing positions are interpolated linearly");
         remarkOnColumns(out.remarks);
         return out;
     }
@@ -256,7 +256,7 @@ class JointCsvReader {
 
     void remarkOnColumns(std::vector<std::string>& remarks) const {
         if (!columns_.passed_over.empty())
-            remarks.push_back("columns that are no coordinates are passed over: '" +
+            remarks.push_back("columns that are not coordinates are ignored: '" +
                               columns_.passed_over.front() + "'" +
                               (columns_.passed_over.size() > 1
                                    ? " and " + std::to_string(columns_.passed_over.size() - 1) + " more"

@@ -64,7 +64,7 @@ Result<KinectRecording> parseLines(std::string_view text, const std::string& nam
         const double time_s =
             fps ? static_cast<double>(recording.times_s.size()) / *fps : fields[0] / ticks_per_second;
         if (!recording.times_s.empty() && time_s <= recording.times_s.back())
-            return fail(where, "found a time that is not after the one before, expected rising times");
+            return fail(where, "found a time that is not after the one before, expected increasing times");
         recording.times_s.push_back(time_s);
         for (std::size_t j = 0; j < kinect_joint_count; ++j) {
             if (fields[4 + 4 * j] < 0.5) continue;
@@ -95,7 +95,7 @@ Result<ImportedClip> parseKinectClip(std::string_view text, const std::string& n
     if (times.size() > 1 && !options.fps)
         if (auto good =
                 checkStep((times.back() - times.front()) / static_cast<double>(times.size() - 1), name,
-                          "Kinect's times are in units of 100 ns; else give the rate with --fps");
+                          "Kinect's times are in units of 100 ns; otherwise give the rate with --fps");
             !good)
             return tl::unexpected(good.error());
     out.frames.resize(*count);

@@ -79,7 +79,7 @@ double statureByExtent(const motion::Clip& clip) {
 
 FoundUnit unitOf(double stature) {
     if (!(stature > 0.0) || !std::isfinite(stature))
-        return {1.0, Origin::assumed, "metre, for the figure has no size"};
+        return {1.0, Origin::assumed, "metre, since the figure has no size"};
     for (const Unit& unit : units)
         if (const double metres = stature * unit.metres; metres >= shortest_m && metres <= tallest_m)
             return {unit.metres, Origin::detected, std::string(unit.name)};
@@ -88,12 +88,12 @@ FoundUnit unitOf(double stature) {
             metres >= smallest_child_m && metres < shortest_m &&
             std::find(of_today.begin(), of_today.end(), unit.name) != of_today.end())
             return {unit.metres, Origin::assumed,
-                    fmt::format("{}, in which the figure is a child of {:.2f} m", unit.name, metres)};
+                    fmt::format("{}, in which the figure is a child {:.2f} m tall", unit.name, metres)};
     const auto distance = [&](const Unit& u) { return std::abs(std::log(stature * u.metres / usual_m)); };
     const Unit* best = &*std::min_element(
         units.begin(), units.end(), [&](const Unit& a, const Unit& b) { return distance(a) < distance(b); });
     return {best->metres, Origin::assumed,
-            std::string(best->name) + ", for no common unit gives a person's size"};
+            std::string(best->name) + ", since no common unit gives a person's size"};
 }
 
 /// Mean length of the line over those bones, of the frames that know them all; 0 where none does.

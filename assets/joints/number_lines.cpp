@@ -53,7 +53,7 @@ std::string hintOfNumber(std::string_view field) {
     std::string pointed(field);
     if (const auto comma = pointed.find(','); comma != std::string::npos) pointed[comma] = '.';
     if (pointed == field || !finiteNumber(pointed)) return {};
-    return "Decimals are written with a point here: export the file so";
+    return "Decimals must have a point: export the file that way";
 }
 
 char separatorOf(std::string_view line) {

@@ -13,7 +13,7 @@ namespace deixis::assets {
     return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
-/// Lines of a text without their ends and blanks around them; empty ones are passed over.
+/// Lines of a text without their ends and blanks around them; empty ones are skipped.
 class TextLines {
   public:
     explicit TextLines(std::string_view text) : text_(withoutByteOrderMark(text)) {}

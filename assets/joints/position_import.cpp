@@ -59,7 +59,7 @@ Result<void> checkStep(double step_s, const std::string& name, std::string hint)
     constexpr double shortest_s = 1e-4, longest_s = 1.0;
     if (step_s >= shortest_s && step_s <= longest_s) return {};
     return fail(name,
-                fmt::format("found lines that stand {:.4g} s apart, expected {:g} to {:g} s", step_s,
+                fmt::format("found lines that are {:.4g} s apart, expected {:g} to {:g} s", step_s,
                             shortest_s, longest_s),
                 std::move(hint));
 }
@@ -68,10 +68,9 @@ Result<std::size_t> framesOver(const std::vector<double>& times_s, double step_s
                                std::vector<std::string>& remarks) {
     const double steps = (times_s.back() - times_s.front()) / step_s;
     if (!(steps < 10.0 * static_cast<double>(times_s.size()) + 1000.0))
-        return fail(name,
-                    fmt::format("found {} lines spread over {:.0f} s, gaps of time many times as long as "
-                                "what was recorded; expected times of one recording",
-                                times_s.size(), times_s.back() - times_s.front()));
+        return fail(name, fmt::format("found {} lines spread over {:.0f} s, with gaps many times as long as "
+                                      "the recording; expected times of one recording",
+                                      times_s.size(), times_s.back() - times_s.front()));
     constexpr double noticed_s = 0.5;
     double longest_s = 0.0;
     double begin_s = 0.0;
@@ -81,9 +80,9 @@ Result<std::size_t> framesOver(const std::vector<double>& times_s, double step_s
             begin_s = times_s[i - 1] - times_s.front();
         }
     if (longest_s > noticed_s)
-        remarks.push_back(fmt::format(
-            "no line tells of the {:.2f} s from {:.2f} s on (the longest gap): straight lines bridge it",
-            longest_s, begin_s));
+        remarks.push_back(
+            fmt::format("{:.2f} s from {:.2f} s on have no lines (the longest gap): interpolated linearly",
+                        longest_s, begin_s));
     return static_cast<std::size_t>(std::floor(steps + 1e-6)) + 1;
 }
 

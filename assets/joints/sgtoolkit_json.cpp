@@ -63,7 +63,7 @@ Result<std::vector<double>> numbersOf(const Json& frame, const std::string& wher
         return true;
     };
     const auto wrong = [&] {
-        return fail(where, std::string("found something else than numbers, ") + expected_frames);
+        return fail(where, std::string("found something other than numbers, ") + expected_frames);
     };
     if (!frame.is_array()) return wrong();
     for (const Json& item : frame) {
@@ -113,9 +113,8 @@ Result<const Json*> chosenOf(const Json& gestures, const std::string& name, cons
     }
     if (animation.empty() && gestures.size() == 1) return &gestures[0];
     return fail(name,
-                animation.empty()
-                    ? fmt::format("holds {} gestures: {}; expected to be told which", index, names)
-                    : fmt::format("holds no gesture '{}', only: {}", animation, names),
+                animation.empty() ? fmt::format("has {} gestures: {}; expected one to be named", index, names)
+                                  : fmt::format("has no gesture '{}', only: {}", animation, names),
                 "Name one with --animation, or its number from 0");
 }
 

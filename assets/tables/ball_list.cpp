@@ -47,7 +47,7 @@ Result<std::vector<DistractorColumns>> distractorColumns(const CsvSheet& sheet) 
             const auto at = sheet.find(wanted);
             if (!at)
                 return fail(fmt::format("{}:{}", sheet.name, sheet.header.line),
-                            fmt::format("the column '{}' is missing beside '{}'", wanted, fields[c]));
+                            fmt::format("the column '{}' is missing, but '{}' is there", wanted, fields[c]));
             found->axes[axis] = *at;
         }
         out.push_back(std::move(*found));

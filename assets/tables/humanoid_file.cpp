@@ -87,10 +87,11 @@ Result<HumanoidWords> parseHumanoidText(std::string_view text, const std::string
             return !joint->empty() && word.joint == *joint;
         });
         if (before != said.words.end())
-            return fail(where,
-                        fmt::format("found \"{}\", which {} on line {} has already, expected a joint for "
-                                    "each bone",
-                                    *joint, motion::boneName(before->bone), before->line));
+            return fail(
+                where,
+                fmt::format(
+                    "found \"{}\", which {} on line {} already has, expected a separate joint for each bone",
+                    *joint, motion::boneName(before->bone), before->line));
         said.words.push_back({*bone, *joint, line});
     }
     return said;

@@ -201,7 +201,7 @@ Result<std::array<std::size_t, manifest_columns.size()>> findColumns(const CsvRe
         if (count != 1)
             return fail(fmt::format("{}:{}: {}", file, first.line, manifest_columns[i]),
                         count == 0 ? "this column is missing from the header"
-                                   : "this column stands in the header more than once",
+                                   : "this column is in the header more than once",
                         fmt::format("The columns are {}", header()));
         places[i] = static_cast<std::size_t>(
             std::find(first.fields.begin(), first.fields.end(), manifest_columns[i]) - first.fields.begin());

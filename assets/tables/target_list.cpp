@@ -30,11 +30,11 @@ Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const s
     const auto sheet = parseCsvSheet(text, name);
     if (!sheet) return tl::unexpected(sheet.error());
     if (sheet->rows.empty())
-        return fail(name, "holds no targets", "Expected a header target_id,x,y,z and a line for each target");
+        return fail(name, "has no targets", "Expected a header target_id,x,y,z and a line for each target");
     std::array<std::size_t, target_columns.size()> places{};
     for (std::size_t i = 0; i < target_columns.size(); ++i) {
         const auto place =
-            sheet->column(target_columns[i], "The columns are target_id,x,y,z; others are passed over");
+            sheet->column(target_columns[i], "The columns are target_id,x,y,z; others are ignored");
         if (!place) return tl::unexpected(place.error());
         places[i] = *place;
     }
@@ -50,7 +50,7 @@ Result<std::vector<ListedTarget>> parseTargetList(std::string_view text, const s
                 fmt::format("found '{}', expected up to 64 letters, digits, '_', '-' or '.'", target.id));
         if (!ids.insert(target.id).second)
             return fail(sheet->place(row, places[0]),
-                        fmt::format("'{}' was given before; ids must differ", target.id));
+                        fmt::format("'{}' was already given; ids must differ", target.id));
         for (int axis = 0; axis < 3; ++axis) {
             const auto value =
                 sheet->number(row, places[static_cast<std::size_t>(axis) + 1], expected, farthest_target_m);

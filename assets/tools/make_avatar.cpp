@@ -1,4 +1,4 @@
-// Makes the product's own avatar: deixis_make_avatar OUT.glb
+// Makes Deixis's own avatar: deixis_make_avatar OUT.glb
 //
 // A distance field of rounded bodies is turned into one closed mesh, simplified, painted, bound to
 // motion::referenceHumanoid() and written as glTF 2.0 binary. No clock, no randomness, no function whose

@@ -36,7 +36,7 @@ Result<void> CsvReader::checkText() const {
     if (!bad) return {};
     const auto before = text_.substr(0, *bad);
     return fail(fmt::format("{}:{}", name_, line_ + std::count(before.begin(), before.end(), '\n')),
-                fmt::format("found the byte {:#04x}, which is no text in UTF-8",
+                fmt::format("found the byte {:#04x}, which is not UTF-8 text",
                             static_cast<unsigned char>(text_[*bad])),
                 "Save the file as CSV in UTF-8");
 }
@@ -89,7 +89,7 @@ Result<void> CsvReader::readField(std::string& field) {
         if (static_cast<unsigned char>(c) > ',' && c != form_.separator) continue;
         if (c == form_.separator || c == '\n' || (c == '\r' && atLineEnd())) break;
         if (c == '"')
-            return fail(fmt::format("{}:{}", name_, line_), "a quote stands inside an unquoted field",
+            return fail(fmt::format("{}:{}", name_, line_), "a quote is inside an unquoted field",
                         "Quote the whole field and double the quote");
     }
     field.assign(text_.data() + begin, at_ - begin);

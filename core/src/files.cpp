@@ -17,9 +17,8 @@ namespace deixis {
 namespace {
 
 tl::unexpected<Error> tooLarge(const std::string& name, std::size_t max_bytes) {
-    return fail(name,
-                fmt::format("holds more than {} bytes, which is the most that is read at once", max_bytes),
-                "Name another file, or a part of it");
+    return fail(name, fmt::format("has more than {} bytes, the maximum that is read at once", max_bytes),
+                "Use another file, or a part of it");
 }
 
 /// Makes the folder with those above it. Returns the folders that have a new entry, the innermost first.
@@ -95,9 +94,9 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_
     namespace fs = std::filesystem;
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
-    if (fs::is_directory(status)) return fail(path.string(), "is a folder, a file was expected");
+    if (fs::is_directory(status)) return fail(path.string(), "is a folder, expected a file");
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_fifo(status))
-        return fail(path.string(), "is a device, which may never end; a file was expected");
+        return fail(path.string(), "is a device, which may never end; expected a file");
     errno = 0;
     std::ifstream in(path, std::ios::binary);
     if (!in) return fail(path.string(), std::string("cannot be opened: ") + std::strerror(errno));

@@ -86,8 +86,7 @@ Result<ForeignCsv> readForeignCsv(std::string bytes, const std::string& name) {
         return fail(name, "is a workbook or an archive, expected text", "Save the sheet as CSV in UTF-8");
     if (const bool big = bytes.starts_with("\xFE\xFF"); big || bytes.starts_with("\xFF\xFE")) {
         auto text = fromUtf16(std::string_view(bytes).substr(2), big);
-        if (!text)
-            return fail(name, "is marked as UTF-16 and holds what is none", "Save the file as CSV in UTF-8");
+        if (!text) return fail(name, "is marked as UTF-16 but is not", "Save the file as CSV in UTF-8");
         out.text = std::move(*text);
     } else if (const auto bad = firstUnstorable(bytes); !bad) {
         out.text = std::move(bytes);
@@ -95,7 +94,7 @@ Result<ForeignCsv> readForeignCsv(std::string bytes, const std::string& name) {
         auto text = fromWindows1252(bytes);
         if (!text)
             return fail(lineOf(*bad),
-                        fmt::format("found the byte {:#04x}, which is no text in UTF-8",
+                        fmt::format("found the byte {:#04x}, which is not UTF-8 text",
                                     static_cast<unsigned char>(bytes[*bad])),
                         "Save the file as CSV in UTF-8");
         const auto first = std::find_if(text->begin(), text->end(),

@@ -45,7 +45,8 @@ const std::vector<Bone>& poseBones() {
 Result<std::vector<Style>> gestureStyle(const JointTrajectories& motion, int window) {
     const auto left = indexOf(motion, Bone::leftHand);
     const auto right = indexOf(motion, Bone::rightHand);
-    if (left < 0 || right < 0) return fail("", "found no left and right hand", "Style is told by both hands");
+    if (left < 0 || right < 0)
+        return fail("", "found no left and right hand", "Style is measured on both hands");
     const auto frames = static_cast<int>(motion.positions.front().size());
     if (window < 2) return fail("", fmt::format("found a window of {} frames, expected 2 or more", window));
     if (frames < 2) return fail("", fmt::format("found {} frames, style needs at least 2", frames));
@@ -109,17 +110,17 @@ Style normalisedStyle(const Style& style, const StyleNorm& norm) {
 Result<double> poseCompliance(const JointTrajectories& reference, const JointTrajectories& generated,
                               int first, int last) {
     if (reference.joints != generated.joints || reference.joints.empty())
-        return fail("", "the poses asked for and the motion have different joints",
+        return fail("", "the reference poses and the motion have different joints",
                     "Give poses of the same kind of skeleton");
     if (std::abs(reference.frame_time_s - generated.frame_time_s) > 0.01 * generated.frame_time_s)
         return fail("",
-                    fmt::format("poses are asked for at {:.4g} frames a second, the motion has {:.4g}",
+                    fmt::format("the reference poses have {:.4g} frames per second, the motion {:.4g}",
                                 1.0 / reference.frame_time_s, 1.0 / generated.frame_time_s),
-                    "Frames are counted: bring both to one rate ('deixis clips resample')");
+                    "Frames are matched by number: resample both to one rate ('deixis clips resample')");
     const auto frames =
         static_cast<int>(std::min(reference.positions.front().size(), generated.positions.front().size()));
     if (first < 0 || last <= first || last > frames)
-        return fail("", fmt::format("found {} frames, expected at least {} (poses are asked for in {} to {})",
+        return fail("", fmt::format("found {} frames, expected at least {} (reference poses are in {} to {})",
                                     frames, last, first, last - 1));
     double sum = 0.0;
     for (std::size_t j = 0; j < reference.positions.size(); ++j)
@@ -133,7 +134,7 @@ Result<double> poseCompliance(const JointTrajectories& reference, const JointTra
 
 Result<double> styleCompliance(const std::vector<Style>& reference, const std::vector<Style>& generated) {
     if (reference.empty() || reference.size() != generated.size())
-        return fail("", fmt::format("found styles of {} and {} frames, expected as many of both",
+        return fail("", fmt::format("found styles of {} and {} frames, expected the same number",
                                     reference.size(), generated.size()));
     double sum = 0.0;
     for (std::size_t i = 0; i < reference.size(); ++i)

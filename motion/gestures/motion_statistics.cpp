@@ -39,9 +39,9 @@ Result<void> checkAlike(const std::vector<JointTrajectories>& clips) {
                         "Compare clips of one kind of skeleton");
         if (std::abs(clip.frame_time_s - clips.front().frame_time_s) > 1e-6)
             return fail("",
-                        fmt::format("clip {} runs at {:.4g} frames a second, clip 1 at {:.4g}", i + 1,
+                        fmt::format("clip {} has {:.4g} frames per second, clip 1 {:.4g}", i + 1,
                                     1.0 / clip.frame_time_s, 1.0 / clips.front().frame_time_s),
-                        "Bring all to one rate");
+                        "Resample all to one rate");
         if (clip.positions.front().size() <= derivative_count)
             return fail(
                 "", fmt::format("clip {} has {} frames, jerk needs 4", i + 1, clip.positions.front().size()));

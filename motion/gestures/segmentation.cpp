@@ -90,7 +90,7 @@ class Cutter {
         if (static_cast<double>(at_rest[0].size()) * dt_ >= min_s - 1e-4)
             return Vec3(upperMedian(at_rest[0]), upperMedian(at_rest[1]), upperMedian(at_rest[2]));
         if (options_.by == CutBy::returns)
-            return fail("", handText(side) + " never hangs still with the arm down, expected 0.2 s of it",
+            return fail("", handText(side) + " never hangs still with the arm down, expected at least 0.2 s",
                         "Name a frame in which both hands are at rest, or cut by holds");
         out_.remarks.push_back(handText(side) +
                                " never hangs still with the arm down: an arm straight down counts as rest");
@@ -141,7 +141,7 @@ class Cutter {
                 leading.push_back(&e);
             else
                 leaveOut(e.frames, e.hand,
-                         "goes along with " + handText((*leader)->hand) + ", which goes farther");
+                         "moves along with " + handText((*leader)->hand) + ", which moves farther");
         }
         for (const HandExcursion* e : leading) {
             if (e->frames.begin == 0)
@@ -163,7 +163,7 @@ class Cutter {
             if (other.hand != e.hand && together(e.frames, other.frames))
                 remarks.push_back(handText(other.hand) + " is out of rest too (frames " +
                                   framesText(other.frames) + ")" +
-                                  (other.farthest > nearly * e.farthest ? " and goes as far" : ""));
+                                  (other.farthest > nearly * e.farthest ? " and moves as far" : ""));
         return remarks;
     }
 
@@ -242,7 +242,7 @@ class Cutter {
             if (end >= onset) {
                 before.last = end;
                 after.first = onset;
-                after.remarks.push_back("sets out before " + handText(before.phases.hand) + " is back");
+                after.remarks.push_back("starts before " + handText(before.phases.hand) + " is back");
                 continue;
             }
             const int middle = (end + onset) / 2;

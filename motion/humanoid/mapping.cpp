@@ -39,8 +39,8 @@ void dropMisplaced(const FigureTree& tree, HumanoidMap& map, std::vector<std::st
                              bone != rightUpperLeg && bone > rightEye;
         if (!in_limb || !map.has(bone) || !map.has(*above) || tree.isAbove(map[*above], map[bone])) continue;
         remarks.push_back("'" + tree.skeleton().joints[static_cast<std::size_t>(map[bone])].name +
-                          "' has the name of " + std::string(boneName(bone)) + ", but does not hang from " +
-                          std::string(boneName(*above)) + ": passed over");
+                          "' has the name of " + std::string(boneName(bone)) + ", but is not attached to " +
+                          std::string(boneName(*above)) + ": ignored");
         map[bone] = -1;
     }
 }
@@ -124,12 +124,10 @@ class Mapper {
             out_.found.fill(FoundBy::nothing);
         }
         out_.remarks.emplace_back(
-            "the joints' names do not tell the bones: they were told apart by the "
-            "figure's shape");
+            "the joints' names do not identify the bones: they were found from the figure's shape");
         if (guessed_front)
             out_.remarks.emplace_back(
-                "neither names nor toes tell left from right: the figure was taken to "
-                "face +z");
+                "neither names nor toes tell left from right: the figure is assumed to face +z");
     }
 
     void forgetDropped(const HumanoidMap& map) {

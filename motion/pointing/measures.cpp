@@ -18,7 +18,7 @@ Result<void> checkNumbers(const std::vector<World>& world) {
     for (std::size_t f = 0; f < world.size(); ++f)
         for (const Pose& pose : world[f])
             if (!std::isfinite(pose.position.x + pose.position.y + pose.position.z))
-                return fail("", fmt::format("a joint's position in frame {} is no number", f),
+                return fail("", fmt::format("a joint's position in frame {} is not a number", f),
                             "Repair the clip");
     return {};
 }

@@ -219,7 +219,7 @@ Result<DetectedGesture> detectPhases(const std::vector<Vec3>& hand_positions, Si
     for (std::size_t i = 0; i < hand_positions.size(); ++i)
         if (!std::isfinite(hand_positions[i].x + hand_positions[i].y + hand_positions[i].z))
             return fail(
-                "", fmt::format("the position of the {} hand in frame {} is no number", sideName(hand), i),
+                "", fmt::format("the position of the {} hand in frame {} is not a number", sideName(hand), i),
                 "Repair the clip");
     if (hand_positions.size() < min_gesture)
         return fail("", fmt::format("found {} frames, too few for a gesture", hand_positions.size()),
@@ -229,9 +229,9 @@ Result<DetectedGesture> detectPhases(const std::vector<Vec3>& hand_positions, Si
     const double farthest = *std::max_element(trajectory.displacement.begin(), trajectory.displacement.end());
     if (farthest < min_displacement_m)
         return fail("",
-                    fmt::format("the {} hand stays within {:.3f} m of where it rests: no gesture",
-                                sideName(hand), farthest),
-                    fmt::format("A gesture takes the hand at least {:.2f} m away", min_displacement_m));
+                    fmt::format("the {} hand stays within {:.3f} m of its rest: no gesture", sideName(hand),
+                                farthest),
+                    fmt::format("In a gesture the hand moves at least {:.2f} m away", min_displacement_m));
     DetectedGesture out;
     Run whole;
     for (const Excursion& excursion :

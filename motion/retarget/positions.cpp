@@ -145,7 +145,7 @@ Result<Clip> clipFromPositions(const std::vector<BonePositions>& positions, doub
     if (positions.empty()) return fail("", "found no frames, expected at least one");
     const Part part = partOf(positions);
     const std::string expected =
-        part == Part::whole ? "the joints of a whole person" : "those of a whole person or of its upper body";
+        part == Part::whole ? "the joints of a whole body" : "those of a whole body or an upper body";
     for (std::size_t f = 0; f < positions.size(); ++f)
         if (const auto problem = fault(positions[f], part); !problem.empty())
             return fail("", "frame " + std::to_string(f) + " " + problem + ", expected " + expected);

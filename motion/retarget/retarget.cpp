@@ -218,7 +218,7 @@ class Mover {
 
 constexpr const char* name_the_joints =
     "Name the joints as VRM, Mixamo, CMU or another common rig does, or say in NAME.humanoid.toml beside the "
-    "clip which joint plays which bone";
+    "clip which joint is which bone";
 
 /// Why a figure cannot stand, by the bones and joints that are in one place.
 std::string unableToStand(const Skeleton& skeleton, const HumanoidMap& map, const std::vector<Pose>& world) {
@@ -235,7 +235,7 @@ std::string unableToStand(const Skeleton& skeleton, const HumanoidMap& map, cons
     return "hips, legs and head ('" + skeleton.joints[static_cast<std::size_t>(map[hips])].name + "', '" +
            skeleton.joints[static_cast<std::size_t>(map[leftUpperLeg])].name + "', '" +
            skeleton.joints[static_cast<std::size_t>(map[head])].name +
-           "' and the others) do not rise over the feet in any frame, expected a figure that can stand";
+           "' and the others) are above the feet in no frame, expected a figure that can stand";
 }
 
 std::vector<SightLine> linesOfClip(const Clip& clip, const HumanoidMap& map, const PointingGesture& gesture) {
@@ -300,10 +300,10 @@ Result<Clip> retarget(const Clip& source_clip, const HumanoidMap& source_map, co
     made.scale = scale;
     made.remarks = mappingWarnings(source_clip.skeleton, source_map, neutral.world);
     if (!neutral.is_rest)
-        made.remarks.emplace_back("the rest pose is no standing figure: aligned to a frame instead");
+        made.remarks.emplace_back("the rest pose is not a standing figure: aligned to a frame instead");
     if (up_axis != up) made.remarks.emplace_back("turned so that the figure's up axis is y");
     const bool added = source.startsWithAddedPose();
-    if (added) made.remarks.emplace_back("frame 0 is an added pose: frame 1 stands in for it");
+    if (added) made.remarks.emplace_back("frame 0 is an added pose: replaced by frame 1");
     Moved moved =
         Mover(source, retargeter, avatar, scale, rotationBetween(up_axis, up)).move(added ? 1 : 0, gesture);
     const Side pointing = gesture != nullptr ? gesture->hand : Side::right;

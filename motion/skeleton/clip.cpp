@@ -72,13 +72,13 @@ Result<Clip> resample(const Clip& clip, double frame_time_s) {
             std::string text = std::to_string(number);
             return text.substr(0, text.find('.'));
         };
-        return fail("",
-                    "found a clip of " + whole(clip.duration_s()) + " s, which at " +
-                        whole(1.0 / frame_time_s) + " frames a second has " + whole(frames) + " frames of " +
-                        std::to_string(clip.skeleton.size()) + " joints, expected at most " +
-                        whole(std::floor(max_poses / clip.skeleton.size())) + " frames",
-                    "Is the clip's frame rate right? Else give a lower number of frames a second, or cut the "
-                    "clip first");
+        return fail(
+            "",
+            "found a clip of " + whole(clip.duration_s()) + " s, which at " + whole(1.0 / frame_time_s) +
+                " frames per second has " + whole(frames) + " frames of " +
+                std::to_string(clip.skeleton.size()) + " joints, expected at most " +
+                whole(std::floor(max_poses / clip.skeleton.size())) + " frames",
+            "Is the clip's frame rate right? Otherwise use fewer frames per second, or cut the clip first");
     }
     Clip out;
     out.skeleton = clip.skeleton;

@@ -67,7 +67,7 @@ class Performance {
         finger_joints_.assign(fingers.begin(), fingers.end());
     }
 
-    /// The pose at a time; to be asked for frame by frame, as the noise goes on with each.
+    /// The pose at a time; to be asked for frame by frame, as the noise continues with each.
     LocalPose at(double time_s) {
         const Trajectory trajectory = trajectoryAt(time_s);
         LocalPose pose = body_.relaxed;

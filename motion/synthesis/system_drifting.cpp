@@ -63,7 +63,7 @@ class Drifting : public Generator {
         PointingMotion& motion = plan.motion;
         const LocalPose& mean = mean_[static_cast<std::size_t>(motion.hand)];
         const LocalPose wanted = motion.peak;
-        // The posture goes on moving while it should be held, nearer to the mean or away from it.
+        // The posture continues moving while it should be held, nearer to the mean or away from it.
         const double pull = drawn(drifting.pull, random);
         const double shift = drawn(drifting.hold_shift, random) * (random.uniform() < 0.5 ? -0.5 : 0.5);
         motion.peak = blended(wanted, mean, pull - shift);

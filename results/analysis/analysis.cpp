@@ -129,7 +129,7 @@ void takeParticipantsOnly(AnalysisResult& result) {
     if (n == 0 || n == static_cast<std::ptrdiff_t>(table.rows.size())) return;
     result.table = onlyAt(std::move(table), {});
     result.remarks.push_back(fmt::format(
-        "{} answers of simulated participants are left out: they are never one mean with people's.", n));
+        "{} answers of simulated participants are left out: they are never averaged with people's.", n));
 }
 
 void countParticipants(AnalysisResult& result) {

@@ -68,8 +68,7 @@ std::string whyNone(const WinMatrix& wins, const std::vector<Ability>& abilities
             best = above;
     }
     return fmt::format(
-        "no answer preferred {} to {} or took them as equal: the difference in ability grows "
-        "without bound",
+        "no answer preferred {} to {} or rated them equal: the difference in ability is unbounded",
         namesOf(*best, false, abilities), namesOf(*best, true, abilities));
 }
 
@@ -111,10 +110,9 @@ void addCorrectedIntervals(const std::vector<std::vector<double>>& resampled,
                            double level, BradleyTerry& out) {
     const auto of_participants = abilityInfluences(by_participant, estimates);
     if (!of_participants) {
-        addNote(
-            out,
-            "without one of the participants there are no finite abilities: BCa intervals are not defined, "
-            "percentiles stand alone");
+        addNote(out,
+                "without one of the participants there are no finite abilities: BCa intervals are not "
+                "defined, only percentiles are given");
         return;
     }
     // Abilities that are equal on paper are so to what the iteration leaves open.
@@ -127,7 +125,7 @@ void addCorrectedIntervals(const std::vector<std::vector<double>>& resampled,
     }
     if (!undefined.empty())
         addNote(out, fmt::format("the resampled abilities of {} lie on one side of the estimate: their BCa "
-                                 "intervals are not defined, percentiles stand alone",
+                                 "intervals are not defined, only percentiles are given",
                                  fmt::join(undefined, ", ")));
 }
 
@@ -149,9 +147,11 @@ void resampleParticipants(const std::vector<WinMatrix>& by_participant, const st
         for (std::size_t i = 0; i < systems; ++i) resampled[i].push_back((*abilities)[i]);
     }
     if (out.resamples_left_out > 0)
-        addNote(out, fmt::format("{} of {} resamples have no finite abilities and are passed over: the "
-                                 "intervals are too narrow",
-                                 out.resamples_left_out, options.resamples));
+        addNote(
+            out,
+            fmt::format(
+                "{} of {} resamples have no finite abilities and are skipped: the intervals are too narrow",
+                out.resamples_left_out, options.resamples));
     if (out.resamples_left_out == options.resamples) return;
     const double tail = 0.5 * (1.0 - options.level);
     for (std::size_t i = 0; i < systems; ++i) {
@@ -245,7 +245,7 @@ BradleyTerry bradleyTerry(const ResponseTable& table, const BootstrapOptions& op
         addWins(sum, wins);
         each.push_back(wins);
     }
-    // What is drawn does not hang on how participants are called.
+    // What is drawn does not depend on how participants are called.
     std::sort(each.begin(), each.end());
     const auto estimates = bradleyTerryAbilities(sum);
     if (!estimates) {

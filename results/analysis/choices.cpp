@@ -75,7 +75,7 @@ void countConfusion(AnalysisResult& result) {
 
 void mapTargets(AnalysisResult& result) {
     using Place = std::pair<std::string, std::array<double, 3>>;         // target and position
-    std::map<std::string, std::map<Place, std::pair<int, int>>> counts;  // right choices, all
+    std::map<std::string, std::map<Place, std::pair<int, int>>> counts;  // correct choices, all
     for (const ChoiceRow& choice : result.table.choices) {
         const Vec3& at = choice.balls[static_cast<std::size_t>(choice.target_place)];
         for (const std::string& system : {std::string("all"), choice.system}) {

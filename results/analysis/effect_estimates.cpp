@@ -206,7 +206,7 @@ Result<MeasureAnswers> answersOf(const ResponseTable& table, const studies::Stud
     for (const std::string& system : systems) {
         const auto& of_system = values[system];
         if (of_system.empty())
-            return fail(table.database, fmt::format("holds no answer on {} to the system \"{}\" of the study",
+            return fail(table.database, fmt::format("has no answer on {} for the system \"{}\" of the study",
                                                     measure.name, system));
         if (const double of_mean = mean(of_system); of_mean > measure.low && of_mean < measure.high)
             out.means[system] = of_mean;
@@ -242,7 +242,7 @@ void addPreference(const ResponseTable& table, const std::set<std::string>& syst
         return;
     }
     out.effects.preference = std::get<studies::AssumedPreference>(std::move(estimated));
-    out.notes.push_back("preference: noise_sd is taken as 1, for only ratios to it are in the answers");
+    out.notes.push_back("preference: noise_sd is set to 1, since answers contain only ratios to it");
 }
 
 }  // namespace
@@ -284,16 +284,15 @@ Result<EffectEstimates> estimateEffects(const ResponseTable& table, const studie
         accuracy.groups = std::move(groups);
         out.effects.accuracy = std::move(accuracy);
         out.notes.push_back(
-            "accuracy: lapse_rate is left at 0, for lapses cannot be told from the spread of choices; what "
-            "they "
-            "cost stands in the shares of right choices");
+            "accuracy: lapse_rate is left at 0, since lapses cannot be separated from the spread of choices; "
+            "their cost is in the shares of correct choices");
     }
     if (!out.effects.accuracy && out.effects.ratings.empty() && !out.effects.preference)
         return fail(table.database,
-                    fmt::format("holds no answers on what {} measures that can be estimated", study.name),
+                    fmt::format("has no answers on what {} measures that can be estimated", study.name),
                     "Write a file of assumed effects and name it with --effect");
     if (!table.study_hash.empty() && table.study_hash != study.hash)
-        out.notes.push_back("the answers are those of another study file");
+        out.notes.push_back("the answers are from another study file");
     std::set<std::string> participants;
     for (const ResponseRow& row : table.rows) participants.insert(row.participant);
     out.notes.push_back(

@@ -13,8 +13,8 @@ namespace deixis::results {
 
 namespace {
 
-/// Participants' scores in one cell, by system: a mean of these means does not hang on how many answers each
-/// system got.
+/// Participants' scores in one cell, by system: a mean of these means does not depend on how many answers
+/// each system got.
 using CellScores = std::map<std::string, std::map<std::string, Scores>>;
 using CellMeans = std::map<std::string, Rational>;  // by participant
 
@@ -32,7 +32,7 @@ std::string levelOn(const ResponseTable& table, const ResponseRow& row, const Fa
     return factor.name == systems_between ? row.system : levelOf(table, row, factor.name);
 }
 
-/// Systems first, then the factors within participants.
+/// Systems first, then the within-participants factors.
 std::vector<Factor> crossedFactors(const ResponseTable& table) {
     std::vector<Factor> out{{systems_between, table.systems}};
     for (Factor& factor : withinFactors(table)) out.push_back(std::move(factor));

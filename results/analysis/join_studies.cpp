@@ -52,19 +52,19 @@ std::vector<StudyData> partByStudy(std::vector<ResponseTable> tables, bool by_st
 /// Without `by_study` only what cannot be meant otherwise is compared: databases of studies of different
 /// names.
 Result<void> checkMeant(const std::vector<StudyData>& studies) {
-    constexpr const char* hint = "Only data of the same study file are one study; --by study compares";
+    constexpr const char* hint = "Only data of the same study file form one study; --by study compares";
     for (std::size_t i = 0; i < studies.size(); ++i) {
         const ResponseTable& table = studies[i].tables.front();
         const ResponseTable& other = studies[i == 0 ? 1 : i - 1].tables.front();
         if (studies[i].hash.empty())
             return fail(table.database,
-                        fmt::format("is no database and tells no study, while {} is of the study {}",
+                        fmt::format("is not a database and names no study, while {} is of the study {}",
                                     other.database, other.study_name),
                         fmt::format("{} the two as studies", hint));
         if (i > 0 && studies[i].name == studies[i - 1].name)
             return fail(table.database,
-                        fmt::format("its study {} (SHA-256 {:.12}) is not that of {} ({:.12}), though of the "
-                                    "same name",
+                        fmt::format("its study {} (SHA-256 {:.12}) is not that of {} ({:.12}), although the "
+                                    "names are the same",
                                     studies[i].name, studies[i].hash, other.database, studies[i - 1].hash),
                         fmt::format("{} its two versions as studies", hint));
     }
@@ -84,8 +84,8 @@ Result<std::vector<std::string>> namesOf(const std::vector<StudyData>& studies) 
     for (std::size_t i = 0; i < out.size(); ++i)
         if (!known.insert(out[i]).second)
             return fail(studies[i].tables.front().database,
-                        fmt::format("another file stands for a study \"{}\", too", out[i]),
-                        "A CSV file's study is called as the file: give the two different names");
+                        fmt::format("another file is also a study \"{}\"", out[i]),
+                        "A CSV file's study has the file's name: give the two different names");
     return out;
 }
 
@@ -184,8 +184,8 @@ void declareTogether(std::vector<ResponseTable>& tables) {
     std::erase_if(first.equivalence, [&](const auto& one) { return dropped.contains(one.first); });
     if (!dropped.empty())
         first.notes.push_back(
-            fmt::format("The studies do not declare the same bound of equivalence for {}: none is used. "
-                        "--equivalence gives one for all.",
+            fmt::format("The studies do not declare the same equivalence bound for {}: none is used. "
+                        "--equivalence sets one for all.",
                         listed(dropped)));
 }
 
@@ -199,26 +199,26 @@ void addNotes(ResponseTable& out, const std::vector<NameSet>& participants, bool
     std::vector<std::string> notes;
     if (!asked)
         notes.emplace_back(
-            "The data are of several studies: they are compared by study, as with --by study, each by "
-            "itself and pooled.");
+            "The data are from several studies: they are compared by study, as with --by study, each "
+            "separately and pooled.");
     if (!twice.empty()) {
         constexpr std::size_t max = 5;
         NameSet some(twice.begin(),
                      std::next(twice.begin(), static_cast<std::ptrdiff_t>(std::min(max, twice.size()))));
-        notes.push_back(fmt::format(
-            "{} ({}{}) in more than one study: they are taken as different people, are called STUDY/ID here, "
-            "and nothing of theirs is pooled as one person's. If the same people took part in several "
-            "studies, the tests of all studies together and those between studies do not hold.",
-            twice.size() == 1 ? "1 participant's name stands"
-                              : fmt::format("{} participants' names stand", twice.size()),
-            listed(some), twice.size() > max ? ", ..." : ""));
+        notes.push_back(
+            fmt::format("{} ({}{}) in more than one study: they are treated as different people, are called "
+                        "STUDY/ID here, and are not pooled as one person. If the same people took part in "
+                        "several studies, the pooled tests and those between studies are not valid.",
+                        twice.size() == 1 ? "1 participant's name occurs"
+                                          : fmt::format("{} participants' names occur", twice.size()),
+                        listed(some), twice.size() > max ? ", ..." : ""));
     }
     if (const Measure* accuracy = measureIn(out, "accuracy");
         accuracy != nullptr && accuracy->min_balls < accuracy->balls)
-        notes.push_back(fmt::format(
-            "Choices were among {} to {} balls: accuracies of studies with other numbers of balls are not "
-            "equally hard to reach.",
-            accuracy->min_balls, accuracy->balls));
+        notes.push_back(
+            fmt::format("Choices were among {} to {} balls: accuracy is not equally hard in studies with "
+                        "different numbers of balls.",
+                        accuracy->min_balls, accuracy->balls));
     out.notes.insert(out.notes.begin(), notes.begin(), notes.end());
 }
 
@@ -294,9 +294,9 @@ Result<ResponseTable> joinData(std::vector<ResponseTable> tables, const JoinChoi
     if (studies.size() == 1) {
         if (choice.by_study)
             return fail("--by study",
-                        fmt::format("all data are of one study, {}: there is nothing to compare",
+                        fmt::format("all data are from one study, {}: there is nothing to compare",
                                     studies.front().name),
-                        "Name the data of another study, too, or leave --by out");
+                        "Add the data of another study, or leave --by out");
         return joinTables(std::move(studies.front().tables));
     }
     if (!choice.by_study)

@@ -27,7 +27,7 @@ void remarkLeftOut(const std::vector<Comparison>& comparisons, const std::string
     if (min == result.participants || max == 0) return;
     result.remarks.push_back(fmt::format(
         "Tests of {}: participants without answers under one of the two conditions are left out; {} of {} "
-        "participants enter.",
+        "participants are used.",
         factor.empty() || measure == "accuracy" ? (factor.empty() ? measure : factor)
                                                 : fmt::format("{} in {}", factor, measure),
         min == max ? fmt::format("{}", max) : fmt::format("{} to {}", min, max), result.participants));
@@ -43,38 +43,37 @@ void remarkDecisions(const std::vector<Test>& tests, AnalysisResult& result) {
         ++tested;
         out_of_reach += one.out_of_reach ? 1 : 0;
         if (one.depends_on_zeros)
-            result.remarks.push_back(fmt::format(
-                "{}: {} against {} is {}significant at {} where differences of zero are dropped (p = {:.3g} "
-                "after Holm's correction) and is {}where they are ranked (Pratt's rule: p = {:.3g}): the "
-                "decision depends on that choice.",
-                one.family, one.a, one.b, one.significant ? "" : "not ", result.alpha, *one.p_holm,
-                one.significant ? "not " : "", *one.p_holm_pratt));
+            result.remarks.push_back(
+                fmt::format("{}: {} against {} is {}significant at {} if differences of zero are dropped (p "
+                            "= {:.3g} after Holm's correction) and is {}if they are ranked (Pratt's rule: p "
+                            "= {:.3g}): the decision depends on that choice.",
+                            one.family, one.a, one.b, one.significant ? "" : "not ", result.alpha,
+                            *one.p_holm, one.significant ? "not " : "", *one.p_holm_pratt));
     }
     // Of a single participant nothing is tested, and the report says so.
     if (out_of_reach == 0 || result.participants < 2) return;
     if (out_of_reach < tested)
         result.remarks.push_back(
-            fmt::format("{} of {} tests ({}) can be significant at {} after Holm's correction only where "
-                        "other pairs have "
-                        "smaller p: they have few differences other than zero.",
+            fmt::format("{} of {} tests ({}) can be significant at {} after Holm's correction only if other "
+                        "pairs have a smaller p: they have few non-zero differences.",
                         out_of_reach, tested, tests.front().family, result.alpha));
     else
-        result.remarks.push_back(fmt::format(
-            "{} of {} tests ({}) cannot be significant at {} after Holm's correction, whatever was answered: "
-            "they have too few differences other than zero.",
-            out_of_reach, tested, tests.front().family, result.alpha));
+        result.remarks.push_back(
+            fmt::format("{} of {} tests ({}) cannot be significant at {} after Holm's correction, whatever "
+                        "the answers: they have too few non-zero differences.",
+                        out_of_reach, tested, tests.front().family, result.alpha));
 }
 
 const char* wordsOf(AnswerChoice choice) {
     switch (choice) {
         case AnswerChoice::with_left_out:
-            return "where those who are left out count";
+            return "if those who are left out count";
         case AnswerChoice::without_doubtful:
             return "without marked trials and participants who failed a check";
         case AnswerChoice::answered_only:
-            return "where choices that timed out are left out";
+            return "if choices that timed out are left out";
         case AnswerChoice::unanswered_wrong:
-            return "where choices that were skipped count as wrong";
+            return "if skipped choices count as wrong";
     }
     return "";
 }
@@ -85,16 +84,16 @@ void remarkUnanswered(AnalysisResult& result) {
     for (const ResponseRow& row : result.table.rows) timed_out += row.unanswered.empty() ? 0 : 1;
     const std::size_t skipped = result.table.skipped_rows.size();
     if (timed_out > 0)
-        result.remarks.push_back(fmt::format(
-            "{} {} made in time and {} as wrong: the table of choices that were not made has the accuracy "
-            "without them, too.",
-            timed_out, timed_out == 1 ? "choice was not" : "choices were not",
-            timed_out == 1 ? "counts" : "count"));
+        result.remarks.push_back(
+            fmt::format("{} {} made in time and {} as wrong: the table of choices that were not made also "
+                        "has the accuracy without them.",
+                        timed_out, timed_out == 1 ? "choice was not" : "choices were not",
+                        timed_out == 1 ? "counts" : "count"));
     if (skipped > 0)
-        result.remarks.push_back(fmt::format(
-            "{} {} skipped by the experimenter and left out: the table of choices that were not made has the "
-            "accuracy with them as wrong, too.",
-            skipped, skipped == 1 ? "choice was" : "choices were"));
+        result.remarks.push_back(
+            fmt::format("{} {} skipped by the experimenter and left out: the table of choices that were not "
+                        "made also has the accuracy with them as wrong.",
+                        skipped, skipped == 1 ? "choice was" : "choices were"));
     int known = 0;
     int all = 0;
     for (const ChanceResult& one : result.chance) {
@@ -102,10 +101,10 @@ void remarkUnanswered(AnalysisResult& result) {
         all += one.n;
     }
     if (known > 0 && known < all)
-        result.remarks.push_back(fmt::format(
-            "Of {} of {} choices it is not known among how many balls they were made: they have no part in "
-            "the comparison with chance.",
-            all - known, all));
+        result.remarks.push_back(
+            fmt::format("For {} of {} choices the number of balls is not known: they are not used in the "
+                        "comparison with chance.",
+                        all - known, all));
 }
 
 /// Bootstrap intervals of so few participants that they cannot reach their level.
@@ -117,9 +116,8 @@ void remarkFewParticipants(AnalysisResult& result) {
                 min = one.by_participant.size();
     if (min > 0)
         result.remarks.push_back(fmt::format(
-            "Intervals of means of {} participants are too narrow: even from the least to the "
-            "greatest of {} means "
-            "covers the middle in {:.4g} % of all samples, and {:.4g} % were asked for.",
+            "Intervals of means of {} participants are too narrow: even the range of {} means covers the "
+            "median in only {:.4g} % of all samples, and {:.4g} % were requested.",
             min, min, 100.0 * (1.0 - std::ldexp(1.0, 1 - static_cast<int>(min))), 100.0 * result.level));
 }
 
@@ -134,13 +132,13 @@ void remarkRounded(AnalysisResult& result) {
         ++n;
     }
     if (n > 0)
-        result.remarks.push_back(fmt::format(
-            "{} {} a rounded fraction and {} taken as that fraction ({}), so that what is equal on "
-            "paper is tied.",
-            n, n == 1 ? "answer is" : "answers are", n == 1 ? "is" : "are", example));
+        result.remarks.push_back(
+            fmt::format("{} {} a rounded fraction and {} read as that fraction ({}), so that what is equal "
+                        "on paper is tied.",
+                        n, n == 1 ? "answer is" : "answers are", n == 1 ? "is" : "are", example));
 }
 
-/// Decisions that hang on whose answers, and which, are taken.
+/// Decisions that depend on whose answers, and which, are taken.
 void remarkSensitivity(AnalysisResult& result) {
     for (const SensitivityResult& one : result.sensitivity) {
         const auto remark = [&](const char* choice, const AdjustedTest& other) {
@@ -183,17 +181,16 @@ void remarkAnswers(AnalysisResult& result) {
                                       table.planned_participants));
     if (interrupted > 0)
         remarks.push_back(fmt::format(
-            "{} answers were given to trials that had been interrupted and shown again from the start.",
+            "{} answers were given in trials that had been interrupted and shown again from the start.",
             interrupted));
     if (table.withdrawn > 0)
-        remarks.push_back(fmt::format("{} {} withdrew; nothing of theirs is kept.", table.withdrawn,
+        remarks.push_back(fmt::format("{} {} withdrew; none of their data is kept.", table.withdrawn,
                                       table.withdrawn == 1 ? "participant" : "participants"));
     for (const Factor& factor : table.between)
         if (table.origins.empty() || factor.name != study_factor)
             remarks.push_back(
                 fmt::format("Participants differ in {}: systems are compared over all of them, whatever "
-                            "their {}; the groups "
-                            "are compared apart.",
+                            "their {}; the groups are compared separately.",
                             factor.name, factor.name));
 }
 
@@ -238,7 +235,7 @@ void remarkConfounded(AnalysisResult& result) {
         if (one_each && all.size() > 1)
             result.remarks.push_back(
                 fmt::format("All participants of a study have the same {0}, and not all studies do: no test "
-                            "can tell a difference between studies from one of {0}.",
+                            "can separate a difference between studies from one of {0}.",
                             factor.name));
     }
 }

@@ -145,11 +145,11 @@ Result<void> checkStudiesMeet(const ResponseTable& table, bool stations_together
         people_apart = people_apart || kind.starts_with("people, ");
     }
     return fail(table.database,
-                fmt::format("no two studies have answers of one kind: {}; these are never one mean",
+                fmt::format("no two studies have answers of the same kind: {}; these are never averaged",
                             fmt::join(found, ", ")),
                 people_apart && by_kind.size() > 1 && !by_kind.contains("simulated participants")
                     ? "--stations together compares people's answers of all stations"
-                    : "A report of each study by itself has them");
+                    : "A separate report of each study has them");
 }
 
 }  // namespace deixis::results

@@ -50,8 +50,8 @@ Result<void> checkMeasures(const ResponseTable& one, const ResponseTable& other)
                           std::inserter(shared, shared.end()));
     const auto keep = [&]() -> std::string {
         if (shared.empty())
-            return fmt::format("The two share no measure: {} and {}", listed(here), listed(there));
-        return fmt::format("Studies are compared in what all of them measured: --measure {}",
+            return fmt::format("The two have no measure in common: {} and {}", listed(here), listed(there));
+        return fmt::format("Studies are compared in measures that all of them have: --measure {}",
                            fmt::join(shared, " --measure "));
     };
     for (const std::string& name : here) {
@@ -65,7 +65,7 @@ Result<void> checkMeasures(const ResponseTable& one, const ResponseTable& other)
                         keep());
         if (measure.kind != same->kind)
             return fail(other.database,
-                        fmt::format("\"{}\" is answered in another way than in {}", name, calledIn(one)),
+                        fmt::format("\"{}\" has another kind of answers than in {}", name, calledIn(one)),
                         "Give the two measures different names");
         if (measure.kind != MeasureKind::rating || (measure.low == same->low && measure.high == same->high))
             continue;
@@ -88,13 +88,13 @@ Result<void> checkMeasures(const ResponseTable& one, const ResponseTable& other)
 Result<void> checkTogether(const std::vector<ResponseTable>& tables, const JoinChoice& choice) {
     const ResponseTable& first = tables.front();
     if (answeredMeasures(first).empty())
-        return fail(first.database, "holds no answers to systems, which could be compared by study");
+        return fail(first.database, "has no answers on systems that could be compared by study");
     for (const ResponseTable& table : tables) {
         for (const auto* factors : {&table.between, &table.within})
             for (const Factor& factor : *factors)
                 if (factor.name == study_factor)
                     return fail(table.database,
-                                "has a factor \"study\" of its own, as which studies are compared",
+                                "has its own factor \"study\", which is the name for comparing studies",
                                 "Give that factor another name");
         if (&table == &first) continue;
         if (auto checked = checkMeasures(first, table); !checked) return checked;
@@ -130,7 +130,7 @@ Result<void> keepSharedSystems(std::vector<ResponseTable>& tables) {
         return fail(tables.back().database,
                     fmt::format("no system is in all studies: {} in {}, {} in {}", listed(systems.front()),
                                 calledIn(tables.front()), listed(systems.back()), calledIn(tables.back())),
-                    "Systems are compared by their names: what is the same system must be called the same");
+                    "Systems are compared by name: the same system must have the same name");
     for (std::size_t i = 0; i < tables.size(); ++i) {
         ResponseTable& table = tables[i];
         NameSet gone;
@@ -146,8 +146,8 @@ Result<void> keepSharedSystems(std::vector<ResponseTable>& tables) {
         std::erase_if(table.choices, goes);
         std::erase_if(table.watched, [&](const ObservedChoice& one) { return goes(one.seen); });
         table.notes.push_back(
-            fmt::format("not in all studies, and left out here ({} answers): {}. The report of this study "
-                        "alone has them.",
+            fmt::format("not in all studies, and left out here ({} answers): {}. A separate report of this "
+                        "study has them.",
                         before - table.rows.size(), listed(gone)));
         // What was planned on the other systems alone is not known.
         table.planned_answers.clear();

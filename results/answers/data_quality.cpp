@@ -144,7 +144,7 @@ People participantsOf(const ResponseTable& table) {
     return out;
 }
 
-/// Those who count and those who do not, without what hangs on what others answered.
+/// Those who count and those who do not, without what depends on what others answered.
 People judgedAlone(const ResponseTable& table) {
     People people = participantsOf(table);
     judgeTimes(people.rows, people.judged);

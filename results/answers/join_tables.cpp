@@ -106,7 +106,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
                     !is_new && known->second != files.size() - 1)
                     return fail(
                         table.database,
-                        fmt::format("participant {} stands in {} too", row.participant, files[known->second]),
+                        fmt::format("participant {} is also in {}", row.participant, files[known->second]),
                         "Analyse one of the two, or give the participants different names");
             }
         }
@@ -120,12 +120,12 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
             return fail(next.database,
                         fmt::format("its study (SHA-256 {:.12}) is not that of {} ({:.12})", next.study_hash,
                                     out.database, out.study_hash),
-                        "Only databases of the same study file are analysed together");
+                        "Only databases of the same study file can be analysed together");
         if (auto claimed = claim(next); !claimed) return tl::unexpected(claimed.error());
         if (const Measure* other = otherKind(out.measures, next.measures))
             return fail(
                 next.database,
-                fmt::format("\"{}\" is answered in another way than in {}", other->name, out.database),
+                fmt::format("\"{}\" has another kind of answers than in {}", other->name, out.database),
                 "Give the two measures different names");
         addOnce(out.systems, next.systems);
         addOnce(out.layouts, next.layouts);

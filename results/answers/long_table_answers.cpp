@@ -47,7 +47,7 @@ Result<void> LongTableReader::checkScale(const std::string& name, double value, 
     return fail(where(column),
                 fmt::format("found \"{}\", beyond the scale of {} ({:g} to {:g})", cell(column), name,
                             scale->second.low, scale->second.high),
-                "Empty the cell where that stands for no answer, or correct --scale");
+                "Empty the cell if that means no answer, or correct --scale");
 }
 
 Result<void> LongTableReader::addRow(const ResponseRow& answer, const std::string& name, MeasureKind kind,
@@ -59,7 +59,7 @@ Result<void> LongTableReader::addRow(const ResponseRow& answer, const std::strin
     };
     if (kind == MeasureKind::rating && name == accuracy_)
         return fail(fmt::format("{}:{}", file_, record_.line),
-                    "a rating is called \"accuracy\", as right and wrong choices are",
+                    "a rating is called \"accuracy\", the name for correct choices",
                     "Give it another name in a column \"measure\"");
     Measure& of = measureNamed(name, kind);
     if (of.kind != kind)
@@ -86,7 +86,7 @@ Result<void> LongTableReader::readPreference(const ResponseRow& row, LongColumn 
     if (called != preference_of_)
         return fail(where(measure),
                     fmt::format("found preferences in \"{}\", and in \"{}\" before", called, preference_of_),
-                    "Analyse them apart, in files of their own");
+                    "Analyse them separately, in separate files");
     return addRow(row, preference_, MeasureKind::preference, *value);
 }
 
@@ -97,7 +97,7 @@ Result<void> LongTableReader::readUnanswered(const ResponseRow& row) {
                     "Only choices time out or are skipped");
     if (const TruthCell is_right = truth(correct); !is_right.missing && is_right.value.value_or(true))
         return fail(where(status), fmt::format("found \"{}\" beside a right choice", cell(status)),
-                    "Where nothing was chosen, \"correct\" is 0 or empty");
+                    "If nothing was chosen, \"correct\" is 0 or empty");
     if (row.unanswered == "timed_out") return addRow(row, accuracy_, MeasureKind::accuracy, 0.0);
     if (row.excluded.empty()) {
         ResponseRow& skipped = table_.skipped_rows.emplace_back(row);

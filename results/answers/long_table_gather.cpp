@@ -26,7 +26,7 @@ Result<void> LongTableReader::nameResponses() {
         }
         if (accuracy)
             table_.notes.push_back(fmt::format(
-                "Every response in \"{}\" is 0 or 1: they are taken as wrong and right.", stage_name));
+                "Every response in \"{}\" is 0 or 1: they are read as wrong and right.", stage_name));
     }
     return {};
 }
@@ -59,7 +59,7 @@ Result<void> LongTableReader::finishMeasures() {
         return fail(file_,
                     fmt::format("has numbers with a decimal comma ({}) and with a decimal point ({})",
                                 decimal_comma_, decimal_point_),
-                    "Write all of them in one way");
+                    "Write all of them in the same way");
     if (!decimal_comma_.empty())
         table_.notes.push_back(
             fmt::format("Commas in numbers are read as decimal points, as in {}.", decimal_comma_));
@@ -73,7 +73,7 @@ Result<void> LongTableReader::finishMeasures() {
             for (const Measure& one : table_.measures)
                 if (one.kind == MeasureKind::rating) ratings.push_back(one.name);
             return fail("--scale",
-                        fmt::format("found \"{}\", and {} has no ratings of that name", name, file_),
+                        fmt::format("found \"{}\", but {} has no ratings of that name", name, file_),
                         fmt::format("Its ratings: {}",
                                     ratings.empty() ? "none" : fmt::format("{}", fmt::join(ratings, ", "))));
         }
@@ -130,14 +130,15 @@ Result<ResponseTable> LongTableReader::finish() {
     partLeftOut();
     if (table_.rows.empty())
         return fail(file_, table_.left_out_rows.empty()
-                               ? "holds no answers to analyse"
-                               : "holds no answers to analyse: everybody who answered is excluded");
+                               ? "has no answers to analyse"
+                               : "has no answers to analyse: everybody who answered is excluded");
     nameScales();
     if (auto finished = finishMeasures(); !finished) return tl::unexpected(finished.error());
-    if (empty_ > 0) table_.notes.push_back(fmt::format("{} lines hold no answer.", empty_));
+    if (empty_ > 0) table_.notes.push_back(fmt::format("{} lines have no answer.", empty_));
     if (unscored_checks_ > 0)
-        table_.notes.push_back(fmt::format(
-            "{} attention checks are left out; whether they were passed is not told.", unscored_checks_));
+        table_.notes.push_back(
+            fmt::format("{} attention checks are left out; the data do not say whether they were passed.",
+                        unscored_checks_));
     for (auto* rows : {&table_.rows, &table_.left_out_rows, &table_.skipped_rows})
         sortByParticipantAndTrial(*rows);
     return std::move(table_);

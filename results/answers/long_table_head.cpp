@@ -67,7 +67,7 @@ class HeadReader {
 
   private:
     [[nodiscard]] std::string columnsFound() const {
-        return fmt::format("The columns found, parted by {}: {}", separatorName(separator_),
+        return fmt::format("Columns found, separated by {}: {}", separatorName(separator_),
                            fmt::join(titles_, ", "));
     }
 
@@ -77,7 +77,7 @@ class HeadReader {
             const std::string known = plainWord(meaning);
             if (!columnNamed(known))
                 return fail(
-                    "--column", fmt::format("found \"{}\", which is no column that is read", meaning),
+                    "--column", fmt::format("found \"{}\", which is not a column that is read", meaning),
                     fmt::format("One of: {}, {}", fmt::join(long_column_names, ", "), in_milliseconds));
             const std::string wanted = plainWord(column);
             const auto found = std::find_if(titles_.begin(), titles_.end(), [&](const std::string& title) {
@@ -140,14 +140,14 @@ class HeadReader {
         for (const LongColumn needed : {participant, system})
             if (!head_.place(needed))
                 return fail(file_, fmt::format("has no column \"{}\"", nameOf(needed)),
-                            fmt::format("A long table has one line an answer, with columns participant, "
+                            fmt::format("A long table has one line per answer, with columns participant, "
                                         "system, and correct, rating or response; --column {}=NAME says what "
                                         "the file calls it. {}",
                                         nameOf(needed), columnsFound()));
         if (!head_.exported && !head_.place(correct) && !head_.place(rating) && !head_.place(response))
             return fail(file_, "has none of the columns \"correct\", \"rating\" and \"response\"",
-                        "Name the column of the answers so, or say what it is called, as in --column "
-                        "rating=NAME. " +
+                        "Use one of these names for the column of the answers, or give its name, as in "
+                        "--column rating=NAME. " +
                             columnsFound());
         return {};
     }
@@ -172,10 +172,10 @@ class HeadReader {
         for (std::size_t i = 0; i < head_.width; ++i) {
             if (plainWord(titles_[i]) != wanted) continue;
             if (columnNamed(names_[i]))
-                return fail(file_, fmt::format("{} {}: this column has a meaning of its own", option, name),
+                return fail(file_, fmt::format("{} {}: this column already has a meaning", option, name),
                             "Name another column");
             if (found || taken(i))
-                return fail(file_, fmt::format("{} {}: the column stands twice", option, name));
+                return fail(file_, fmt::format("{} {}: the column is named twice", option, name));
             found = i;
         }
         if (!found)

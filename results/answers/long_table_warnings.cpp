@@ -38,8 +38,8 @@ void warnNames(const std::set<std::string>& names, const std::string& of, std::v
         if (together.size() > 1) doubtful.push_back(fmt::format("{}", fmt::join(together, " and ")));
     if (!doubtful.empty())
         notes.push_back(
-            fmt::format("{} that differ in case, spaces or zeros only count as different: {}. Write them "
-                        "alike where they are one.",
+            fmt::format("{} that differ only in case, spaces or zeros count as different: {}. If they are "
+                        "the same, write them in the same way.",
                         of, fmt::join(doubtful, "; ")));
 }
 
@@ -95,9 +95,8 @@ void warnDuplicates(const ResponseTable& table, std::vector<std::string>& notes)
     }
     if (first == nullptr) return;
     notes.push_back(
-        fmt::format("{} {} like another one in participant, measure, system, item and place among the "
-                    "trials, such as {}'s of "
-                    "{} in {}{}: {} counted. Take out what was written twice.",
+        fmt::format("{} {} the same participant, measure, system, item and position among the trials as "
+                    "another one, such as {}'s of {} in {}{}: {} counted. Remove duplicates.",
                     twice, twice == 1 ? "answer is" : "answers are", first->participant, first->measure,
                     first->system, first->target_id.empty() ? "" : fmt::format(", item {}", first->target_id),
                     twice == 1 ? "it is" : "they are"));
@@ -127,12 +126,11 @@ void warnSentinels(const ResponseTable& table, std::vector<std::string>& notes) 
         const double range = of.high - of.low;
         for (const auto& [code, n] : of.coded)
             if (code < 0 ? of.low >= 0.0 && range >= 2.0 : code - of.high > range && range > 0.0)
-                notes.push_back(
-                    fmt::format("{} {} of {} {} {:g}, apart from the others ({:g} to {:g}), and {} counted. "
-                                "Empty these cells if "
-                                "that stands for no answer; --scale {}={:g}..{:g} would refuse them.",
-                                n, n == 1 ? "answer" : "answers", measure.name, n == 1 ? "is" : "are", code,
-                                of.low, of.high, n == 1 ? "is" : "are", measure.name, of.low, of.high));
+                notes.push_back(fmt::format(
+                    "{} {} of {} {} {:g}, far from the others ({:g} to {:g}), and {} counted. Empty these "
+                    "cells if that means no answer; --scale {}={:g}..{:g} would reject them.",
+                    n, n == 1 ? "answer" : "answers", measure.name, n == 1 ? "is" : "are", code, of.low,
+                    of.high, n == 1 ? "is" : "are", measure.name, of.low, of.high));
     }
 }
 
@@ -146,24 +144,22 @@ void warnTimes(const ResponseTable& table, std::vector<std::string>& notes) {
     std::nth_element(times.begin(), middle, times.end());
     if (*middle >= long_s)
         notes.push_back(
-            fmt::format("Half of the response times are {:g} s or longer. Where the file has milliseconds, "
-                        "name its column: "
-                        "--column rt_ms=NAME.",
+            fmt::format("Half of the response times are {:g} s or longer. If the file has milliseconds, name "
+                        "the column: --column rt_ms=NAME.",
                         *middle));
 }
 
 void warnLetters(const ForeignCsv& csv, std::vector<std::string>& notes) {
     if (!csv.taken_for_windows_1252.empty())
         notes.push_back(
-            fmt::format("The file is not in UTF-8 and was read as Windows-1252 (Latin-1), by which its first "
-                        "letter beyond ASCII "
-                        "is \"{}\". Save it in UTF-8 where that is wrong.",
+            fmt::format("The file is not in UTF-8 and was read as Windows-1252 (Latin-1), in which its first "
+                        "letter beyond ASCII is \"{}\". If that is wrong, save it in UTF-8.",
                         csv.taken_for_windows_1252));
     // A capital A with a tilde before a sign: the two bytes of a letter, each taken for one.
     const auto at = csv.text.find("\xC3\x83\xC2");
     if (at != std::string::npos)
         notes.push_back(fmt::format(
-            "Letters look as if UTF-8 had been read as Latin-1 and saved so, the first in line {}.",
+            "Letters look as if UTF-8 had been read as Latin-1 and saved, the first in line {}.",
             1 + std::count(csv.text.begin(), csv.text.begin() + static_cast<std::ptrdiff_t>(at), '\n')));
 }
 
@@ -179,9 +175,8 @@ std::optional<std::string> warningOfUnread(const std::vector<std::string>& unrea
             }
     if (found.empty()) return std::nullopt;
     return fmt::format(
-        "{} may tell of attention checks or of who is to be left out, and {} no part in what follows. "
-        "--column "
-        "excluded={} leaves those participants out; --column attention={} takes marked lines for checks.",
+        "{} may be about attention checks or exclusions, and {} not used. --column excluded={} leaves those "
+        "participants out; --column attention={} treats marked lines as checks.",
         fmt::join(found, ", "), found.size() == 1 ? "has" : "have", found.front(), found.front());
 }
 

@@ -200,10 +200,10 @@ MeasureOfAnswers readMeasures(SQLite::Database& database, const std::string& peo
     for (const Measure& preference : preferences) addMeasure(table, preference);
     MeasureOfAnswers measures;
     for (const std::string& name : nameByScale(scales))
-        table.notes.push_back(fmt::format(
-            "{} is asked on different scales: each scale is a measure of its own here, since their answers "
-            "have no common mean.",
-            name));
+        table.notes.push_back(
+            fmt::format("{} is asked on different scales: each scale is a separate measure here, since their "
+                        "answers have no common mean.",
+                        name));
     for (const StageScale& one : scales) {
         addMeasure(table, {one.measure, MeasureKind::rating, one.low, one.high, 0,
                            planned(database, people, one.stage, one.each_stimulus, one.measure, table)});
@@ -377,19 +377,19 @@ ResponseTable readTable(SQLite::Database& database, const fs::path& path, const 
 
 Result<ResponseTable> readSound(SQLite::Database& database, const fs::path& path) {
     if (database.execAndGet("SELECT count(*) FROM study").getInt() == 0)
-        return fail(path.string(), "the database holds no study yet", "Run a session with it first");
+        return fail(path.string(), "the database has no study yet", "Run a session with it first");
     ResponseTable table = readTable(database, path, effectiveParticipants());
     const auto by_rule = leftOutByRule(table);
     if (!by_rule.empty()) table = readTable(database, path, effectiveParticipants(by_rule));
     if (table.rows.empty() && table.scores.empty() && !table.left_out_rows.empty())
         return fail(path.string(), "everybody who answered is excluded or dropped out",
-                    by_rule.empty() ? "deixis participants include counts them again, without consent only "
-                                      "once it is given"
+                    by_rule.empty() ? "deixis participants include counts them again; those without consent "
+                                      "only once they give it"
                                     : "The study's rule [analysis.leave_out] leaves out " +
                                           std::to_string(by_rule.size()) + " of them");
     if (table.rows.empty() && table.scores.empty())
         return fail(path.string(),
-                    fmt::format("the database holds no answers yet ({} participants planned)",
+                    fmt::format("the database has no answers yet ({} participants planned)",
                                 table.planned_participants),
                     "Run a session with it first");
     return table;
@@ -403,8 +403,8 @@ Result<ResponseTable> readResponses(SQLite::Database& database, const fs::path& 
     } catch (const nlohmann::json::exception& problem) {
         return fail(
             path.string(),
-            fmt::format("the database is damaged: a text that is to be JSON is none ({})", problem.what()),
-            "Go on with a copy from before the damage");
+            fmt::format("the database is damaged: a text that should be JSON is not ({})", problem.what()),
+            "Continue with a copy from before the damage");
     }
 }
 

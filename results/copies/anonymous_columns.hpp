@@ -6,7 +6,7 @@
 
 namespace deixis::results {
 
-/// Columns, parted by ", ". One that stands in none of the lists stops the copy: whoever adds a column
+/// Columns, separated by ", ". One that stands in none of the lists stops the copy: whoever adds a column
 /// decides.
 struct ColumnHandling {
     const char* table;

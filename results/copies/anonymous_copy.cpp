@@ -280,7 +280,7 @@ class AnonymousCopier {
         Statement rows(from_, "SELECT what FROM locked_changes ORDER BY utc_s, id");
         Statement insert(to_, "INSERT INTO locked_changes (utc_s, what, reason) VALUES (0.0, ?, ?)");
         while (rows.executeStep()) {
-            nlohmann::ordered_json what{{"changes", {"its files; which ones is left out here"}}};
+            nlohmann::ordered_json what{{"changes", {"its files (not named here)"}}};
             if (const auto before = lockedBefore(rows.getColumn(0).getString()))
                 if (const auto known = options_.locked.find(*before); known != options_.locked.end())
                     what["from"] = known->second;

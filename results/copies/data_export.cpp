@@ -117,7 +117,7 @@ std::string codebook(SQLite::Database& database, const std::vector<ExportedFile>
 /// In it all files are written first, and then moved to their places in the export's folder.
 constexpr const char* staging_name = ".export-under-way";
 
-// A folder of ours may be written over, anything else may not. One that was broken off has its staging yet.
+// A folder of ours may be written over, anything else may not. One that was interrupted has its staging yet.
 Result<void> checkFolder(const fs::path& folder) {
     std::error_code code;
     if (!fs::exists(folder, code)) return {};
@@ -127,7 +127,7 @@ Result<void> checkFolder(const fs::path& folder) {
     if (fs::is_empty(folder, code) || fs::exists(folder / "codebook.json", code) ||
         fs::exists(folder / staging_name, code))
         return {};
-    return fail(folder.string(), "the folder is not empty and holds no earlier export",
+    return fail(folder.string(), "the folder is not empty and does not contain an earlier export",
                 "Name another one with -o");
 }
 

@@ -48,27 +48,27 @@ ExportedFile participantsFile(SQLite::Database& database, const AnonymousNames& 
     const auto fields = names(database, "SELECT DISTINCT field FROM participant_fields ORDER BY 1");
     std::vector<ColumnSpec> columns{{"participant", text, "Pseudonymous id"}};
     if (!anonymise)
-        columns.push_back({"number", whole, "Number within the study, which the order of trials follows"});
+        columns.push_back({"number", whole, "Number within the study, which determines the order of trials"});
     columns.push_back({"language", text, "Language of the participant's texts"});
     columns.push_back({"status", text,
-                       "active, excluded (leaves the analysis) or dropped (left the study, or refused "
+                       "active, excluded (left out of the analysis) or dropped (left the study, or declined "
                        "consent when last asked)"});
     if (!anonymise) {
-        columns.push_back({"reason", text, "Of exclusion or dropping out"});
+        columns.push_back({"reason", text, "Why excluded or dropped out"});
         columns.push_back({"registered_utc", text, "First seen, UTC"});
     }
-    columns.push_back({"sessions", whole, "How often the program ran with the participant"});
+    columns.push_back({"sessions", whole, "How many times the program ran with the participant"});
     columns.push_back(
-        {"answered", whole, "Units answered: trials, practice and pages; no consent that was declined"});
+        {"answered", whole, "Units answered: trials, practice and pages, but not declined consent"});
     columns.push_back(
-        {"planned", whole, "Units planned; further attempts at a practice once they have begun"});
+        {"planned", whole, "Units planned, including further attempts at a practice once they have begun"});
     columns.push_back({"checks_failed", whole, "Attention checks failed"});
     columns.push_back({"consent", truth, "1 agreed, 0 declined, when last asked; empty: not asked"});
     for (const auto& factor : factors)
-        columns.push_back({"group_" + factor, text, "Level of this factor between participants"});
+        columns.push_back({"group_" + factor, text, "Level of this between-participants factor"});
     for (const auto& field : fields)
         columns.push_back({"field_" + field, text, "Answer to this question about the participant"});
-    ExportedFile out{"participants.csv", "One row for each participant; who withdrew is not among them.",
+    ExportedFile out{"participants.csv", "One row for each participant, except those who withdrew.",
                      CsvTable(std::move(columns))};
     Statement rows(
         database,
@@ -117,13 +117,12 @@ ExportedFile participantsFile(SQLite::Database& database, const AnonymousNames& 
 }
 
 ExportedFile scoresFile(SQLite::Database& database, const AnonymousNames& naming) {
-    ExportedFile out{
-        "scores.csv",
-        "Scores of questionnaires by their published rules; empty where an item was not answered.",
-        CsvTable({{"participant", text, "Pseudonymous id"},
-                  {"stage", text, "Name of the stage in the study file"},
-                  {"score", text, "Name of the score"},
-                  {"value", number, "Its value"}})};
+    ExportedFile out{"scores.csv",
+                     "Scores of questionnaires by their published rules; empty if an item was not answered.",
+                     CsvTable({{"participant", text, "Pseudonymous id"},
+                               {"stage", text, "Name of the stage in the study file"},
+                               {"score", text, "Name of the score"},
+                               {"value", number, "Its value"}})};
     const auto scores = readQuestionnaireScores(database);
     for (const std::string& participant : naming.participants())
         for (const QuestionnaireScore& score : scores) {
@@ -173,11 +172,11 @@ Result<ExportedFile> trackingFile(SQLite::Database& database, const AnonymousNam
     std::vector<ColumnSpec> columns{
         {"participant", text, "Pseudonymous id"},
         {"session", whole, "One session of a participant with the program"},
-        {"trial_index", whole, "Trial under way; empty: none"},
+        {"trial_index", whole, "Current trial; empty: none"},
         {"frame", whole, "Number of the frame"},
         {"display_time_s", number, "When it was shown, on the station's clock", "s"},
         {"dropped_frames", whole, "Display periods without a new frame before it"},
-        {"off_place_m", number, "How far the head was from its place", "m"}};
+        {"off_place_m", number, "Distance of the head from its place", "m"}};
     addPoseColumns(columns, "head", "Head");
     for (const char* hand : {"left", "right"})
         addPoseColumns(columns, fmt::format("aim_{}", hand),

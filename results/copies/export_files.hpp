@@ -19,7 +19,7 @@ struct ExportedFile {
     CsvTable table;
 };
 
-/// One row a participant; a column for each factor between participants and each declared field.
+/// One row a participant; a column for each between-participants factor and each declared field.
 [[nodiscard]] ExportedFile participantsFile(SQLite::Database& database, const AnonymousNames& naming,
                                             bool anonymise);
 /// The questionnaires' scores, a row each.

@@ -53,8 +53,7 @@ std::string kindsWithBalls() {
 ExportedFile questionsFile(SQLite::Database& database) {
     ExportedFile out{"questions.csv",
                      "What was asked, in the language of the database's first session: one row for each "
-                     "option or labelled "
-                     "step of a question, one for a question without any.",
+                     "option or labelled step of a question, or one for a question without any.",
                      CsvTable({{"stage", text, "Name of the stage in the study file"},
                                {"kind", text, "Kind of the stage"},
                                {"measure", text, "What a rating measures in the report"},

@@ -18,7 +18,7 @@ const ExportColumn participant_column{
 const ExportColumn session{
     {"session", whole, "One session of a participant with the program"}, "session", Privacy::session};
 const ExportColumn trial_index{
-    {"trial_index", whole, "Which answered unit, from 0 over all sessions in the order planned"},
+    {"trial_index", whole, "Which answered unit, from 0 over all sessions in the planned order"},
     "trial_index"};
 
 /// SQL for what a row of responses_flat measures, as the kinds of stages declare it.
@@ -44,8 +44,8 @@ ExportTable responsesTable() {
         {
             participant_column,
             {{"participant_status", text,
-              "active, excluded (leaves the analysis) or dropped (left the study, or refused consent when "
-              "last asked)"},
+              "active, excluded (left out of the analysis) or dropped (left the study, or declined consent "
+              "when last asked)"},
              "participant_status"},
             session,
             trial_index,
@@ -64,8 +64,8 @@ ExportTable responsesTable() {
             {{"measure", text, "What the answer measures in the report; empty: nothing, or a choice"},
              measureOfAnswer()},
             {{"stimulus", whole, "Which of the trial's clips, from 0; empty: of both, or none"}, "stimulus"},
-            {{"system", text, "System that made the clip; of a pair the one that stood left"}, "system"},
-            {{"other_system", text, "Of a pair: the one that stood right"}, "other_system"},
+            {{"system", text, "System that made the clip; of a pair the one on the left"}, "system"},
+            {{"other_system", text, "Of a pair: the one on the right"}, "other_system"},
             {{"item", text, "Item (target) that the clip is for"}, "item"},
             {{"scored", truth, "1: counts in the analysis; 0: practice, an attention check, a page"},
              "scored"},
@@ -86,7 +86,7 @@ ExportTable responsesTable() {
             {{"chosen_place", whole, "Game: the ball chosen, from 0 in the order shown"}, "chosen_place"},
             {{"target_place", whole, "Game: the ball that was the target"}, "target_place"},
             {{"balls", whole, "Game: how many balls were shown"}, "json_array_length(balls)"},
-            {{"correct", truth, "Game: 1 where the target was chosen"}, "correct"},
+            {{"correct", truth, "Game: 1 if the target was chosen"}, "correct"},
             {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
             {{"check_passed", truth, "Attention check: 1 passed, 0 failed"}, "check_passed"},
             {{"layout", text, "Where the participant stood"}, "layout"},
@@ -94,33 +94,32 @@ ExportTable responsesTable() {
              "viewer_x_m"},
             {{"viewer_z_m", number, "", "m"}, "viewer_z_m"},
             {{"viewer_heading_deg", number,
-              "Where the participant was to face: 0 as the avatar does, 180 back at it", "degrees"},
+              "Where the participant was asked to face: 0 as the avatar does, 180 at the avatar", "degrees"},
              "heading_deg"},
             {{"distance", text, "Game: band of the distractors' distance"}, "distance"},
             {{"target_id", text, "Item of the trial"}, "target_id"},
-            {{"response_time_s", number, "From the end of the motion to the answer, less pauses", "s"},
+            {{"response_time_s", number, "From the end of the motion to the answer, without pauses", "s"},
              "response_time_s"},
-            {{"replays", whole, "How often a clip was asked for again"}, "replays"},
-            {{"plays", whole, "How often this clip was shown to its end"}, "plays"},
-            {{"pauses", whole, "How often the trial was interrupted"}, "pauses"},
-            {{"paused_s", number, "How long while the answer was open", "s"}, "paused_s"},
-            {{"begun_before", truth, "1: its clip had been begun in an earlier session, which broke off"},
+            {{"replays", whole, "How many times a clip was replayed on request"}, "replays"},
+            {{"plays", whole, "How many times this clip was shown to its end"}, "plays"},
+            {{"pauses", whole, "How many times the trial was interrupted"}, "pauses"},
+            {{"paused_s", number, "For how long while the answer was open", "s"}, "paused_s"},
+            {{"begun_before", truth, "1: its clip had started in an earlier session, which was interrupted"},
              "begun_before"},
-            {{"marked", text, "Why the trial is in doubt: interrupted, off place; empty: it is not"},
+            {{"marked", text, "Why the trial is doubtful: interrupted, off place; empty: it is not"},
              "(SELECT group_concat(why, ', ') FROM (SELECT 'interrupted' AS why WHERE f.pauses > 0 OR "
              "f.begun_before UNION ALL SELECT 'off place' WHERE EXISTS (SELECT 1 FROM events AS v WHERE "
              "v.session = f.session AND v.trial_index = f.trial_index AND v.kind = 'off_place')))"},
-            {{"input", text, "ray or key; empty where nothing was answered"}, "input"},
+            {{"input", text, "ray or key; empty if nothing was answered"}, "input"},
             {{"dropped_frames", whole, "Display periods without a new frame during the trial"},
              "dropped_frames"},
-            {{"samples_missing", whole, "Tracked frames of the trial that were not kept"}, "samples_missing"},
-            {{"max_off_place_m", number, "Farthest that the head was from its place in the trial", "m"},
+            {{"samples_missing", whole, "Tracked frames of the trial that were not stored"},
+             "samples_missing"},
+            {{"max_off_place_m", number, "Largest distance of the head from its place in the trial", "m"},
              "max_off_place_m"},
             {{"clip_file", text, "File of the clip"}, "clip_file", Privacy::left_out},
             {{"clip_hash", text, "SHA-256 of the clip's bytes"}, "clip_hash"},
-            {{"clip", whole,
-              "Which of the system's clips for the item, from 0; more than one where several stand "
-              "for it"},
+            {{"clip", whole, "Which of the system's clips for the item, from 0, if there are several"},
              "clip"},
             {{"author", text, "Who made the clip, as its manifest says"}, "author", Privacy::left_out},
             {{"author_trial", whole, "In which of the author's trials"}, "author_trial"},
@@ -163,7 +162,7 @@ ExportTable trialsTable() {
             {{"attempt", whole, "Practice: which attempt, from 0"}, "attempt"},
             {{"page", whole, "Questionnaire: which page, from 0"}, "page"},
             {{"stimuli", text,
-              "Clips in the order shown, SYSTEM/ITEM parted by ';', with /CLIP where that is not 0"},
+              "Clips in the order shown, SYSTEM/ITEM separated by ';', with /CLIP if that is not 0"},
              "(SELECT group_concat(one, ';') FROM (SELECT s.system || '/' || s.item || CASE WHEN s.clip > 0 "
              "THEN '/' || s.clip ELSE '' END AS one FROM "
              "trial_stimuli AS s WHERE "
@@ -181,8 +180,8 @@ ExportTable trialsTable() {
              "(SELECT CAST(value AS INTEGER) FROM trial_values AS v WHERE v.participant = t.participant AND "
              "v.trial_index = t.trial_index AND v.name = 'target_place')"},
             {{"visibility", text,
-              "Game: share of each ball's disc that is seen from the layout's places, with the avatar at "
-              "rest and pointing, JSON"},
+              "Game: visible share of each ball's disc from the layout's places, with the avatar at rest and "
+              "pointing, JSON"},
              "visibility"},
             {{"least_seen_headset", number,
               "Game: the smallest of these shares of any ball, at the place for a headset"},
@@ -190,13 +189,12 @@ ExportTable trialsTable() {
             {{"least_seen_desktop", number, "The same at the place for a desktop"},
              "(SELECT min(s.atom) FROM json_tree(t.visibility, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
             {{"angles", text,
-              "Game: how far each distractor looks from the target, as the avatar's eyes and the "
-              "participant's "
-              "at the layout's places see it, JSON",
+              "Game: angle between each distractor and the target, as seen by the avatar and by the "
+              "participant at the layout's places, JSON",
               "degrees"},
              "angles"},
-            {{"least_angle_avatar_deg", number,
-              "Game: the smallest of these angles as the avatar's eyes see it", "degrees"},
+            {{"least_angle_avatar_deg", number, "Game: the smallest of these angles as seen by the avatar",
+              "degrees"},
              "(SELECT min(s.atom) FROM json_tree(t.angles, '$.avatar') AS s WHERE s.atom IS NOT NULL)"},
             {{"least_angle_headset_deg", number, "The same from the place for a headset", "degrees"},
              "(SELECT min(s.atom) FROM json_tree(t.angles, '$.headset') AS s WHERE s.atom IS NOT NULL)"},
@@ -204,7 +202,7 @@ ExportTable trialsTable() {
              "(SELECT min(s.atom) FROM json_tree(t.angles, '$.desktop') AS s WHERE s.atom IS NOT NULL)"},
             {{"check_kind", text, "Attention check: number, catch or repeat"}, "check_kind"},
             {{"check_stimulus", whole, "Number: the clip with which it is shown"}, "check_stimulus"},
-            {{"check_expected", number, "Number: the number to be given"}, "check_expected"},
+            {{"check_expected", number, "Number: the number to enter"}, "check_expected"},
             {{"check_of_trial", whole, "Repeat: the trial that is repeated"}, "check_of_trial"},
         }};
 }
@@ -212,7 +210,7 @@ ExportTable trialsTable() {
 ExportTable sessionsTable() {
     return {
         "sessions.csv",
-        "One row for each time that the program ran with a participant.",
+        "One row for each run of the program with a participant.",
         "FROM sessions AS e WHERE participant = ?1 ORDER BY id",
         {
             participant_column,
@@ -226,18 +224,19 @@ ExportTable sessionsTable() {
             {{"started_utc", text, "Beginning, UTC"},
              "strftime('%Y-%m-%dT%H:%M:%fZ', started_utc_s, 'unixepoch')",
              Privacy::left_out},
-            {{"ended_utc", text, "End, UTC; empty where the program ended without saying so"},
+            {{"ended_utc", text, "End, UTC; empty if the program ended unexpectedly"},
              "strftime('%Y-%m-%dT%H:%M:%fZ', ended_utc_s, 'unixepoch')",
              Privacy::left_out},
             {{"duration_s", number, "From beginning to end", "s"}, "ended_utc_s - started_utc_s"},
-            {{"outcome", text, "finished, quit, aborted, declined or excluded; empty: it broke off, or runs"},
+            {{"outcome", text,
+              "finished, quit, aborted, declined or excluded; empty: ended unexpectedly, or still running"},
              "outcome"},
         }};
 }
 
 ExportTable eventsTable() {
     return {"events.csv",
-            "What happened, in the order in which it did; the kinds are listed in docs/database.md.",
+            "What happened, in order; the kinds are listed in docs/database.md.",
             "FROM (SELECT v.*, e.participant FROM events AS v JOIN sessions AS e ON e.id = v.session) WHERE "
             "participant = ?1 "
             "ORDER BY id",
@@ -249,8 +248,8 @@ ExportTable eventsTable() {
                  "strftime('%Y-%m-%dT%H:%M:%fZ', utc_s, 'unixepoch')",
                  Privacy::left_out},
                 {{"kind", text, "What happened"}, "kind"},
-                {{"trial_index", whole, "Trial under way; empty: none"}, "trial_index"},
-                {{"detail", text, "More about it"},
+                {{"trial_index", whole, "Current trial; empty: none"}, "trial_index"},
+                {{"detail", text, "Details"},
                  "detail",
                  Privacy::kept,
                  "CASE WHEN kind LIKE 'operator\\_%' ESCAPE '\\' OR kind = 'quit' THEN '' ELSE detail END"},
@@ -270,7 +269,7 @@ void joinColumns(SQLite::Database& database, std::vector<ExportColumn>& columns)
         }
     };
     add("SELECT DISTINCT factor FROM participant_groups ORDER BY 1", "group_",
-        "The participant's level of this factor between participants",
+        "The participant's level of this between-participants factor",
         [](const std::string& one, const char*) {
             return "(SELECT level FROM participant_groups WHERE participant = ?1 AND factor = " + one + ")";
         });

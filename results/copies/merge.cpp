@@ -106,8 +106,7 @@ Result<Source> readSource(const fs::path& path) {
         Source source;
         source.path = path;
         Statement study(database, "SELECT name, hash FROM study");
-        if (!study.executeStep())
-            return fail(path.string(), "the database holds no study yet", "Leave it out");
+        if (!study.executeStep()) return fail(path.string(), "the database has no study yet", "Leave it out");
         source.study_name = study.getColumn(0).getString();
         source.study_hash = study.getColumn(1).getString();
         source.withdrawals = Withdrawals().addFrom(database);
@@ -165,10 +164,9 @@ std::vector<Error> findClashes(const std::vector<Source>& sources) {
         for (const Source& source : sources)
             sets += fmt::format("{}{} has {:.16}", sets.empty() ? "" : ", ", source.path.string(),
                                 source.locked.in_force);
-        problems.push_back(
-            {"", "the databases' studies were locked with other files: " + sets,
-             "Compare the lists locked.sha256 in the folders NAME.locked beside them, and take one "
-             "of these files to all stations with 'deixis run --accept-changes'"});
+        problems.push_back({"", "the databases' studies were locked with other files: " + sets,
+                            "Compare the lists locked.sha256 in the folders NAME.locked beside them, and use "
+                            "one of these files at all stations with 'deixis run --accept-changes'"});
     }
     std::map<std::string, const Source*> by_id;
     std::map<int, Known> by_number;
@@ -177,16 +175,16 @@ std::vector<Error> findClashes(const std::vector<Source>& sources) {
         if (source.study_hash != first.study_hash)
             problems.push_back(
                 {source.path.string(),
-                 fmt::format("holds the study '{}' ({}), but {} holds '{}' ({})", source.study_name,
+                 fmt::format("has the study '{}' ({}), but {} has '{}' ({})", source.study_name,
                              source.study_hash.substr(0, 12), first.path.string(), first.study_name,
                              first.study_hash.substr(0, 12)),
-                 "Only databases of one study file, unchanged, can be joined"});
+                 "Only databases of one unchanged study file can be joined"});
         for (const std::string& id : source.participants) {
             const auto [same, is_new] = by_id.emplace(id, &source);
             if (!is_new) {
                 if (same->second->kept.at(id) != source.kept.at(id))
                     problems.push_back({source.path.string(),
-                                        fmt::format("participant {} stands in {} too, with other answers", id,
+                                        fmt::format("participant {} is also in {}, with other answers", id,
                                                     same->second->path.string()),
                                         "Two people must not share an id"});
                 continue;
@@ -196,9 +194,9 @@ std::vector<Error> findClashes(const std::vector<Source>& sources) {
             if (!free)
                 problems.push_back(
                     {source.path.string(),
-                     fmt::format("participant {} has the number {}, which {} of {} has too", id, number,
+                     fmt::format("participant {} has the number {}, which {} of {} also has", id, number,
                                  other->second.participant, other->second.source->path.string()),
-                     "Give each station ids with numbers of its own, such as A001 and B101"});
+                     "Give each station its own ids and numbers, such as A001 and B101"});
         }
     }
     return problems;
@@ -344,7 +342,7 @@ tl::expected<MergeOutcome, std::vector<Error>> mergeDatabases(const std::vector<
     std::error_code code;
     if (fs::exists(output, code))
         problems.push_back(
-            {output.string(), "exists already; nothing is written over", "Name another file with -o"});
+            {output.string(), "exists already and is not overwritten", "Name another file with -o"});
     else if (auto orphan = orphanBeside(output))
         problems.push_back(std::move(*orphan));
     std::vector<Source> sources;

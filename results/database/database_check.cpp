@@ -26,10 +26,9 @@ std::string flat(std::string text) {
 }
 
 tl::unexpected<Error> damaged(const std::filesystem::path& path, const std::string& what) {
-    return fail(
-        path.string(), fmt::format("the database is damaged: {}", what),
-        "Nothing was read from it or written to it. Go on with a copy from before the damage; what can "
-        "be saved of this one, the sqlite3 shell's .recover writes to a new file");
+    return fail(path.string(), fmt::format("the database is damaged: {}", what),
+                "Nothing was read from it or written to it. Continue with a copy from before the damage; the "
+                "sqlite3 shell's .recover writes what can be saved to a new file");
 }
 
 Result<void> checkStructure(SQLite::Database& database, const std::filesystem::path& path) {
@@ -42,10 +41,10 @@ Result<void> checkReferences(SQLite::Database& database, const std::filesystem::
     SQLite::Statement row(database, "SELECT \"table\", rowid, parent FROM pragma_foreign_key_check LIMIT 1");
     if (!row.executeStep()) return {};
     const auto number = row.getColumn(1);
-    return damaged(path, fmt::format("table {}, {} refers to a row of {} that is not there",
-                                     row.getColumn(0).getString(),
-                                     number.isNull() ? "a row" : fmt::format("row {}", number.getInt64()),
-                                     row.getColumn(2).getString()));
+    return damaged(
+        path, fmt::format("table {}, {} refers to a row of {} that is missing", row.getColumn(0).getString(),
+                          number.isNull() ? "a row" : fmt::format("row {}", number.getInt64()),
+                          row.getColumn(2).getString()));
 }
 
 Result<void> checkAnswers(SQLite::Database& database, const std::filesystem::path& path) {
@@ -57,8 +56,8 @@ Result<void> checkAnswers(SQLite::Database& database, const std::filesystem::pat
             fmt::format("table responses, row {} (participant {}, trial {}): this answer is not as it "
                         "was written: the file is damaged, or another program has changed it",
                         answer->id, answer->participant, answer->trial_index),
-            fmt::format("Nothing was read from it or written to it. Go on with a copy from before; where "
-                        "the change is meant: UPDATE responses SET hash = NULL WHERE id = {}",
+            fmt::format("Nothing was read from it or written to it. Continue with an earlier copy; if the "
+                        "change is intended: UPDATE responses SET hash = NULL WHERE id = {}",
                         answer->id));
     }
     return {};

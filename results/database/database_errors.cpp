@@ -22,7 +22,7 @@ Error describe(const std::filesystem::path& path, const SQLite::Exception& probl
                     "Close the program that has it open (another deixis, an SQLite browser), then try again"};
         case SQLITE_READONLY:
             if (problem.getExtendedErrorCode() == SQLITE_READONLY_ROLLBACK)
-                return {where, "a change of the database was broken off and has to be undone first",
+                return {where, "a change of the database was interrupted and has to be undone first",
                         "Give yourself write permission for the file, its '-journal' and their folder"};
             return {where, "the database can be read but not written",
                     "Give yourself write permission for the file and its folder, or name another file"};

@@ -55,14 +55,13 @@ bool holdsPages(std::string_view journal) {
 }
 
 Error orphan(const fs::path& database, const fs::path& left, std::string_view state) {
-    return {
-        database.string(),
-        fmt::format("'{}' stands beside it with the latest answers of a database that is not there: this "
-                    "one is {}",
-                    left.filename().string(), state),
-        "Nothing was opened or changed. Give the database, which was renamed, moved or replaced, its name "
-        "back beside that file: the answers are read into it. Keep copies of both, and name another "
-        "database meanwhile"};
+    return {database.string(),
+            fmt::format(
+                "'{}' is beside it, with the latest answers of a database that is missing: this one is {}",
+                left.filename().string(), state),
+            "Nothing was opened or changed. The database was renamed, moved or replaced: give it back its "
+            "name beside that file, and the answers are read into it. Keep copies of both, and use another "
+            "database until then"};
 }
 
 }  // namespace
@@ -92,10 +91,10 @@ std::optional<Error> orphanBeside(const fs::path& database) {
     if (!fs::exists(database, code) && fs::exists(copy, code))
         return Error{
             database.string(),
-            fmt::format("is not there, and '{}' beside it holds the answers of one of this name that was "
+            fmt::format("is missing, and '{}' beside it has the answers of a database of this name that was "
                         "renamed, moved or deleted in a session",
                         copy.filename().string()),
-            "Give that file this name to go on with it, or take it to another folder to start again"};
+            "Give that file this name to continue with it, or move it to another folder to start again"};
     return std::nullopt;
 }
 

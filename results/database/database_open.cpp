@@ -93,7 +93,7 @@ bool isLocked(const SQLite::Exception& problem) {
 
 Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing,
                                      std::chrono::milliseconds patience) {
-    // SQLite does not wait for every lock: where two might wait for each other, one is refused at once.
+    // SQLite does not wait for every lock: where two might wait for each other, one is rejected at once.
     const auto until = std::chrono::steady_clock::now() + patience;
     for (;;) {
         try {
@@ -131,7 +131,7 @@ Result<ReadOnlyDatabase> openReadOnly(const fs::path& path, WithLog log) {
         const auto whose = identify(database, path);
         if (!whose) return tl::unexpected(whose.error());
         if (whose->version == 0)
-            return fail(path.string(), "the database holds no study yet", "Run a session with it first");
+            return fail(path.string(), "the database has no study yet", "Run a session with it first");
         if (auto sound = checkWhole(database, path, whose->version); !sound) {
             // A writer may have begun, and changed what was read without its log.
             if (without_log &&

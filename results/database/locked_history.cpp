@@ -40,8 +40,7 @@ std::vector<std::string> changeNotes(SQLite::Database& database) {
             if (plans.executeStep()) before = plans.getColumn(0).getInt();
         }
         out.push_back(fmt::format(
-            "The study was changed while it was under way ({}): {}. {} participant{} seen it as it was "
-            "before.",
+            "The study was changed while it was running ({}): {}. {} participant{} seen it as it was before.",
             rows.getColumn(1).getString(), changes, before, before == 1 ? " has" : "s have"));
     }
     return out;

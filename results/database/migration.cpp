@@ -54,10 +54,10 @@ Result<void> migrate(SQLite::Database& database, int from_version, const std::fi
     }
     database.exec(createViews());
     if (database.execAndGet("SELECT count(*) FROM pragma_foreign_key_check").getInt() != 0)
-        return fail(path.string(),
-                    fmt::format("the database of version {} has rows that refer to rows which are not there",
-                                from_version),
-                    "It was changed by another program; use a copy from before that");
+        return fail(
+            path.string(),
+            fmt::format("the database of version {} has rows that refer to missing rows", from_version),
+            "It was changed by another program; use a copy from before that");
     database.exec(fmt::format("PRAGMA application_id = {}", application_id));
     database.exec(fmt::format("PRAGMA user_version = {}", schema_version));
     return {};

@@ -31,10 +31,9 @@ Result<void> checkTable(SQLite::Database& database, const std::filesystem::path&
             if (!value.isText() || storableText(value.getString())) continue;
             return fail(
                 path.string(),
-                fmt::format(
-                    "table {}, row with {}: the column {} holds '{}', which is no text in UTF-8, and no "
-                    "server can hold it",
-                    table, rowName(row, key), row.getColumnName(i), storable(value.getString())),
+                fmt::format("table {}, row with {}: the column {} has '{}', which is not UTF-8 text and "
+                            "cannot be stored on a server",
+                            table, rowName(row, key), row.getColumnName(i), storable(value.getString())),
                 "Correct it in a copy with an SQLite browser, and push that");
         }
     return {};

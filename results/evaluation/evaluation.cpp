@@ -83,7 +83,7 @@ Result<void> findClusters(Evaluation& evaluation) {
     const auto found = meanShift(training, evaluation.mean_shift_bandwidth);
     if (!found)
         return fail(input.training_source,
-                    "no bandwidth for MeanShift follows: neighbouring targets coincide",
+                    "no bandwidth for MeanShift can be estimated: neighbouring targets coincide",
                     "Give --meanshift-bandwidth");
     for (const auto& centre : found->centres)
         evaluation.clusters.push_back({Vec3(centre[0], centre[1], centre[2]), 0, 0});
@@ -139,26 +139,26 @@ void addRemarks(Evaluation& evaluation) {
     for (const SystemEvaluation& system : evaluation.systems) {
         if (system.missing > 0)
             remarks.push_back(
-                fmt::format("{}: {} of {} ha{} no accuracy: no gesture is found, or the hand moves at "
-                            "{:g} m/s or faster in every frame of the window.",
+                fmt::format("{}: {} of {} ha{} no accuracy: no gesture was found, or the hand moves at {:g} "
+                            "m/s or faster in every frame of the window.",
                             system.system, clips(system.missing), system.clips.size(),
                             system.missing == 1 ? "s" : "ve", evaluation.input.rule.slower_than_m_s));
         if (system.phases_found > 0)
-            remarks.push_back(fmt::format(
-                "{}: the manifest gives no phases for {}; hand and time of pointing were found from "
-                "the hands' movement.",
-                system.system, clips(system.phases_found)));
+            remarks.push_back(
+                fmt::format("{}: the manifest gives no phases for {}; hand and time of pointing were "
+                            "detected from the movement.",
+                            system.system, clips(system.phases_found)));
         if (system.placed > 0)
-            remarks.push_back(fmt::format(
-                "{}: {} {} placed at the origin, facing ahead, by the first frame, from where the target is "
-                "given.",
-                system.system, clips(system.placed), system.placed == 1 ? "was" : "were"));
+            remarks.push_back(
+                fmt::format("{}: {} {} placed at the origin, facing ahead, by the first frame, since the "
+                            "target is given relative to the figure.",
+                            system.system, clips(system.placed), system.placed == 1 ? "was" : "were"));
         if (system.away > 0)
-            remarks.push_back(fmt::format(
-                "{}: {} begin{} half a metre or more from the origin, or {} away from it; the targets are "
-                "taken to be given in the clips' coordinates.",
-                system.system, clips(system.away), system.away == 1 ? "s" : "",
-                system.away == 1 ? "faces" : "face"));
+            remarks.push_back(
+                fmt::format("{}: {} begin{} half a metre or more from the origin, or {} away from it; the "
+                            "targets are assumed to be given in the clips' coordinates.",
+                            system.system, clips(system.away), system.away == 1 ? "s" : "",
+                            system.away == 1 ? "faces" : "face"));
     }
     std::set<std::set<Place>> sets;
     for (const SystemEvaluation& system : evaluation.systems) {
@@ -168,7 +168,8 @@ void addRemarks(Evaluation& evaluation) {
     }
     if (sets.size() > 1)
         remarks.emplace_back(
-            "The systems were not made for the same targets: their accuracies are not of the same places.");
+            "The systems' clips were not made for the same targets: their accuracies are for different "
+            "places.");
 }
 
 }  // namespace

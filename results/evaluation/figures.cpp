@@ -78,11 +78,11 @@ Figure accuracyBoxes(const Evaluation& evaluation, Numbering& figures) {
     return {"accuracy",
             figures.next() +
                 " Accuracy of every clip (the paper&#8217;s Figure&#160;9). Box: quartiles, notched at the "
-                "median where the notch lies within the box; diamond: mean; whiskers: 5th and 95th "
+                "median if the notch lies within the box; diamond: mean; whiskers: 5th and 95th "
                 "percentile. Right: the same as angle between "
                 "forearm and target; dashed: the ceiling." +
                 (thinned ? fmt::format(" Points: at most {} of a system&#8217;s clips, evenly from the "
-                                       "smallest to the largest; all else is of all clips.",
+                                       "smallest to the largest; everything else uses all clips.",
                                        max_box_points)
                          : std::string()),
             fmt::format("Box plots of the clips' accuracy by system; medians: {}.", mediansText(plot)),
@@ -105,10 +105,11 @@ Figure accuracyDifferences(const Evaluation& evaluation, Numbering& figures) {
     return {
         "differences",
         figures.next() +
-            " Differences of accuracy at the targets that both systems were made for (points), and their "
-            "typical difference with its interval (Hodges&#8211;Lehmann; filled and starred where p is at "
-            "most 0.05 after Holm&#8217;s correction). Right of 0 the system named first is more accurate." +
-            (thinned ? fmt::format(" At most {} points a pair are drawn, evenly from the smallest to the "
+            " Differences of accuracy at the targets that both systems have clips for (points), and the "
+            "typical difference with its interval (Hodges&#8211;Lehmann; filled and starred if p is at most "
+            "0.05 after Holm&#8217;s correction). To the right of 0, the system named first is more "
+            "accurate." +
+            (thinned ? fmt::format(" At most {} points per pair are drawn, evenly from the smallest to the "
                                    "largest difference.",
                                    max_difference_points)
                      : std::string()),
@@ -344,8 +345,8 @@ Figure densityScatter(const Evaluation& evaluation, std::size_t index, Numbering
                             ? fmt::format(" {} of {} clips are drawn, evenly along the density.",
                                           max_scatter_points, order.size())
                             : std::string()),
-            fmt::format("{}: accuracy of {} clips against the density of the training targets; the "
-                        "correlation stands in a table of this page.",
+            fmt::format("{}: accuracy of {} clips against the density of the training targets; a table of "
+                        "this page has the correlation.",
                         system.system, order.size()),
             {{"height", 220}, {"layer", std::move(layers)}}};
 }

@@ -58,7 +58,7 @@ Result<void> readGames(Evaluation& evaluation) {
                                                      clips == 1 ? "" : "s", why, clips == 1 ? "it" : "them"));
     };
     note(of_other_targets, "were made for targets that the study does not have");
-    note(without_lines, "show no line of eye or arm");
+    note(without_lines, "have no line of eye or arm");
     return {};
 }
 

@@ -22,11 +22,11 @@ std::string bandwidthWords(const Evaluation& evaluation) {
     const std::string rule =
         evaluation.bandwidth_rule == "given" ? "given"
         : evaluation.bandwidth_rule == "normal-reference"
-            ? "Scott&#8217;s rule as statsmodels&#8217; KDEMultivariate has it, "
+            ? "Scott&#8217;s rule as in statsmodels&#8217; KDEMultivariate, "
               "1.06&#160;&#963;&#160;n<sup>&#8722;1/7</sup>"
         : evaluation.bandwidth_rule == "scott"
             ? "Scott&#8217;s rule, &#963;&#160;n<sup>&#8722;1/7</sup>"
-            : "Scott&#8217;s rule on the whole covariance, as SciPy&#8217;s gaussian_kde";
+            : "Scott&#8217;s rule on the whole covariance, as in SciPy&#8217;s gaussian_kde";
     return fmt::format("[{}] m ({})", values, rule);
 }
 
@@ -46,7 +46,7 @@ std::string syntheticNote(const Evaluation& evaluation) {
     std::string out = "\n<p class=\"synthetic\"><b>Synthetic:</b> ";
     if (!systems.empty())
         out += fmt::format(
-            "{} {} built into this program, made by formulas and not learned from people (marked * below). ",
+            "{} {} built into this program, made by formulas, not learned from people (marked * below). ",
             systems, systems.find(", ") == std::string::npos ? "is a system" : "are systems");
     if (training)
         out +=
@@ -79,7 +79,7 @@ std::string findings(const Evaluation& evaluation) {
     if (!correlations.empty())
         correlations =
             "Spearman's correlation of accuracy with the density of the training targets: " + correlations +
-            "; p, and p after Holm's correction, stand in the table.";
+            "; the table has p and p after Holm's correction.";
     return "\n" +
            itemsHtml({observersFinding(evaluation.observers), means, raysFinding(evaluation), correlations});
 }
@@ -113,7 +113,7 @@ std::string profilesSection(const Evaluation& evaluation, Numbering& figures, Nu
     return "\n<h2>Around the time of pointing</h2>\n<p class=\"small intro\">Reward and speed of the "
            "pointing hand, mean and band of one standard deviation over the clips of each hand (their number "
            "in brackets; the paper&#8217;s Figures 2 and 3). 0 is the time of pointing; steps that fewer "
-           "than half of the clips have are left out. Dashed across: the ceiling of the reward, and the "
+           "than half of the clips have are left out. Dashed lines: the ceiling of the reward, and the "
            "speed below which a frame counts.</p>" +
            figuresPlaced(drawn) + profilesHtml(evaluation, tables);
 }
@@ -127,9 +127,9 @@ std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Nu
     out += figuresPlaced(figureHtml(densityMap(evaluation, figures)));
     out += correlationTable(evaluation, tables);
     out +=
-        "\n<p class=\"small intro\">Accuracy against density, a point a clip (the paper&#8217;s "
-        "Figure&#160;10&#160;A). Diamonds, where there are fifty clips and more: medians of tenths of the "
-        "clips, by density.</p>";
+        "\n<p class=\"small intro\">Accuracy against density, one point per clip (the paper&#8217;s "
+        "Figure&#160;10&#160;A). Diamonds, with at least fifty clips: medians of tenths of the clips, by "
+        "density.</p>";
     std::string drawn;
     for (std::size_t i = 0; i < evaluation.systems.size(); ++i)
         drawn += figureHtml(densityScatter(evaluation, i, figures));
@@ -141,26 +141,26 @@ std::string trainingSection(const Evaluation& evaluation, Numbering& figures, Nu
 std::string methods(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     return fmt::format(
-        "\n<h2>Methods</h2>\n<p>After section 3.2 of Deichler, Wang, Alexanderson and Beskow "
+        "\n<h2>Methods</h2>\n<p>The methods follow section 3.2 of Deichler, Wang, Alexanderson and Beskow "
         "(2023).</p>\n<p><b>Accuracy</b> of a clip is the highest reward, Equation&#160;2: &#952; = 1 "
         "&#8722; angle(hand to target, elbow to hand)/&#960;, reward = (e<sup>&#952;</sup> &#8722; 1)/e, "
-        "among the frames within {:g} s of the time of pointing to either side (a window of {:g} s) in which "
+        "among the frames within {:g} s of the time of pointing on either side (a window of {:g} s) in which "
         "the hand moves slower than {:g} m/s. The time of pointing is the frame in which the pointing "
         "posture is reached, the manifest&#8217;s <i>peak</i>. Speed is that of the hand joint by central "
-        "differences. A clip whose hand is never so slow there has no accuracy: it is counted as missing, "
-        "and nothing is filled in. Clips are measured on their own skeletons. Only the forearm counts, as in "
-        "the paper: an agent that brings eye, fingertip and target into line, as people who point do, scores "
-        "lower than one whose forearm points.</p>\n<p><b>Density</b> is a Gaussian kernel estimate over the "
+        "differences. A clip whose hand is never that slow there has no accuracy: it is counted as missing, "
+        "and nothing is imputed. Clips are measured on their own skeletons. Only the forearm counts, as in "
+        "the paper: an agent that aligns eye, fingertip and target, as people do, scores lower than one "
+        "whose forearm points.</p>\n<p><b>Density</b> is a Gaussian kernel estimate over the "
         "{} "
         "training targets, bandwidths {}. <b>Correlation</b> is Spearman&#8217;s, with mean ranks for ties; "
         "p is exact over all pairings up to nine clips, beyond that by Student&#8217;s "
-        "t.</p>\n<p><b>Clusters</b> are those of MeanShift with a flat kernel, by scikit-learn&#8217;s "
+        "t.</p>\n<p><b>Clusters</b> are those of MeanShift with a flat kernel, with scikit-learn&#8217;s "
         "conventions. A test point belongs to the cluster of its nearest training target, as in section "
         "2.2.2 of the paper.</p>\n<p><b>Systems are compared</b> target by target (several clips of one "
         "system for one target count by their mean). The signed-rank test is exact up to 2,000 targets, ties "
-        "among differences included; differences are rounded to 10<sup>&#8722;9</sup>, and those of zero "
-        "left out of the ranking. Targets are a sample of places, not of people: p says how far the order of "
-        "two systems depends on the places.</p>",
+        "among differences included; differences are rounded to 10<sup>&#8722;9</sup>, and zeros are left "
+        "out of the ranking. Targets are a sample of places, not of people: p says how far the order of two "
+        "systems depends on the places.</p>",
         0.5 * input.rule.window_s, input.rule.window_s, input.rule.slower_than_m_s, input.training.size(),
         bandwidthWords(evaluation));
 }
@@ -206,12 +206,12 @@ std::string renderEvaluation(const Evaluation& evaluation) {
     out += trainingSection(evaluation, figures, tables);
     if (anySynthetic(evaluation))
         out +=
-            "\n<p class=\"small\">* Built into this program and synthetic: a stand-in until learned systems "
-            "come.</p>";
+            "\n<p class=\"small\">* Built into this program and synthetic, until there are learned "
+            "systems.</p>";
     return withContents(lead, out + methods(evaluation) + provenance(evaluation)) +
            pageEnd(
-               "The tables hold their numbers in short; clip by clip, step by step and place by place they "
-               "are in the files that deixis evaluate --csv writes.");
+               "The tables summarise their numbers; deixis evaluate --csv writes them clip by clip, step by "
+               "step and place by place.");
 }
 
 }  // namespace deixis::results

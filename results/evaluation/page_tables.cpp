@@ -87,9 +87,8 @@ std::string accuracyBoxesHtml(const Evaluation& evaluation, Numbering& numbering
             for (Cell& cell : cellsOf(fields, *box)) row.cells.push_back(std::move(cell));
         }
     return tableHtml(table,
-                     "What the box plots draw: quantiles of the accuracy of a system\u2019s clips; no notch "
-                     "where it would "
-                     "reach beyond its box.",
+                     "What the box plots show: quantiles of the accuracy of a system\u2019s clips; no notch "
+                     "if it would reach beyond its box.",
                      numbering);
 }
 
@@ -132,9 +131,8 @@ std::string clustersHtml(const Evaluation& evaluation, Numbering& numbering) {
     return tableHtml(
         table,
         fmt::format(
-            "Clusters of the training targets (MeanShift, bandwidth {:.3g} m{}): centre, sizes, and the mean "
-            "accuracy of each system at the test points whose nearest training target belongs to the "
-            "cluster.",
+            "Clusters of the training targets (MeanShift, bandwidth {:.3g} m{}): centre, sizes, and each "
+            "system's mean accuracy at the test points whose nearest training target is in the cluster.",
             evaluation.mean_shift_bandwidth, evaluation.mean_shift_estimated ? ", estimated" : ""),
         shown, numbering);
 }
@@ -147,7 +145,7 @@ std::string comparisonsHtml(const Evaluation& evaluation, Numbering& numbering) 
                      "targets at which both have "
                      "one. Typical: Hodges and Lehmann\u2019s estimate with its interval of 95\u00a0%. r: "
                      "rank-biserial "
-                     "correlation, 1 where the first is better at every target. p: Wilcoxon\u2019s "
+                     "correlation, 1 if the first is better at every target. p: Wilcoxon\u2019s "
                      "signed-rank test, two-sided; "
                      "Holm: adjusted over all pairs of the table.",
                      {"pair", "targets", "mean_difference", "sd", "mean_difference_deg", "typical",

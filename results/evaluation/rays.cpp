@@ -47,7 +47,7 @@ std::string raysFinding(const Evaluation& evaluation) {
     }
     out += ".";
     if (orders.size() > 1 && evaluation.systems.size() > 1) {
-        out += " <b>The rays do not put the systems in the same order</b>:";
+        out += " <b>The rays do not rank the systems in the same order</b>:";
         first = true;
         for (const auto& [order, rays] : orders) {
             std::vector<std::string> names;
@@ -59,7 +59,7 @@ std::string raysFinding(const Evaluation& evaluation) {
         }
         out += " (best first).";
     } else if (evaluation.systems.size() > 1) {
-        out += " All rays put the systems in the same order.";
+        out += " All rays rank the systems in the same order.";
     }
     return out;
 }
@@ -79,13 +79,11 @@ std::string raysHtml(const Evaluation& evaluation, Numbering& tables) {
                                                              quantile(errors, 0.25), quantile(errors, 0.75)));
         }
     }
-    return tableHtml(
-        table,
-        "Every ray side by side: angle between it and the target, degrees, in the frame of the accuracy; "
-        "mean "
-        "and quartiles over clips. Equation\u00a02 takes the forearm. Which of them people read is an open "
-        "question that this table does not answer.",
-        tables, dense_table);
+    return tableHtml(table,
+                     "All rays side by side: the angle to the target, in degrees, in the frame of the "
+                     "accuracy; mean and quartiles over clips. Equation\u00a02 uses the forearm. Which of "
+                     "them people read is an open question that this table does not answer.",
+                     tables, dense_table);
 }
 
 }  // namespace deixis::results

@@ -26,7 +26,7 @@ Json levelTestsJson(const Table& tests, const std::string& factor) {
     return tableJson(tests.where("factor", factor));
 }
 
-/// The rest of what factors within participants come to, beside layouts and distances.
+/// The rest of what within-participants factors come to, beside layouts and distances.
 void addLevels(Json& out, const AnalysisResult& result) {
     out["layouts"] = tableJson(tables::levels(result, "layout", "layout"));
     out["distances"] = tableJson(tables::levels(result, "distance", "distance"));

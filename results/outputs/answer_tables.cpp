@@ -111,21 +111,21 @@ Table levels(const AnalysisResult& result, const std::string& factor, const char
 }
 
 Table pooledRatings(const AnalysisResult& result) {
-    return withScales(tableOf<PooledResult>(
-                          "pooled_ratings", units::ratings, "Ratings taken one by one (pseudo-replicated)",
-                          {{"measure", &PooledResult::measure, {.heading = true}},
-                           {"system", &PooledResult::system},
-                           {"n", &PooledResult::n},
-                           {"mean", &PooledResult::mean},
-                           {"sd", [](auto& one) { return known(one.n > 1, one.sd); }},
-                           {"q05", &PooledResult::q05},
-                           {"q25", &PooledResult::q25},
-                           {"median", &PooledResult::median},
-                           {"q75", &PooledResult::q75},
-                           {"q95", &PooledResult::q95},
-                           noteField<PooledResult>("pseudo-replicated: answers taken as independent")},
-                          result.pooled),
-                      result);
+    return withScales(
+        tableOf<PooledResult>("pooled_ratings", units::ratings, "Single ratings (pseudo-replicated)",
+                              {{"measure", &PooledResult::measure, {.heading = true}},
+                               {"system", &PooledResult::system},
+                               {"n", &PooledResult::n},
+                               {"mean", &PooledResult::mean},
+                               {"sd", [](auto& one) { return known(one.n > 1, one.sd); }},
+                               {"q05", &PooledResult::q05},
+                               {"q25", &PooledResult::q25},
+                               {"median", &PooledResult::median},
+                               {"q75", &PooledResult::q75},
+                               {"q95", &PooledResult::q95},
+                               noteField<PooledResult>("pseudo-replicated: answers treated as independent")},
+                              result.pooled),
+        result);
 }
 
 Table responseTimes(const AnalysisResult& result) {
@@ -167,7 +167,7 @@ Table participantMeans(const AnalysisResult& result) {
     return out;
 }
 
-/// What the tables hang on and do not tell.
+/// What the tables depend on and do not tell.
 Table settings(const AnalysisResult& result) {
     Table out{"settings", units::none, "Settings"};
     out.columns = {{"name", ColumnKind::text}, {"value", ColumnKind::number}};

@@ -82,7 +82,7 @@ Table observers(const std::vector<ObserverReading>& readings, const char* trials
         for (std::size_t i = 0; i < observer_names.size(); ++i) rows.push_back({&one, i});
     return tableOf<Reading>(
         "observers", units::trials,
-        "Correct choices that simulated observers are expected to make; no evidence about people",
+        "Expected correct choices of simulated observers; no evidence about people",
         {{"system", [](auto& one) { return one.of->system; }},
          {"layout", [](auto& one) { return one.of->layout; }},
          {"observer", [](auto& one) { return observer_names[one.observer]; }},

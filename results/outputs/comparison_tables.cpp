@@ -8,7 +8,7 @@ namespace deixis::results::tables {
 
 namespace {
 
-constexpr const char* pseudo_replicated = "pseudo-replicated: ratings taken as independent";
+constexpr const char* pseudo_replicated = "pseudo-replicated: ratings treated as independent";
 const Show heading{.heading = true};
 const Show in_files{.in = in_data};
 
@@ -126,7 +126,7 @@ Table interactions(const AnalysisResult& result) {
     fields.push_back({"mean_difference", &InteractionResult::mean_difference, in_files});
     return withScales(
         tableOf("interactions", units::differences,
-                "Differences a - b under c less those under d: signed-rank tests of participants' means",
+                "Differences a - b under c minus those under d: signed-rank tests of participants' means",
                 joined(std::move(fields), testFields(result)), result.interactions),
         result);
 }
@@ -216,7 +216,7 @@ Table equivalence(const AnalysisResult& result) {
     for (const BetweenResult& one : result.between) add(one);
     return withScales(
         tableOf<EquivalenceRow>("equivalence", units::means,
-                                "Equivalence within bounds that were declared before: two one-sided tests",
+                                "Equivalence within bounds declared in advance: two one-sided tests",
                                 {{"measure", &EquivalenceRow::measure, heading},
                                  {"factor", &EquivalenceRow::factor, heading},
                                  {"system", &EquivalenceRow::system},

@@ -28,7 +28,8 @@ std::string ranked(const ObserverRanking& ranking) {
 std::string observersFinding(const std::vector<ObserverReading>& readings) {
     if (readings.empty()) return "";
     std::string out =
-        "What a simulated observer makes of the same arms depends on how it reads pointing. Its expected "
+        "What a simulated observer chooses after the same arms depends on how it reads pointing. Its "
+        "expected "
         "accuracy, from the lowest to the highest over " +
         fmt::format("{} observers: ", observer_names.size());
     std::string last;
@@ -46,9 +47,9 @@ std::string observersFinding(const std::vector<ObserverReading>& readings) {
         const bool agree = std::all_of(rankings.begin(), rankings.end(),
                                        [&](const auto& one) { return one == rankings.front(); });
         if (agree) {
-            out += " All rank them alike: " + ranked(rankings.front()) + ".";
+            out += " All rank them in the same order: " + ranked(rankings.front()) + ".";
         } else {
-            out += " They do not rank them alike: ";
+            out += " They rank them in different orders: ";
             for (std::size_t i = 0; i < observer_names.size(); ++i)
                 out += fmt::format("{}by {}, {}", i == 0 ? "" : "; ", observer_names[i], ranked(rankings[i]));
             out += ".";
@@ -59,7 +60,7 @@ std::string observersFinding(const std::vector<ObserverReading>& readings) {
         });
         if (groups) out += " (&#8776;: within one percentage point.)";
     }
-    return out + " None of them is shown to read as people do.";
+    return out + " None of them has been shown to read as people do.";
 }
 
 std::string observersTable(const std::vector<ObserverReading>& readings, const char* trials,
@@ -77,23 +78,19 @@ std::string observersTable(const std::vector<ObserverReading>& readings, const c
         wide(all, {"system", "layout", trials}, "observer", {observer_names.begin(), observer_names.end()},
              {{[](const std::string& observer) { return observer; }, cell("accuracy")},
               {[](const std::string&) { return "without error"; }, cell("without_error")}}),
-        "Correct choices that simulated observers are expected to make of the same arms and balls, with the "
-        "noise and "
-        "lapses of the parameters that ship; \u201cwithout error\u201d: with neither, the share in which the "
-        "target is "
-        "what is read. two-cue: the lines of eye and arm and the finger\u2019s place in the own view, each a "
-        "reading; "
-        "arm-finger: the line from the elbow through the fingertip; eye-fingertip: the line from the "
-        "pointer\u2019s eye. "
-        "No evidence about people.",
+        "Expected correct choices of simulated observers after the same arms and with the same balls, with "
+        "the default noise and lapses; \u201cwithout error\u201d: with neither, the share in which the "
+        "target is what is read. two-cue: the lines of eye and arm and the finger\u2019s place in the "
+        "observer\u2019s view, each a reading; arm-finger: the line from the elbow through the fingertip; "
+        "eye-fingertip: the line from the avatar\u2019s eye. No evidence about people.",
         numbering, dense_table);
 }
 
 std::string nearestText(const NearestCeiling& ceiling) {
     return fmt::format(
-        "A system that plays the demonstration whose target is nearest would point {} m beside the test "
-        "target (median over {}); a reader without any error, who sees the balls from between the "
-        "pointer&#8217;s eyes, would then be right in {}.",
+        "A system that plays the demonstration with the nearest target would point {} m beside the test "
+        "target (median over {}); an observer without error, who sees the balls from between the "
+        "avatar&#8217;s eyes, would then be correct in {}.",
         fixedText(ceiling.median_distance_m, 2), ceiling.targets, percent(ceiling.share_right));
 }
 

@@ -23,12 +23,11 @@ std::string reliabilityHtml(const AnalysisResult& result, Numbering& numbering) 
         return "";
     return tableHtml(tables::reliability(result),
                      "How far participants agree in rating the same clips. Krippendorff\u2019s \u03b1 (2011) "
-                     "for interval scales: 1 where "
-                     "all agree, 0 as by chance. ICC of one-way analysis of variance (Shrout & Fleiss 1979), "
+                     "for interval scales: 1 if all agree, 0 at chance level. ICC from one-way analysis of "
+                     "variance (Shrout & Fleiss 1979), "
                      "in which a participant who "
-                     "rates everything higher disagrees: ICC(1,1) of one rating, ICC(1,k) of the mean of k, "
-                     "the clips\u2019 mean number of "
-                     "ratings.",
+                     "rates everything higher disagrees: ICC(1,1): one rating; ICC(1,k): the mean of k, the "
+                     "clips\u2019 mean number of ratings.",
                      numbering);
 }
 
@@ -37,21 +36,21 @@ std::string ruleHtml(const AnalysisResult& result) {
     if (result.table.study_hash.empty()) return "";  // a file of answers knows no rules
     if (!rule.declared())
         return result.table.origins.empty()
-                   ? "<p>The study declares no rule by which answers are left out.</p>"
-                   : "<p>The studies declare no rule in common by which answers are left out; whom a rule of "
-                     "one of them concerns is left out and named below.</p>";
+                   ? "<p>The study declares no rule for leaving out answers.</p>"
+                   : "<p>The studies declare no common rule for leaving out answers; participants left out "
+                     "by the rule of one study are named below.</p>";
     std::string out;
     const auto add = [&out](const std::string& text) { out += (out.empty() ? "" : "; ") + text; };
     if (rule.same_rating_share)
-        add(fmt::format("one rating in at least {:g}&#160;% of a measure&#8217;s",
+        add(fmt::format("the same rating in at least {:g}&#160;% of a measure&#8217;s answers",
                         100.0 * *rule.same_rating_share));
     if (rule.one_side_share)
-        add(fmt::format("one side in at least {:g}&#160;% of the pairs", 100.0 * *rule.one_side_share));
+        add(fmt::format("the same side in at least {:g}&#160;% of the pairs", 100.0 * *rule.one_side_share));
     if (rule.median_time_below_s)
         add(fmt::format("a median response time below {:g}&#160;s", *rule.median_time_below_s));
     return fmt::format(
-        "<p>Declared before the study, of participants with at least {} such answers: {}. Whom that concerns "
-        "is left out, and named among the exclusions below{}.</p>",
+        "<p>Declared before the study, for participants with at least {} such answers: {}. These are left "
+        "out, and named among the exclusions below{}.</p>",
         LeaveOutRule::min_answers, out,
         result.table.left_out_rows.empty() ? "" : "; the section on other choices shows both results");
 }
@@ -64,7 +63,7 @@ std::string nobodyText(const AnalysisResult& result) {
     std::vector<std::string> what;
     if (!result.table.checks.empty()) what.emplace_back("failed a check");
     if (any([](const ParticipantQuality& one) { return one.same_of >= min; }))
-        what.push_back(fmt::format("gave one rating in {:g}&#160;% of a measure&#8217;s ratings",
+        what.push_back(fmt::format("gave the same rating in {:g}&#160;% of a measure&#8217;s ratings",
                                    100.0 * mostly_one_rating));
     if (any([](const ParticipantQuality& one) { return one.decided > 0; }))
         what.push_back(
@@ -113,18 +112,17 @@ std::string participantsHtml(const AnalysisResult& result, Numbering& numbering)
         {"fast", &Row::fast},
         {"slow", &Row::slow},
         {"agreement", &Row::agreement, {.label = "r with others"}}};
-    return tableHtml(tableOf("standing_out", units::participants, "", fields, shown),
-                     fmt::format("Whose answers stand out, {} of {}: a failed check; one rating in "
-                                 "{:g}\u00a0% of a measure\u2019s; one side "
-                                 "of pairs more often than chance (exact binomial test, "
-                                 "p\u00a0\u2264\u00a0{:g}); response times more than 3 "
-                                 "MAD from the median of all participants\u2019 logarithms (Leys et al. "
-                                 "2013) in more than {:g}\u00a0% of the "
-                                 "trials; ratings that go against the others\u2019 means of the same clips "
-                                 "(r\u00a0<\u00a00). The tables have "
-                                 "everybody.",
-                                 n, people.size(), 100.0 * mostly_one_rating, side_p, 100.0 * many_odd_times),
-                     numbering, dense_table);
+    return tableHtml(
+        tableOf("standing_out", units::participants, "", fields, shown),
+        fmt::format("Whose answers stand out, {} of {}: a failed check; the same rating in {:g}\u00a0% of a "
+                    "measure\u2019s answers; one side of pairs more often than chance (exact binomial test, "
+                    "p\u00a0\u2264\u00a0{:g}); response times more than 3 "
+                    "MAD from the median of all participants\u2019 logarithms (Leys et al. "
+                    "2013) in more than {:g}\u00a0% of the "
+                    "trials; ratings opposite to the others\u2019 means of the same clips (r\u00a0<\u00a00). "
+                    "The exported tables have all participants.",
+                    n, people.size(), 100.0 * mostly_one_rating, side_p, 100.0 * many_odd_times),
+        numbering, dense_table);
 }
 
 }  // namespace

@@ -155,10 +155,10 @@ Result<void> excludeParticipant(const std::filesystem::path& database, const std
                                 const std::string& reason) {
     if (trimmed(reason).empty())
         return fail(database.string(),
-                    fmt::format("participant {} is to be excluded, but no reason is given", participant),
-                    "Say why: the reason is kept and reported");
+                    fmt::format("participant {} cannot be excluded without a reason", participant),
+                    "Say why: the reason is recorded and reported");
     if (!storableText(reason))
-        return fail(database.string(), "the reason is no text in UTF-8", "Give it in UTF-8");
+        return fail(database.string(), "the reason is not UTF-8 text", "Give it in UTF-8");
     return changeParticipant(database, participant, [&](SQLite::Database& open) {
         setStatus(open, participant, ParticipantStatus::excluded, reason);
     });

@@ -8,7 +8,7 @@ namespace deixis::results {
 
 tl::unexpected<Error> noParticipant(const std::filesystem::path& database, const std::string& participant) {
     return fail(database.string(), fmt::format("there is no participant {}", participant),
-                "'deixis participants list' tells who there is");
+                "'deixis participants list' lists the participants");
 }
 
 Result<void> changeParticipant(const std::filesystem::path& path, const std::string& participant,

@@ -80,9 +80,9 @@ void clear(SQLite::Database& database, const fs::path& lock_file) {
 
 Error notCleared(const fs::path& path, const Error& why) {
     return {path.string(),
-            fmt::format("every row of the person is erased, but free pages of the file still hold traces: {}",
+            fmt::format("every row of the person is erased, but free pages of the file still have traces: {}",
                         why.message),
-            "See to that, then give the same command again: it goes on where it stopped"};
+            "Fix that, then run the same command again: it continues where it stopped"};
 }
 
 /// Asks as the next program to write would, with journal, log and locks.
@@ -90,7 +90,7 @@ Result<void> verify(const fs::path& path, const std::string& participant) {
     SQLite::Database database(path.string(), SQLite::OPEN_READWRITE, busy_timeout_ms);
     if (!known(database, participant) && !isUncleared(database)) return {};
     return fail(path.string(), fmt::format("participant {} is still there", participant),
-                "Give the same command again, with no other program at work on the file");
+                "Run the same command again while no other program uses the file");
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ Result<Withdrawn> withdrawParticipant(const fs::path& path, const std::string& p
         const bool there = known(*database, participant);
         if (!there && !isUncleared(*database))
             return fail(path.string(), fmt::format("there is no participant {}", participant),
-                        "'deixis participants list' tells who there is");
+                        "'deixis participants list' lists the participants");
         {
             // Kept to the end: nobody may begin a session in between.
             const auto lock = ParticipantLock::take(path, participant);

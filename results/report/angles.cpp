@@ -16,8 +16,8 @@ namespace {
 using Rows = std::vector<AngleResult>;
 
 std::string whoLooks(const std::string& eyes) {
-    return eyes == "avatar" ? std::string("as the avatar\u2019s eyes see it")
-                            : fmt::format("as the participant sees it, {}", eyes);
+    return eyes == "avatar" ? std::string("as seen by the avatar")
+                            : fmt::format("as seen by the participant, {}", eyes);
 }
 
 std::vector<std::string> eyesOf(const Rows& rows) {
@@ -100,10 +100,8 @@ std::string angleTable(const AnalysisResult& result, const Rows& rows, Numbering
     return tableHtml(wide(angles, {"looks", "degrees"}, "system", systems,
                           {{[](const std::string& system) { return system; }, share}}),
                      "Correct choices by the angle from the target to the distractor that looks nearest to "
-                     "it: how many, of how many "
-                     "choices. The participant\u2019s eyes stand where the layout puts them, at the "
-                     "study\u2019s eye height. "
-                     "Nothing is tested here.",
+                     "it: how many, of how many choices. The participant\u2019s eyes are at the "
+                     "layout\u2019s place and the study\u2019s eye height. Nothing is tested here.",
                      numbering, dense_table);
 }
 
@@ -117,12 +115,11 @@ std::string anglesHtml(const AnalysisResult& result, Numbering& figures, Numberi
     for (const std::string& eyes : eyesOf(rows))
         out += figureHtml(
             {fmt::format("angles-{}", ++number),
-             fmt::format("{} Correct choices by how near the nearest distractor looks to the target, "
-                         "{}; larger points stand for more choices.",
+             fmt::format("{} Correct choices by the angle between target and nearest distractor, {}; larger "
+                         "points mean more choices.",
                          figures.next(), escapeHtml(whoLooks(eyes))),
              fmt::format("Share of correct choices by the angle from the target to its nearest "
-                         "distractor ({}), a line for each system; the numbers stand in a table of "
-                         "this page.",
+                         "distractor ({}), one line per system; a table of this page has the numbers.",
                          eyes),
              specOf(result, rows, eyes)});
     return figuresPlaced(out) + angleTable(result, rows, numbering);

@@ -1,4 +1,4 @@
-// Right choices against angles in the report; private to it.
+// Correct choices against angles in the report; private to it.
 #pragma once
 
 #include <string>

@@ -176,12 +176,11 @@ Figure answersFigure(const AnalysisResult& result, std::size_t index, const Step
         rows.push_back({{result.systems[i].system}, result.systems[i].system, counts.counts[i]});
     return {
         fmt::format("answers-{}", index + 1),
-        fmt::format("{} {}: how often each step of the scale was chosen. The middle of the scale lies at 0.",
+        fmt::format("{} {}: how often each step of the scale was chosen. The middle of the scale is at 0.",
                     figures.next(), escapeHtml(capitalised(measure.name))),
-        fmt::format(
-            "Stacked bars of the answers on {} from {} to {}, a bar for each of {} systems; the shares "
-            "stand in a table of this page.",
-            measure.name, measure.low, measure.high, result.systems.size()),
+        fmt::format("Stacked bars of the answers on {} from {} to {}, a bar for each of {} systems; a table "
+                    "of this page has the shares.",
+                    measure.name, measure.low, measure.high, result.systems.size()),
         barsSpec(rows, steps, stepColours(steps.size()))};
 }
 
@@ -197,7 +196,7 @@ Figure preferencesFigure(const AnalysisResult& result, Numbering& figures) {
     }
     return {
         "preferences",
-        fmt::format("{} Preference: answers for A, for neither and for B, whichever stood left.",
+        fmt::format("{} Preference: answers for A, for neither and for B, whichever was on the left.",
                     figures.next()),
         "Stacked bars of the preferences of each pair of systems, in answers." + spoken,
         barsSpec(rows, {"for A", "neither", "for B"}, {stepColour(1.0), stepColour(0.5), stepColour(0.0)})};

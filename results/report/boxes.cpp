@@ -146,11 +146,11 @@ Figure studyBoxPlot(const AnalysisResult& result, std::size_t index, Numbering& 
     for (const AnalysisResult& study : result.by_study) add(study, study.table.study_name);
     add(result, pooled_studies);
     std::string caption = fmt::format(
-        "{} {}: participants' means in each study and over all of them (pooled), in the manner of "
-        "Yoon et al. (2021), Figure 7.",
+        "{} {}: participants' means in each study and over all of them (pooled), as in Yoon et al. (2021), "
+        "Figure 7.",
         figures.next(), shownName(measure));
     if (!plot.brackets.empty()) caption += bracketsText(result);
-    if (too_many) caption += " Where more pairs differ than there is room for brackets: see the tests.";
+    if (too_many) caption += " If more pairs differ than there is room for brackets, see the tests.";
     return {fmt::format("means-{}", index + 1), std::move(caption), std::move(label), boxPlotSpec(plot),
             true};
 }

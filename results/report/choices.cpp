@@ -64,15 +64,13 @@ std::string targetTable(const AnalysisResult& result, Numbering& numbering) {
 
 std::string driftTable(const AnalysisResult& result, Numbering& numbering) {
     if (result.drift.empty()) return "";
-    return tableHtml(tables::drift(result),
-                     "Choices and arms that go on moving while they are held: how often the ball was chosen "
-                     "that is nearest to a "
-                     "line of the arm when the hold begins, and when it ends; then the same of the choices "
-                     "in which these are two "
-                     "balls. arm-finger: from the elbow through the fingertip; eye-fingertip: from the "
-                     "avatar's eye. The hold is "
-                     "found in the clip as a simulated participant finds it.",
-                     numbering, dense_table);
+    return tableHtml(
+        tables::drift(result),
+        "Choices and arms that keep moving during the hold: how often the chosen ball was the one nearest to "
+        "a line of the arm when the hold begins, and when it ends; then the same for choices in which these "
+        "are two balls. arm-finger: from the elbow through the fingertip; eye-fingertip: from the "
+        "avatar's eye. The hold is detected in the clip as a simulated participant detects it.",
+        numbering, dense_table);
 }
 
 }  // namespace

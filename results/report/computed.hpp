@@ -11,11 +11,11 @@ struct Computed {
     bool ratings = false;  ///< single ones, of pairs of systems
     bool author_trials = false;
     bool friedman = false;  ///< of three systems and more
-    bool levels = false;    ///< of factors within participants
+    bool levels = false;    ///< of within-participants factors
     bool preferences = false;
     bool chance = false;
     bool halves = false;         ///< first against second
-    bool systems_apart = false;  ///< systems that no participant met both of
+    bool systems_apart = false;  ///< systems that no participant saw both of
     bool groups = false;
     bool preferences_of_groups = false;
     bool scores = false;  ///< of a questionnaire asked again

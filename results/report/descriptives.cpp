@@ -26,7 +26,7 @@ std::string chanceTable(const AnalysisResult& result, Numbering& numbering) {
             "Correct choices of each system, over all participants{}.",
             accuracy.balls > 1
                 ? fmt::format(", and against chance ({}): signed-rank tests of participants' means of "
-                              "correct choices less each trial's own chance. n counts participants",
+                              "correct choices minus each trial's chance level. n counts participants",
                               ballsText(accuracy))
                 : ""),
         {"system", "successes", "choices", "estimate", "chance", "mean_above", "n", "p", "p_holm"},
@@ -69,12 +69,11 @@ std::string descriptivesHtml(const AnalysisResult& result, Numbering& numbering)
     // One after another: the tables count.
     std::string html = chanceTable(result, numbering);
     if (!result.unanswered.empty())
-        html += tableHtml(
-            tables::unanswered(result),
-            "Choices that were not made. A choice that timed out counts as wrong; one that the "
-            "experimenter skipped is left out. Accuracy (means of participants' means) in this way, of "
-            "the choices that were made alone, and with all others as wrong.",
-            numbering);
+        html += tableHtml(tables::unanswered(result),
+                          "Choices that were not made. A choice that timed out counts as wrong; one that the "
+                          "experimenter skipped is left out. Accuracy (means of participants' means) in this "
+                          "way, over the choices actually made, and with all others as wrong.",
+                          numbering);
     html += orderTable(result, numbering);
     if (!result.times.empty())
         html += tableHtml(tables::responseTimes(result), "Response times over answers, seconds.",

@@ -53,11 +53,10 @@ std::string boxesTable(const AnalysisResult& result, Numbering& numbering) {
     if (table.rows.empty()) return "";
     std::vector<Shown> shown{"measure", "system", "q05", "q25", "median", "q75", "q95", "notch", "n"};
     if (!result.by_study.empty()) shown.insert(shown.begin() + 1, "study");
-    return tableHtml(
-        table,
-        "What the box plots draw: quantiles of the participants' means; no notch where it would reach "
-        "beyond its box. n counts participants.",
-        shown, numbering);
+    return tableHtml(table,
+                     "What the box plots show: quantiles of the participants' means; no notch if it would "
+                     "reach beyond its box. n counts participants.",
+                     shown, numbering);
 }
 
 std::string stepsTable(const AnalysisResult& result, std::size_t measure, const StepCounts& counts,

@@ -23,7 +23,7 @@ struct StepCounts {
 [[nodiscard]] Figure boxPlot(const AnalysisResult& result, std::size_t measure, Numbering& figures);
 /// Of a measure's values: title, ticks at round numbers and at the scale's ends.
 [[nodiscard]] FigureJson scaleAxis(const Measure& measure);
-/// Means under the levels of a factor within participants, a line for each system; none where fewer than two
+/// Means under the levels of a within-participants factor, a line for each system; none where fewer than two
 /// levels have answers.
 [[nodiscard]] std::optional<Figure> levelsFigure(const AnalysisResult& result, std::size_t measure,
                                                  const Factor& factor, Numbering& figures);

@@ -108,8 +108,7 @@ std::string levelSentence(const AnalysisResult& result, const std::string& measu
     for (const auto& system : systems) names += (names.empty() ? "" : ", ") + escapeHtml(system);
     if (systems.empty())
         return fmt::format(
-            "No test of {} is significant in {}{}; that does not show that it makes no "
-            "difference.",
+            "No test of {} is significant in {}{}; this does not show that it makes no difference.",
             escapeHtml(factor), escapeHtml(measure), over_systems ? "" : ", for any system");
     return fmt::format("The {} made a significant difference to {}{}.", escapeHtml(factor),
                        escapeHtml(measure), over_systems ? "" : " for " + names);
@@ -129,14 +128,14 @@ std::string groupSentence(const AnalysisResult& result, const std::string& measu
     }
     if (!tested) return "";
     const bool of_studies = factor == study_factor && !result.by_study.empty();
-    return names.empty() ? fmt::format(
-                               "No test of the {} is significant in {}; that does not show that they "
-                               "are alike.",
-                               of_studies ? "studies against each other" : "groups by " + escapeHtml(factor),
-                               escapeHtml(measure))
-                         : fmt::format("{} that differ significantly in {}: {}.",
-                                       of_studies ? "Studies" : "Groups by " + escapeHtml(factor),
-                                       escapeHtml(measure), names);
+    return names.empty()
+               ? fmt::format(
+                     "No test of the {} is significant in {}; this does not show that they are alike.",
+                     of_studies ? "studies against each other" : "groups by " + escapeHtml(factor),
+                     escapeHtml(measure))
+               : fmt::format("{} that differ significantly in {}: {}.",
+                             of_studies ? "Studies" : "Groups by " + escapeHtml(factor), escapeHtml(measure),
+                             names);
 }
 
 std::string groupPreferenceSentence(const AnalysisResult& result, const std::string& factor) {
@@ -150,13 +149,12 @@ std::string groupPreferenceSentence(const AnalysisResult& result, const std::str
                                  escapeHtml(one.b), escapeHtml(one.system), escapeHtml(one.other_system));
     }
     if (!tested) return "";
-    return names.empty()
-               ? fmt::format(
-                     "No test of the groups by {} is significant in their preferences; that does not "
-                     "show that they are alike.",
-                     escapeHtml(factor))
-               : fmt::format("Groups by {} that differ significantly in their preferences: {}.",
-                             escapeHtml(factor), names);
+    return names.empty() ? fmt::format(
+                               "No test of the groups by {} is significant in their preferences; this does "
+                               "not show that they are alike.",
+                               escapeHtml(factor))
+                         : fmt::format("Groups by {} that differ significantly in their preferences: {}.",
+                                       escapeHtml(factor), names);
 }
 
 std::string preferenceSentence(const AnalysisResult& result) {
@@ -168,7 +166,7 @@ std::string preferenceSentence(const AnalysisResult& result) {
                                escapeHtml(pair.mean > 0.0 ? pair.a : pair.b),
                                escapeHtml(pair.mean > 0.0 ? pair.b : pair.a));
     return out.empty()
-               ? "No preference between two systems is significant; that does not show that there is none."
+               ? "No preference between two systems is significant; this does not show that there is none."
                : "Significantly preferred: " + out + ".";
 }
 
@@ -217,7 +215,7 @@ std::string findingsHtml(const AnalysisResult& result) {
             "tests over participants{}, after Holm's correction{}.</p>",
             result.alpha,
             result.between.empty() && result.preferences_between.empty() ? "" : " (groups: rank-sum tests)",
-            result.by_study.empty() ? "" : " in families of each study and of all pooled");
+            result.by_study.empty() ? "" : " in families for each study and for all pooled");
     return out;
 }
 

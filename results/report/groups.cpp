@@ -22,17 +22,16 @@ std::string groupTable(const Table& table, const std::string& caption, std::vect
         return "";
     shown.insert(shown.end(), {"hodges_lehmann", "cliffs_delta", "a12", "p", "p_holm"});
     const auto family = *table.rows.back().cells[table.at("family_size")].as<long long>();
-    return tableHtml(
-               table,
-               caption +
-                   " \u03b4: Cliff's delta; A\u2081\u2082: the probability that A is above B, ties counting "
-                   "half.",
-               shown, numbering, dense_table) +
-           noteHtml(fmt::format(
-               "Holm's family: {}, \u03b1\u00a0=\u00a0{}; bold: significant. Shift: Hodges\u2013Lehmann "
-               "with the interval of the shifts that the test does not reject (asked for: "
-               "{:g}\u00a0%; a round bracket: without that end).",
-               counted(static_cast<int>(family), "test", "tests"), result.alpha, 100.0 * result.level));
+    return tableHtml(table,
+                     caption +
+                         " \u03b4: Cliff's delta; A\u2081\u2082: the probability that A is above B, with "
+                         "ties counting half.",
+                     shown, numbering, dense_table) +
+           noteHtml(fmt::format("Holm's family: {}, \u03b1\u00a0=\u00a0{}; bold: significant. Shift: "
+                                "Hodges\u2013Lehmann with the interval of the shifts that the test does not "
+                                "reject (requested: {:g}\u00a0%; a round bracket: without that end).",
+                                counted(static_cast<int>(family), "test", "tests"), result.alpha,
+                                100.0 * result.level));
 }
 
 std::string meansOfGroups(const AnalysisResult& result, const Factor& factor, const Measure& measure,
@@ -87,7 +86,7 @@ std::string systemsApartHtml(const AnalysisResult& result, const std::string& wh
     for (const Measure& measure : result.measures)
         out += groupTable(
             all.where("measure", measure.name),
-            fmt::format("{}{}: systems that no participant met both of, as groups of participants: "
+            fmt::format("{}{}: systems that no participant saw both of, as groups of participants: "
                         "rank-sum test of participants' means (exact up to 400 participants).",
                         capitalised(measure.name), where),
             {"a", "b", "n_a", "n_b", "mean_a", "mean_b"}, result, numbering);
@@ -120,11 +119,11 @@ std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {
         return !hasManySteps(measureOf(result, row.cells[table.at("measure")].text()));
     });
     if (table.rows.empty()) return "";
-    return tableHtml(
-        table,
-        "Ratings taken one by one, pseudo-replicated: a participant's ratings are correlated, so this "
-        "describes and supports no test.",
-        {"measure", "system", "n", "mean", "sd", "q05", "q25", "median", "q75", "q95"}, numbering);
+    return tableHtml(table,
+                     "Single ratings, pseudo-replicated: a participant's ratings are correlated, so this "
+                     "table is for description and supports no test.",
+                     {"measure", "system", "n", "mean", "sd", "q05", "q25", "median", "q75", "q95"},
+                     numbering);
 }
 
 }  // namespace deixis::results

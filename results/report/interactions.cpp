@@ -46,15 +46,14 @@ std::string interactionsHtml(const AnalysisResult& result, Numbering& numbering)
     addContrasts(table, tables::groupInteractions(result), "other_factor", "factor", "c", "d", "a", "b");
     if (table.rows.empty()) return "";
     return tableHtml(table,
-                     "Interactions: is a difference another one under another level? Each row tests a "
-                     "difference of "
-                     "differences over participants, within participants by the signed-rank test, between "
-                     "groups of "
-                     "participants (n of both) by the rank-sum test. Bold: significant after Holm's "
+                     "Interactions: does a difference change with the level of another factor? Each row "
+                     "tests a difference of differences over participants, within participants by the "
+                     "signed-rank test, between groups of participants (n of both) by the rank-sum test. "
+                     "Bold: significant after Holm's "
                      "correction over "
                      "the rows of one measure and pair of factors.",
                      numbering, dense_table) +
-           noteHtml("A test that is not significant does not show that there is no interaction.");
+           noteHtml("A non-significant test does not show that there is no interaction.");
 }
 
 std::string equivalenceHtml(const AnalysisResult& result, Numbering& numbering) {
@@ -64,11 +63,11 @@ std::string equivalenceHtml(const AnalysisResult& result, Numbering& numbering) 
     const std::size_t bound = table.at("bound");
     for (Table::Row& row : table.rows)
         row.cells.emplace_back("\u00b1 " + cellText(table.columns[bound], row.cells[bound], row.percent));
-    return tableHtml(
-        table,
-        "Equivalence within the bound that was declared before: two one-sided tests, p of the larger one, "
-        "Holm's correction within the families of the tests of difference.",
-        {"measure", "where", "a", "b", "bounds", "p", "p_holm", "verdict"}, numbering, dense_table);
+    return tableHtml(table,
+                     "Equivalence within a bound declared in advance: two one-sided tests, the larger p, "
+                     "Holm's correction within the families of the tests of difference.",
+                     {"measure", "where", "a", "b", "bounds", "p", "p_holm", "verdict"}, numbering,
+                     dense_table);
 }
 
 std::vector<std::string> interactionFindings(const AnalysisResult& result) {

@@ -1,4 +1,4 @@
-// Means under the levels of a factor within participants, as in Deichler et al. 2023, Table 1, drawn.
+// Means under the levels of a within-participants factor, as in Deichler et al. 2023, Table 1, drawn.
 #include <fmt/core.h>
 
 #include <algorithm>

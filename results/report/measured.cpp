@@ -40,7 +40,7 @@ Figure spaceFigure(const AnalysisResult& result, const Measure& measure, const P
             fmt::format("{} Mean {} ({}) by the target's place, the avatar's left on the left: {}",
                         figures.next(), escapeHtml(measure.name), escapeHtml(measure.unit), spaceText(space)),
             fmt::format("Mean {} in {} at each target's place, from above and from behind the avatar, in a "
-                        "row for each of {} systems; the numbers stand in a table of this page.",
+                        "row for each of {} systems; a table of this page has the numbers.",
                         measure.name, measure.unit, systems.size()),
             plot.spec(0.0, max, "~r", max_row_px), true};
 }
@@ -60,7 +60,7 @@ std::string spaceTable(const AnalysisResult& result, const Measure& measure, Num
     return folded(
         fmt::format("{} by the target's place", measure.name),
         tableHtml(wide(all, {"item", "x_m", "y_m", "z_m"}, "system", systems, {{name, mean}}),
-                  fmt::format("Mean {} in {} for each target, and of how many answers; centres in metres "
+                  fmt::format("Mean {} in {} for each target, and the number of answers; centres in metres "
                               "in the avatar's frame, x to its left, y up, z ahead. Nothing is tested "
                               "here.",
                               measure.name, measure.unit),

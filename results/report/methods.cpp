@@ -18,8 +18,9 @@ std::string ratingSentence(const ResponseTable& table, const Measure& measure, c
         return fmt::format(" {} is the rating on the scale from {} to {}.", name, measure.low, measure.high);
     if (measure.low == measure.high)
         return fmt::format(" {} is a rating; all answers are {}.", name, measure.low);
-    return fmt::format(" {} is a rating; the answers go from {} to {}, and the data do not tell the scale.",
-                       name, measure.low, measure.high);
+    return fmt::format(
+        " {} is a rating; the answers range from {} to {}, and the data do not give the scale.", name,
+        measure.low, measure.high);
 }
 
 std::string measureSentences(const AnalysisResult& result) {
@@ -34,8 +35,8 @@ std::string measureSentences(const AnalysisResult& result) {
             out += ratingSentence(result.table, measure, name);
         else
             out += fmt::format(
-                " {} runs from 2 (clearly the one) over 0 (equal) to &#8722;2 (clearly the other), whichever "
-                "stood left.",
+                " {} runs from 2 (clearly the first) over 0 (equal) to &#8722;2 (clearly the second), "
+                "whichever was on the left.",
                 name);
     }
     return out;
@@ -53,19 +54,18 @@ std::string answersParagraph(const AnalysisResult& result) {
                        : " Practice trials are left out.";
     if (std::any_of(table.checks.begin(), table.checks.end(),
                     [](const CheckCount& one) { return one.kind == "repeat"; }))
-        out += " Of a stimulus that was shown twice as a check the first answer counts.";
+        out += " For a stimulus shown twice as a check, the first answer counts.";
     return out + "</p>";
 }
 
 std::string studiesParagraph(const AnalysisResult& result) {
     if (result.by_study.empty()) return "";
-    return "<p><b>Several studies.</b> They share measures, scales and systems, and are groups of "
-           "participants "
-           "(the factor study): participants and items of different studies are different ones, also where "
-           "they are called alike. Systems are compared within each study, by the participants of that study "
-           "alone, and pooled, by all participants, each of whom counts once; whether a difference between "
-           "systems is another one in another study is tested as an interaction of system and study. Medians "
-           "are of participants' means; those of single ratings, as Yoon et al. (2021) give them, describe. "
+    return "<p><b>Several studies.</b> They have measures, scales and systems in common, and are groups of "
+           "participants (the factor study): participants and items of different studies are different, even "
+           "if they have the same name. Systems are compared within each study, by its own participants, and "
+           "pooled, by all participants, each of whom counts once; whether a difference between systems "
+           "differs between studies is tested as an interaction of system and study. Medians are of "
+           "participants' means; those of single ratings, as in Yoon et al. (2021), are for description. "
            "Holm's families of pairs are those of one measure in one study, and those of one measure "
            "pooled.</p>";
 }
@@ -87,7 +87,7 @@ std::string meansParagraph(const AnalysisResult& result, const Computed& compute
     if (computed.intervals)
         out += fmt::format(
             "<p><b>Intervals</b> of means are {:g}&#160;% bootstrap intervals over participants "
-            "(bias-corrected and accelerated, {} resamples, seed {}; percentiles where the correction is not "
+            "(bias-corrected and accelerated, {} resamples, seed {}; percentiles if the correction is not "
             "defined).</p>",
             100.0 * result.level, result.options.resamples, result.options.seed);
     return out;
@@ -107,7 +107,7 @@ std::string testsParagraph(const AnalysisResult& result, const Computed& compute
     if (computed.pairs) what.emplace_back("participants' means under two systems");
     if (computed.levels) what.emplace_back("under two levels of a factor");
     if (computed.preferences) what.emplace_back("participants' mean preferences against none");
-    if (computed.chance) what.emplace_back("correct choices less chance against none");
+    if (computed.chance) what.emplace_back("correct choices minus chance against none");
     if (computed.halves) what.emplace_back("the second half of a participant's answers against the first");
     if (computed.scores) what.emplace_back("a questionnaire's scores when it is asked again against before");
     if (computed.times) what.emplace_back("participants' median response times under two systems");
@@ -118,7 +118,7 @@ std::string testsParagraph(const AnalysisResult& result, const Computed& compute
         pairs == 1 ? "the one pair of systems" : fmt::format("the {} pairs of systems", pairs);
     if (computed.pairs) families.push_back(of_systems + " within one measure");
     if (computed.levels)
-        families.emplace_back("for each factor within participants the tests of all systems");
+        families.emplace_back("for each within-participants factor the tests of all systems");
     if (computed.preferences) families.emplace_back("all pairs in preference");
     if (computed.chance) families.emplace_back("all systems against chance");
     if (computed.halves) families.emplace_back("the halves of all measures");
@@ -129,26 +129,27 @@ std::string testsParagraph(const AnalysisResult& result, const Computed& compute
         "Differences of zero are dropped before ranking (Wilcoxon's rule), equal differences share their "
         "mean rank",
         joinedWith(what));
-    if (computed.zeros) out += "; where there are zeros, Pratt's p, which ranks them, stands beside";
+    if (computed.zeros) out += "; if there are zeros, Pratt's p, which ranks them, is given beside it";
     out +=
-        ". W+ and W&#8722; are the rank sums of positive and negative differences. p is exact, with ties too";
+        ". W+ and W&#8722; are the rank sums of positive and negative differences. p is exact, also with "
+        "ties";
     if (computed.approximate)
         out +=
             ", for up to 2,000 differences; beyond, it is a normal approximation with tie and continuity "
             "corrections";
     out += fmt::format(
-        ". The shift is the median of all Walsh averages, zeros among them; its interval holds the shifts "
+        ". The shift is the median of all Walsh averages, including zeros; its interval contains the shifts "
         "that the same test does not reject, at the level of the intervals ({:g}&#160;%) and before Holm's "
         "correction. r is the rank-biserial correlation, (W+ &#8722; W&#8722;) / (W+ + W&#8722;). Holm's "
-        "correction covers, each a family: {}. Corrected p values up to &#945;&#160;=&#160;{} count as "
+        "correction covers these families: {}. Corrected p values up to &#945;&#160;=&#160;{} count as "
         "significant. A participant without answers under one of two conditions is left out of their "
-        "comparison; nothing is imputed. That a difference is not significant does not show that there is "
-        "none: look at its interval.</p>",
+        "comparison; nothing is imputed. A non-significant difference does not show that there is none: look "
+        "at its interval.</p>",
         100.0 * result.level, joinedWith(families), result.alpha);
     if (computed.friedman)
         out +=
             "<p><b>All systems at once.</b> Friedman's test, corrected for ties, and Iman and Davenport's F "
-            "from it, of the participants with answers under every system.</p>";
+            "derived from it, for the participants with answers under every system.</p>";
     return out;
 }
 
@@ -156,9 +157,9 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
     std::string out;
     if (computed.systems_apart)
         out +=
-            "<p><b>Systems between participants.</b> Systems that no participant met both of are compared as "
-            "groups of participants are, by the two-sided Wilcoxon rank-sum test of participants' means, "
-            "exact with ties too for up to 400 participants; Holm's correction covers these pairs in one "
+            "<p><b>Systems between participants.</b> Systems that no participant met both of are compared "
+            "like groups of participants, by the two-sided Wilcoxon rank-sum test of participants' means, "
+            "exact also with ties for up to 400 participants; Holm's correction covers these pairs in one "
             "measure.</p>";
     if (computed.groups || computed.preferences_of_groups || computed.scores_of_groups ||
         computed.times_of_groups) {
@@ -166,7 +167,8 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
         if (computed.groups)
             out +=
                 " Participants of two groups are compared by the two-sided Wilcoxon rank-sum test of their "
-                "means, exact with ties too for up to 400 participants: for each system, and over all, where "
+                "means, exact also with ties for up to 400 participants: for each system, and over all, "
+                "where "
                 "a participant's score is the mean of that participant's means under each system. Holm's "
                 "correction covers all of these tests of one factor in one measure.";
         if (computed.preferences_of_groups)
@@ -184,9 +186,10 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
     }
     if (computed.interactions)
         out += fmt::format(
-            "<p><b>Interactions.</b> Where two factors cross, each pair of levels of the one and each of the "
-            "other makes a difference of differences of each participant, in which participants' own level "
-            "and both factors by themselves cancel (aligned observations: Hodges and Lehmann 1962; "
+            "<p><b>Interactions.</b> If two factors are crossed, each pair of levels of one and each pair of "
+            "the other gives a difference of differences for each participant, in which the participant's "
+            "own level and the main effects of both factors cancel (aligned observations: Hodges and Lehmann "
+            "1962; "
             "interaction contrasts: Marascuilo and Levin 1970). {}{}Holm's correction covers all of one "
             "measure and pair of factors.</p>",
             result.interactions.empty() ? "" : "Within participants it is tested by the signed-rank test. ",
@@ -195,9 +198,9 @@ std::string groupsParagraphs(const AnalysisResult& result, const Computed& compu
                 : "Between groups their differences are compared by the rank-sum test. ");
     if (computed.equivalence)
         out +=
-            "<p><b>Equivalence.</b> Where a bound was declared, two one-sided tests (Schuirmann 1987) by the "
-            "same rank tests ask whether the shift lies above the bound's negative and below the bound; p is "
-            "the larger one, Holm's correction as for the tests of difference.</p>";
+            "<p><b>Equivalence.</b> If a bound was declared, two one-sided tests (Schuirmann 1987) with the "
+            "same rank tests check whether the shift lies above minus the bound and below the bound; p is "
+            "the larger one, with Holm's correction as for the tests of difference.</p>";
     return out;
 }
 
@@ -205,22 +208,22 @@ std::string ratingsParagraphs(const Computed& computed) {
     std::string out;
     if (computed.ratings)
         out +=
-            "<p><b>Single ratings.</b> The unit of Yoon et al. (2021, 7.2.3), asked for beside participants' "
-            "means: signed-rank tests of pairs of single ratings, each pair one participant's of one page, "
-            "or "
-            "of one item, layout and distance (several of one system are averaged first); Holm's correction "
+            "<p><b>Single ratings.</b> The unit of Yoon et al. (2021, 7.2.3), requested beside participants' "
+            "means: signed-rank tests of pairs of single ratings, each pair from one participant and one "
+            "page, or one item, layout and distance (several of one system are averaged first); Holm's "
+            "correction "
             "over the pairs of systems in one measure. Z is the normal approximation with tie and continuity "
-            "corrections. A participant's ratings are not independent, so these p are too small "
-            "(pseudo-replication): the decisions are those of participants' means. Intervals are not "
+            "corrections. A participant's ratings are not independent, so these p values are too small "
+            "(pseudo-replication): the decisions are those of participants' means. No intervals are "
             "given.</p>";
     if (computed.author_trials)
         out +=
-            "<p><b>Authors' trials.</b> Of the clips' authors, who may learn from one trial to the next: "
-            "single ratings of clips made in an earlier trial against those of a later one, by the rank-sum "
-            "test, as Yoon et al. (2021, 7.2.3), which is pseudo-replicated in the same way; and beside it "
-            "each participant's mean rating of the one and of the other, by the signed-rank test over "
-            "participants who rated both. The latter speaks about other participants with these same clips; "
-            "neither speaks about other authors. Holm's correction covers the systems and pairs of trials in "
+            "<p><b>Authors' trials.</b> The clips' authors may learn from one trial to the next: single "
+            "ratings of clips made in an earlier trial are compared with those of a later one, by the "
+            "rank-sum test, as in Yoon et al. (2021, 7.2.3), which is pseudo-replicated in the same way; and "
+            "beside it each participant's mean ratings of the two, by the signed-rank test over participants "
+            "who rated both. The latter generalises to other participants with these same clips; neither "
+            "generalises to other authors. Holm's correction covers the systems and pairs of trials in "
             "one measure.</p>";
     return out;
 }
@@ -236,16 +239,16 @@ std::string methodsHtml(const AnalysisResult& result) {
         out +=
             "<p><b>Other choices.</b> The pairs of systems are tested again with the participants who are "
             "left out (excluded, dropped out; not those who declined consent or withdrew, nor practice and "
-            "checks), and without marked trials and participants who failed an attention check, where there "
-            "are such ones. Each choice has Holm families of its own.</p>";
+            "checks), and without marked trials and participants who failed an attention check, if there are "
+            "any. Each alternative has its own Holm families.</p>";
     if (computed.boxes)
         out +=
             "<p><b>Box plots.</b> Box: 25th to 75th percentile of the participants' means (linear "
             "interpolation, R's type&#160;7); line: median; notch: median &#177; 1.57 box heights / "
-            "&#8730;n (McGill, Tukey and Larsen 1978; where two notches do not overlap, the medians differ "
-            "at about 5&#160;%), left out where it would reach beyond its box; diamond: mean; whiskers: 5th "
-            "and 95th percentile; points: the participants, spread sideways where they would cover each "
-            "other. Brackets join systems that differ after Holm's correction.</p>";
+            "&#8730;n (McGill, Tukey and Larsen 1978; if two notches do not overlap, the medians differ at "
+            "about the 5&#160;% level), left out if it would reach beyond its box; diamond: mean; whiskers: "
+            "5th and 95th percentile; points: the participants, side by side where they would overlap. "
+            "Brackets join systems that differ after Holm's correction.</p>";
     return out;
 }
 

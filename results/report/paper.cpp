@@ -44,13 +44,13 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
     std::vector<std::string> out;
     if (result.synthetic)
         out.emplace_back(
-            "Answers come from simulated participants: they show that the pipeline works and what a "
-            "study of this size could find, and nothing about people.");
+            "Answers come from simulated participants: they show that the pipeline works and what a study of "
+            "this size could find, but nothing about people.");
     if (!result.by_study.empty())
         out.emplace_back(
             "Participants were not assigned to the studies by this program: a difference between studies may "
-            "come from anything in which they differ, their people, clips and time among it. Pooled tests "
-            "take all participants as one sample, in which a study with more of them weighs more.");
+            "come from anything in which they differ, including their people, clips and time. Pooled tests "
+            "treat all participants as one sample, in which a study with more of them weighs more.");
     const bool rated = std::any_of(table.measures.begin(), table.measures.end(),
                                    [](const Measure& one) { return one.kind == MeasureKind::rating; });
     if (result.participants > 1 && table.systems.size() > 1)
@@ -59,7 +59,7 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
             "differences are compatible with the data.");
     if (!result.items.empty())
         out.emplace_back(
-            "The tests speak about other participants with these same targets and clips. For other "
+            "The tests generalise to other participants with these same targets and clips. For other "
             "targets, look at the mixed models with item intercepts that the R script fits.");
     if (rated)
         out.emplace_back(
@@ -96,25 +96,26 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
     }
     if (families.size() > 1)
         out.push_back(
-            fmt::format("Holm's correction holds within each of the {} families of tests of this page, "
-                        "not over all of them together: name the families that were planned.",
+            fmt::format("Holm's correction applies within each of the {} families of tests of this page, not "
+                        "over all of them: name the families that were planned.",
                         families.size()));
     const bool at_desktop =
         std::any_of(table.stations.begin(), table.stations.end(),
                     [](const StationUse& one) { return one.kind == "desktop" && !one.synthetic; });
     if (at_desktop)
         out.emplace_back(
-            "Participants saw the avatar on a flat screen, without depth from two eyes and from their "
-            "own movement: pointing in a headset may be understood otherwise.");
+            "Participants saw the avatar on a flat screen, without stereo depth and motion parallax: "
+            "pointing may be understood differently in a headset.");
     if (const auto failed = static_cast<int>(table.failed_checks.size()); failed > 0)
-        out.push_back(fmt::format(
-            "{} failed an attention check and {} not excluded: {} answers count in the headline, and the "
-            "section on choices says what changes without them.",
-            counted(failed, "participant", "participants"), failed == 1 ? "is" : "are",
-            failed == 1 ? "this participant's" : "their"));
+        out.push_back(
+            fmt::format("{} failed an attention check and {} not excluded: {} answers count in the headline, "
+                        "and the section on other choices says what changes without them.",
+                        counted(failed, "participant", "participants"), failed == 1 ? "is" : "are",
+                        failed == 1 ? "this participant's" : "their"));
     if (!table.left_out.empty() || table.withdrawn > 0)
         out.emplace_back(
-            "Some participants are left out; where that decides, the section on choices says so.");
+            "Some participants are left out; if that changes a decision, the section on other choices says "
+            "so.");
     return out;
 }
 
@@ -147,18 +148,18 @@ std::string designHtml(const AnalysisResult& result) {
     for (const auto& [name, text] : participantEntries(result)) entry(name, text);
     if (const auto [min, max] = answersPerParticipant(table); max > 0)
         entry("Answers",
-              fmt::format("{} in all, {} of each participant", table.rows.size(),
+              fmt::format("{} in all, {} per participant", table.rows.size(),
                           min == max ? fmt::format("{}", max) : fmt::format("{} to {}", min, max)));
     return "\n<h2>Design and participants</h2>" + factsHtml(facts);
 }
 
 std::string paperHtml(const AnalysisResult& result) {
     std::string out =
-        "\n<h2>For the paper</h2><p><b>Methods, to be copied.</b> " + methodsParagraph(result) + "</p>";
+        "\n<h2>For the paper</h2><p><b>Methods, to copy.</b> " + methodsParagraph(result) + "</p>";
     if (const std::string results = resultsParagraphs(result); !results.empty())
-        out += folded(
-            "Results, to be copied: means, and the comparisons of systems, levels, groups and preferences",
-            results);
+        out +=
+            folded("Results, to copy: means, and the comparisons of systems, levels, groups and preferences",
+                   results);
     if (const auto limits = limitations(result); !limits.empty())
         out += "<p><b>Limitations.</b></p>" + itemsHtml(limits);
     if (const auto works = references(result); !works.empty())

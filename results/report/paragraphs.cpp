@@ -85,7 +85,7 @@ std::string participantSentence(const AnalysisResult& result) {
     if (result.participants > 1) answers += " each";
     const std::string left_out = leftOutText(result);
     return fmt::format("{} {}{}{}{}.",
-                       result.synthetic ? "Simulated participants, no people, stand here for a sample of"
+                       result.synthetic ? "Simulated participants, not people, take the place of a sample of"
                                         : "The answers come from",
                        counted(result.participants, "participant", "participants"), ofStudies(result),
                        max > 0 ? ", who gave " + answers : "",
@@ -115,17 +115,16 @@ std::string testsSentences(const AnalysisResult& result, const Computed& compute
             "Hodges&#8211;Lehmann estimates with {:g}&#160;% intervals that invert these tests; r is the "
             "rank-biserial correlation.",
             inSentence(what),
-            computed.approximate
-                ? "normal approximation where there were more than 2,000 differences, else exact"
-                : "exact, also with ties",
+            computed.approximate ? "normal approximation for more than 2,000 differences, otherwise exact"
+                                 : "exact, also with ties",
             computed.friedman ? ", after Friedman's test of all systems" : "", result.alpha,
             100.0 * result.level);
     if (!result.by_study.empty() && computed.signedRank())
         out +=
-            " Systems were compared within each study and over all participants pooled, each with a family "
-            "of its own.";
+            " Systems were compared within each study and pooled over all participants, each with its own "
+            "family.";
     std::vector<std::string> groups;
-    if (computed.systems_apart) groups.emplace_back("systems that no participant met both of");
+    if (computed.systems_apart) groups.emplace_back("systems that no participant saw both of");
     if (computed.groups)
         groups.emplace_back(result.by_study.empty() ? "groups of participants"
                                                     : "groups of participants (the studies among them)");
@@ -139,7 +138,7 @@ std::string testsSentences(const AnalysisResult& result, const Computed& compute
         out +=
             " Single ratings, paired by participant and page or item, were tested in the same way (Yoon et "
             "al. "
-            "2021), which takes a participant's ratings as independent: these p are too small.";
+            "2021), which treats a participant's ratings as independent: these p values are too small.";
     if (computed.author_trials)
         out +=
             " Clips from their authors' earlier and later trials were compared by rank-sum tests of single "

@@ -60,7 +60,7 @@ std::string scoreTestsHtml(const AnalysisResult& result, Numbering& numbering) {
     if (!result.score_changes.empty())
         out += tableHtml(
             tables::scoreChanges(result),
-            "Scores asked again: the later (A) less the earlier (B) of the participants who have both, "
+            "Repeated scores: the later (A) minus the earlier (B) for participants who have both, "
             "signed-rank "
             "test, Holm's correction over the scores of the two stages. Bold: significant.",
             {"score", "a", "b", "mean_a", "mean_b", "n", "hodges_lehmann", "rank_biserial", "p", "p_holm"},

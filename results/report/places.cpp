@@ -23,15 +23,13 @@ Figure placesFigure(const AnalysisResult& result, Numbering& figures) {
                    fmt::format("{}, {}: {:.0f} of {} at x {:.2f}, y {:.2f}, z {:.2f} m", place.system,
                                place.target_id, place.mean * place.n, place.n, at.x, at.y, at.z));
     }
-    return {
-        "places",
-        fmt::format("{} Correct choices by the target's place, the avatar's left on the left: {}",
-                    figures.next(), spaceText(space)),
-        fmt::format(
-            "Share of correct choices at each target's place, from above and from behind the avatar, in a "
-            "row for each of {} systems; the numbers stand in a table of this page.",
-            systems.size()),
-        plot.spec(0.0, 1.0, ".0%", max_row_px), true};
+    return {"places",
+            fmt::format("{} Correct choices by the target's place, the avatar's left on the left: {}",
+                        figures.next(), spaceText(space)),
+            fmt::format("Share of correct choices at each target's place, from above and from behind the "
+                        "avatar, in a row for each of {} systems; a table of this page has the numbers.",
+                        systems.size()),
+            plot.spec(0.0, 1.0, ".0%", max_row_px), true};
 }
 
 }  // namespace deixis::results

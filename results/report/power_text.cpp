@@ -14,8 +14,8 @@ namespace {
 using PowerJson = nlohmann::ordered_json;
 
 constexpr const char* no_evidence =
-    "Answers are simulated from assumed effects. They are no evidence about people, and the power holds for "
-    "the assumptions alone.";
+    "Answers are simulated from assumed effects. They are no evidence about people, and the power is only as "
+    "good as the assumptions.";
 
 std::string contrastText(const ContrastPower& contrast) {
     std::string out = fmt::format("{} - {}", contrast.a, contrast.b);
@@ -37,13 +37,14 @@ PowerJson shareJson(const PowerResult& result, int count) {
 
 std::string powerText(const PowerResult& result, std::optional<double> goal) {
     std::string out = fmt::format(
-        "{}: power at alpha {} after Holm's correction, {} simulated studies a number of participants, seed "
+        "{}: power at alpha {} after Holm's correction, {} simulated studies per number of participants, "
+        "seed "
         "{}, "
         "{:.4g} % intervals (Clopper-Pearson).\n{}\n",
         result.study_name, result.alpha, result.options.studies, result.options.seed,
         100.0 * result.options.level, no_evidence);
     if (!result.not_simulated.empty())
-        out += fmt::format("Not simulated, nothing is assumed of them: {}.\n",
+        out += fmt::format("Not simulated, since nothing is assumed about them: {}.\n",
                            fmt::join(result.not_simulated, ", "));
     std::size_t width = std::string_view("at least one of them").size();
     for (const ContrastPower& contrast : result.contrasts)

@@ -51,22 +51,22 @@ std::string ratingPairsHtml(const AnalysisResult& result, const Measure& measure
             tested = tested || one.test.n_pairs > 0;
         }
     if (!tested) return "";
-    return tableHtml(tables::ratingPairs(result).where("measure", measure.name),
-                     fmt::format(
-                         "{}, all pairs of systems{} once more by single ratings, {}. Pairs: a participant's "
-                         "two ratings on one page, or of one item.",
-                         capitalised(measure.name), where, pseudo_replicated),
-                     {"a",
-                      "b",
-                      "median_a",
-                      "median_b",
-                      {"n", "pairs"},
-                      "participants",
-                      "z",
-                      "p",
-                      "p_holm",
-                      "rating_verdict"},
-                     numbering, {true, false}) +
+    return tableHtml(
+               tables::ratingPairs(result).where("measure", measure.name),
+               fmt::format("{}, all pairs of systems{} again by single ratings, {}. Pairs: a participant's "
+                           "two ratings on one page, or of one item.",
+                           capitalised(measure.name), where, pseudo_replicated),
+               {"a",
+                "b",
+                "median_a",
+                "median_b",
+                {"n", "pairs"},
+                "participants",
+                "z",
+                "p",
+                "p_holm",
+                "rating_verdict"},
+               numbering, {true, false}) +
            noteHtml(fmt::format(
                "Holm's family: {}, \u03b1\u00a0=\u00a0{}. Z: normal approximation. Medians of all "
                "ratings, highest first: {}.",
@@ -102,18 +102,18 @@ std::string authorTrialsHtml(const AnalysisResult& result, const std::string& wh
     paired.column("p_holm").marked = true;
     out += tableHtml(
         paired,
-        fmt::format("The same{} by participants: each one's mean rating of clips from trial A less that "
-                    "from trial B, signed-rank test of those who rated both; it speaks about other "
-                    "participants with these same clips, not about other authors. Bold: significant.",
+        fmt::format("The same{} by participants: each one's mean rating of clips from trial A minus that "
+                    "from trial B, signed-rank test of those who rated both; it generalises to other "
+                    "participants with these same clips, not to other authors. Bold: significant.",
                     where),
         {"measure", "system", "a", "b", "median_a", "median_b", "n", "hodges_lehmann", "rank_biserial", "p",
          "p_holm"},
         numbering, dense_table);
-    return out + noteHtml(fmt::format(
-                     "Holm's families: {} by ratings, {} by participants, \u03b1\u00a0=\u00a0{}. That "
-                     "no difference is significant does not show that there is none.",
-                     counted(result.author_trials.front().family_size, "test", "tests"),
-                     result.author_trials_paired.front().family_size, result.alpha));
+    return out +
+           noteHtml(fmt::format("Holm's families: {} by ratings, {} by participants, \u03b1\u00a0=\u00a0{}. "
+                                "A non-significant difference is not shown to be zero.",
+                                counted(result.author_trials.front().family_size, "test", "tests"),
+                                result.author_trials_paired.front().family_size, result.alpha));
 }
 
 namespace {

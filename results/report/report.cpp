@@ -40,10 +40,9 @@ std::string meansTable(const AnalysisResult& result, Numbering& numbering) {
             return std::any_of(system.measures.begin(), system.measures.end(),
                                [](const Summary& one) { return one.interval_falls_short; });
         });
-    return out + (falls_short
-                      ? noteHtml("\u2021 Of so few participants no interval within the range of their "
-                                 "means covers so often; read it as too narrow.")
-                      : "");
+    return out + (falls_short ? noteHtml("\u2021 With so few participants no interval within the range of "
+                                         "their means reaches that coverage; it is too narrow.")
+                              : "");
 }
 
 /// A row for each system, and one for all; only that one where each system has one level. Empty without
@@ -108,7 +107,8 @@ std::string doubtfulButKept(const ResponseTable& table) {
         out += fmt::format("{}Failed a check: {}.", out.empty() ? "" : " ",
                            joined({table.failed_checks.begin(), table.failed_checks.end()}));
     if (out.empty()) return "";
-    return "<p>" + out + " Their answers count in the headline; what changes without them stands above.</p>";
+    return "<p>" + out +
+           " Their answers count in the headline; what changes without them is shown above.</p>";
 }
 
 std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering) {
@@ -118,11 +118,11 @@ std::string checksAndLeftOut(const AnalysisResult& result, Numbering& numbering)
     std::string out = "<h2>Attention checks and exclusions</h2>";
     if (!table.checks.empty())
         out += tableHtml(tables::checks(result),
-                         "Attention checks of all participants, the excluded ones too.", numbering);
+                         "Attention checks of all participants, including excluded ones.", numbering);
     out += kept;
     if (table.withdrawn > 0)
         out += fmt::format(
-            "<p>{} withdrew; nothing of theirs is kept.</p>",
+            "<p>{} withdrew; none of their data is kept.</p>",
             table.withdrawn == 1 ? "1 participant" : fmt::format("{} participants", table.withdrawn));
     if (table.left_out.empty())
         return table.withdrawn > 0 ? out + "<p>Nobody else is left out.</p>"
@@ -159,8 +159,8 @@ std::string provenance(const AnalysisResult& result) {
                       100.0 * result.level, result.options.resamples, result.options.seed));
     for (const auto& station : table.stations)
         entry("Station", fmt::format("{}{}: {} session{}{}", escapeHtml(station.kind),
-                                     station.synthetic ? " (no person answers)" : "", station.sessions,
-                                     station.sessions == 1 ? "" : "s",
+                                     station.synthetic ? " (answers not from a person)" : "",
+                                     station.sessions, station.sessions == 1 ? "" : "s",
                                      station.details.empty() ? "" : "; " + escapeHtml(station.details)));
     return "<h2>Where the numbers come from</h2>" + factsHtml(facts);
 }
@@ -237,7 +237,7 @@ std::string renderReport(const AnalysisResult& result) {
     out += remarksHtml(result.remarks);
     out += paperHtml(result);
     out += "\n<h2>Methods in full</h2>" + methodsHtml(result) + "\n" + provenance(result);
-    return withContents(lead, out) + pageEnd("The tables hold all their numbers.");
+    return withContents(lead, out) + pageEnd("The tables have all their numbers.");
 }
 
 }  // namespace deixis::results

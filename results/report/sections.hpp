@@ -15,11 +15,11 @@ namespace deixis::results {
 /// without exclusions, without doubtful answers.
 [[nodiscard]] std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering);
 
-/// Systems that no participant met both of; empty where there are none. `where`: of several studies, which.
+/// Systems that no participant saw both of; empty where there are none. `where`: of several studies, which.
 [[nodiscard]] std::string systemsApartHtml(const AnalysisResult& result, const std::string& where,
                                            Numbering& numbering);
 
-/// Those, and groups by the factors between participants; empty where there are none.
+/// Those, and groups by the between-participants factors; empty where there are none.
 [[nodiscard]] std::string betweenHtml(const AnalysisResult& result, Numbering& numbering);
 
 /// Questionnaires' scores; empty where there are none.

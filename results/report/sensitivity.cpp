@@ -27,7 +27,7 @@ constexpr OtherChoice other_choices[]{
     {AnswerChoice::answered_only, "without timed out",
      "without choices that timed out, which the headline "
      "counts as wrong"},
-    {AnswerChoice::unanswered_wrong, "skipped as wrong", "with choices that were skipped as wrong ones"}};
+    {AnswerChoice::unanswered_wrong, "skipped as wrong", "with skipped choices as wrong"}};
 
 const AnswerCounts& countsOf(const AnalysisResult& result, AnswerChoice choice) {
     return result.other_answers.at(static_cast<std::size_t>(choice));
@@ -85,14 +85,13 @@ std::string sensitivityHtml(const AnalysisResult& result, Numbering& numbering) 
         caption += fmt::format("; {} ({})", one.words, countsText(countsOf(result, one.choice)));
     std::string out =
         "<h2>Decisions under other choices</h2>" + tableHtml(table, caption + ".", numbering, dense_table);
-    out += noteHtml(
-        any ? fmt::format("Where a decision at \u03b1\u00a0=\u00a0{} would be another, (yes) or (no) tells "
-                          "whether it is significant there.",
-                          result.alpha)
-            : "No decision depends on any of these choices.");
+    out += noteHtml(any ? fmt::format("If a decision at \u03b1\u00a0=\u00a0{} would differ, (yes) or (no) "
+                                      "says whether it is significant there.",
+                                      result.alpha)
+                        : "No decision depends on any of these choices.");
     if (choices.empty())
         out += noteHtml(
-            "No answers are left out by exclusion, and none are in doubt: no trial was marked, no "
+            "No answers are left out by exclusion, and none are doubtful: no trial was marked, no "
             "participant failed a "
             "check, every choice was made.");
     return out;

@@ -44,12 +44,12 @@ std::string renderStations(const AnalysisResult& between, const std::vector<Stat
                                one.participants, one.answers, known(!one.page.empty(), one.page)}});
     out += tableHtml(
         table,
-        "A report for each kind of station. Their answers are nowhere one mean; a study may say stations = "
+        "A report for each kind of station. Their answers are never averaged; a study may say stations = "
         "\"together\" in [analysis].",
         numbering);
     const std::string tests = betweenHtml(stations, numbering);
     out += tests.empty() ? "<p>No two kinds of station have people's answers to compare.</p>" : tests;
-    return out + remarksHtml(between.table.notes) + pageEnd("The tables hold all its numbers.");
+    return out + remarksHtml(between.table.notes) + pageEnd("The tables have all its numbers.");
 }
 
 std::string stationsJson(const AnalysisResult& between, const std::vector<StationReport>& reports) {

@@ -52,8 +52,8 @@ std::string mediansTable(const AnalysisResult& result, const Measure& measure, N
         fmt::format("{}: the systems by their medians, highest first, in each study and pooled.{} Mean with "
                     "its {:g}\u00a0% interval, bootstrap over participants. n counts participants.",
                     capitalised(measure.name),
-                    of_ratings ? " Beside the median of participants' means stands that of single ratings, "
-                                 "which are pseudo-replicated."
+                    of_ratings ? " Beside the median of participants' means is that of single ratings, which "
+                                 "are pseudo-replicated."
                                : "",
                     100.0 * result.level),
         shown, numbering, dense_table);
@@ -73,11 +73,12 @@ std::string studiesHtml(const AnalysisResult& result, Numbering& numbering) {
     if (result.by_study.empty()) return "";
     const std::size_t n = result.by_study.size();
     std::string out = fmt::format(
-        "<h2>Each study by itself</h2><p>The {} studies are groups of participants, who are different people "
+        "<h2>Each study separately</h2><p>The {} studies are groups of participants, who are different "
+        "people "
         "in each. Their systems are tested within each study, and over all participants together (pooled). "
         "Holm's correction covers the pairs of systems of one measure in one study, and those of one measure "
-        "pooled: {} families for each measure. What changes under other choices of answers is told for the "
-        "pooled tests; each study's own report tells it for that study.</p>",
+        "pooled: {} families for each measure. What changes under other choices of answers is shown for the "
+        "pooled tests; each study's own report shows it for that study.</p>",
         n, n + 1);
     for (const Measure& measure : result.measures) out += mediansTable(result, measure, numbering);
     for (const AnalysisResult& study : result.by_study) out += studyTestsHtml(study, numbering);
@@ -95,9 +96,8 @@ std::vector<Fact> studyOrigins(const ResponseTable& table) {
         if (one.schema_version > 0) facts.push_back(fmt::format("schema {}", one.schema_version));
         facts.push_back(one.simulated == 0
                             ? counted(one.people, "participant", "participants")
-                            : counted(one.simulated, "simulated participant (no person)",
-                                      "simulated participants (no "
-                                      "people)") +
+                            : counted(one.simulated, "simulated participant (not a person)",
+                                      "simulated participants (not people)") +
                                   (one.people > 0 ? " and " + counted(one.people, "person", "people") : ""));
         facts.push_back(counted(one.answers, "answer", "answers"));
         if (one.left_out > 0) facts.push_back(fmt::format("{} left out", one.left_out));

@@ -46,18 +46,18 @@ std::string tableFoot(const Tests& tests, const AnalysisResult& result) {
     if (highest > 0.0)
         out += fmt::format(
             " Shift: Hodges\u2013Lehmann, with the interval of the shifts that the test does not reject, at "
-            "{}\u00a0% (asked for: {:g}\u00a0%, before Holm's correction; a round bracket: without that "
+            "{}\u00a0% (requested: {:g}\u00a0%, before Holm's correction; a round bracket: without that "
             "end); "
             "r: rank-biserial.",
             highest - lowest < 5e-4 ? fmt::format("{:.1f}", 100.0 * highest)
                                     : fmt::format("{:.1f} to {:.1f}", 100.0 * lowest, 100.0 * highest),
             100.0 * result.level);
     if (any(&AdjustedTest::depends_on_zeros))
-        out += " \u2020 The decision would be another with Pratt's treatment of zeros.";
+        out += " \u2020 The decision would differ with Pratt's treatment of zeros.";
     if (any(&AdjustedTest::out_of_reach))
         out +=
-            " \u2021 The smallest p that so few differences other than zero can give, times the number of "
-            "tests, exceeds \u03b1: significant only where other pairs have a smaller p.";
+            " \u2021 The smallest p possible with so few non-zero differences, times the number of tests, "
+            "exceeds \u03b1: significant only if other pairs have a smaller p.";
     return noteHtml(out);
 }
 
@@ -149,7 +149,7 @@ std::string testsHtml(const AnalysisResult& result, Numbering& numbering) {
     if (result.participants < 2)
         return out +
                "<p>The tests compare participants' means over participants. With one participant there is "
-               "nothing to test yet; the tests appear here from the second participant on.</p>";
+               "nothing to test yet; the tests appear from the second participant on.</p>";
     std::string html = omnibusTable(result, where, numbering);
     html += pairTables(result, where, numbering);
     const Table level_tests = tables::levelTests(result);

@@ -8,7 +8,7 @@ namespace {
 
 tl::unexpected<Error> withoutServer(const std::string& address) {
     return fail(withoutPasswords(address), "cannot be reached: this program was built without PostgreSQL",
-                "Use one that was built with DEIXIS_SERVER=ON (docs/server.md)");
+                "Use one built with DEIXIS_SERVER=ON (docs/server.md)");
 }
 
 }  // namespace

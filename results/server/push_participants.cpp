@@ -115,10 +115,9 @@ Result<void> ParticipantPush::push(const std::string& participant) {
         return fail(
             path_.string(),
             fmt::format(
-                "participant {} has gone on in two files: this one and {} each have rows that the other "
-                "lacks",
+                "participant {} continued in two files: this one and {} each have rows that the other lacks",
                 participant, address_.shown),
-            "Let each participant's sessions run into one file");
+            "Run each participant's sessions into one file");
     if (all.older) {
         server_.run("ROLLBACK TO SAVEPOINT participant");
         outcome_.older.push_back(participant);
@@ -224,12 +223,11 @@ Result<ParticipantPush::PushedRows> ParticipantPush::compare(const ParticipantTa
             const bool filled = isListed(table.filled_later, columns[c].name);
             if (filled && !cellAt(c)) continue;
             if (!isListed(table.changing, columns[c].name) && !(filled && !known->second.cells[c]))
-                return fail(
-                    path_.string(),
-                    fmt::format("table {}, participant {}{}: {} is not what {} holds", table.name,
-                                participant, shown_key, columns[c].name, address_.shown),
-                    "What is stored there is never altered. Has another person the same id, or was the file "
-                    "changed?");
+                return fail(path_.string(),
+                            fmt::format("table {}, participant {}{}: {} is not what {} has", table.name,
+                                        participant, shown_key, columns[c].name, address_.shown),
+                            "What is stored there is never altered. Does another person have the same id, or "
+                            "was the file changed?");
             changes += fmt::format("{}{} = {}", changes.empty() ? "" : ", ", columns[c].name,
                                    literal(rows.getColumn(static_cast<int>(c))));
         }

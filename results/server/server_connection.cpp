@@ -46,14 +46,13 @@ Error notConnected(const ServerAddress& address, const std::string& message) {
     const std::string reason = fatal == std::string::npos ? text : text.substr(fatal + 7);
     if (says(text, "authentication failed") || says(text, "no password supplied"))
         return {address.shown, fmt::format("the server does not let this user in ({})", reason),
-                "PGUSER and PGPASSWORD, or ~/.pgpass, tell who you are"};
+                "Set PGUSER and PGPASSWORD, or use ~/.pgpass"};
     if (says(text, "database \"") && says(text, "does not exist"))
         return {address.shown, fmt::format("the server says: {}", reason), "Make it there with createdb"};
     if (fatal != std::string::npos)
-        return {address.shown, fmt::format("the server says: {}", reason),
-                "Ask whoever looks after the server"};
+        return {address.shown, fmt::format("the server says: {}", reason), "Ask the server's administrator"};
     return {address.shown, fmt::format("no server was reached ({})", reason),
-            "Check the address, and that the server runs and can be reached from here"};
+            "Check the address, and that the server is running and reachable from here"};
 }
 
 Error rejected(const ServerAddress& address, const pqxx::sql_error& problem) {
@@ -62,7 +61,7 @@ Error rejected(const ServerAddress& address, const pqxx::sql_error& problem) {
     // libpqxx 6 tells the SQLSTATE only of errors that have no class of their own.
     if (dynamic_cast<const pqxx::insufficient_privilege*>(&problem) != nullptr)
         return {address.shown, fmt::format("the user may not do this there ({})", line),
-                "Who pushes first needs CREATE on the database, and all stations best use one role"};
+                "The first push needs CREATE on the database; let all stations use one role"};
     if (problem.sqlstate() == std::string("55P03"))
         return {address.shown, "another push, or another program, has held the tables for two minutes",
                 "Try again later: nothing of this push is stored, and running it again is safe"};
@@ -79,7 +78,7 @@ Result<ServerAddress> parseServerAddress(const std::string& address) {
                     "address all but its letters and digits must be percent-encoded");
     };
     if (!isServerAddress(address)) return wrong("this is not the address of a PostgreSQL server");
-    if (!isPlainServerAddress(address)) return wrong("the address cannot be taken apart without doubt");
+    if (!isPlainServerAddress(address)) return wrong("the address is ambiguous");
     // What libpq says of an address that it cannot read may hold the password: it is not repeated.
     const std::unique_ptr<PQconninfoOption, decltype(&PQconninfoFree)> parts(
         PQconninfoParse(address.c_str(), nullptr), &PQconninfoFree);
@@ -121,13 +120,13 @@ std::optional<std::string> textOf(const pqxx::result& rows, int row, int column)
 Error describeServer(const ServerAddress& address, const pqxx::failure& problem) {
     if (dynamic_cast<const pqxx::in_doubt_error*>(&problem) != nullptr)
         return {address.shown,
-                "the connection was lost at the very end: the push may be stored whole, or not at all",
+                "the connection was lost at the very end: the push may be stored completely, or not at all",
                 "Push again: it adds only what is missing"};
     if (const auto* sql = dynamic_cast<const pqxx::sql_error*>(&problem)) return rejected(address, *sql);
     if (dynamic_cast<const pqxx::broken_connection*>(&problem) != nullptr)
         return {address.shown,
                 fmt::format("the connection to the server was lost ({})", onOneLine(problem.what())),
-                "Try again: of a push that broke off nothing is stored"};
+                "Try again: nothing of an interrupted push is stored"};
     return {address.shown, fmt::format("PostgreSQL reports: {}", onOneLine(problem.what())), ""};
 }
 

@@ -27,7 +27,7 @@ class ServerTransaction {
         read,  ///< all of it sees one moment of the database
         write
     };
-    /// Errors: no server there, user or password refused, no such database.
+    /// Errors: no server there, user or password rejected, no such database.
     [[nodiscard]] static Result<ServerTransaction> begin(const ServerAddress& address, Purpose purpose);
 
     pqxx::result run(const std::string& sql) { return work_->exec(sql); }

@@ -36,7 +36,7 @@ class StudyPush {
         server_.run(one_push_at_a_time);
         Statement study(file_, "SELECT name, hash FROM study");
         if (!study.executeStep())
-            return fail(path_.string(), "the database holds no study yet", "Run a session with it first");
+            return fail(path_.string(), "the database has no study yet", "Run a session with it first");
         outcome_.study = study.getColumn(0).getString();
         study_hash_ = study.getColumn(1).getString();
         outcome_.schema = schemaOf(outcome_.study, study_hash_);
@@ -94,7 +94,7 @@ class StudyPush {
             return fail(path_.string(),
                         fmt::format("its study was locked with other files ({:.16}) than that on {} ({:.16})",
                                     here.in_force, address_.shown, there.in_force),
-                        "Take one of these files to all stations with 'deixis run --accept-changes'");
+                        "Use one of these files at all stations with 'deixis run --accept-changes'");
         }
         if (here.in_force != there.in_force) {
             server_.run("UPDATE study SET locked_hash = " + server_.quoted(here.in_force));
@@ -158,7 +158,7 @@ class StudyPush {
             return fail(path_.string(),
                         fmt::format("participant {} has the number {}, which {} has on {}", id, person.number,
                                     other->second, address_.shown),
-                        "Give each station ids with numbers of its own, such as A001 and B101");
+                        "Give each station its own ids and numbers, such as A001 and B101");
         }
         return {};
     }

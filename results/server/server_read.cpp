@@ -24,8 +24,7 @@ Result<ServerStudy> chooseStudy(const std::vector<ServerStudy>& studies, const s
     }
     if (fit.size() == 1) return *fit.front();
     if (studies.empty())
-        return fail(address.shown, "there is no study yet that this user may read",
-                    "'deixis push' brings one there");
+        return fail(address.shown, "there is no study yet that this user can read", "'deixis push' adds one");
     if (fit.empty())
         return fail(address.shown, fmt::format("there is no study '{}', only {}", wanted, all),
                     "Name one of them with --study");

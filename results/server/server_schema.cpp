@@ -74,7 +74,7 @@ Result<long long> versionOf(ServerTransaction& server, const ServerAddress& addr
                             const std::string& schema) {
     const auto found = server.value(fmt::format("SELECT version FROM {}.{}", schema, version_table));
     if (!found)
-        return fail(address.shown, fmt::format("the schema {} does not tell its version", schema),
+        return fail(address.shown, fmt::format("the schema {} does not say its version", schema),
                     "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
     const long long version = std::stoll(*found);
     if (version > schema_version)
@@ -89,10 +89,11 @@ Result<long long> versionOf(ServerTransaction& server, const ServerAddress& addr
 Result<void> upgrade(ServerTransaction& server, const ServerAddress& address, const std::string& schema,
                      long long from) {
     if (from < oldest_version)
-        return fail(address.shown,
-                    fmt::format("the schema {} has version {}, from which no way leads to this program's, {}",
-                                schema, from, schema_version),
-                    "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
+        return fail(
+            address.shown,
+            fmt::format("the schema {} has version {}, which cannot be upgraded to this program's, {}",
+                        schema, from, schema_version),
+            "Rename it (ALTER SCHEMA ... RENAME TO ...) and push the stations' files again");
     server.run(dropViews());
     for (long long version = from + 1; version <= schema_version; ++version) step(server, version);
     server.run(postgresViews());
@@ -155,7 +156,7 @@ Result<SchemaEntry> enterSchema(ServerTransaction& server, const ServerAddress& 
     if (hash != study.hash)
         return fail(
             address.shown,
-            fmt::format("the schema {} holds another study ({:.12})", study.schema, hash.value_or("none")),
+            fmt::format("the schema {} has another study ({:.12})", study.schema, hash.value_or("none")),
             "Rename it, or push to another database");
     if (*version == schema_version) return SchemaEntry{};
     if (auto done = upgrade(server, address, study.schema, *version); !done)
@@ -170,7 +171,7 @@ Result<void> useSchema(ServerTransaction& server, const ServerAddress& address, 
         return fail(address.shown,
                     fmt::format("the schema {} has version {}, this program's is {}", schema, *version,
                                 schema_version),
-                    "Push a station's file with this program: that brings the tables up to date");
+                    "Push a station's file with this program: that upgrades the tables");
     seeSchema(server, schema);
     return {};
 }

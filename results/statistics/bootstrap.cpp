@@ -13,7 +13,7 @@ namespace deixis::results {
 namespace {
 
 /// Values by participant, missing ones as 0, with what counts beside them. Each column stands in the order of
-/// its values, the missing ones last: what is drawn does not hang on how participants are called.
+/// its values, the missing ones last: what is drawn does not depend on how participants are called.
 struct Table {
     std::size_t participants = 0;
     std::size_t columns = 0;

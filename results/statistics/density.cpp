@@ -95,7 +95,8 @@ Result<GaussianDensity> GaussianDensity::fit(const Points& points, const std::ve
 Result<GaussianDensity> GaussianDensity::fit(const Points& points, BandwidthRule rule) {
     if (auto checked = checkPoints(points); !checked) return tl::unexpected(checked.error());
     if (points.size() < 2)
-        return fail("", "no bandwidth follows from a single point", "Give a bandwidth for each axis");
+        return fail("", "no bandwidth can be estimated from a single point",
+                    "Give a bandwidth for each axis");
     const std::size_t d = points.front().size();
     const auto n = static_cast<double>(points.size());
     const double shrink = std::pow(n, -1.0 / (static_cast<double>(d) + 4.0));
@@ -103,10 +104,11 @@ Result<GaussianDensity> GaussianDensity::fit(const Points& points, BandwidthRule
     std::vector<double> bandwidths;
     for (const double variance : covariance.diagonal()) {
         if (!(variance > 0.0))
-            return fail("",
-                        fmt::format("all points have the same number on axis {}: no bandwidth follows",
-                                    bandwidths.size() + 1),
-                        "Give a bandwidth for each axis");
+            return fail(
+                "",
+                fmt::format("all points have the same value on axis {}: no bandwidth can be estimated",
+                            bandwidths.size() + 1),
+                "Give a bandwidth for each axis");
         bandwidths.push_back(shrink * std::sqrt(variance));
         if (rule == BandwidthRule::normal_reference) bandwidths.back() *= 1.06 * std::sqrt((n - 1.0) / n);
     }
@@ -126,7 +128,7 @@ Result<GaussianDensity> GaussianDensity::fit(const Points& points, BandwidthRule
 double GaussianDensity::operator()(const std::vector<double>& x) const {
     const auto d = static_cast<Eigen::Index>(bandwidths_.size());
     if (x.size() != bandwidths_.size())
-        throw std::invalid_argument("a density was asked for at a point of another dimension");
+        throw std::invalid_argument("the density was requested at a point of another dimension");
     const MatrixOf lower(factor_.data(), d, d);
     const MatrixOf points(white_.data(), d, static_cast<Eigen::Index>(white_.size()) / d);
     const Eigen::VectorXd here = lower.triangularView<Eigen::Lower>().solve(VectorOf(x.data(), d));

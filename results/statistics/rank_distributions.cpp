@@ -82,7 +82,7 @@ double normalTail(double z) {
     return boost::math::cdf(boost::math::normal(), z);
 }
 
-/// For each total excess over the least possible sum, how many subsets of `chosen` give it, up to `max`.
+/// For each total excess over the smallest possible sum, how many subsets of `chosen` give it, up to `max`.
 std::vector<double> countSubsets(const std::vector<std::int64_t>& sorted, std::size_t chosen,
                                  std::int64_t max) {
     const std::size_t n = sorted.size();

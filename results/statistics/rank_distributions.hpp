@@ -1,4 +1,4 @@
-// Null distributions of rank sums, by dynamic programming over the ranks at hand. Only sums of positive
+// Null distributions of rank sums, by dynamic programming over the observed ranks. Only sums of positive
 // numbers occur, so every probability has a relative error below 1e-12, in the far tails too.
 #pragma once
 

@@ -74,7 +74,7 @@ struct Decimal {
 tl::unexpected<std::string> notANumber(std::string_view text) {
     return tl::unexpected(
         fmt::format("\"{}\" is not a number; expected a decimal such as -0.125 or 1e-3, a fraction such as "
-                    "7/3, or an empty cell where the value is missing",
+                    "7/3, or an empty cell for a missing value",
                     text.substr(0, 60)));
 }
 

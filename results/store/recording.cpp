@@ -30,7 +30,7 @@ Result<Setting> readSetting(SQLite::Database& database, const std::string& parti
     stored.bind(1, participant);
     if (!stored.executeStep())
         return fail(participant, "no such participant in this database",
-                    "'deixis participants list' names those that there are");
+                    "'deixis participants list' lists the participants");
     auto plan = studies::planFromJson(stored.getColumn(0).getString());
     if (!plan) return tl::unexpected(plan.error());
     Setting setting;

@@ -18,7 +18,7 @@ namespace deixis::results {
 namespace {
 
 constexpr std::size_t samples_together = max_frames_in_block;  ///< in one transaction
-/// Of a sample, unless the disk is slow: long enough for a block to fill at 72 frames a second.
+/// Of a sample, unless the disk is slow: long enough for a block to fill at 72 frames per second.
 constexpr std::chrono::milliseconds longest_wait{1000};
 constexpr std::size_t usual_events = 64;
 

@@ -61,7 +61,7 @@ class Query {
     [[nodiscard]] std::string text(int column) const { return statement_.getColumn(column).getString(); }
 
   private:
-    /// Text that no server could hold is refused where it enters; what gets as far as this (a folder's name,
+    /// Text that no server could hold is rejected where it enters; what gets as far as this (a folder's name,
     /// a driver's) is kept as well as can be.
     void bindText(const std::string& text) {
         if (storableText(text))

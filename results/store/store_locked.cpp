@@ -31,11 +31,12 @@ std::string Store::studySource() const {
 std::optional<Error> Store::Impl::studyObjection(const studies::Study& study) {
     auto known = query("SELECT name, hash FROM study");
     if (!known.next() || known.text(1) == study.hash) return std::nullopt;
-    return Error{path.string(),
-                 fmt::format("the database holds study '{}' (hash {:.12}), but this is '{}' (hash {:.12}){}",
-                             known.text(0), known.text(1), study.name, study.hash,
-                             listed(studyDifferences(database, study))),
-                 "Use the study file that it was begun with, or another database"};
+    return Error{
+        path.string(),
+        fmt::format("the database has the study '{}' (hash {:.12}), but this is '{}' (hash {:.12}){}",
+                    known.text(0), known.text(1), study.name, study.hash,
+                    listed(studyDifferences(database, study))),
+        "Use the study file that it was begun with, or another database"};
 }
 
 Result<void> Store::checkStudy(const studies::Study& study) const {
@@ -61,7 +62,7 @@ Result<void> Store::changeLocked(const std::string& from, const std::string& to,
         auto row = impl_->query("SELECT 1 FROM study WHERE locked_hash = ?");
         row << from;
         if (!row.next()) {
-            outcome = fail(impl_->path.string(), "the study was changed by another station meanwhile",
+            outcome = fail(impl_->path.string(), "another station has changed the study meanwhile",
                            "Look at what it has changed, and run this again");
             return;
         }

@@ -76,12 +76,12 @@ Error Store::Impl::rescue() {
             // Nothing is left in a log that has no database: where the file has only another name, it is
             // whole.
             database.tryExec("PRAGMA wal_checkpoint(TRUNCATE)");
-            return {
-                path.string(),
-                fmt::format("the database {}. Everything kept until then, all answers among it, is in '{}'",
-                            what, file->string()),
-                fmt::format("Find out what became of '{}', then give that copy its name",
-                            path.filename().string())};
+            return {path.string(),
+                    fmt::format(
+                        "the database {}. Everything stored until then, including all answers, is in '{}'",
+                        what, file->string()),
+                    fmt::format("Find out what happened to '{}', then give that copy its name",
+                                path.filename().string())};
         } catch (const SQLite::Exception& problem) {
             why = problem.what();
             std::error_code ignored;
@@ -89,7 +89,7 @@ Error Store::Impl::rescue() {
         }
     }
     return {path.string(), fmt::format("the database {}, and no copy of it could be written ({})", what, why),
-            fmt::format("The latest answers are in '{}-wal': delete nothing, give the database its name back "
+            fmt::format("The latest answers are in '{}-wal': delete nothing, give the database back its name "
                         "beside it, and they are read into it",
                         path.filename().string())};
 }

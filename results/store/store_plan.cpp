@@ -114,17 +114,17 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
         if (earlier.text(0) == hash) return std::nullopt;
         return Error{
             where,
-            fmt::format("the database holds another plan for participant {} (hash {:.12}, not {:.12}){}",
+            fmt::format("the database has another plan for participant {} (hash {:.12}, not {:.12}){}",
                         plan.participant, earlier.text(0), hash,
                         listed(planDifferences(*this->plan(plan.participant), plan))),
-            "Go on with the stored plan, or use another participant id"};
+            "Continue with the stored plan, or use another participant id"};
     }
     if (!locked_hash.empty()) {
         auto known = query("SELECT name, coalesce(locked_hash, '') FROM study");
         if (known.next() && known.text(1) != locked_hash)
             return Error{where,
-                         fmt::format("the database holds study '{}' with other files (locked as {:.12}, not "
-                                     "{:.12}): another station has begun it, or changed it, meanwhile",
+                         fmt::format("the database has the study '{}' with other files (locked as {:.12}, "
+                                     "not {:.12}): another station has begun or changed it meanwhile",
                                      known.text(0), known.text(1), locked_hash),
                          "Run this again: it then says what differs"};
     }
@@ -134,7 +134,7 @@ std::optional<Error> Store::Impl::objection(const studies::Study& study, const R
         return Error{where,
                      fmt::format("participant {} cannot have number {}: it is participant {}'s",
                                  registration.participant, registration.number, namesake.text(0)),
-                     "Give another one with --number, or none: the next free one is then taken"};
+                     "Give another one with --number, or none: the next free one is then used"};
     return std::nullopt;
 }
 

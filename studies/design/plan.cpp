@@ -41,7 +41,7 @@ Result<void> checkParticipant(const Study& study, std::string_view participant, 
     for (const auto& group : groups)
         if (std::none_of(study.between.begin(), study.between.end(),
                          [&](const BetweenFactor& factor) { return factor.name == group.first; }))
-            return fail("groups." + group.first, "found a factor that is none of the study's [[between]]");
+            return fail("groups." + group.first, "found a factor that is not in the study's [[between]]");
     return {};
 }
 
@@ -93,7 +93,7 @@ Result<void> drawItems(std::vector<OpenStage>& stages, const std::vector<TargetI
                                          [&](const TargetItem& item) { return suits(item, need); });
         if (found < need.scored)
             return fail("targets",
-                        fmt::format("found {} with a place in the room{}, expected at least {} for the {}",
+                        fmt::format("found {} with a position in the room{}, expected at least {} for the {}",
                                     found, need.balls ? " and distractors" : "", need.scored,
                                     need.balls ? "referential games" : "stages that need one"));
     }

@@ -55,7 +55,7 @@ class Reader {
     }
     [[nodiscard]] std::uint64_t count(const char* key) const {
         const Json& json = get(key);
-        if (!json.is_number_unsigned()) bad(key, json, "a whole number from 0 up");
+        if (!json.is_number_unsigned()) bad(key, json, "a whole number, 0 or more");
         return json.get<std::uint64_t>();
     }
     /// A whole number within `low`..`high`.
@@ -227,9 +227,9 @@ Trial readTrial(const Json& json, std::size_t index, const std::vector<std::stri
     if (declared.placed && target.is_null())
         reader.bad("target", target, fmt::format("a position [x, y, z] in a {}", declared.name));
     if (!declared.balls && !trial.distance.empty())
-        reader.bad("distance", reader.get("distance"), "\"\" where no balls are shown");
+        reader.bad("distance", reader.get("distance"), "\"\" if no balls are shown");
     if (!declared.balls && !trial.distractors.empty())
-        reader.bad("distractors", reader.get("distractors"), "none where no balls are shown");
+        reader.bad("distractors", reader.get("distractors"), "none if no balls are shown");
     trial.ball_order = readBallOrder(reader, declared.balls ? trial.distractors.size() + 1 : 0);
     trial.check = readCheck(reader, trial);
     if (seen) trial.seen = readSeen(reader, trial);

@@ -59,9 +59,8 @@ Result<void> checkDesign(const Study& study, const Stage& stage) {
                           fmt::format("found \"{}\", expected one of [[distances]]", name));
     for (const AttentionChecks& check : stage.checks) {
         if (check.kind == CheckKind::number && !kind.has("scale"))
-            return failIn(
-                stage, "checks.kind",
-                "found \"number\", expected \"repeat\" or \"catch\": there is no scale to give it on");
+            return failIn(stage, "checks.kind",
+                          "found \"number\", expected \"repeat\" or \"catch\": there is no scale for it");
         if (check.kind != CheckKind::catch_trial) continue;
         if (!kind.balls)
             return failIn(stage, "checks.kind", "found \"catch\", expected it in a referential game only");
@@ -98,9 +97,9 @@ OrderTask orderTask(const TrialDesign& design, const DesignLevels& levels,
 std::string describeLimits(const TrialDesign& design) {
     std::string out;
     if (design.max_run_of_system > 0)
-        out = fmt::format("no system comes more than {} times running", design.max_run_of_system);
+        out = fmt::format("no system occurs more than {} times in a row", design.max_run_of_system);
     if (design.no_target_twice_running)
-        out += (out.empty() ? "" : " and ") + std::string("no target twice running");
+        out += (out.empty() ? "" : " and ") + std::string("no target occurs twice in a row");
     return out;
 }
 
@@ -158,7 +157,7 @@ Result<std::vector<int>> orderUnits(const Stage& stage, const DesignLevels& leve
                 stage, stage.design.max_run_of_system > 0 ? "max_run_of_system" : "no_target_twice_running",
                 fmt::format("found no order of the {} trials in which {}", units.size(),
                             describeLimits(stage.design)),
-                "Loosen the limits, or ask for more items");
+                "Relax the limits, or use more items");
         if (repeats == 0) return *order;
         std::vector<PlannedTrial> more_units = units;
         OrderTask more_task = task;
@@ -166,12 +165,11 @@ Result<std::vector<int>> orderUnits(const Stage& stage, const DesignLevels& leve
         units = std::move(more_units);
         return *order;
     }
-    return failIn(
-        stage, "checks.count",
-        fmt::format("found no room for {} repeats, each in the block of its first time and a quarter "
-                    "of the block's trials after it, among {} trials",
-                    repeats, units.size()),
-        "Ask for fewer repeats or more items");
+    return failIn(stage, "checks.count",
+                  fmt::format("found no room for {} repeats, each in the same block as the first and at "
+                              "least a quarter of the block's trials later, among {} trials",
+                              repeats, units.size()),
+                  "Use fewer repeats or more items");
 }
 
 void shuffle(std::vector<int>& values, Random& random) {
@@ -235,9 +233,9 @@ Result<void> addNumbers(const Stage& stage, std::vector<Trial>& trials, Random r
     for (const Trial& trial : trials)
         if (!trial.check && !repeated[trial.index]) open.push_back(trial.index);
     if (static_cast<int>(open.size()) < count)
-        return failIn(
-            stage, "checks.count",
-            fmt::format("found {} numbers for {} trials, expected at most one a trial", count, open.size()));
+        return failIn(stage, "checks.count",
+                      fmt::format("found {} numbers for {} trials, expected at most one per trial", count,
+                                  open.size()));
     shuffle(open, random);
     for (int i = 0; i < count; ++i) {
         Trial& trial = trials[open[i]];

@@ -16,13 +16,12 @@ double rounded(double metres) {
 }  // namespace
 
 Result<std::vector<TargetItem>> targetGrid(const std::vector<Vec3>& training, int count) {
-    if (training.empty()) return fail("", "a grid needs training targets to lie between; there are none");
+    if (training.empty()) return fail("", "a grid needs training targets for its limits; there are none");
     const int side = std::max(2, static_cast<int>(std::lround(std::cbrt(std::max(0, count)))));
     if (side * side * side != count) {
         const int below = side * side * side > count ? std::max(2, side - 1) : side;
-        return fail("",
-                    fmt::format("a grid of {} points has no equal number of places along x, y and z", count),
-                    fmt::format("Choose a third power, such as {} or {}", below * below * below,
+        return fail("", fmt::format("a grid of {} points cannot have equally many along x, y and z", count),
+                    fmt::format("Choose a cube number, such as {} or {}", below * below * below,
                                 (below + 1) * (below + 1) * (below + 1)));
     }
     Vec3 low = training.front();

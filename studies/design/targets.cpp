@@ -108,7 +108,7 @@ class AngleLimits {
 std::string describeAngles(const DistanceBand& band) {
     std::string out;
     const auto add = [&](const std::optional<Range>& range, std::string_view whose) {
-        if (range) out += fmt::format(", {} to {} degrees as {} sees it", range->low, range->high, whose);
+        if (range) out += fmt::format(", {} to {} degrees as seen by {}", range->low, range->high, whose);
     };
     add(band.avatar_angle_deg, "the avatar");
     add(band.participant_angle_deg, "the participant");
@@ -157,17 +157,16 @@ Result<std::vector<Vec3>> bandDistractors(const TargetItem& item, const TargetSp
         if (!point)
             return fail(
                 fmt::format("distances.{}.distance_m", band.name),
-                fmt::format("found no place for distractor {} of target {} ({} m): it must lie "
-                            "within {}, {} to {} m from the target{} and {} m (a ball's diameter) "
-                            "from the others{}",
+                fmt::format("found no place for distractor {} of target {} ({} m): it must be within {}, {} "
+                            "to {} m from the target{} and {} m (a ball's diameter) from the others{}",
                             points.size() + 1, item.id, positionText(item.target), describeRanges(space),
                             band.distance_m.low, band.distance_m.high, describeAngles(band),
-                            space.ball_diameter_m, view != nullptr ? ", be seen, and hide none of them" : ""),
-                fmt::format(
-                    "Widen its distance_m{} or the ranges of height, arc and radius, or ask for fewer "
-                    "distractors or smaller balls{}",
-                    describeAngles(band).empty() ? "" : ", its angles",
-                    view != nullptr ? ", or for targets.visibility = \"any\"" : ""));
+                            space.ball_diameter_m,
+                            view != nullptr ? ", be visible, and hide none of them" : ""),
+                fmt::format("Widen its distance_m{} or the ranges of height, arc and radius, or use fewer "
+                            "distractors or smaller balls{}",
+                            describeAngles(band).empty() ? "" : ", its angles",
+                            view != nullptr ? ", or set targets.visibility = \"any\"" : ""));
         points.push_back(*point);
     }
     std::vector<Vec3> out;
@@ -215,12 +214,11 @@ Result<std::vector<TargetItem>> sampleTargets(const TargetSpace& space,
         if (from.empty()) continue;
         const std::optional<Vec3> seen = seenTarget(space, item.id, item.target, seed, from);
         if (!seen)
-            return fail(
-                "targets.visibility",
-                fmt::format("found no place for target {} within {} that is seen past the avatar from "
-                            "all places of the participant: {}",
-                            item.id, describeRanges(space), listedPlaces(from)),
-                "Move the places in [[layouts]], or ask for targets.visibility = \"any\"");
+            return fail("targets.visibility",
+                        fmt::format("found no place for target {} within {} that is visible past the avatar "
+                                    "from all places of the participant: {}",
+                                    item.id, describeRanges(space), listedPlaces(from)),
+                        "Move the places in [[layouts]], or set targets.visibility = \"any\"");
         item.target = *seen;
     }
     return drawDistractors(std::move(items), space, bands, seed, from, places);

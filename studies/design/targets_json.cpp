@@ -1,4 +1,4 @@
-// A study's targets as they are kept with it.
+// A study's targets as they are stored with it.
 #include <nlohmann/json.hpp>
 
 #include "studies/design/targets.hpp"

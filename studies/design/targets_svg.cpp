@@ -367,7 +367,7 @@ std::string targetsSvg(const TargetSpace& space, const std::vector<TargetItem>& 
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
         "height=\"{1:.0f}\" font-family=\"Inter, 'DejaVu Sans', Arial, sans-serif\" font-size=\"13\" "
-        "fill=\"#2d343c\">\n<title>Targets before the avatar</title>\n"
+        "fill=\"#2d343c\">\n<title>Targets in front of the avatar</title>\n"
         "<style>.tick{{font-size:11px;fill:#5b6570}}.title{{font-size:15px;font-weight:600}}</"
         "style>\n<defs>\n",
         page_width, page_height);
@@ -381,7 +381,7 @@ std::string targetsSvg(const TargetSpace& space, const std::vector<TargetItem>& 
     gradient("demonstration", "#74aee8", demonstration_colour);
     out += "</defs>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
     out += perspectiveView(scene, {20.0, 50.0, 640.0, 640.0});
-    out += text({30.0, 50.0}, "Targets before the avatar", "class=\"title\"");
+    out += text({30.0, 50.0}, "Targets in front of the avatar", "class=\"title\"");
     out += flatView(scene, above, above_corner, scale);
     out += flatView(scene, side, side_corner, scale);
     out += legend(scene, {side_corner.x + scale * size.z + 40.0, side_corner.y + 12.0});

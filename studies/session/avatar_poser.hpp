@@ -18,7 +18,7 @@ class AvatarPoser {
     void standAt(const Vec3& place);                            ///< on the floor; at first the origin
     void blendTo(const motion::LocalPose& goal, double now_s);  ///< takes blend_s from now
     void show(const motion::Clip& clip, double clip_time_s);    ///< ends a blend
-    void advance(double now_s);                                 ///< goes on with a blend, if one runs
+    void advance(double now_s);                                 ///< continues with a blend, if one runs
     [[nodiscard]] bool blending() const { return goal_ != nullptr; }
 
     /// Writes stage_from_joint where the pose has changed since the last call.

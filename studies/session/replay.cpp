@@ -90,7 +90,7 @@ TrialReplay::TrialReplay(const RecordedTrial& recorded, const ClipSource& clips,
     end_s_ = std::max(recorded.answered_s, first_s) + after_s;
     for (const RecordedPlay& play : recorded.plays)
         if (play.stimulus < 0 || static_cast<std::size_t>(play.stimulus) >= recorded.trial.stimuli.size())
-            throw std::invalid_argument("a recorded play of a stimulus that its trial lacks");
+            throw std::invalid_argument("a recorded play of a stimulus that is not in its trial");
 }
 
 std::vector<Pose> TrialReplay::joints(double time_s, int avatar_place) const {

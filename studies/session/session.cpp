@@ -57,7 +57,7 @@ void SessionRunner::State::proceed(const InputFrame& input) {
     core.trial_index = -1;
     if (!timeline.closingEarly())
         if (const Stage* failed = timeline.failedPractice()) {
-            // What an earlier session left; else it was kept with the answer.
+            // What an earlier session left; else it was stored with the answer.
             core.events.push_back(Exclusion{practiceFailed(*failed), core.now});
             timeline.close(SessionOutcome::excluded);
         }

@@ -54,8 +54,8 @@ const motion::Clip& SessionCore::clipOf(const Stimulus& stimulus) const {
     const motion::Clip& clip = clips.clip(stimulus);
     if (clip.frames.empty() || clip.frames.front().joints.size() != avatar.joints.size())
         throw std::invalid_argument(
-            fmt::format("the clip of system '{}' for item '{}' has not the avatar's joints", stimulus.system,
-                        stimulus.item));
+            fmt::format("the clip of system '{}' for item '{}' does not have the avatar's joints",
+                        stimulus.system, stimulus.item));
     return clip;
 }
 

@@ -21,7 +21,7 @@ const Stage& stageOf(const Study& study, std::string_view name) {
     const Stage* stage = study.findStage(name);
     if (stage == nullptr)
         throw std::invalid_argument(
-            fmt::format("the plan names stage '{}', which study '{}' lacks", name, study.name));
+            fmt::format("the plan names stage '{}', which is not in study '{}'", name, study.name));
     return *stage;
 }
 
@@ -53,7 +53,7 @@ PresentedState pageState(PageKind kind) {
         case PageKind::closing:
             return PresentedState::closing;
     }
-    throw std::logic_error("a page of no kind");
+    throw std::logic_error("a page without a kind");
 }
 
 std::vector<Attempt> practiceAttempts(const StudyPlan& plan, const Stage& stage,
@@ -123,7 +123,7 @@ Timeline::Timeline(const Study& study, const StudyPlan& plan, std::map<int, bool
     for (const Trial& trial : plan.trials) {
         const Stage& stage = stageOf(study, trial.stage);
         if (std::find(stages_.begin(), stages_.end(), &stage) == stages_.end())
-            throw std::invalid_argument(fmt::format("trial {} is of stage '{}', which the plan does not list",
+            throw std::invalid_argument(fmt::format("trial {} is in stage '{}', which the plan does not list",
                                                     trial.index, trial.stage));
         (void)taskOf(study, stage);
         (void)layoutOf(trial);
@@ -165,7 +165,7 @@ const Layout& Timeline::layoutOf(const Trial& trial) const {
     const Layout* layout = study_.findLayout(trial.layout);
     if (layout == nullptr)
         throw std::invalid_argument(
-            fmt::format("trial {} of the plan is laid out '{}', which study '{}' lacks", trial.index,
+            fmt::format("trial {} of the plan has the layout '{}', which is not in study '{}'", trial.index,
                         trial.layout, study_.name));
     return *layout;
 }
@@ -202,7 +202,7 @@ std::vector<const Stage*> Timeline::pagesBefore(std::size_t stage) const {
     return pages;
 }
 
-/// Pages of a stage that has begun are not shown again, but for the instructions where the visit goes on in
+/// Pages of a stage that has begun are not shown again, but for the instructions where the visit continues in
 /// it after a long time.
 std::vector<const Stage*> Timeline::pagesFor(const Trial& trial) const {
     const std::size_t place = placeOf(trial.stage);

@@ -100,7 +100,7 @@ ObserverFit fitWeights(std::span<const SeenChoice> choices, const ObserverModel&
     std::vector<Cues> cues;
     cues.reserve(choices.size());
     for (const SeenChoice& seen : choices) cues.push_back(cuesOf(seen.arm, seen.balls));
-    // observerLogLikelihood(), with the lines' angles at hand.
+    // observerLogLikelihood(), with the lines' angles available.
     const auto logLikelihood = [&](const Point& point) {
         const ObserverModel at = modelAt(point);
         double sum = 0.0;
@@ -122,7 +122,7 @@ ObserverFit fitWeights(std::span<const SeenChoice> choices, const ObserverModel&
     const double wanted = best.value - allowedFall(level);
     constexpr double tolerance = 1e-3;
     const auto fitted = [&](std::size_t which) {
-        // Each step goes on from the best of the one before.
+        // Each step continues from the best of the one before.
         const auto end = [&](double last) {
             Point from = best.at;
             return crossing(best.at[which], last, wanted, tolerance, [&](double value) {

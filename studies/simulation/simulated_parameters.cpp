@@ -47,12 +47,12 @@ void readRating(TomlTable table, SimulatedParameters& read) {
     read.profile_abrupt = table.number("profile_abrupt", 1.0, 10.0);
     read.profile_smooth = table.number("profile_smooth", 1.0, 10.0);
     if (read.profile_smooth <= read.profile_abrupt)
-        table.problem("profile_smooth", "not greater than profile_abrupt; expected a greater number");
+        table.problem("profile_smooth", "not greater than profile_abrupt; expected a larger number");
     read.participation_deg = table.number("participation_deg", 0.01, 180.0);
     read.steady_speed_m_s = table.number("steady_speed_m_s", 0.0, 10.0);
     read.unsteady_speed_m_s = table.number("unsteady_speed_m_s", 0.0, 10.0);
     if (read.unsteady_speed_m_s <= read.steady_speed_m_s)
-        table.problem("unsteady_speed_m_s", "not greater than steady_speed_m_s; expected a greater number");
+        table.problem("unsteady_speed_m_s", "not greater than steady_speed_m_s; expected a larger number");
     read.rating_bias_between = table.number("bias_between", 0.0, 10.0);
     read.rating_noise_within = table.number("noise_within", 0.0, 10.0);
 }
@@ -61,7 +61,7 @@ void readPreference(TomlTable table, SimulatedParameters& read) {
     read.preference_tie_zone = table.number("tie_zone", 0.0, 10.0);
     read.preference_clear_zone = table.number("clear_zone", 0.0, 10.0);
     if (read.preference_clear_zone < read.preference_tie_zone)
-        table.problem("clear_zone", "less than tie_zone; expected the same or a greater number");
+        table.problem("clear_zone", "less than tie_zone; expected the same or a larger number");
 }
 
 void readOtherAnswers(TomlTable& root, SimulatedParameters& read) {

@@ -84,9 +84,9 @@ void SimulatedStation::watchProgress(const PresentedFrame& frame) {
     }
     if (failure_ || input_.time_s - since_s_ < patience_s) return;
     failure_ = Error{"simulated participant",
-                     fmt::format("{}: no answer within {:g} minutes of virtual time; what it waited for: {}",
+                     fmt::format("{}: no answer within {:g} minutes of virtual time; it was waiting for: {}",
                                  under_way, patience_s / 60.0, whatIsOpen(frame, input_)),
-                     fmt::format("A person may be stuck here too: 'deixis run STUDY --station simulated "
+                     fmt::format("A person may get stuck here, too: 'deixis run STUDY --station simulated "
                                  "--screenshot {}=FILE.png' shows what is seen",
                                  presentedStateName(frame))};
 }

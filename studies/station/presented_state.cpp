@@ -32,7 +32,7 @@ constexpr std::array<StateTraits, 25> states{{
     {PresentedState::check, "check"},
     {PresentedState::rating, "rating"},
     {PresentedState::rated, "rated"},
-    {PresentedState::watching, "listening"},
+    {PresentedState::watching, "watching"},
     {PresentedState::comparing, "comparing"},
     {PresentedState::reasons, "reasons", true},
     {PresentedState::choosing, "choosing"},

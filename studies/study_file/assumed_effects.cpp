@@ -94,8 +94,8 @@ AssumedAccuracy readAccuracy(TomlTable table, const Study& study, const StudyMea
         if (!table.faulty("systems") && !table.faulty("lapse_rate") &&
             !(share > curve.low() && share < curve.high()))
             table.problemAt("systems", name,
-                            fmt::format("found {}, expected a share of right choices above {} and below {}: "
-                                        "lapses fall on each of {} balls alike",
+                            fmt::format("found {}, expected a share of correct choices above {} and below "
+                                        "{}: lapses are spread evenly over {} balls",
                                         share, curve.low(), curve.high(), measure.balls));
     return read;
 }
@@ -232,7 +232,7 @@ Result<AssumedEffects> loadAssumedEffects(const std::filesystem::path& path, con
         read.preference = readAssumedPreference(
             root.below("preference", root.section("preference", true), assumed_preference_keys), study);
     if (problems.none() && !read.accuracy && read.ratings.empty() && !read.preference)
-        return fail(path.string(), "assumes nothing of any measure of the study",
+        return fail(path.string(), "assumes nothing about any measure of the study",
                     "Give [accuracy], [rating.MEASURE] or [preference]; docs/power.md describes them");
     if (!problems.none()) return tl::unexpected(problems.sorted().front());
     return read;

@@ -36,7 +36,7 @@ void readScores(TomlTable& root, Questionnaire& questionnaire) {
         Score score = readScore(table, questionnaire);
         if (!score.name.empty() && std::any_of(questionnaire.scores.begin(), questionnaire.scores.end(),
                                                [&](const Score& other) { return other.name == score.name; }))
-            table.problem("name", fmt::format("\"{}\" comes twice, expected a name of its own", score.name));
+            table.problem("name", fmt::format("\"{}\" occurs twice, expected a unique name", score.name));
         questionnaire.scores.push_back(std::move(score));
     }
 }

@@ -25,11 +25,10 @@ void readWordsOf(const std::string& language, const toml::table* own, TomlTable&
     std::error_code ignored;
     const bool ships = fs::is_regular_file(path, ignored);
     if (!ships && own == nullptr) {
-        table.problem(
-            "languages",
-            fmt::format("found \"{}\", a language that the program itself does not speak", language),
-            fmt::format("Bring its words as [words.{}]: all those of {}, translated", language,
-                        (reader.folders.languages / "en.toml").string()));
+        table.problem("languages",
+                      fmt::format("found \"{}\", a language that the program does not have", language),
+                      fmt::format("Add its words as [words.{}]: all those of {}, translated", language,
+                                  (reader.folders.languages / "en.toml").string()));
         return;
     }
     std::optional<LanguageTable> words;
@@ -126,7 +125,7 @@ void readHead(TomlTable& table, StudyReader& reader) {
     }
     if (table.has("avatar_height_m")) {
         study.avatar_height_m = table.number("avatar_height_m", 0.3, 3.0);
-        if (study.avatar.empty()) table.reject("avatar_height_m", "without an avatar of the study's own");
+        if (study.avatar.empty()) table.reject("avatar_height_m", "without the study's own avatar");
     }
     study.inter_trial_s = table.number("inter_trial_s", 0.0, 60.0, study.inter_trial_s);
     constexpr std::string_view after_interruption[] = {"resume", "repeat"};

@@ -60,7 +60,7 @@ void finishPractice(StageEntry& entry, const std::deque<StageEntry>& stages) {
                          fmt::format("in practice of a stage of kind \"{}\", whose answers are neither right "
                                      "nor wrong",
                                      of->kind->name));
-        table.reject("feedback", "in practice of a stage that is no game");
+        table.reject("feedback", "in practice of a stage that is not a game");
     }
     if (table.sound("when"))
         for (const auto& [factor, level] : of->stage.when) {
@@ -88,11 +88,10 @@ void checkFields(std::deque<StageEntry>& stages) {
             if (!before->stage.about_participant || exclusive(before->stage, later->stage)) continue;
             for (const Question& question : later->stage.questionnaire.questions)
                 if (before->stage.questionnaire.find(question.id) != nullptr)
-                    later->table.problem(
-                        "about_participant",
-                        fmt::format("the field \"{}\" of a participant comes from the stage \"{}\" "
-                                    "already; expected other ids",
-                                    question.id, before->stage.name));
+                    later->table.problem("about_participant",
+                                         fmt::format("the field \"{}\" of a participant already comes from "
+                                                     "the stage \"{}\"; expected other ids",
+                                                     question.id, before->stage.name));
         }
     }
 }
@@ -148,9 +147,9 @@ void checkEnoughTargets(StudyReader& reader, const std::deque<StageEntry>& stage
     const toml::source_position at = section->get("count")->source().begin;
     reader.problems.add(
         at, "targets.count",
-        fmt::format("found {}, expected at least {}: each of a participant's stages takes targets of "
-                    "its own: {}",
-                    reader.study.targets.count, max, list));
+        fmt::format(
+            "found {}, expected at least {}: each of a participant's stages uses separate targets: {}",
+            reader.study.targets.count, max, list));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ QuestionOption readOption(TomlTable table, const std::vector<QuestionOption>& be
     QuestionOption option{table.name("id"), table.text("text")};
     if (!option.id.empty() && std::any_of(before.begin(), before.end(),
                                           [&](const QuestionOption& other) { return other.id == option.id; }))
-        table.problem("id", fmt::format("\"{}\" comes twice, expected an id of its own", option.id));
+        table.problem("id", fmt::format("\"{}\" occurs twice, expected a unique id", option.id));
     return option;
 }
 
@@ -115,7 +115,7 @@ std::vector<Question> readQuestions(TomlTable& table) {
         if (!question.id.empty() &&
             std::any_of(questions.begin(), questions.end(),
                         [&](const Question& other) { return other.id == question.id; }))
-            below.problem("id", fmt::format("\"{}\" comes twice, expected an id of its own", question.id));
+            below.problem("id", fmt::format("\"{}\" occurs twice, expected a unique id", question.id));
         questions.push_back(std::move(question));
     }
     return questions;

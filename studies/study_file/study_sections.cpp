@@ -1,4 +1,4 @@
-// Distances, layouts, systems, factors between participants, targets, headset, analysis.
+// Distances, layouts, systems, between-participants factors, targets, headset, analysis.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ void readNamed(StudyReader& reader, std::string_view section, bool required, Key
         const std::string name = entry.name("name");
         if (!name.empty() &&
             std::any_of(out.begin(), out.end(), [&](const Entry& other) { return other.name == name; }))
-            entry.problem("name", fmt::format("\"{}\" comes twice, expected a name of its own", name));
+            entry.problem("name", fmt::format("\"{}\" occurs twice, expected a unique name", name));
         out.push_back(read(entry, name));
     }
 }
@@ -51,7 +51,7 @@ Layout readLayout(TomlTable& table, const std::string& name) {
     const ViewerPlace viewer = place("viewer_m");
     Layout layout{name, viewer.x_m, viewer.z_m, table.number("heading_deg", -360.0, 360.0)};
     if (!table.has("desktop_viewer_m")) {
-        table.reject("desktop_heading_deg", "without desktop_viewer_m, whose heading it is");
+        table.reject("desktop_heading_deg", "without desktop_viewer_m, to which the heading belongs");
         return layout;
     }
     layout.desktop = place("desktop_viewer_m");
@@ -75,7 +75,7 @@ SystemSource readSystem(TomlTable& table, const std::string& name, const fs::pat
     }
     if (!system.manifest.empty())
         for (const std::string_view key : {"hold_s", "unsteadiness_m"})
-            table.reject(key, "with a manifest, whose clips are as they are");
+            table.reject(key, "with a manifest, whose clips are used as they are");
     if (!system.generator.empty())
         for (const std::string_view key : {"keep", "fingers"})
             table.reject(key, "with a generator, whose clips are made for the avatar");
@@ -89,7 +89,7 @@ SystemSource readSystem(TomlTable& table, const std::string& name, const fs::pat
     return system;
 }
 
-/// The factors within participants that every study has.
+/// The within-participants factors that every study has.
 bool isBuiltInFactor(std::string_view name) {
     return name == "system" || name == "layout" || name == "distance";
 }
@@ -110,15 +110,14 @@ void checkLevels(std::vector<TomlTable>& tables, const std::vector<SystemSource>
     for (const auto& [factor, levels] : factors) {
         TomlTable& table = tables[first[factor]];
         if (isBuiltInFactor(factor))
-            table.problemAt("levels", factor,
-                            "found a factor that every study has, expected a name of its own");
+            table.problemAt("levels", factor, "found a factor that every study has, expected another name");
         bool complete = true;
         for (std::size_t i = 0; i < systems.size(); ++i) {
             if (systems[i].levels.count(factor) > 0) continue;
             complete = false;
-            tables[i].problem("levels",
-                              fmt::format("the factor \"{}\" is missing, which the system \"{}\" has", factor,
-                                          systems[first[factor]].name));
+            tables[i].problem(
+                "levels", fmt::format("the factor \"{}\" is missing, but the system \"{}\" has it", factor,
+                                      systems[first[factor]].name));
         }
         if (complete && levels.size() < 2)
             table.problemAt(
@@ -183,13 +182,16 @@ void readBetween(StudyReader& reader) {
                 table.problem("levels",
                               fmt::format("found {} levels, expected at most {}", factor.levels.size(), max));
             if (isBuiltInFactor(name))
-                table.problem("name", fmt::format("found \"{}\", which is a factor of every study; "
-                                                  "expected a name of its own",
-                                                  name));
+                table.problem(
+                    "name",
+                    fmt::format("found \"{}\", which is a factor of every study; expected another name",
+                                name));
             if (nested.count(name) > 0)
-                table.problem("name", fmt::format("found \"{}\", which is a factor of the systems' levels; "
-                                                  "expected a name of its own",
-                                                  name));
+                table.problem(
+                    "name",
+                    fmt::format(
+                        "found \"{}\", which is a factor of the systems' levels; expected another name",
+                        name));
             constexpr std::size_t max_cells = 1000;
             cells *= std::max<std::size_t>(factor.levels.size(), 1);
             if (cells > max_cells) {

@@ -41,10 +41,11 @@ Practice readPractice(TomlTable& table) {
         table.reject("again_text", "without max_attempts over 1");
     if (practice.criterion == 0.0 && !table.faulty("criterion")) {
         if (practice.max_attempts > 1)
-            table.problem("max_attempts",
-                          fmt::format("found {}, expected 1 without a criterion, which alone calls "
-                                      "for a further attempt",
-                                      practice.max_attempts));
+            table.problem(
+                "max_attempts",
+                fmt::format(
+                    "found {}, expected 1 without a criterion: only a criterion leads to a further attempt",
+                    practice.max_attempts));
         table.reject("end_if_failed", "without a criterion");
     }
     return practice;
@@ -79,9 +80,9 @@ void readSession(TomlTable& table, int before, Stage& stage) {
     table.problem("session", before == 0
                                  ? fmt::format("found {}, expected 1 in the first stage", stage.session)
                              : stage.session < before
-                                 ? fmt::format("found {}, expected {} or {}: sessions do not go back",
+                                 ? fmt::format("found {}, expected {} or {}: session numbers do not decrease",
                                                stage.session, before, before + 1)
-                                 : fmt::format("found {}, expected {} or {}: no session is left out",
+                                 : fmt::format("found {}, expected {} or {}: session numbers have no gaps",
                                                stage.session, before, before + 1));
 }
 
@@ -97,7 +98,7 @@ void rejectSessionsOfPages(std::deque<StageEntry>& stages) {
                 return other.stage.session == session && (asks(other) || !other.known);
             }))
             stages[i].table.problem(
-                "session", fmt::format("session {} asks nothing, expected a stage that is answered", session),
+                "session", fmt::format("session {} asks nothing, expected a stage with answers", session),
                 "Move its pages to the end of the session before");
     }
 }
@@ -118,7 +119,7 @@ std::deque<StageEntry> readStages(StudyReader& reader) {
         if (!stage.name.empty() && std::any_of(out.begin(), out.end(), [&](const StageEntry& other) {
                 return other.stage.name == stage.name;
             }))
-            table.problem("name", fmt::format("\"{}\" comes twice, expected a name of its own", stage.name));
+            table.problem("name", fmt::format("\"{}\" occurs twice, expected a unique name", stage.name));
         readSession(table, session, stage);
         session = stage.session;
         readWhen(table, reader.study, stage);

@@ -41,10 +41,11 @@ void readBlocks(TomlTable& table, Stage& stage) {
         const std::string list = design.block_by + "s";
         const std::size_t levels = levelsOf(design, design.block_by);
         if (levels == 1 && !table.faulty(list))
-            table.problem("block_by",
-                          fmt::format("found \"{}\", of which the stage has one level; expected a "
-                                      "factor with two or more",
-                                      design.block_by));
+            table.problem(
+                "block_by",
+                fmt::format(
+                    "found \"{}\", which has one level in this stage; expected a factor with two or more",
+                    design.block_by));
     }
     constexpr std::string_view orders[] = {"williams", "shuffled", "listed"};
     if (const std::optional<std::size_t> order = table.choice("block_order", orders, false))
@@ -121,7 +122,7 @@ AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& sta
         table.reject("after_failures", "with the rule \"note\"");
     if (!table.faulty("count") && !table.faulty("after_failures") && checks.after_failures > checks.count)
         table.problem("after_failures",
-                      fmt::format("found {}, expected at most count ({}): the rule would never hold",
+                      fmt::format("found {}, expected at most count ({}): the rule would never apply",
                                   checks.after_failures, checks.count));
 
     std::vector<std::string_view> possible;
@@ -136,7 +137,7 @@ AttentionChecks readCheck(TomlTable& table, const Study& study, const Stage& sta
             table.checkKnown("distance", checks.distance, namesIn(study.distances), "[[distances]]");
         return checks;
     }
-    table.reject("distance", "with a check that is no catch trial");
+    table.reject("distance", "with a check that is not a catch trial");
     checks.tolerance = table.number("tolerance", 0.0, widestDifference(study, stage), 0.0);
     if (trials > 0 && !table.faulty("count") && checks.count > trials)
         table.problem("count", fmt::format("found {}, expected at most {}, the trials of the stage",
@@ -206,8 +207,8 @@ void readTrials(TomlTable& table, StageReading& reading, Stage& stage) {
     if (kind.has("scale") && (stage.measure == "accuracy" || stage.measure == "preference"))
         table.problem(
             "measure",
-            fmt::format("found \"{}\", which the report calls {} so; expected another name", stage.measure,
-                        stage.measure == "accuracy" ? "right choices of the game" : "answers to pairs"));
+            fmt::format("found \"{}\", the report's name for {}; expected another name", stage.measure,
+                        stage.measure == "accuracy" ? "correct choices of the game" : "answers to pairs"));
     if (kind.has("max_replays")) stage.max_replays = table.count("max_replays", 0, 100, 0);
     readBreaks(table, stage);
     readChecks(table, study, stage);

@@ -136,13 +136,13 @@ std::string_view textStatusText(TextStatus status) {
         case TextStatus::written:
             return "written in this language";
         case TextStatus::translated:
-            return "translated, not reviewed by a speaker";
+            return "translated, not reviewed by a native speaker";
         case TextStatus::reviewed:
-            return "translated, reviewed by a speaker";
+            return "translated, reviewed by a native speaker";
         case TextStatus::unstated:
             break;
     }
-    return "not said to have been reviewed by a speaker";
+    return "not stated whether a native speaker reviewed them";
 }
 
 Result<LanguageTable> readWords(const toml::table& table, const std::string& file, std::string_view prefix,
@@ -231,7 +231,7 @@ std::string LanguageTable::operator()(
         const auto value = std::find_if(values.begin(), values.end(),
                                         [&](const auto& one) { return one.first == piece.text; });
         if (value == values.end())
-            throw std::invalid_argument(fmt::format("'{}' is given no value for '{}'", key, piece.text));
+            throw std::invalid_argument(fmt::format("'{}' has no value for '{}'", key, piece.text));
         out += value->second;
     }
     return out;

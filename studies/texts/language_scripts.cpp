@@ -1,6 +1,6 @@
 // Boards draw one character after another, from left to right, each with a shape of its own from the
-// program's fonts. Scripts that need more are refused: a participant would read them backwards, in pieces, or
-// as question marks.
+// program's fonts. Scripts that need more are rejected: a participant would read them backwards, in pieces,
+// or as question marks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -69,7 +69,7 @@ bool hasShape(char32_t code) {
 }
 
 const char* const hint =
-    "Expected a script whose letters stand one after another from left to right, such as Latin, Greek, "
+    "Expected a script whose letters follow each other from left to right, such as Latin, Greek, "
     "Cyrillic or Hangul, and no symbols beyond it";
 
 }  // namespace
@@ -89,7 +89,7 @@ std::optional<NotDrawn> notDrawn(std::string_view text) {
                         block.script),
                     hint};
         if (!hasShape(code))
-            return NotDrawn{fmt::format("found '{}' (U+{:04X}), for which the program's fonts have no shape",
+            return NotDrawn{fmt::format("found '{}' (U+{:04X}), which is not in the program's fonts",
                                         text.substr(begin, at - begin), static_cast<unsigned>(code)),
                             hint};
     }

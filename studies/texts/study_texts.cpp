@@ -68,7 +68,7 @@ void TextBook::compareLanguages(const toml::table& texts, const toml::table& fil
             lacking.erase(meant);
             problems_.add(
                 key.source().begin, fmt::format("texts.{}.{}", language, name),
-                fmt::format("this text is used nowhere; expected \"@{}\" somewhere in the file", name),
+                fmt::format("this text is not used anywhere; expected \"@{}\" somewhere in the file", name),
                 meant.empty() ? "Remove it from all languages, or refer to it"
                               : fmt::format("Did you mean {}?", meant));
         }

@@ -97,7 +97,8 @@ Result<toml::table> parseToml(const std::string& file, std::string_view bytes) {
         toml::table table = toml::parse(bytes, file);
         if (const auto line = lineOfNul(table))
             return fail(fmt::format("{}:{}", file, *line),
-                        "found the character U+0000 in a text, which no database can hold", "Remove it");
+                        "found the character U+0000 in a text, which cannot be stored in a database",
+                        "Remove it");
         return table;
     } catch (const toml::parse_error& error) {
         return fail(fmt::format("{}:{}", file, error.source().begin.line),
@@ -159,7 +160,7 @@ TomlTable TomlTable::below(std::string_view key, const toml::table* table, Names
 
 const toml::node* TomlTable::find(std::string_view key, bool required, std::string_view expected) {
     if (std::find(known_.begin(), known_.end(), key) == known_.end())
-        throw std::logic_error(fmt::format("the loader reads '{}', which is not among the known keys", key));
+        throw std::logic_error(fmt::format("the loader reads '{}', which is not a known key", key));
     if (table_ == nullptr) return nullptr;
     const toml::node* node = table_->get(key);
     if (node != nullptr || !required) return node;

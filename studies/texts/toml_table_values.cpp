@@ -86,7 +86,7 @@ std::vector<std::string> TomlTable::names(std::string_view key, std::size_t min,
         }
         const std::string& name = entry.as_string()->get();
         if (!repeats && std::find(out.begin(), out.end(), name) != out.end())
-            problemAt(key, i, fmt::format("\"{}\" comes twice, expected each once", name));
+            problemAt(key, i, fmt::format("\"{}\" occurs twice, expected each once", name));
         else
             out.push_back(name);
     }
@@ -133,7 +133,7 @@ std::map<std::string, std::string> TomlTable::levels(std::string_view key) {
 std::int64_t TomlTable::whole(std::string_view key, std::int64_t low, std::int64_t high,
                               std::optional<std::int64_t> fallback) {
     const std::string expected = high == std::numeric_limits<std::int64_t>::max()
-                                     ? fmt::format("a whole number from {} up", low)
+                                     ? fmt::format("a whole number, {} or more", low)
                                      : fmt::format("a whole number from {} to {}", low, high);
     const toml::node* node = find(key, !fallback, expected);
     if (node == nullptr) return fallback.value_or(low);

@@ -246,7 +246,7 @@ TEST_SUITE("app/bad-input") {
             spill(scratch / "other.toml", replaced(shippedStudy(), "seed = 2023", "seed = 2024"));
             CHECK_FAILS_SAYING(program("run " + (scratch / "other.toml") +
                                        " --station simulated --participant P09 --db " + database),
-                               "study.sqlite", "holds study", "another database");
+                               "study.sqlite", "has the study", "another database");
         }
         SUBCASE("missing, for a report") {
             CHECK_FAILS_SAYING(program("report " + (scratch / "none.sqlite") + " -o " + (scratch / "r.html")),

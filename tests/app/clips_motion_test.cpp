@@ -243,7 +243,7 @@ TEST_SUITE("app/clips-motion") {
         const auto same = program("clips statistics " + direct + " --against " + direct);
         INFO(same.err);
         REQUIRE(same.status == 0);
-        CHECK(same.out.find("2 clips at 30 frames a second, 8 joints") != std::string::npos);
+        CHECK(same.out.find("2 clips at 30 frames per second, 8 joints") != std::string::npos);
         const auto distance = [](const std::string& out) {
             const auto table = out.find("Hellinger");
             REQUIRE(table != std::string::npos);

@@ -123,7 +123,7 @@ TEST_SUITE("app/evaluate") {
         CHECK(rays["eye-fingertip"]["mean"].get<double>() < 1.0);
         CHECK(rays["forearm"]["mean"].get<double>() > 10.0);
         const std::string page = slurp(scratch / "e.html");
-        CHECK(contains(page, "Every ray side by side"));
+        CHECK(contains(page, "All rays side by side"));
         CHECK(XmlDocument(page).count("//h:b[.='direct'][contains(preceding-sibling::text()[1], "
                                       "'Mean angle between ray and target: ')]") > 0);
         CHECK_FALSE(contains(page, "strongest for"));
@@ -187,7 +187,7 @@ TEST_SUITE("app/evaluate") {
         CHECK(ceiling < 0.85);
         const std::string page = slurp(scratch / "e.html");
         CHECK(contains(page, "Read by observers"));
-        CHECK(contains(page, "None of them is shown to read as people do"));
+        CHECK(contains(page, "None of them has been shown to read as people do"));
         const CsvTable readings(slurp(scratch / "tables/observers.csv"));
         for (auto one = direct.begin(); one != direct.end(); ++one)
             CHECK_MESSAGE(readings.has({{"system", "direct"}, {"observer", one.key()}}), one.key());
@@ -360,7 +360,7 @@ TEST_SUITE("app/evaluate") {
         spill(scratch / "empty.csv", "target_id,x,y,z\n");
         CHECK_FAILS_SAYING(
             program("evaluate " + manifests() + " --training " + (scratch / "empty.csv") + out), "empty.csv",
-            "holds no targets");
+            "has no targets");
         CHECK_FALSE(fs::exists(scratch / "e.html"));
     }
 

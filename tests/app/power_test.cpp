@@ -128,7 +128,7 @@ TEST_SUITE("app/power") {
                     " --participants 14 --studies 40 --save-effects " + (scratch / "pairs.toml"));
         INFO(pairs.err);
         REQUIRE(pairs.status == 0);
-        CHECK(pairs.out.find("preference: noise_sd is taken as 1") != std::string::npos);
+        CHECK(pairs.out.find("preference: noise_sd is set to 1") != std::string::npos);
         CHECK(pairs.out.find("preference: pairs of systems (6 tests)") != std::string::npos);
         CHECK(slurp(scratch / "pairs.toml").find("[preference.systems]") != std::string::npos);
         const auto same = program("power genea-pairwise --effect " + (scratch / "pairs.toml") +

@@ -119,7 +119,7 @@ TEST_SUITE("app/push server") {
               std::string::npos);
 
         server->sql(name, "UPDATE " + schema + ".deixis_schema SET version = 2");
-        CHECK_FAILS_SAYING(push(files.a, url), schema, "has version 2", "no way leads", "Rename it");
+        CHECK_FAILS_SAYING(push(files.a, url), schema, "has version 2", "cannot be upgraded", "Rename it");
     }
 
     TEST_CASE("What is wrong with server, user or schema is told in one line, and passwords appear nowhere") {

@@ -96,7 +96,7 @@ TEST_SUITE("app/reach") {
         spill(scratch / "slow.toml", study("[1.9, 2.2]", page, "60.0"));
         CHECK_FAILS_SAYING(program("simulate " + (scratch / "slow.toml") + " --participants 2 --db " +
                                    (scratch / "s.sqlite")),
-                           ": S001", "stage \"pages\"", "30 minutes of virtual time", "waited for");
+                           ": S001", "stage \"pages\"", "30 minutes of virtual time", "waiting for");
         CHECK_FALSE(fs::exists(scratch / "s.sqlite"));
         CHECK_FALSE(fs::exists(scratch / "s.sqlite.partial"));
     }

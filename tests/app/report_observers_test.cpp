@@ -34,9 +34,9 @@ TEST_SUITE("app/report_observers") {
             CHECK(one["moved_first"].get<int>() + one["moved_last"].get<int>() <= one["moved"].get<int>());
         }
         const std::string page = slurp(scratch / "r.html");
-        const std::size_t finding = page.find("What a simulated observer makes of the same arms");
+        const std::size_t finding = page.find("What a simulated observer chooses after the same arms");
         CHECK(finding < page.find("has the highest"));
-        CHECK(page.find("Choices and arms that go on moving") != std::string::npos);
+        CHECK(page.find("Choices and arms that keep moving") != std::string::npos);
         CHECK(page.find("reads two-cue, noise 3 degrees, lapses 0.02") != std::string::npos);
         int tables = 0;  // numbered as they stand
         for (const std::string& caption : XmlDocument(page).texts("//h:b[starts-with(., 'Table ')]"))

@@ -81,13 +81,13 @@ TEST_SUITE("app/report_studies") {
         CHECK(contains(twice.err, "is named twice"));
         const auto same = report(relaxed + " --by study", "same");
         CHECK(same.status == 1);
-        CHECK(contains(same.err, "all data are of one study, sgtoolkit2021: there is nothing to compare"));
+        CHECK(contains(same.err, "all data are from one study, sgtoolkit2021: there is nothing to compare"));
         REQUIRE(
             program("simulate genea-pairwise --participants 2 --db " + (scratch / "pairs.sqlite")).status ==
             0);
         const auto other = report(relaxed + " " + (scratch / "pairs.sqlite"), "other");
         CHECK(other.status == 1);
-        CHECK(contains(other.err, "The two share no measure: "));
+        CHECK(contains(other.err, "The two have no measure in common: "));
         CHECK_FALSE(fs::exists(scratch / "other.html"));
         CHECK(report(relaxed + " " + (scratch / "none.sqlite"), "none").status == 1);
         CHECK(report(relaxed + " " + rushed + " --by file", "by").status == 2);

@@ -98,7 +98,8 @@ TEST_SUITE("app/several_clips") {
         for (const auto& band : analysis["accuracy_by_angle"])
             if (band["eyes"] == "avatar" && band["system"] == "all") choices += band["choices"].get<int>();
         CHECK(choices == 9 * 6);
-        CHECK(contains(lab.read("r.html"), "Correct choices by how near the nearest distractor looks"));
+        CHECK(contains(lab.read("r.html"),
+                       "Correct choices by the angle between target and nearest distractor"));
         // Ratings of clips of the authors' first trial against those of the second, of the one system that
         // has them.
         REQUIRE(analysis["author_trials"].size() == 1);

@@ -126,7 +126,7 @@ TEST_SUITE("app/stats") {
         auto told = json::parse(commas.out);
         CHECK(contains(told["note"].get<std::string>(), "decimal points"));
         CHECK(told["hodges_lehmann"] == json::parse(points.out)["hodges_lehmann"]);
-        CHECK_FAILS_SAYING(signed_rank("a;b\n1,5;2.25\n3;1,5\n"), "column \"b\": 2.25", "one way");
+        CHECK_FAILS_SAYING(signed_rank("a;b\n1,5;2.25\n3;1,5\n"), "column \"b\": 2.25", "the same way");
         // A thousands separator is no decimal comma.
         CHECK_FAILS_SAYING(signed_rank("a,b\n\"1,234\",2\n3,4\n"), "d.csv:2", "1,234");
     }

@@ -87,7 +87,7 @@ TEST_SUITE("app/storage") {
              {"run pointing2023 --station simulated --db " + database, "report " + database,
               "participants list " + database, "export " + database + " -o " + (scratch / "out"),
               "participants exclude " + database + " P01 --reason x"})
-            CHECK_FAILS_SAYING(program(arguments), "study.sqlite-wal", "name back");
+            CHECK_FAILS_SAYING(program(arguments), "study.sqlite-wal", "back its name");
         CHECK_FALSE(fs::exists(database));
         CHECK(slurp(database + "-wal") == log);
         fs::rename(scratch / "moved.sqlite", database);

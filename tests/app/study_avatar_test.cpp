@@ -131,7 +131,7 @@ TEST_SUITE("app/study_avatar") {
               replaced(withAvatar("robot.glb"), "[study]\n", "[study]\navatar_height_m = 1.7\n"));
         const auto checked = program("check " + (scratch / "study.toml"));
         CHECK_MESSAGE(checked.status == 0, checked.err);
-        CHECK(checked.out.find("scaled to 1.70 m, as asked for") != std::string::npos);
+        CHECK(checked.out.find("scaled to 1.70 m, as requested") != std::string::npos);
         const std::string stimuli = sharedStimuli();
         const auto ran = program("simulate " + (scratch / "study.toml") + " --participants 1 --db " +
                                  (scratch / "s.sqlite") + " --stimuli " + stimuli);

@@ -41,8 +41,9 @@ TEST_SUITE("app/study_commands") {
             const auto checked = program("check " + study);
             CHECK_MESSAGE(checked.status == 0, checked.err);
             CHECK(contains(checked.out, "no problem found"));
-            CHECK(contains(checked.out,
-                           "language ko: the program's words are translated, not reviewed by a speaker"));
+            CHECK(contains(
+                checked.out,
+                "language ko: the program's words are translated, not reviewed by a native speaker"));
             const auto plan = program("plan " + study + " --participant P07");
             CHECK(plan.status == 0);
             CHECK(plan.out == program("plan " + study + " --participant P07").out);
@@ -156,10 +157,10 @@ TEST_SUITE("app/study_commands") {
         }
         CHECK(max > 6.83);
         for (const auto& pair : analysis["pairwise"]) CHECK(std::abs(pair["z"].get<double>()) < 4.79);
-        CHECK(contains(slurp(scratch / "r.html"), "once more by single ratings"));
+        CHECK(contains(slurp(scratch / "r.html"), "again by single ratings"));
         REQUIRE(program("report " + database + " --unit participants -o " + (scratch / "r.html")).status ==
                 0);
-        CHECK_FALSE(contains(slurp(scratch / "r.html"), "once more by single ratings"));
+        CHECK_FALSE(contains(slurp(scratch / "r.html"), "again by single ratings"));
     }
 
     TEST_CASE("Participants are listed, excluded, taken back and withdrawn") {

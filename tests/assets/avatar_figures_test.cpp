@@ -251,7 +251,7 @@ TEST_SUITE("assets/avatar_figures") {
         CHECK(farthest(skinned(avatar, motion::restPose(avatar.skeleton)),
                        skinnedBySpecification(rig, posed(rig, still))) < 1e-5);
         REQUIRE(avatar.remarks.size() == 1);
-        CHECK(avatar.remarks[0].find("set in the rest pose") != std::string::npos);
+        CHECK(avatar.remarks[0].find("fixed in the rest pose") != std::string::npos);
     }
 
     TEST_CASE("Of more than four influences the heaviest stay") {
@@ -283,7 +283,7 @@ TEST_SUITE("assets/avatar_figures") {
         for (std::size_t i = 0; i < 4; ++i)
             CHECK(v.weights[i] == doctest::Approx(std::array{0.5, 0.2, 0.15, 0.1}[i] / 0.95));
         REQUIRE(avatar.remarks.size() == 1);
-        CHECK(avatar.remarks[0].find("4 heaviest") != std::string::npos);
+        CHECK(avatar.remarks[0].find("4 with the largest weights") != std::string::npos);
     }
 
     TEST_CASE("A figure in centimetres is scaled to metres, with a remark") {

@@ -125,7 +125,7 @@ TEST_SUITE("assets/avatar_height") {
         CHECK(contains(upside, "x_leftHand"));
         const std::string above = rejection(
             figure("claw", bytes, "leftUpperArm = \"x_leftLowerArm\"\nleftLowerArm = \"x_leftUpperArm\"\n"));
-        CHECK(contains(above, "the joint \"x_leftUpperArm\" plays leftLowerArm but stands above"));
+        CHECK(contains(above, "the joint \"x_leftUpperArm\" is leftLowerArm but is above"));
         CHECK(contains(above, "claw.humanoid.toml"));
     }
 

@@ -71,8 +71,7 @@ TEST_SUITE("assets/demonstrations") {
         rejected("warp = 0.9", "warp = 0.0", "timing.warp", "found 0, expected 0.2 to 5");
         rejected("warp = 0.9", "warp = nan", "timing.warp", "expected a finite number");
         rejected("warp = 0.9", "warp = \"fast\"", "timing.warp", "expected a finite number");
-        rejected("hold_s = [0.7, 1.3]", "hold_s = [1.3, 0.7]", "timing.hold_s",
-                 "the first number is greater");
+        rejected("hold_s = [0.7, 1.3]", "hold_s = [1.3, 0.7]", "timing.hold_s", "the first number is larger");
         rejected("hold_s = [0.7, 1.3]", "hold_s = [0.7]", "timing.hold_s", "expected a list of 2 numbers");
         rejected("hold_s = [0.7, 1.3]", "hold_s = 0.7", "timing.hold_s", "expected a list of 2 numbers");
         rejected("extension = [0.996, 0.002]", "extension = [0.996, -1.0]", "line.extension", "found -1");

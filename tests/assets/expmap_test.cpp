@@ -75,7 +75,7 @@ TEST_SUITE("assets/expmap") {
         CHECK(file.rate.fps == 30.0);
         CHECK(file.rate.origin == Origin::assumed);
         REQUIRE(file.remarks.size() == 1);
-        CHECK(contains(file.remarks[0], "do not tell their rate"));
+        CHECK(contains(file.remarks[0], "do not give their rate"));
     }
 
     TEST_CASE("Rotations go down the chain as in the published forward kinematics of row vectors") {

@@ -86,7 +86,7 @@ TEST_SUITE("assets/gltf_clip") {
         checkNear(positionOf(file, 8), {2, 4, 0});
         CHECK(file.frame_rate == "4 fps (given)");
         CHECK(file.animation == "move");
-        CHECK(file.unit == "metre (as glTF has it)");
+        CHECK(file.unit == "metre (as in glTF)");
     }
 
     TEST_CASE("Linear rotations take the shorter arc, whatever the sign of the quaternions") {
@@ -259,7 +259,7 @@ TEST_SUITE("assets/gltf_clip") {
         const auto posed = rateOf(every(0.5, 7));
         CHECK(posed.clip.framesPerSecond() == Approx(30.0));
         CHECK(posed.clip.frameCount() == 91);
-        CHECK(posed.frame_rate == "30 fps (keys stand 0.5 s apart)");
+        CHECK(posed.frame_rate == "30 fps (keys are 0.5 s apart)");
         const auto uneven = rateOf({0.0F, 0.1F, 0.137F, 0.5F, 0.77F});
         CHECK(uneven.clip.framesPerSecond() == Approx(30.0));
         CHECK(has(uneven, "uneven"));
@@ -365,7 +365,7 @@ TEST_SUITE("assets/gltf_clip") {
         const auto first = parse(bytes);
         CHECK(first.animation == "walk");
         CHECK(first.animations == std::vector<std::string>{"walk", "animation 1"});
-        CHECK(has(first, "2 animations; the first was taken: walk, animation 1"));
+        CHECK(has(first, "2 animations; the first is used: walk, animation 1"));
         GltfClipOptions second;
         second.animation_index = 1;
         checkNear(positionOf(parse(bytes, second), 30, 1), {1, 0, 0});  // a key each second: 30 fps

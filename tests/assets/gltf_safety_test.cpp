@@ -184,7 +184,7 @@ TEST_SUITE("assets/gltf_safety") {
         checkError(
             accessor(
                 R"("bufferView":1,"byteOffset":9007199254740991,"componentType":5126,"count":2,"type":"VEC3")"),
-            "leave buffer view");
+            "exceed buffer view");
         checkError(accessor(R"("bufferView":1,"componentType":5123,"count":2,"type":"VEC3")"),
                    "expected VEC3 of 5126");
         const std::string huge =
@@ -217,7 +217,7 @@ TEST_SUITE("assets/gltf_safety") {
         checkError(file({1, 1}, 2, 5121), "sparse index 1 is 1, expected 2 to 1");
         checkError(file({0, 1, 2}, 3, 5121), "replaces 3 of 2 elements");
         checkError(file({0, 1}, 2, 5126), "sparse indices of component type 5126");
-        checkError(file({0, 1}, 2, 5125), "leave buffer view");
+        checkError(file({0, 1}, 2, 5125), "exceed buffer view");
     }
 
     TEST_CASE("Times must be finite, rise, and begin at 0 or later") {
@@ -306,7 +306,7 @@ TEST_SUITE("assets/gltf_safety") {
         REQUIRE_FALSE(unused.has_value());
         CHECK(unused.error().text().find("leaves the folder") != std::string::npos);
         rejected("data:text/plain,hello", "base64");
-        rejected("data:;base64,AA!A", "no base64 digit");
+        rejected("data:;base64,AA!A", "not a base64 digit");
         CHECK_FALSE(assets::parseGltfClip(with("my data.bin"), "f.gltf").has_value());
         std::filesystem::remove_all(folder);
     }

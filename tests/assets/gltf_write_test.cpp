@@ -145,7 +145,7 @@ TEST_SUITE("assets/gltf_write") {
             .joints[static_cast<std::size_t>((*options.humanoid)[motion::Bone::leftHand])]
             .position.x += 0.01;
         CHECK(assets::whyNoVrmAnimation(stretching, *options.humanoid) ==
-              "the bone leftHand moves in its parent; only the hips may");
+              "the bone leftHand moves relative to its parent; only the hips may");
         CHECK_FALSE(readBack(assets::writeGlb(stretching, options)).humanoid.has_value());
         Clip turned = clip;
         turned.skeleton.joints[0].rest.orientation = Quat(0, 0, 1, 0);

@@ -66,7 +66,7 @@ TEST_SUITE("assets/humanoid_file") {
               "Did you mean leftHand?");
         CHECK(overrideError("leftHand = 3\n").find("found no text, expected a joint's name") !=
               std::string::npos);
-        CHECK(overrideError("leftHand = \"head\"\nrightHand = \"head\"\n").find("has already") !=
+        CHECK(overrideError("leftHand = \"head\"\nrightHand = \"head\"\n").find("already has") !=
               std::string::npos);
         CHECK(overrideError("leftHand = \n").find("walk.humanoid.toml:1") == 0);
         for (const std::string height : {"nan", "inf", "0", "-1.7", "17", "\"1.7\""})

@@ -167,7 +167,7 @@ TEST_SUITE("assets/odd_files") {
             CHECK(child.unit.origin == assets::Origin::assumed);
             CHECK(contains(
                 child.unit.name,
-                fmt::format("centimetre, in which the figure is a child of {:.2f} m", stature_cm / 100.0)));
+                fmt::format("centimetre, in which the figure is a child {:.2f} m tall", stature_cm / 100.0)));
         }
         CHECK(imported(bvhOf(1.1), "child.bvh").unit.metres == doctest::Approx(1.0));
         CHECK(imported(bvhOf(1100.0), "child.bvh").unit.metres == doctest::Approx(0.001));
@@ -199,7 +199,7 @@ TEST_SUITE("assets/odd_files") {
         CHECK(imported(csvOf(times, "time_ms", 1e-3), "a.csv").rate.fps ==
               doctest::Approx(30.0).epsilon(0.01));
         const std::string error = rejection(csvOf(times, "time", 1e-3), "a.csv");
-        CHECK(contains(error, "a.csv: found lines that stand 33.3 s apart"));
+        CHECK(contains(error, "a.csv: found lines that are 33.3 s apart"));
         CHECK(contains(error, "time_ms"));
     }
 
@@ -223,7 +223,7 @@ TEST_SUITE("assets/odd_files") {
         std::string commas = replacedAll(replacedAll(kinectLines(), ",", ";"), ".", ",");
         const std::string error = rejection(commas, "k.csv");
         CHECK(contains(error, "k.csv:1: found '2,5' in column 4, expected a finite number"));
-        CHECK(contains(error, "Decimals are written with a point"));
+        CHECK(contains(error, "Decimals must have a point"));
         const std::vector<double> times{0.0, 0.0333, 0.0667};
         CHECK(contains(rejection(replacedAll(csvOf(times), "0.950000", "inf"), "a.csv"),
                        "found 'inf' in column hips.y, expected a finite number or nothing"));

@@ -132,7 +132,7 @@ TEST_SUITE("assets/sgtoolkit") {
         const std::string two = "[{\"name\": \"rest\", \"motion\": " + frames(numbers(person()), 2) +
                                 "}, {\"name\": \"wave\", \"motion\": " + frames(numbers(person()), 4) + "}]";
         assets::ImportOptions options;
-        CHECK(contains(errorOf(two), "holds 2 gestures: rest, wave; expected to be told which"));
+        CHECK(contains(errorOf(two), "has 2 gestures: rest, wave; expected one to be named"));
         options.animation = "wave";
         CHECK(parsed(two, options).clip.frameCount() == 4);
         options.animation = "0";
@@ -151,10 +151,10 @@ TEST_SUITE("assets/sgtoolkit") {
     TEST_CASE("Each fault is named with its frame") {
         CHECK(contains(errorOf("{"), "g.json: is not JSON: parse error at line 1"));
         CHECK(contains(errorOf("[]"), "found no frames"));
-        CHECK(contains(errorOf("[3]"), "g.json: frame 0: found something else than numbers"));
+        CHECK(contains(errorOf("[3]"), "g.json: frame 0: found something other than numbers"));
         CHECK(contains(errorOf("[[1,2,3]]"), "g.json: frame 0: found 3 numbers, expected frames of 30"));
         CHECK(contains(errorOf("[" + numbers(person()) + ",[1]]"), "frame 1: found 1 numbers"));
-        CHECK(contains(errorOf("[[\"a\"]]"), "something else than numbers"));
+        CHECK(contains(errorOf("[[\"a\"]]"), "something other than numbers"));
         CHECK(contains(errorOf("[[1e999]]"), "is not JSON"));
         CHECK(contains(errorOf(frames(numbers(Pose10{}))), "has joints of the trunk in one place"));
         std::string still = directions(person());

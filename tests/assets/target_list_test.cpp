@@ -10,8 +10,8 @@ TEST_SUITE("assets/target_list") {
             const auto list = parseTargetList(text, "t.csv");
             return list ? std::string("accepted") : list.error().text();
         };
-        CHECK(message("").find("t.csv: holds no targets") == 0);
-        CHECK(message("target_id,x,y,z\n").find("t.csv: holds no targets") == 0);
+        CHECK(message("").find("t.csv: has no targets") == 0);
+        CHECK(message("target_id,x,y,z\n").find("t.csv: has no targets") == 0);
         CHECK(message("target_id,x,y\nA,1,2\n").find("t.csv:1: the column 'z' is missing") == 0);
         CHECK(message("target_id,x,y,z\nA,1,2\n").find("t.csv:2: found 3 fields, expected 4") == 0);
         CHECK(message("target_id,x,y,z\nA,1,two,3\n").find("t.csv:2: y: found 'two'") == 0);

@@ -37,5 +37,5 @@ function expected(figures) {
 }
 
 const found = await checkPage({at, file: "evaluation.html", systems, printed: ["accuracy (Eq. 2)"],
-  plain: ["What the box plots draw", "Reward around the time of pointing", "deixis evaluate --csv"], expected});
+  plain: ["What the box plots show", "Reward around the time of pointing", "deixis evaluate --csv"], expected});
 console.log(`check_evaluation: ${systems.join(", ")} at ${points} points: ${found}`);

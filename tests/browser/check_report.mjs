@@ -38,5 +38,5 @@ function expected(figures) {
 }
 
 const found = await checkPage({at, file: "report.html", systems: analysis.systems.map(one => one.system),
-  printed: ["share of answers", "difference, "], plain: measures.length > 0 ? ["What the box plots draw"] : [], expected});
+  printed: ["share of answers", "difference, "], plain: measures.length > 0 ? ["What the box plots show"] : [], expected});
 console.log(`check_report: ${study}, ${participants} simulated participants: ${found}`);

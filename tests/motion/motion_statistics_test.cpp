@@ -152,7 +152,7 @@ TEST_SUITE("motion/gesture_style") {
         CHECK(poseCompliance(reference, generated)
                   .error()
                   .text()
-                  .find("asked for at 2 frames a second, the motion has 4") != std::string::npos);
+                  .find("have 2 frames per second, the motion 4") != std::string::npos);
         CHECK(poseBones().size() == 9);
         CHECK(styleCompliance({{1, 2, 3}, {0, 0, 0}}, {{1, 1, 3}, {0, 0.5, 0.3}}).value() ==
               Approx((1.0 + 0.5 + 0.3) / 6.0));

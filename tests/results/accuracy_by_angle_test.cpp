@@ -93,7 +93,7 @@ TEST_SUITE("results/accuracy_by_angle") {
                         {"choices", "2"}}));
         const std::string page = renderReport(result);
         CHECK(contains(pageText(page), "33\u00a0% (1 of 3)|"));
-        CHECK(contains(page, "as the participant sees it, beside"));
+        CHECK(contains(page, "as seen by the participant, beside"));
     }
 
     TEST_CASE(

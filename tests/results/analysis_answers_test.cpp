@@ -247,9 +247,9 @@ TEST_SUITE("results/analysis_answers") {
         CHECK(contains(errorOfText(head + "P1,a,1,,f\nP1,a,1,,m\n", {{"sex"}, {}}),
                        ":3: column \"sex\": found \"m\", but \"f\" in an earlier line of participant P1"));
         CHECK(contains(errorOfText(head + "P1,a,1,,f\n", {{"age"}, {}}), "there is no such column"));
-        CHECK(contains(errorOfText(head + "P1,a,1,,f\n", {{}, {"system"}}), "a meaning of its own"));
-        CHECK(contains(errorOfText(head + "P1,a,1,,f\n", {{"sex"}, {"sex"}}), "stands twice"));
-        CHECK(contains(errorOfText(head + "P1,a,1,asleep,f\n", {}), "holds no answers"));
+        CHECK(contains(errorOfText(head + "P1,a,1,,f\n", {{}, {"system"}}), "already has a meaning"));
+        CHECK(contains(errorOfText(head + "P1,a,1,,f\n", {{"sex"}, {"sex"}}), "is named twice"));
+        CHECK(contains(errorOfText(head + "P1,a,1,asleep,f\n", {}), "has no answers"));
         CHECK(contains(errorOfText("", {}), "the file is empty (0 bytes)"));
     }
 

@@ -45,7 +45,7 @@ TEST_SUITE("results/analysis_designs") {
         CHECK(result.pairwise[1].family_size == 1);
 
         const std::string page = renderReport(result);
-        CHECK(contains(page, "systems that no participant met both of"));
+        CHECK(contains(page, "systems that no participant saw both of"));
         CHECK(contains(page, ", compared between participants."));
         const json out = json::parse(analysisJson(result))["between"];
         CHECK(out[0]["factor"] == "system");
@@ -131,7 +131,7 @@ TEST_SUITE("results/analysis_designs") {
         CHECK(contains(page,
                        "Significant interaction of speed and path in rating: slow against fast differs "
                        "between smooth and jerky."));
-        CHECK(contains(page, "Equivalence within the bound"));
+        CHECK(contains(page, "Equivalence within a bound"));
         const json out = json::parse(analysisJson(result));
         CHECK(out["interactions"].size() == result.interactions.size());
         CHECK(out["pairwise"][0]["equivalence"]["bound"] == 0.75);
@@ -173,7 +173,7 @@ TEST_SUITE("results/analysis_designs") {
             told =
                 told || contains(remark, "covers the middle in 50 % of all samples, and 95 % were asked for");
         CHECK(told);
-        CHECK(contains(renderReport(two), "read it as too narrow"));
+        CHECK(contains(renderReport(two), "it is too narrow"));
         CHECK(of(5).systems[0].measures[0].interval_falls_short);        // 1 - 2^-4 = 0.9375
         CHECK_FALSE(of(6).systems[0].measures[0].interval_falls_short);  // 0.96875
     }

@@ -191,7 +191,7 @@ TEST_SUITE("results/analysis") {
         CHECK(pair.depends_on_zeros);
         CHECK(anyContains(
             result.remarks,
-            "x against y is not significant at 0.05 where differences of zero are dropped (p = 0.0576"));
+            "x against y is not significant at 0.05 if differences of zero are dropped (p = 0.0576"));
         AnalysisOptions strict;
         strict.alpha = 0.01;
         CHECK_FALSE(analyse(made.table, strict).pairwise[1].depends_on_zeros);

@@ -167,8 +167,7 @@ TEST_SUITE("results/bradley_terry") {
         CHECK_FALSE(separated.abilities[0].estimate.has_value());
         CHECK(separated.abilities[0].wins == 8);
         CHECK(separated.note ==
-              "no answer preferred y, z to x or took them as equal: the difference in ability grows without "
-              "bound");
+              "no answer preferred y, z to x or rated them equal: the difference in ability is unbounded");
 
         Preferences apart({"x", "y", "z", "w"});
         apart.add("P1", "x", "y", 0.0, 2);
@@ -196,14 +195,15 @@ TEST_SUITE("results/bradley_terry") {
         CHECK(fit.resamples_left_out / 3000.0 == doctest::Approx(8.0 / 27.0 + 1.0 / 27.0).epsilon(0.1));
         CHECK(fit.note.find("resamples have no finite abilities") != std::string::npos);
         // Without P3 nobody ever preferred y.
-        CHECK(fit.note.find("BCa intervals are not defined, percentiles stand alone") != std::string::npos);
+        CHECK(fit.note.find("BCa intervals are not defined, only percentiles are given") !=
+              std::string::npos);
         CHECK_FALSE(fit.abilities[0].bca.has_value());
         CHECK(fit.abilities[0].percentile.has_value());
         const AnalysisResult result = analyse(answers.table);
         const auto json = nlohmann::json::parse(analysisJson(result))["bradley_terry"]["abilities"][0];
         CHECK(json["bca"].is_null());
         CHECK(json["percentile"]["lower"].is_number());
-        CHECK(renderReport(result).find("percentiles stand alone") != std::string::npos);
+        CHECK(renderReport(result).find("only percentiles are given") != std::string::npos);
         CHECK(bradleyTerry(ResponseTable{}, few).abilities.empty());
     }
 }

@@ -127,7 +127,7 @@ TEST_SUITE("results/effect_estimates") {
         const auto lacking = estimateEffects(table, study);
         REQUIRE_FALSE(lacking.has_value());
         CHECK(lacking.error().text().find(
-                  "drawn.sqlite: holds no answer on naturalness to the system \"direct\"") !=
+                  "drawn.sqlite: has no answer on naturalness for the system \"direct\"") !=
               std::string::npos);
     }
 }

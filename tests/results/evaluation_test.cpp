@@ -205,7 +205,8 @@ TEST_SUITE("results/evaluation") {
         CHECK(contains(evaluate(std::move(none)).error().text(), "no clip with a target"));
         EvaluationInput one = small();
         one.training.resize(1);
-        CHECK(contains(evaluate(std::move(one)).error().text(), "training.csv: no bandwidth follows"));
+        CHECK(
+            contains(evaluate(std::move(one)).error().text(), "training.csv: no bandwidth can be estimated"));
         EvaluationInput flat = small();
         for (auto& target : flat.training) target.y = 1.0;
         CHECK(contains(evaluate(std::move(flat)).error().text(), "axis 2"));

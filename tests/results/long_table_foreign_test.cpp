@@ -106,7 +106,7 @@ TEST_SUITE("results/long_table_foreign") {
         CHECK(contains(error, "--column participant=NAME"));
         CHECK(contains(foreignError(text, {{}, {}, {{"participant", "id"}}}), "there is no such column"));
         CHECK(contains(foreignError(text, {{}, {}, {{"person", "subject"}}}),
-                       "which is no column that is read"));
+                       "which is not a column that is read"));
         CHECK(contains(foreignError("participant;system;rating;rt\nA;x;3,5;1.5\n"),
                        "a decimal comma (\"3,5\" in line 2) and with a decimal point (\"1.5\" in line 2)"));
         CHECK(foreignTable("participant,system,rating,rt_s\nA,x,3,1.5\n").rows[0].response_time_s == 1.5);
@@ -151,9 +151,9 @@ TEST_SUITE("results/long_table_foreign") {
                   10 + static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')));
         };
         doubtful("P1,a,T1,3,2\n",
-                 "Participants that differ in case, spaces or zeros only count as different: "
+                 "Participants that differ only in case, spaces or zeros count as different: "
                  "\"P01\" and \"P1\"");
-        doubtful("P02,a,T9,999,2\n", "1 answer of rating is 999, apart from the others (1 to 5)");
+        doubtful("P02,a,T9,999,2\n", "1 answer of rating is 999, far from the others (1 to 5)");
         doubtful("P02,a,T9,-1,2\nP02,a,T8,-1,2\n", "2 answers of rating are -1");
         doubtful("P02,a,T3,1,2\n", "1 answer is like another one");
         CHECK(foreignTable(text + "P02,b,T3,1,2\n").notes.empty());
@@ -162,8 +162,8 @@ TEST_SUITE("results/long_table_foreign") {
         const auto checks = foreignTable("participant,system,rating,failed_attention\nP,a,1,0\nQ,a,2,1\n");
         CHECK(notesWith(checks, "--column excluded=failed_attention") == 1);
         CHECK(notesWith(foreignTable("participant,system,rating\nJ\xFCrgen,a,1\n"), "Windows-1252") == 1);
-        CHECK(notesWith(foreignTable("participant,system,rating\nJ\xC3\x83\xC2\xBCrgen,a,1\n"), "saved so") ==
-              1);
+        CHECK(notesWith(foreignTable("participant,system,rating\nJ\xC3\x83\xC2\xBCrgen,a,1\n"),
+                        "and saved") == 1);
         // Without an item or a place among the trials, answers may be alike.
         CHECK(foreignTable("participant,system,rating\nP,a,1\nP,a,1\nP,a,3\n").notes.empty());
         // On a scale that has them, such numbers are answers.

@@ -98,7 +98,7 @@ TEST_SUITE("results/long_table") {
         CHECK(contains(longTableError("participant,system,rating\nP1,a\n"), "has 2 fields"));
         CHECK(contains(longTableError("participant,system,rating,rating\nP1,a,1,2\n"),
                        "several columns \"rating\""));
-        CHECK(contains(longTableError("participant,system,rating\n"), "holds no answers"));
+        CHECK(contains(longTableError("participant,system,rating\n"), "has no answers"));
         CHECK(contains(longTableError("participant,system,rating,rt\nP1,a,1,-2\n"), "seconds, from 0 up"));
         CHECK(contains(longTableError("participant,system,rating\nP1,a,inf\n"), "expected a number"));
     }

@@ -102,7 +102,7 @@ TEST_SUITE("results/merge") {
         CHECK(merged.error().size() == 4);
         CHECK(contains(problems, "participant P02 stands in"));
         CHECK(contains(problems, "participant Q05 has the number 5, which P05"));
-        CHECK(contains(problems, "holds the study 'another'"));
+        CHECK(contains(problems, "has the study 'another'"));
         CHECK(contains(problems, "none.sqlite: no such file"));
         CHECK_FALSE(std::filesystem::exists(folder / "all.sqlite"));
         CHECK_FALSE(std::filesystem::exists(folder / "all.sqlite.partial"));

@@ -145,7 +145,7 @@ TEST_SUITE("results/ratings") {
         CHECK(without.pairwise.front().test.n_pairs == 2);
         const auto told = [](const std::string& one) { return contains(one, "can be paired"); };
         CHECK(std::any_of(without.remarks.begin(), without.remarks.end(), told));
-        CHECK_FALSE(contains(renderReport(without), "once more by single ratings"));
+        CHECK_FALSE(contains(renderReport(without), "again by single ratings"));
     }
 
     TEST_CASE("Only who asks gets them; the page, CSV, LaTeX and JSON say that they are pseudo-replicated") {
@@ -154,7 +154,7 @@ TEST_SUITE("results/ratings") {
         CHECK(plain.rating_pairs.empty());
         CHECK(nlohmann::json::parse(analysisJson(plain))["pairwise_ratings"] == nlohmann::json::array());
         CHECK(fixtures::csvOf(plain, "pairwise_ratings.csv").empty());
-        CHECK_FALSE(contains(renderReport(plain), "once more by single ratings"));
+        CHECK_FALSE(contains(renderReport(plain), "again by single ratings"));
 
         AnalysisOptions options = byRatings();
         options.resamples = plain.options.resamples;
@@ -164,7 +164,7 @@ TEST_SUITE("results/ratings") {
         CHECK(fixtures::csvOf(asked, "sensitivity.csv") == fixtures::csvOf(plain, "sensitivity.csv"));
         const std::string page = renderReport(asked);
         CHECK(contains(page,
-                       "once more by single ratings, <b>pseudo-replicated</b>: ratings of one "
+                       "again by single ratings, <b>pseudo-replicated</b>: ratings of one "
                        "participant are not independent, so p is too small"));
         const auto& right = oracle["pairs"][2];
         REQUIRE(right["a"] == "sgt");
@@ -177,7 +177,7 @@ TEST_SUITE("results/ratings") {
         CHECK(shown.at("p") == "<0.001");
         CHECK(contains(page, "highest first: sgt 65.00, auto 50.00, manual 45.00."));
         CHECK(document.count("//h:p[h:b='Single ratings.']") == 1);
-        CHECK(page.find("all pairs of systems. n counts") < page.find("once more by single ratings"));
+        CHECK(page.find("all pairs of systems. n counts") < page.find("again by single ratings"));
         const tests::CsvTable table(fixtures::csvOf(asked, "pairwise_ratings.csv"));
         const auto rows = table.find({{"measure", "human-likeness"}, {"a", "sgt"}, {"b", "manual"}});
         REQUIRE(rows.size() == 1);

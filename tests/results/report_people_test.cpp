@@ -87,7 +87,7 @@ TEST_SUITE("results/report_people") {
         REQUIRE(result.time_groups.size() == 1);
         CHECK(*result.time_groups[0].test.p_two_sided == doctest::Approx(2.0 / 70.0));
         const std::string page = renderReport(result);
-        CHECK(contains(page, "Scores asked again"));
+        CHECK(contains(page, "Repeated scores"));
         CHECK(contains(page, "Response times of each pair of systems"));
         CHECK(contains(page, "Response times of groups"));
     }

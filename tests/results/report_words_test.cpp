@@ -87,7 +87,7 @@ TEST_SUITE("results/report_words") {
     TEST_CASE("One participant: no test, interval or box plot is claimed") {
         const AnalysisResult result = analyseText(ratings(1));
         const std::string page = renderReport(result);
-        for (const char* absent : {"Wilcoxon", "bootstrap intervals", "Box plots.", "What the box plots draw",
+        for (const char* absent : {"Wilcoxon", "bootstrap intervals", "Box plots.", "What the box plots show",
                                    "answers each", "Significant:"})
             CHECK_MESSAGE(!contains(page, absent), absent);
         CHECK(contains(page, "The answers come from 1 participant, who gave 4 answers."));

@@ -182,9 +182,9 @@ TEST_SUITE("results/several_studies") {
         CHECK(result.pairwise[0].test.n_pairs == 5);
         const std::string page = renderReport(result);
         CHECK(contains(pageText(page),
-                       "2 participants' names stand (P01, P02) in more than one study: they are taken as "
+                       "2 participants' names occur (P01, P02) in more than one study: they are treated as "
                        "different people"));
-        CHECK(contains(page, "The data are of several studies: they are compared by study, as with --by"));
+        CHECK(contains(page, "The data are from several studies: they are compared by study, as with --by"));
         const tests::XmlDocument document(page);
         CHECK(document.count(
                   "//h:b[.='In one'][starts-with(following-sibling::text()[1], ' (3 participants): ')]") ==
@@ -249,8 +249,7 @@ TEST_SUITE("results/several_studies") {
         CHECK(told("whole: 36 of 36 planned on naturalness are answered.") == 0);
         CHECK(
             told("1 of 1 tests (naturalness: pairs of systems, in short) cannot be significant at 0.01 after "
-                 "Holm's correction, whatever was answered: they have too few differences other than "
-                 "zero.") == 1);
+                 "Holm's correction, whatever the answers: they have too few non-zero differences.") == 1);
         CHECK(contains(renderReport(result), "study (short: 3 and whole: 9)"));
     }
 
@@ -282,10 +281,9 @@ TEST_SUITE("results/several_studies") {
         auto other = studyOf("two", ratingsOf(3));
         for (ResponseRow& row : other.rows) row.measure = "appropriateness";
         other.measures[0].name = "appropriateness";
-        CHECK(contains(
-            rejection({one, other}),
-            "two.sqlite: does not measure \"naturalness\", which one (one.sqlite) has. The two share "
-            "no measure: naturalness and appropriateness"));
+        CHECK(contains(rejection({one, other}),
+                       "two.sqlite: does not measure \"naturalness\", which one (one.sqlite) has. The two "
+                       "have no measure in common: naturalness and appropriateness"));
         auto empty = studyOf("two", ratingsOf(3));
         empty.rows.clear();
         empty.scores.push_back({"P01", "load", "load", 3.0});
@@ -301,13 +299,13 @@ TEST_SUITE("results/several_studies") {
               std::vector<std::string>{"one (one00000)", "one (two00000)"});
         auto file = studyOf("two", ratingsOf(3));
         file.study_hash.clear();
-        CHECK(contains(rejection({one, file}), "is no database and tells no study"));
+        CHECK(contains(rejection({one, file}), "is not a database and names no study"));
         CHECK(joinData({one, file}, {true, {}, {}}).has_value());
-        CHECK(contains(rejection({one}, {true, {}, {}}), "--by study: all data are of one study, one"));
+        CHECK(contains(rejection({one}, {true, {}, {}}), "--by study: all data are from one study, one"));
         CHECK(contains(rejection({one, one}), "participant P01 stands in one.sqlite too"));
         auto factor = studyOf("two", ratingsOf(3));
         factor.between.push_back({"study", {"x"}});
-        CHECK(contains(rejection({one, factor}), "has a factor \"study\" of its own"));
+        CHECK(contains(rejection({one, factor}), "has its own factor \"study\""));
     }
 
     TEST_CASE(
@@ -335,7 +333,7 @@ TEST_SUITE("results/several_studies") {
         ResponseTable both = joinData({one, two}).value();
         CHECK(contains(
             checkStudiesMeet(both, true).error().text(),
-            "no two studies have answers of one kind: people in one, simulated participants in two"));
+            "no two studies have answers of the same kind: people in one, simulated participants in two"));
         // Where they are asked for all the same, the people's study stands alone.
         const AnalysisResult people = analyse(both);
         CHECK(people.by_study.empty());
@@ -350,8 +348,8 @@ TEST_SUITE("results/several_studies") {
         CHECK(contains(checkStudiesMeet(both, false).error().text(), "--stations together compares"));
         CHECK(checkStudiesMeet(both, true).has_value());
         const std::string remark =
-            "All participants of a study have the same station, and not all studies do: no test can tell a "
-            "difference between studies from one of station.";
+            "All participants of a study have the same station, and not all studies do: no test can separate "
+            "a difference between studies from one of station.";
         const auto confounded = analyse(withStations(both)).remarks;
         CHECK(std::count(confounded.begin(), confounded.end(), remark) == 1);
         for (ResponseRow& row : two.rows)

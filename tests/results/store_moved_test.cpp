@@ -180,7 +180,7 @@ TEST_SUITE("results/store orphans") {
                 INFO(error.text());
                 CHECK(error.where == path.string());
                 CHECK(contains(error.message, "a.sqlite-wal"));
-                CHECK(contains(error.hint, "name back"));
+                CHECK(contains(error.hint, "back its name"));
             }
             CHECK(bytesOf(folder / "a.sqlite-wal") == log);
         };

@@ -67,7 +67,7 @@ TEST_SUITE("studies/assumed_answers") {
         CHECK(tells(missing, "deixis_assumed_effects.toml:10: accuracy.itemsd"));
         CHECK(tells(missing, "Did you mean item_sd?"));
         CHECK(tells(changedEffects("direct = 0.955", "direct = 0.999"),
-                    ":15: accuracy.systems.direct: found 0.999, expected a share of right choices above"));
+                    ":15: accuracy.systems.direct: found 0.999, expected a share of correct choices above"));
         CHECK(tells(changedEffects("direct = 3.57", "direct = 5"),
                     "rating.naturalness.systems.direct: found 5, expected a mean above 1 and below 5"));
         CHECK(tells(changedEffects("stiff = 2.93", ""), "rating.naturalness.systems.stiff: missing"));

@@ -105,7 +105,7 @@ TEST_SUITE("studies/language") {
             REQUIRE(table.has_value());
             CHECK(table->status() == TextStatus::translated);
         }
-        CHECK(textStatusText(TextStatus::translated) == "translated, not reviewed by a speaker");
+        CHECK(textStatusText(TextStatus::translated) == "translated, not reviewed by a native speaker");
         const auto reviewed = loadWith("status", "status = \"reviewed\"");
         REQUIRE(reviewed.has_value());
         CHECK(reviewed->status() == TextStatus::reviewed);

@@ -262,9 +262,9 @@ TEST_SUITE("studies/plan") {
         targets[1].placed = false;
         const Result<StudyPlan> plan = buildPlan(study, targets, "P01", 1, {});
         REQUIRE_FALSE(plan.has_value());
-        CHECK(
-            plan.error().message.find("found 11 with a place in the room and distractors, expected at least "
-                                      "12") != std::string::npos);
+        CHECK(plan.error().message.find(
+                  "found 11 with a position in the room and distractors, expected at least "
+                  "12") != std::string::npos);
     }
 
     TEST_CASE("The order of blocks is as listed, by the number, or chance's.") {

@@ -29,7 +29,7 @@ TEST_SUITE("studies/presented_state") {
                                   "instructions",   "consent",   "questionnaire", "break",    "welcome-back",
                                   "practice-again", "attention", "closing",       "paused",   "waiting",
                                   "playing",        "pointing",  "check",         "rating",   "rated",
-                                  "listening",      "comparing", "reasons",       "choosing", "aiming",
+                                  "watching",       "comparing", "reasons",       "choosing", "aiming",
                                   "chosen",         "feedback",  "confidence",    "over"});
         CHECK(presentedStateName(PresentedState::starting).empty());
     }

@@ -40,7 +40,7 @@ constexpr int sliderId(int stimulus) {
 TEST_SUITE("studies/session_compare") {
     TEST_CASE("a parallel page is confirmed when every movement was played to its end and rated") {
         Parallel driver(slider(0, 100));
-        CHECK(driver.state() == "listening");
+        CHECK(driver.state() == "watching");
         CHECK(driver.session->trialUnderWay() == 0);
         for (const int i : {2, 0}) {
             CHECK_FALSE(sliderOf(driver.frame, sliderId(i))->enabled);

@@ -158,7 +158,7 @@ TEST_SUITE("studies/study_combinations") {
               "name = \"after\"\nsession = 1",
               "session = 1\n",
               "stages.session",
-              {"found 1", "do not go back"}},
+              {"found 1", "do not decrease"}},
              {"kind = \"break\"\ntext = \"@page\"\nminimum_s = 30\n\n[[stages]]\nname = \"play\"\nkind = "
               "\"referential-game\"\nsession = 2",
               "kind = \"break\"\nsession = 2\ntext = \"@page\"\nminimum_s = 30\n\n[[stages]]\nname = "
@@ -201,7 +201,7 @@ TEST_SUITE("studies/study_combinations") {
               "after_failures = 4",
               "after_failures",
               "stages.checks.after_failures",
-              {"at most count (3)", "never hold"}},
+              {"at most count (3)", "never apply"}},
              {"tolerance = 10",
               "tolerance = 101",
               "tolerance = 101",
@@ -246,7 +246,7 @@ TEST_SUITE("studies/study_combinations") {
               "id = \"tired\"",
               "id = \"tired\"\nkind = \"scale\"\ntext = \"@ask\"\nscale",
               "stages.questions.id",
-              {"comes twice"}},
+              {"occurs twice"}},
              {"id = \"right\"",
               "id = \"left\"",
               "options = [{id = \"left\"",
@@ -372,7 +372,7 @@ TEST_SUITE("studies/study_combinations") {
         const std::vector<Error> errors =
             problemsOf(folder.write(start + about + "[[stages]]\nname = \"two\"\n" + about));
         REQUIRE(errors.size() == 1);
-        CHECK(errors[0].text().find("\"age\" of a participant comes from the stage \"one\"") !=
+        CHECK(errors[0].text().find("\"age\" of a participant already comes from the stage \"one\"") !=
               std::string::npos);
         CHECK(loaded(folder.write(start + "when = {g = \"a\"}\n" + about +
                                   "[[stages]]\nname = \"two\"\nwhen = {g = \"b\"}\n" + about))

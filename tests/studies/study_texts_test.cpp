@@ -29,7 +29,8 @@ std::string frenchStudy() {
 }  // namespace
 
 TEST_SUITE("studies/study_texts") {
-    TEST_CASE("Texts: what lacks a language, is used nowhere, is nowhere or stands as written is told.") {
+    TEST_CASE(
+        "Texts: what lacks a language, is not used anywhere, is nowhere or stands as written is told.") {
         checkEdits(
             "full.toml",
             {{"mid = \"mittel\"\n", "", "[texts.de]", "texts.de.mid", {"missing", "[texts.en]"}},
@@ -38,14 +39,14 @@ TEST_SUITE("studies/study_texts") {
               "mit = \"mittel\"",
               "mit = ",
               "texts.de.mit",
-              {"used nowhere", "Did you mean mid?"}},
+              {"not used anywhere", "Did you mean mid?"}},
              {"mid = \"mittel\"", "mid = \" \"", "mid = \" \"", "texts.de.mid", {"empty text"}},
              {"mid = \"mittel\"", "mid = 3", "mid = 3", "texts.de.mid", {"the whole number 3", "a text"}},
              {"mid = \"mittel\"",
               "mid = \"mittel\"\nfoe = \"x\"",
               "foe",
               "texts.de.foe",
-              {"used nowhere", "Remove it"}},
+              {"not used anywhere", "Remove it"}},
              {"emphasis = \"@line\"",
               "emphasis = \"@lime\"",
               "@lime",

@@ -110,7 +110,7 @@ Result<BaseMesh> readBaseMesh(const std::filesystem::path& obj) {
             std::vector<std::uint32_t> face;
             for (std::string corner; words >> corner;) {
                 const auto vertex = vertexOf(corner, mesh.vertices.size());
-                if (!vertex) return bad("found a face with a vertex that is not there");
+                if (!vertex) return bad("found a face with a vertex that does not exist");
                 face.push_back(*vertex);
             }
             if (face.size() < 3) return bad("found a face of fewer than 3 vertices");
@@ -155,7 +155,8 @@ Result<std::vector<RigBone>> readRig(const std::filesystem::path& path, const Ba
             out.push_back({name, parent.empty() ? -1 : index[parent], *head, *tail});
         }
         if (out.size() == before)
-            return fail(path.string(), fmt::format("{} bones hang on no other", bones.size() - out.size()));
+            return fail(path.string(),
+                        fmt::format("{} bones are attached to no other", bones.size() - out.size()));
     }
     return out;
 }
@@ -173,7 +174,7 @@ Result<std::vector<VertexWeights>> readWeights(const std::filesystem::path& path
                                pair[1].is_number() && pair[0].get<std::size_t>() < found.size();
             if (!sound)
                 return fail(path.string(),
-                            fmt::format("a weight of {} is no [vertex, weight]", bones[b].name));
+                            fmt::format("a weight of {} is not [vertex, weight]", bones[b].name));
             if (const double weight = pair[1].get<double>(); weight > 0.0)
                 found[pair[0].get<std::size_t>()].emplace_back(weight, static_cast<std::uint8_t>(b));
         }

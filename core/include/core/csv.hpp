@@ -1,4 +1,4 @@
-// CSV as RFC 4180 has it.
+// CSV according to RFC 4180.
 #pragma once
 
 #include <string>
@@ -26,13 +26,13 @@ struct CsvForm {
 [[nodiscard]] bool isCsvComment(std::string_view line);
 
 /// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and
-/// a UTF-8 mark at the start are passed over. `name` stands for the file in errors. A text that is not UTF-8
+/// a UTF-8 mark at the start are skipped. `name` stands for the file in errors. A text that is not UTF-8
 /// (storableText()) is an error, which names the line.
 class CsvReader {
   public:
     /// `text` must outlive this.
     CsvReader(std::string_view text, std::string name, CsvForm form = {});
-    /// The next record into `record`, whose memory is used again; false where there is none left.
+    /// The next record into `record`, whose memory is used again; false if there is none left.
     [[nodiscard]] Result<bool> next(CsvRecord& record);
 
   private:

@@ -1,5 +1,5 @@
-// Files and their names on their way to the disk: a rename or removal is lost in a power cut until the disk
-// has the folder's new entries, too. One file is written by writeFile() (files.hpp).
+// Making files and their names durable: a rename or removal can be lost in a power cut until the folder's
+// new entries are on disk, too. One file is written by writeFile() (files.hpp).
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// What can be expected to go wrong, as values. Every error that a user can meet says where it is (file, line
-// or key), what was found, what was expected and, where that is not plain, how to correct it.
+// Expected errors, as values. Every error that a user can see says where it is (file, line or key), what
+// was found, what was expected and, if that is not obvious, how to correct it.
 #pragma once
 
 #include <string>

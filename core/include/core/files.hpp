@@ -14,8 +14,8 @@ namespace deixis {
 /// The maximum number of bytes that are read at once.
 inline constexpr std::size_t max_file_bytes = std::size_t{4} << 30U;
 
-/// All of a file, or of a pipe until its other end closes it. Devices are refused: some never end. So is what
-/// has more than `max_bytes`.
+/// All of a file, or of a pipe until its other end closes it. Devices are rejected: some never end. So is
+/// what has more than `max_bytes`.
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& path,
                                            std::size_t max_bytes = max_file_bytes);
 

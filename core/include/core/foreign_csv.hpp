@@ -1,4 +1,4 @@
-// CSV as spreadsheets and experiment programs write it.
+// CSV as written by spreadsheets and experiment programs.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct ForeignCsv {
 
 /// Recognises UTF-16 by its mark, and the separator (comma, semicolon or tab) by the first line that is no
 /// comment. Text that is not UTF-8 is read as Windows-1252, as Excel and Latin-1 have it, and lines may end
-/// in CR alone. Fails, naming the line, where it is no text in any of these. `name` stands for the file.
+/// in CR alone. Fails, naming the line, where it is not text in any of these. `name` stands for the file.
 [[nodiscard]] Result<ForeignCsv> readForeignCsv(std::string bytes, const std::string& name);
 
 /// A number whose comma stands for a decimal point ("-3,5") with the point; none of anything else.

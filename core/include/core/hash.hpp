@@ -1,4 +1,4 @@
-// Content hashes: what was shown and which study it was, told by its bytes.
+// Content hashes: what was shown and which study it was, identified by its bytes.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What somebody who mistyped a name probably meant.
+// The name that was probably meant by a mistyped one.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace deixis {
 
-/// The name nearest to `found`; empty where none is near.
+/// The name nearest to `found`; empty if none is near.
 [[nodiscard]] std::string_view nearestName(std::string_view found, std::span<const std::string_view> names);
 
 }  // namespace deixis

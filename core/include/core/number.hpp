@@ -1,4 +1,4 @@
-// Numbers that people and files write: the one place that decides what is a number.
+// Numbers written by people and files: the one place that decides what a number is.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Work that is large enough, on all cores.
+// Running large work on all cores.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Positions, rotations and rays.
 //
 // Coordinates everywhere: metres, right-handed, y up; the avatar stands at the origin and faces +z, so its
-// left is +x. A pose named `a_from_b` takes points given in b to a; `a_from_b * b_from_c` is `a_from_c`.
+// left is +x. A pose named `a_from_b` maps points from b to a; `a_from_b * b_from_c` is `a_from_c`.
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>

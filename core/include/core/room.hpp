@@ -1,4 +1,4 @@
-// The room that everything stands in.
+// The room in which the avatar and the participant stand.
 #pragma once
 
 #include "core/pose.hpp"

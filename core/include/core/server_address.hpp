@@ -1,5 +1,5 @@
-// Addresses of PostgreSQL servers in what people type, and without their passwords in what is printed or
-// kept.
+// Addresses of PostgreSQL servers as people type them, and without passwords as they are printed or
+// stored.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Files and folders in the making: they stand beside their places until they are whole, so that nobody meets
-// half of them, and what was not finished leaves nothing.
+// Files and folders while they are written: they are made beside their final place until complete, so that
+// nothing incomplete is ever found there, and unfinished ones leave nothing.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Names that nobody else has: of what is being written and not yet there.
+// Unique names for files that are being written.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The time of day, as databases keep it.
+// The time of day, as databases store it.
 #pragma once
 
 #include <chrono>

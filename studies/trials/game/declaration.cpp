@@ -17,8 +17,8 @@ constexpr KeptField planned[] = {
     {"balls", KeptType::text, "Centres of the balls in the order shown, JSON [[x,y,z],...]", "m"},
     {"target_place", KeptType::whole, "Which of the balls is the target, from 0"}};
 constexpr KeptField chosen[] = {
-    {"chosen_place", KeptType::whole, "The ball chosen, from 0 in the order shown"},
-    {"correct", KeptType::truth, "1 where the target was chosen"}};
+    {"chosen_place", KeptType::whole, "The chosen ball, from 0 in the order shown"},
+    {"correct", KeptType::truth, "1 if the target was chosen"}};
 
 Question readConfidence(TomlTable& parent) {
     TomlTable table = parent.below("confidence", parent.section("confidence", true), keys::confidence);

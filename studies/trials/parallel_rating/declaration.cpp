@@ -24,7 +24,7 @@ std::vector<std::vector<int>> allTogether(int systems) {
 void checkLevels(TomlTable& table, const Study& /*study*/, const Stage& stage) {
     const std::size_t n = stage.design.systems.size();
     if (!table.faulty("systems") && n > 0 && (n < 2 || n > max))
-        table.problem("systems", fmt::format("found {} system{}, expected 2 to {}: they stand on one page", n,
+        table.problem("systems", fmt::format("found {} system{}, expected 2 to {}: they are on one page", n,
                                              n == 1 ? "" : "s", max));
 }
 

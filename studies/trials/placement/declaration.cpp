@@ -31,7 +31,7 @@ std::vector<Question> questions(const Stage& /*stage*/, const LanguageTable& /*w
     distance.high = farthest_cm;
     distance.whole = false;
     Question angle{"angle", QuestionKind::number,
-                   "Between target and ball as the avatar's eyes see them, in degrees"};
+                   "Between target and ball as seen by the avatar, in degrees"};
     angle.high = opposite_deg;
     angle.whole = false;
     return {distance, angle};

@@ -176,7 +176,7 @@ CheckResult comparePlacements(const TrialAnswer& first, const TrialAnswer& now, 
         return Vec3(of("placed_x_m"), of("placed_y_m"), of("placed_z_m"));
     };
     const double apart_cm = 100.0 * glm::length(at(now) - at(first));
-    return {apart_cm <= tolerance, fmt::format("repeat: {:.1f} cm from where it was put first", apart_cm)};
+    return {apart_cm <= tolerance, fmt::format("repeat: {:.1f} cm from the first place", apart_cm)};
 }
 
 /// The ball where it waited, and once it was confirmed where it was put; its way there is not kept.

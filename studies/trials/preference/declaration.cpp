@@ -32,11 +32,10 @@ void checkRoomForPair(TomlTable& table, const Study& study, const std::vector<st
             const Pose viewer = viewerPose(viewerPlace(*layout, standing));
             for (const Vec3& place : pairPlaces(viewer))
                 if (const double away_m = glm::length(place - viewer.position); away_m < min_m) {
-                    table.problem(
-                        "layouts",
-                        fmt::format("found \"{}\", where one avatar of a pair would stand {:.2f} m from the "
-                                    "participant; expected a layout with at least {} m",
-                                    name, away_m, min_m));
+                    table.problem("layouts",
+                                  fmt::format("found \"{}\", where one avatar of a pair would be {:.2f} m "
+                                              "from the participant; expected a layout with at least {} m",
+                                              name, away_m, min_m));
                     return;
                 }
         }

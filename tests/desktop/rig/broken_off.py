@@ -15,7 +15,7 @@ from studies import require_clean_end, study_file
 DECLINE, END_SESSION, END_FOR_GOOD = 8, 3, 5
 
 
-def at_page(stage, state="listening"):
+def at_page(stage, state="watching"):
     return lambda line: line["stage"] == stage and line["state"] == state
 
 
@@ -46,7 +46,7 @@ def killed(settings):
         person.take_part(stop=at_page("human-likeness"))
         pages = [state for state in trace.states if state != "paused"]  # a new window may lose the focus for once
         # Nothing of the stage is answered, so its instructions come once more.
-        require(pages == ["welcome-back", "instructions", "listening"], f"after the kill came {pages}")
+        require(pages == ["welcome-back", "instructions", "watching"], f"after the kill came {pages}")
         line = person.hands.look()
         require(line["trial"] == page, f"it goes on at trial {line['trial']}, not at {page}")
         require(

@@ -58,7 +58,7 @@ class Person:
             "confidence": self._rate,
             "choosing": self._choose,
             "aiming": self._choose,
-            "listening": self._listen,
+            "watching": self._watch_and_rate,
             "comparing": self._compare,
             "paused": self._go_on_after_pause,
         }
@@ -265,7 +265,7 @@ class Person:
         plays = [b for b in line["buttons"] if FIRST_PLAY <= b["id"] < FIRST_SLIDER]
         return len(plays) if plays and all(b["enabled"] for b in plays) else 0
 
-    def _listen(self, line):
+    def _watch_and_rate(self, line):
         count = self._plays(line)
         if not count:
             return False

@@ -17,7 +17,7 @@ STUDY = HERE / "kinds.toml"
 PICTURES = (
     ["consent-consent", "instructions", "rest", "goodbye"]
     + [f"about-you-questionnaire-{page}{how}" for page in (1, 2) for how in ("", "-answered")]
-    + [f"parallel-{state}" for state in ("listening", "listening-answered", "check")]
+    + [f"parallel-{state}" for state in ("watching", "watching-answered", "check")]
     + [f"pair-{state}" for state in ("comparing", "comparing-answered", "playing", "reasons", "reasons-answered")]
     + [f"naturalness-{state}" for state in ("playing", "rating", "rating-answered")]
     + [f"game-{state}-{layout}" for state in ("pointing", "choosing", "aiming", "confidence")

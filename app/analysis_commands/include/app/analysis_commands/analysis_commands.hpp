@@ -1,4 +1,4 @@
-// The commands of what was answered: reports, statistics, power, and databases on their way elsewhere.
+// The commands for results: reports, statistics, power, and copying databases elsewhere.
 #pragma once
 
 #include "app/program/commands.hpp"

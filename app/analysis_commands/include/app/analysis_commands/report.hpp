@@ -1,4 +1,4 @@
-// Writing a report from whatever holds answers: for the command, and for the end of a session.
+// Writing a report from databases, CSV files or a server: for the command, and at the end of a session.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ struct ReportFiles {
 struct DataChoice {
     std::string study{};              ///< of a server's, its name or how its hash begins; empty: its only one
     results::LongTableOptions csv{};  ///< how long tables are read
-    std::string stimuli{};  ///< folder of the clips that databases' sessions showed; empty: where they lay
+    std::string stimuli{};  ///< folder of the clips that databases' sessions showed; empty: where they were
     bool without_clips = false;  ///< they are not looked at
     /// "apart", "together" or one kind of station; empty: as the study says, apart where it does not.
     std::string stations{};

@@ -1,4 +1,4 @@
-// The commands of clips: making, looking into, converting and showing them.
+// The commands for clips: making, inspecting, converting and showing them.
 #pragma once
 
 #include "app/program/commands.hpp"

@@ -1,4 +1,4 @@
-// Clips of any file with their humanoid bones, and on the avatar.
+// Clips of any format with their humanoid bones, and retargeted to the avatar.
 #pragma once
 
 #include <filesystem>

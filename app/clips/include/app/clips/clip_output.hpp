@@ -1,5 +1,5 @@
-// What the commands that change clips write: clip files in the
-// format that their name asks for, and whole folders, never half.
+// What the commands that change clips write: clip files in the format that their name asks for, and
+// complete folders, never half of one.
 #pragma once
 
 #include <filesystem>
@@ -35,7 +35,7 @@ class OutputFolder {
     /// which clips that can be made again need not wait for.
     OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
 
-    /// `name` is relative to the folder. Fails where it exists already, and `force` was not given.
+    /// `name` is relative to the folder. Fails if it exists already, and `force` was not given.
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
     [[nodiscard]] Result<void> finish();
 

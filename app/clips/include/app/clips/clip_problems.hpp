@@ -1,4 +1,4 @@
-// What may be wrong with a clip before anybody watches it.
+// What may be wrong with a clip, before a participant sees it.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A folder of clips, listed in a manifest, brought to an avatar.
+// A folder of clips, listed in a manifest, retargeted to an avatar.
 #pragma once
 
 #include <filesystem>
@@ -21,11 +21,11 @@ struct RetargetSettings {
     bool plant_feet = true;
 };
 
-/// The gesture of a manifest's row; none where the row has no phases.
+/// The gesture of a manifest's row; none if the row has no phases.
 [[nodiscard]] std::optional<motion::PointingGesture> gestureOf(const assets::ManifestRow& row);
 
 /// A row's clip on the avatar, where its target is. The row's pointing errors, which the source and the
-/// avatar make, are filled in. Fails where the target is given in the clip's coordinates and the figure does
+/// avatar make, are filled in. Fails if the target is given in the clip's coordinates and the figure does
 /// not stand at their origin, as an avatar does.
 [[nodiscard]] Result<motion::Clip> retargetRow(assets::ImportedClip clip, const std::string& file,
                                                const assets::Avatar& avatar, const RetargetSettings& settings,

@@ -1,4 +1,4 @@
-// Clips of manifests, read and measured one by one on all cores; no more than one clip a thread is held.
+// Clips of manifests, read and measured one by one on all cores; each thread holds at most one clip.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// All clips that the participants of a study may see: looked through by check, and taken by the first run.
+// All clips that the participants of a study may see: checked by `check`, and locked by the first run.
 #pragma once
 
 #include <filesystem>

@@ -31,7 +31,7 @@ struct StudySetup {
 /// The product's own avatar.
 [[nodiscard]] Result<assets::Avatar> loadShippedAvatar();
 
-/// The avatar in the file; where none is named, the product's own.
+/// The avatar in the file; where none is named, Deixis's own.
 [[nodiscard]] Result<assets::Avatar> loadAvatarOrShipped(const std::filesystem::path& file,
                                                          const assets::AvatarOptions& options = {});
 

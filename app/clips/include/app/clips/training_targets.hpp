@@ -1,4 +1,4 @@
-// The targets that systems were trained on, as the objective evaluation and its grid take them.
+// The targets that systems were trained on, as used by the objective evaluation and its grid.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// The command line as a whole: every command, what a number is, and what was probably meant.
+// The whole command line: every command, how numbers are read, and suggestions for typing mistakes.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// Spellings of earlier versions, which scripts go on using.
+// Spellings of earlier versions, which scripts may keep using.
 #pragma once
 
 #include <string>

@@ -1,10 +1,10 @@
 // The desktop station, mock-VR: a window with a first-person camera at standing eye height.
 //
-// Mouse: the cursor is free; a ray goes from the eye through it. Left button: select; held, it drags a
-// slider. Right button held: the mouse turns the view, which goes back to the task with each page and trial.
-// 1-9: rate. Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc: pause. F11: full screen on
-// and off. F10: to the experimenter's window, where there is one. While a text field takes what is typed,
-// letters, digits and the space are only that.
+// Mouse: the ray goes from the eye through the cursor. Left button: select; held, it drags a slider. Right
+// button held: the mouse turns the view, which goes back to the task with each page and trial. 1-9: rate.
+// Enter or Space: continue. W A S D or arrows: lean up to 25 cm. Esc: pause. F11: full screen on and off.
+// F10: to the experimenter's window, if there is one. While a text field receives input, letters, digits
+// and the space are only text.
 #pragma once
 
 #include <memory>

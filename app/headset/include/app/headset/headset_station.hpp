@@ -1,8 +1,8 @@
-// The headset station: a participant in VR through an OpenXR runtime, and the experimenter's window beside
-// it.
+// The headset station: a participant in VR through an OpenXR runtime, and the experimenter's window on the
+// monitor.
 //
-// Everything that the participant sees and does in a frame holds at its predicted display time. A trigger
-// selects, the menu button pauses, the recentre button held for a second takes the present place for the
+// Everything that the participant sees and does in a frame is for its predicted display time. The trigger
+// selects, the menu button pauses, and the recentre button held for a second makes the current place the
 // layout's.
 #pragma once
 

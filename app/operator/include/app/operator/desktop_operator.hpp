@@ -1,4 +1,4 @@
-// The experimenter's window beside the participant's on a desktop. Mouse and keyboard are one for both: while
+// The experimenter's window beside the participant's on a desktop. Both share mouse and keyboard: while
 // the experimenter uses this window the session is paused.
 #pragma once
 

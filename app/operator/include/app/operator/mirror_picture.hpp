@@ -1,4 +1,4 @@
-// What a window has just been given to show, kept small for another window.
+// A small copy of what a window has just shown, for another window.
 #pragma once
 
 #include "app/window/gl_window.hpp"

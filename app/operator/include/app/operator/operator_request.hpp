@@ -1,4 +1,4 @@
-// What the experimenter asks for, and what is asked back first: plain logic.
+// What the experimenter requests, and which requests need confirmation: plain logic.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What the operator's panel tells.
+// What the operator's panel shows.
 #pragma once
 
 #include <optional>

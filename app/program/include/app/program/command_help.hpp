@@ -1,4 +1,4 @@
-// What `--help` says of a command beside its options.
+// What `--help` says about a command besides its options.
 #pragma once
 
 #include "app/program/parser.hpp"

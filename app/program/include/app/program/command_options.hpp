@@ -1,5 +1,4 @@
-// The options that mean the same in every command (docs/command-line.md): each is declared here and nowhere
-// else.
+// The options that mean the same in every command (docs/command-line.md): each is declared only here.
 #pragma once
 
 #include <cstdint>

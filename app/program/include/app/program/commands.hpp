@@ -1,6 +1,6 @@
-// What every command needs: how it is declared, its progress, and what the program says of itself. Each
-// `add...Command` of the rooms of commands declares a subcommand and its options; when the command line names
-// it, `chosen` becomes what is to be done.
+// What every command needs: how it is declared, its progress, and what the program says about itself. Each
+// `add...Command` of the command rooms declares a subcommand and its options; when the command line names
+// it, `chosen` becomes what to run.
 #pragma once
 
 #include <functional>

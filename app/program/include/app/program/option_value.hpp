@@ -1,4 +1,5 @@
-// What an option takes, told from how CLI11 writes its type: for help, manual page and completion alike.
+// What kind of value an option takes, derived from CLI11's description of its type: for help, manual page
+// and completion alike.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
-// The command line as commands declare it: CLI11's parser behind a front, since its header takes each file
-// that includes it many seconds to compile. Both classes are handles that may be copied; what they stand for
-// lives as long as the program's CLI::App.
+// The command line as commands declare it: CLI11's parser behind a front, since each file that includes
+// its header takes many seconds to compile. Both classes are handles that may be copied; what they refer
+// to lives as long as the program's CLI::App.
 #pragma once
 
 #include <functional>
@@ -47,7 +47,7 @@ class Option {
     Option check(std::function<std::string(const std::string&)> problem);
     Option excludes(Option other);
     Option needs(Option other);
-    /// So many values; a negative number: at least so many.
+    /// So many values; a negative number: at least this many.
     Option expected(int count);
     Option expected(int min, int max);
     Option delimiter(char between);

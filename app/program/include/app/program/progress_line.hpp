@@ -1,4 +1,4 @@
-// How far a long piece of work has come, as a line for a terminal.
+// The progress of long work, as a line for a terminal.
 #pragma once
 
 #include <condition_variable>
@@ -20,14 +20,15 @@ namespace deixis::app {
 /// Called now and then, from the caller's thread.
 using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Writes that line to stderr, over the one before. Nothing where stderr is no terminal: it would fill a log.
+/// Writes that line to stderr, over the one before. Nothing where stderr is not a terminal: it would fill a
+/// log.
 [[nodiscard]] Progress progressOnTerminal(std::string what);
 
 /// "checking study.sqlite, 0:07 elapsed", for work whose end is not known.
 [[nodiscard]] std::string elapsedLine(std::string_view what, double elapsed_s);
 
 /// Writes that line to stderr while it lives, from the third second on, and takes it away at the end. Nothing
-/// where stderr is no terminal.
+/// where stderr is not a terminal.
 class ElapsedOnTerminal {
   public:
     explicit ElapsedOnTerminal(std::string what);

@@ -1,4 +1,4 @@
-// Which program this is: for whoever asks, and for all that it keeps and writes.
+// Which program this is: for `--version`, and for everything that it stores and writes.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a command writes at the place that it was given: a file, or standard output.
+// Where a command writes its output: a file, or standard output.
 #pragma once
 
 #include <cstdio>
@@ -22,10 +22,10 @@ inline constexpr const char* standard_output = "-";
 
 /// By the letters that every database of SQLite begins with.
 [[nodiscard]] bool isDatabase(const std::string& file);
-/// A slip of the names must not cost a study: fails where the file is a database. An empty name passes.
+/// A slip of the names must not cost a study: fails if the file is a database. An empty name passes.
 [[nodiscard]] Result<void> checkOutput(const std::string& file);
 
-/// Fails where a file stands that Deixis did not write: pages and numbers can be made again, and so replace
+/// Fails if a file stands that Deixis did not write: pages and numbers can be made again, and so replace
 /// those of an earlier run alone. An empty name and standard_output pass.
 [[nodiscard]] Result<void> checkReplaceable(const std::string& file, bool force);
 
@@ -44,7 +44,7 @@ struct FolderFiles {
 /// table or script, unless `force` says so.
 [[nodiscard]] Result<void> writeFolders(const std::vector<FolderFiles>& folders, bool force);
 
-/// For files that are made to be edited: fails where another text stands there, unless `force` says so.
+/// For files that are made to be edited: fails if another text stands there, unless `force` says so.
 [[nodiscard]] Result<void> writeUnlessEdited(const std::string& file, std::string_view bytes, bool force);
 
 }  // namespace deixis::app

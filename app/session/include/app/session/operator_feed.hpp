@@ -1,5 +1,5 @@
-// What a session tells its operator: plain data, written by the session's loop and read by the station that
-// shows it.
+// What a session reports to its operator: plain data, written by the session's loop and read by the
+// station that shows it.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Who keeps what happens in a session.
+// The recorders of a session's events.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// Pictures that a session is asked to take of itself.
+// Pictures that a session takes of itself on request.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// The main loop of a session: station -> session -> station, and what happened to whoever keeps it.
+// The main loop of a session: station -> session -> station, and its events to the recorders.
 #pragma once
 
 #include "studies/session/session.hpp"

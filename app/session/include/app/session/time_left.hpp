@@ -1,4 +1,4 @@
-// How long a session will still take, from what the study's earlier sessions and this one took: pure logic.
+// The remaining time of a session, estimated from the study's earlier sessions and this one: pure logic.
 #pragma once
 
 #include <map>
@@ -38,7 +38,7 @@ constexpr int enough_units = 3;
 
 /// Seconds until the stages are done. A unit takes as long as `history` says (Store::secondsPerUnit()); where
 /// that lacks its stage, as this session's median in the stage, else in the session, else the median of
-/// `history`. A page takes as long as those read before; the first ones are not counted. None where there is
+/// `history`. A page takes as long as those read before; the first ones are not counted. None if there is
 /// neither history nor enough_units of this session.
 [[nodiscard]] std::optional<double> timeLeft_s(const std::vector<studies::StageProgress>& stages,
                                                const std::map<std::string, double>& history,

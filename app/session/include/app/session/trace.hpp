@@ -1,4 +1,4 @@
-// A session told line by line while it runs, for test rigs and second screens.
+// A trace of a running session, line by line, for test rigs and second screens.
 #pragma once
 
 #include <filesystem>

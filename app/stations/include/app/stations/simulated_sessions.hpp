@@ -1,4 +1,4 @@
-// Sessions of simulated participants, several at the same time, kept in the participants' order.
+// Sessions of simulated participants, several at a time, stored in the participants' order.
 #pragma once
 
 #include <vector>

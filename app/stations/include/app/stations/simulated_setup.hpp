@@ -1,4 +1,4 @@
-// Small agreements between the commands that run sessions.
+// What the commands that run sessions have in common.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Making the station that a command asks for.
+// Making the station that a command needs.
 #pragma once
 
 #include <memory>

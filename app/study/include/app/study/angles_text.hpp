@@ -1,4 +1,4 @@
-// How far distractors look from their targets, for check and targets.
+// Angles between targets and distractors, as text for check and targets.
 #pragma once
 
 #include <string>

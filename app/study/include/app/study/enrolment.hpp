@@ -1,4 +1,4 @@
-// Who takes part: the number, the groups and the plan of a participant, new or come back.
+// Who takes part: number, groups and plan of a participant, new or returning.
 #pragma once
 
 #include <optional>
@@ -18,14 +18,14 @@ struct Enrolment {
     studies::StudyPlan plan;
     bool planned_before = false;  ///< the plan is a stored one
     studies::Resume resume;       ///< what earlier sessions left
-    std::vector<int> left;        ///< trials still to be answered in the next sitting
+    std::vector<int> left;        ///< trials still to be answered in the next visit
 
     [[nodiscard]] bool begun() const { return !resume.answered.empty() || resume.gap_s > 0.0; }
 };
 
 /// The stored registration and plan of somebody who has been here before, whatever a newer program would
 /// draw; else new ones: the number asked for, or the one that the id ends in where it is free (else the next
-/// free one), and the groups with the fewest participants. Stores nothing. Fails where the number asked for
+/// free one), and the groups with the fewest participants. Stores nothing. Fails if the number asked for
 /// is somebody else's, or the participant has another one.
 [[nodiscard]] Result<Enrolment> enrol(const StudySetup& setup, const results::Store& store,
                                       const std::string& participant, std::optional<int> number,

@@ -1,5 +1,5 @@
-// A study as it was when its first participant came: all that participants see, or that decides it, as files
-// in a folder beside the database (docs/running-a-study.md, "What is locked").
+// A study as it was when its first participant came: everything that participants see, or that determines
+// it, as files in a folder beside the database (docs/running-a-study.md, "What is locked").
 #pragma once
 
 #include <filesystem>

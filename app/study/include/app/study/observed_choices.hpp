@@ -1,4 +1,4 @@
-// The choices of a database with the arms that they were made after, watched again from their clips.
+// The choices of a database with the movements that they followed, watched again from their clips.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace deixis::app {
 
-/// All scored choices that count; none where there is no game. Clips are looked for as RecordedClips::load()
-/// does, `stimuli` its folder. Fails where a clip that was shown, or the avatar, is not at hand any more.
+/// All scored choices that count; none if there is no game. Clips are looked for as RecordedClips::load()
+/// does, `stimuli` its folder. Fails if a clip that was shown, or the avatar, is not available any more.
 [[nodiscard]] Result<std::vector<results::ObservedChoice>> observedChoices(
     const std::filesystem::path& database, const std::filesystem::path& stimuli);
 

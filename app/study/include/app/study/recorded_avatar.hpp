@@ -1,4 +1,4 @@
-// The avatar that recorded sessions showed, found again.
+// Finding the avatar that recorded sessions showed.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct ShownAvatar {
 /// The avatar locked beside the database that the sessions showed. Else, where the study named an
 /// avatar: the file of that path, from the database's folder on, or of that name
 /// beside the database, whose bytes are those that the sessions showed. An error names all that was
-/// looked at. Else the product's own, with a word on stderr where the sessions showed another one. `instead`:
+/// looked at. Else Deixis's own, with a word on stderr where the sessions showed another one. `instead`:
 /// a file to take in its place, whatever was shown; empty: none. As tall as the study says.
 [[nodiscard]] Result<assets::Avatar> recordedAvatar(const ShownAvatar& shown,
                                                     const std::filesystem::path& database,

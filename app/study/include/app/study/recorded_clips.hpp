@@ -1,4 +1,4 @@
-// The clips that a recorded session showed, read again from where they lay.
+// Finding the clips that a recorded session showed.
 #pragma once
 
 #include <filesystem>

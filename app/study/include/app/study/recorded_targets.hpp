@@ -1,4 +1,4 @@
-// Where the targets of a recording were: a list in the order of the gestures, or a marker's way over time.
+// The targets of a recording: a list in the order of the gestures, or a marker's trajectory.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct MarkerTrack {
     };
     std::vector<Sample> samples;  ///< in order of time
 
-    /// The median, axis by axis, of what was seen from one time to another; none where nothing was.
+    /// The median, axis by axis, of what was seen from one time to another; none if nothing was.
     [[nodiscard]] std::optional<Vec3> median(double from_s, double to_s) const;
 };
 
@@ -31,7 +31,7 @@ using RecordedTargets = std::variant<std::vector<assets::ListedTarget>, MarkerTr
 
 /// CSV with a header: `target_id,x,y,z` is a list, one line for each gesture in order; `frame,x,y,z` (from 0)
 /// or `time,x,y,z` (seconds) a marker's way, in which empty x, y and z mean that it was hidden. Other columns
-/// are passed over. A marker's coordinates are taken times `metres_per_unit`. Errors name file, line and
+/// are skipped. A marker's coordinates are taken times `metres_per_unit`. Errors name file, line and
 /// column.
 [[nodiscard]] Result<RecordedTargets> readRecordedTargets(const std::filesystem::path& path,
                                                           double frame_time_s, double metres_per_unit);

@@ -1,5 +1,5 @@
-// Hashes of files that were read before, remembered with what the file system tells of them: a file that was
-// not touched since is not read again.
+// Hashes of files read before, stored with their size, times and inode: a file that has not changed since
+// is not read again.
 #pragma once
 
 #include <cstdint>

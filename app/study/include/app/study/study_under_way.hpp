@@ -1,4 +1,4 @@
-// The study that a session is of: locked at the first run, the same from then on.
+// The study of a session: locked at the first run, unchanged from then on.
 #pragma once
 
 #include <filesystem>
@@ -21,13 +21,13 @@ struct StudyRequest {
 };
 
 /// The locked study of a participant: that of the stored plan, else the one in force. Where the database
-/// holds none yet, it is locked now. A lab's files that are not those that were locked are refused with what
+/// holds none yet, it is locked now. A lab's files that are not those that were locked are rejected with what
 /// has changed, or, where that is accepted, locked as the study in force from now on, which the database
 /// keeps.
 [[nodiscard]] Result<LockedStudy> studyUnderWay(const StudyRequest& request, results::Store& store);
 
 /// The locked study that a new participant of this database would be planned from; nothing is locked or
-/// stored. Fails where nothing is locked yet, or where this program would plan in another way.
+/// stored. Fails if nothing is locked yet, or where this program would plan in another way.
 [[nodiscard]] Result<LockedStudy> studyHeld(const std::filesystem::path& database,
                                             const results::Store& store);
 

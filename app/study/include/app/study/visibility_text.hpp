@@ -1,4 +1,4 @@
-// What of a study's balls its participants see, for people.
+// How much of a study's balls participants can see, as text.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace deixis::app {
 
 /// A line for each place from which a game is played: of how many sets of balls all are seen past the avatar
-/// that the study shows, at rest and pointing, and which are not. Empty where no game is played.
+/// that the study shows, at rest and pointing, and which are not. Empty if no game is played.
 [[nodiscard]] std::string visibilityText(const StudySetup& setup, const assets::Avatar& avatar);
 
 }  // namespace deixis::app

@@ -1,4 +1,4 @@
-// The commands of a study and its participants: from checking its file to showing a session again.
+// The commands for a study and its participants: from checking its file to replaying a session.
 #pragma once
 
 #include "app/program/commands.hpp"

@@ -1,5 +1,4 @@
-// A clip on the avatar in a window of its own: play, pause, scrub, speed, an orbiting camera. Or as a
-// picture.
+// A clip on the avatar in its own window: play, pause, scrub, speed, an orbiting camera. Or as a picture.
 #pragma once
 
 #include <string>

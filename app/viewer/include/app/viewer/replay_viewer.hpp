@@ -23,7 +23,7 @@ struct ReplayOptions {
 };
 
 /// Shows all answers of the recording, one after another. Where pictures or a film are asked for, no window
-/// is opened. Fails where ffmpeg is asked for and not installed.
+/// is opened. Fails if ffmpeg is asked for and not installed.
 [[nodiscard]] Result<void> showReplay(const results::Recording& recording, const studies::ClipSource& clips,
                                       const assets::Avatar& avatar, const ReplayOptions& options);
 

@@ -1,4 +1,4 @@
-// Keys that went down in a window since they were last asked for: a press shorter than a frame counts too.
+// Keys pressed in a window since the last query: a press shorter than a frame counts, too.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Dear ImGui in a GLFW window: text and buttons in the look of the boards.
+// Dear ImGui in a GLFW window: text and buttons that look like the boards.
 #pragma once
 
 #include <imgui/imgui.h>

@@ -1,8 +1,8 @@
-// An avatar as CPU data: any humanoid glTF 2.0 or VRM figure, brought to one shape.
+// An avatar as CPU data: any humanoid glTF 2.0 or VRM figure, converted to one form.
 //
-// Whatever the file's rest pose, bone axes, scales and facing are, the skeleton that comes out stands in the
-// T pose in metres, y up, facing +z, its lowest vertex on the floor, and its joints have no rest rotations.
-// Joints that play a bone carry that bone's VRM name. How the skin is carried over: docs/avatar.md.
+// Whatever the file's rest pose, bone axes, scales and facing are, the resulting skeleton is in the T pose
+// in metres, y up, facing +z, its lowest vertex on the floor, and its joints have no rest rotations.
+// Joints that are a bone have that bone's VRM name. How the skin is transferred: docs/avatar.md.
 #pragma once
 
 #include <array>
@@ -74,12 +74,12 @@ struct AvatarOptions {
     std::optional<double> height_m{};
 };
 
-/// As tall as people are: an avatar that is not, and of which nobody says how tall it is to be, is refused.
+/// As tall as people are: an avatar that is not, and of which nobody says how tall it is to be, is rejected.
 constexpr double shortest_avatar_m = 1.2, tallest_avatar_m = 2.2;
 
 /// Reads .glb, .vrm (0.x and 1.0) and .gltf with the files beside it, its bones as NAME.humanoid.toml says
 /// where that is there (assets/humanoid_file.hpp). Fails, naming the file, where it is not readable, where it
-/// is no humanoid (naming the bones that lack: hips, head, both arms to the hand, both legs to the foot),
+/// is not a humanoid (naming the bones that lack: hips, head, both arms to the hand, both legs to the foot),
 /// where it needs an extension that is not known here, where a file that it names lies outside its folder,
 /// and where it is not as tall as people are.
 [[nodiscard]] Result<Avatar> loadAvatar(const std::filesystem::path& path, const AvatarOptions& options = {});

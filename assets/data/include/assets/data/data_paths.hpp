@@ -1,4 +1,4 @@
-// Where the content that ships lies.
+// Where the content that comes with the program is.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace deixis::assets {
 [[nodiscard]] std::filesystem::path dataFile(std::string_view relative);
 
 /// What a person means by `name`: a file, or a TOML file of `kind` that ships, such as "pointing2023" of
-/// "studies". A folder of that name is no file.
+/// "studies". A folder of that name is not a file.
 [[nodiscard]] std::filesystem::path fileOrShipped(const std::string& name, std::string_view kind);
 
 }  // namespace deixis::assets

@@ -11,7 +11,7 @@
 namespace deixis::assets {
 
 /// Reads assets/data/demonstrations.toml or a file of its form. Every key must be there and none else; values
-/// outside their limits are refused. Errors name file, line and key.
+/// outside their limits are rejected. Errors name file, line and key.
 [[nodiscard]] Result<motion::DemonstrationParameters> loadDemonstrationParameters(
     const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.

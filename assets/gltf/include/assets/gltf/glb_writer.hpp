@@ -27,7 +27,7 @@ class GlbWriter {
     /// The smallest and the largest of each of an accessor's components, as arrays.
     void setBounds(std::size_t accessor, GltfJson min, GltfJson max);
 
-    /// The file: `root` with accessors, views and buffer added. Throws std::invalid_argument where it would
+    /// The file: `root` with accessors, views and buffer added. Throws std::invalid_argument if it would
     /// hold 4 GiB or more.
     [[nodiscard]] std::string file(GltfJson root) const;
 

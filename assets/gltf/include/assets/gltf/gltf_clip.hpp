@@ -21,13 +21,13 @@ struct GltfClipOptions {
 
 struct GltfClipFile {
     motion::Clip clip;  ///< metres; frame 0 is the first key
-    /// The humanoid bones that VRM's extensions name; none where the file has no such extension.
+    /// The humanoid bones that VRM's extensions name; none if the file has no such extension.
     std::optional<motion::HumanoidMap> humanoid{};
     std::string humanoid_source{};  ///< "VRM 0.x", "VRMC_vrm", "VRMC_vrm_animation" or empty
     std::string animation{};        ///< name of the one that was read; "animation 0" where it has none
     std::vector<std::string> animations{};  ///< all that the file has
     double metres_per_unit = 1.0;           ///< what was used
-    std::string unit{};                     ///< in words, such as "metre (as glTF has it)"
+    std::string unit{};                     ///< in words, such as "metre (as in glTF)"
     std::string frame_rate{};               ///< in words, such as "30 fps (the keys' rate)"
     std::vector<std::string> remarks{};     ///< what was unusual about the file and how it was taken
 };
@@ -37,7 +37,7 @@ struct GltfClipFile {
 [[nodiscard]] Result<GltfClipFile> readGltfClip(const std::filesystem::path& path,
                                                 const GltfClipOptions& options = {});
 /// The same from bytes; `name` stands for the file in errors. Without a folder, buffers in other files are
-/// refused.
+/// rejected.
 [[nodiscard]] Result<GltfClipFile> parseGltfClip(std::string_view bytes, const std::string& name,
                                                  const GltfClipOptions& options = {},
                                                  const std::optional<std::filesystem::path>& folder = {});

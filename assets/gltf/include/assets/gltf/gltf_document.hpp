@@ -1,8 +1,8 @@
-// What a glTF 2.0 file says, as plain data: the one reader of glTF, for clips and for figures. Section
+// The content of a glTF 2.0 file as plain data: the one reader of glTF, for clips and for figures. Section
 // numbers are those of the glTF 2.0 specification (Khronos 2021).
 //
-// The reader is our own, since tinygltf passes over what has a wrong type, tells no place in the file, and
-// opens the files that it names while it parses, before anybody has judged their paths.
+// The reader is our own, since tinygltf ignores values of a wrong type, does not say where in the file an
+// error is, and opens the files that it names while it parses, before their paths can be checked.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ struct Sparse {
 struct Accessor {
     int view = -1;  ///< -1: all zero, but for what `sparse` replaces
     std::size_t offset = 0, count = 0;
-    int component_type = 0;  ///< 5120..5126; other values are refused when it is read
+    int component_type = 0;  ///< 5120..5126; other values are rejected when it is read
     std::string type;        ///< "SCALAR", "VEC3", ...
     bool normalised = false, has_bounds = false;
     std::optional<Sparse> sparse;

@@ -1,4 +1,4 @@
-// How reading a glTF file ends where it cannot go on.
+// The exception that ends the reading of a bad glTF file.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The bytes and numbers behind what a glTF document says, with every index and range checked.
+// The bytes and numbers that a glTF document refers to, with every index and range checked.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace deixis::assets::gltf {
 /// `what` names an accessor in it, such as "POSITION".
 class Values {
   public:
-    /// `folder`: where the files that the document names lie; without it they are refused.
+    /// `folder`: where the files that the document names lie; without it they are rejected.
     Values(const Document& document, std::optional<std::filesystem::path> folder)
         : document_(document), folder_(std::move(folder)) {}
 
@@ -28,7 +28,7 @@ class Values {
     [[nodiscard]] const std::vector<double>& read(int accessor, const std::string& what);
     /// Elements of an accessor of unsigned integers.
     [[nodiscard]] std::vector<std::uint32_t> integers(int accessor, const std::string& what) const;
-    /// An image's file as it is, not decoded; empty where the document gives it none.
+    /// An image's file as it is, not decoded; empty if the document gives it none.
     [[nodiscard]] std::string image(std::size_t index) const;
 
     /// A file that buffers or images name.

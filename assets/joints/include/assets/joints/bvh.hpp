@@ -40,7 +40,7 @@ struct BvhFile {
 /// The clip as BVH text in metres, 6 decimals, rotations as ZXY in degrees; joints in depth-first order. The
 /// root has 6 channels, as has a joint whose position leaves its rest by more than 1e-6 m; others have 3.
 /// Read again, no joint is more than 1e-5 m away. Rest rotations are not kept (a pose holds whole rotations,
-/// so the motion is). Throws std::invalid_argument where the skeleton has not exactly one root.
+/// so the motion is). Throws std::invalid_argument if the skeleton has not exactly one root.
 [[nodiscard]] std::string writeBvh(const motion::Clip& clip);
 
 }  // namespace deixis::assets

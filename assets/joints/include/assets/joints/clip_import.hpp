@@ -1,5 +1,5 @@
-// Any clip file -> a clip in metres, right-handed, y up, and how that was found out. docs/clip-format.md says
-// what each format is.
+// Any clip file -> a clip in metres, right-handed, y up, and how that was determined. docs/clip-format.md
+// describes each format.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Decimal numbers in text, read quickly: what std::from_chars gives, to the last bit.
+// Decimal numbers in text, read quickly: the same as std::from_chars, to the last bit.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ constexpr std::array<std::uint64_t, 9> powers_of_ten{1,      10,      100,      
 
 }  // namespace decimal_detail
 
-/// Reads the number at `begin` as std::from_chars does and returns where it ends; null where there is none or
+/// Reads the number at `begin` as std::from_chars does and returns where it ends; null if there is none or
 /// it is beyond a double's range. Up to 15 digits without exponent, which is nearly every number in motion
 /// data, go the short way: digits and power of ten are doubles without error, so that their quotient is the
 /// nearest double (Clinger 1990, "How to read floating point numbers accurately").

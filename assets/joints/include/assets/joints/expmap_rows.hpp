@@ -1,4 +1,4 @@
-// Motion as rows of exponential maps, in which human motion prediction is done on Human3.6M and CMU.
+// Motion as rows of exponential maps, the format of human motion prediction on Human3.6M and CMU.
 #pragma once
 
 #include <string>

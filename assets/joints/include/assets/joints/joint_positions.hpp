@@ -1,5 +1,5 @@
-// Recordings that hold joint positions only: Kinect v2 body frames, CSV with named joints, the SGToolkit's
-// JSON. How positions become rotations: motion::clipFromPositions().
+// Recordings that have only joint positions: Kinect v2 body frames, CSV with named joints, SGToolkit JSON.
+// How positions become rotations: motion::clipFromPositions().
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 namespace deixis::assets {
 
 /// Reads a recording of one person by Kinect v2, as Microsoft's LabanotationSuite writes it, onto
-/// motion::referenceHumanoid(), facing +z with the feet on the floor, at 30 frames a second. A line is one
+/// motion::referenceHumanoid(), facing +z with the feet on the floor, at 30 frames per second. A line is one
 /// body frame: time in units of 100 ns, then x, y, z (metres, y up) and tracking state (0 not tracked, 1
 /// inferred, 2 tracked) of the 25 joints in Kinect's order; no header. Positions that are not tracked and
 /// gaps are bridged by straight lines, and positions are smoothed over about 0.1 s, for they tremble.
@@ -23,7 +23,7 @@ namespace deixis::assets {
 
 /// Reads positions of named joints, one frame a line under a header: NAME.x, NAME.y, NAME.z for every joint
 /// (also NAME_x, NAME x, x.NAME, in any case), and perhaps a column `time` in seconds (`time_ms` in
-/// milliseconds); other columns are passed over, and a remark says so. Fields are separated by commas,
+/// milliseconds); other columns are skipped, and a remark says so. Fields are separated by commas,
 /// semicolons or tabs. An empty field or NaN is an unknown position, bridged by straight lines. Joints are
 /// told by their names as motion::detectHumanoid() knows them. Times may be unsteady: the clip is sampled at
 /// the middle one of their steps. Without times 30 fps are assumed.
@@ -39,7 +39,7 @@ namespace deixis::assets {
 /// frames, bare or as "output-data" or "motion" of an object, or an array of such objects with a "name" each,
 /// of which options.animation chooses. A frame is 30 numbers, x y z of 10 joints: spine, neck, nose, top of
 /// the head, left shoulder, elbow, wrist, right shoulder, elbow, wrist; or 27, the directions of its 9 bones.
-/// 15 frames a second. Legs and hips stay at rest. Which axis is up and whether x points to the left or, as
+/// 15 frames per second. Legs and hips stay at rest. Which axis is up and whether x points to the left or, as
 /// in the toolkit's window, to the right is told from the figure: the nose lies before the line from neck to
 /// top.
 [[nodiscard]] Result<ImportedClip> parseSgToolkitJson(std::string_view text, const std::string& name,

@@ -1,4 +1,4 @@
-// The balls that a pointing clip may be read as meaning, as CSV, such as `deixis targets` prints.
+// The balls among which a pointing clip is read, as CSV, such as `deixis targets` prints.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace deixis::assets {
 
 /// A target with the distractors of one distance. Positions in metres, in the avatar's frame.
 struct BallSet {
-    std::string band;                  ///< name of the distance; empty where there is one alone
+    std::string band;                  ///< name of the distance; empty if there is one alone
     std::vector<Vec3> balls{};         ///< the target first
     std::vector<std::string> names{};  ///< of the balls: "target", "d1", "d2", ...
 };

@@ -1,4 +1,4 @@
-// A person's word on which joint plays which humanoid bone, and how tall an avatar is: a TOML file beside a
+// A user's file that says which joint is which humanoid bone, and how tall an avatar is: TOML beside a
 // clip or an avatar, documented in docs/clip-format.md and docs/avatar.md.
 #pragma once
 
@@ -34,7 +34,7 @@ struct HumanoidWords {
 /// Errors name file, line, what was found and what was expected: unknown bones, values of another kind, a
 /// joint named for two bones, a height that no figure has. `name` stands for the file.
 [[nodiscard]] Result<HumanoidWords> parseHumanoidText(std::string_view text, const std::string& name);
-/// What the file beside a clip or an avatar says; none where there is no such file.
+/// What the file beside a clip or an avatar says; none if there is no such file.
 [[nodiscard]] Result<std::optional<HumanoidWords>> humanoidWordsBeside(const std::filesystem::path& clip);
 
 /// Bones that are named play the joints that are named, whatever was found. Fails on joints that the skeleton

@@ -44,7 +44,7 @@ struct Manifest {
 };
 
 /// Reads and checks a manifest: header, numbers, frames in order. Columns may stand in any order; those that
-/// a manifest does not know are passed over. Errors name file, line and column. Whether the clips are there
+/// a manifest does not know are skipped. Errors name file, line and column. Whether the clips are there
 /// is not looked at.
 [[nodiscard]] Result<Manifest> readManifest(const std::filesystem::path& path);
 /// The same with every problem: of a broken row its first, of a broken header that alone.

@@ -20,7 +20,7 @@ struct ListedTarget {
     Vec3 position{0.0};  ///< metres, in the avatar's frame
 };
 
-/// Reads the columns target_id, x, y and z; others are passed over. At least one target, ids unique. Errors
+/// Reads the columns target_id, x, y and z; others are skipped. At least one target, ids unique. Errors
 /// name file, line and column.
 [[nodiscard]] Result<std::vector<ListedTarget>> readTargetList(const std::filesystem::path& path);
 /// The same from text; `name` stands for the file in errors.

@@ -1,5 +1,5 @@
-// Style statistics and compliance of the SGToolkit (Yoon et al. 2021): equations 4 to 6, 8 and 9. Pure
-// functions.
+// Style statistics and pose compliance of the SGToolkit (Yoon et al. 2021): equations 4 to 6, 8 and 9.
+// Pure functions.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace deixis::motion {
 
-constexpr double style_frame_time_s = 1.0 / 15.0;  ///< the paper's motion runs at 15 frames a second
+constexpr double style_frame_time_s = 1.0 / 15.0;  ///< the paper's motion runs at 15 frames per second
 constexpr int style_window = 30;                   ///< frames, section 4.3
 
 /// Style at one frame, before normalisation.
@@ -34,7 +34,7 @@ struct StyleNorm {
     Style sd;
 };
 [[nodiscard]] StyleNorm styleNorm(const std::vector<std::vector<Style>>& corpus);
-/// (style - mean) / sd, clamped to [-3, 3]; 0 where the corpus does not vary.
+/// (style - mean) / sd, clamped to [-3, 3]; 0 if the corpus does not vary.
 [[nodiscard]] Style normalisedStyle(const Style& style, const StyleNorm& norm);
 
 /// The joints that pose compliance looks at: those of styleBones() without the hips, to which all coordinates
@@ -42,7 +42,7 @@ struct StyleNorm {
 [[nodiscard]] const std::vector<Bone>& poseBones();
 
 /// Pose compliance score, eq. 8: the mean absolute difference of the joints' coordinates (metres) over the
-/// frames [first, last) for which poses were asked; the paper takes [10, 15) of 30. Fails where joints or
+/// frames [first, last) for which poses were asked; the paper takes [10, 15) of 30. Fails if joints or
 /// rates differ (by more than 1 %) or a motion is too short. The paper's figures (0.014 for its model) are of
 /// unit vectors from joint to joint, as its program has them: not metres.
 [[nodiscard]] Result<double> poseCompliance(const JointTrajectories& reference,
@@ -50,7 +50,7 @@ struct StyleNorm {
                                             int last = 15);
 
 /// Style compliance score, eq. 9: the mean absolute difference of normalised styles over all frames and the
-/// three elements. Fails where the lengths differ or there are no frames.
+/// three elements. Fails if the lengths differ or there are no frames.
 [[nodiscard]] Result<double> styleCompliance(const std::vector<Style>& reference,
                                              const std::vector<Style>& generated);
 

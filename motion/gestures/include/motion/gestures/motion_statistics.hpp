@@ -1,5 +1,6 @@
-// How fast and how jerkily a body moves, over many clips, as in the GENEA challenges' numerical evaluations
-// (Kucherenko et al. 2021; github.com/genea-workshop/genea_numerical_evaluations). Pure functions.
+// Speed, acceleration and jerk of a body over many clips, as in the GENEA challenges' numerical
+// evaluations (Kucherenko et al. 2021; github.com/genea-workshop/genea_numerical_evaluations). Pure
+// functions.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// A continuous recording of pointing, cut into gestures. Pure functions.
+// Cutting a continuous recording of pointing into gestures. Pure functions.
 #pragma once
 
 #include <optional>
@@ -68,7 +68,7 @@ struct Segmentation {
 
 /// Cuts a recording (metres, y up). `map` must have the hips, the legs' upper ends and both arms from
 /// shoulder to hand. The stance at rest, of each hand, is the median of the moments in which the hand hangs
-/// still: within 40 degrees of straight down and slower than 0.15 m/s; fails where those sum up to less than
+/// still: within 40 degrees of straight down and slower than 0.15 m/s; fails if those sum up to less than
 /// 0.2 s (by holds, an arm straight down is taken then, with a remark). Fails too where a bone is missing,
 /// the figure does not stand upright, or the rest frame is not in the recording.
 [[nodiscard]] Result<Segmentation> segment(const Clip& recording, const HumanoidMap& map,

@@ -1,4 +1,4 @@
-// Hand shapes of the product's own avatar.
+// Hand shapes of Deixis's own avatar.
 #pragma once
 
 #include "motion/skeleton/skeleton.hpp"

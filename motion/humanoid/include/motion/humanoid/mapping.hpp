@@ -1,4 +1,4 @@
-// Which joint of a skeleton plays which humanoid bone: found by the naming schemes in use, else by names in
+// Which joint of a skeleton is which humanoid bone: found by known naming schemes, otherwise by names in
 // general and by the shape of the figure.
 #pragma once
 

@@ -1,6 +1,6 @@
-// The skeleton of the product's own avatar: 1.75 m tall, 55 joints with VRM names, T pose facing +z, no rest
-// rotations. Segment lengths follow Drillis & Contini (1966) as fractions of stature, rounded to 5 mm; the
-// hand's finger lengths are ordinary adult values.
+// The skeleton of Deixis's own avatar: 1.75 m tall, 55 joints with VRM names, T pose facing +z, no rest
+// rotations. Segment lengths follow Drillis & Contini (1966) as fractions of body height, rounded to 5 mm;
+// finger lengths are typical adult values.
 #pragma once
 
 #include "motion/skeleton/skeleton.hpp"

@@ -1,4 +1,4 @@
-// Which axis of its coordinates is up for a figure.
+// Which coordinate axis is up for a figure.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace deixis::motion {
 
 /// The axis, of either sign, that lies nearest to the mean direction in which a figure rises from its hips or
-/// feet, frame by frame, and at most 45 degrees from it; none where there is no such axis. Rises without
+/// feet, frame by frame, and at most 45 degrees from it; none if there is no such axis. Rises without
 /// length do not count.
 [[nodiscard]] std::optional<Vec3> riseAxis(const std::vector<Vec3>& rises);
 

@@ -1,6 +1,6 @@
-// The objective measure of a pointing clip (Deichler et al. 2023, section 3.2): how well the forearm points
-// at the target while the hand is slow, and how reward and speed run around the time of pointing. Pure
-// functions.
+// The objective measure of a pointing clip (Deichler et al. 2023, section 3.2): how well the forearm
+// points at the target while the hand is slow, and the time courses of reward and speed around the time of
+// pointing. Pure functions.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct ArmTrack {
     std::vector<Vec3> hand;
 };
 
-/// `world`: the clip's poses (worldPoses()). Fails where the forearm has no length in a frame.
+/// `world`: the clip's poses (worldPoses()). Fails if the forearm has no length in a frame.
 [[nodiscard]] Result<ArmTrack> armTrack(const std::vector<std::vector<Pose>>& world, const HumanoidMap& map,
                                         Side side, double frame_time_s);
 
@@ -39,7 +39,7 @@ struct PointingAccuracy {
     int frame = 0;           ///< that frame; the first where several are equal
 };
 
-/// None where the hand is nowhere slow enough within the window. `pointing_frame` lies within the clip.
+/// None if the hand is nowhere slow enough within the window. `pointing_frame` lies within the clip.
 [[nodiscard]] std::optional<PointingAccuracy> pointingAccuracy(const ArmTrack& arm, const Vec3& target,
                                                                int pointing_frame, const AccuracyRule& rule);
 

@@ -1,5 +1,5 @@
-// What a body cannot or should not do: sliding feet, joints beyond their range, limbs inside the body. Pure
-// functions on world poses of a clip (worldPoses()) and its humanoid map.
+// What a body cannot or should not do: sliding feet, joints beyond their range, limbs inside the body.
+// Pure functions on world poses of a clip (worldPoses()) and its humanoid map.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@ namespace deixis::motion {
 /// Foot skate as in Zhang, Starke, Komura & Saito (2018), "Mode-adaptive neural networks for quadruped motion
 /// control", section 8: v (2 - 2^(h/H)) with v the foot's horizontal speed, h its height above its lowest in
 /// the clip, counted where h < H = 2.5 cm. The mean over frames and both feet, m/s: how far a foot on the
-/// floor slides in a second. The point is the toes' joint, or the foot's where there are no toes. None
+/// floor slides in a second. The point is the toes' joint, or the foot's if there are no toes. None
 /// without both feet or for a single frame.
 struct FootSkate {
     double speed_m_s = 0.0;
@@ -71,7 +71,7 @@ struct Intersection {
     double share = 0.0;      ///< of the frames in which they overlap
     int frame = 0;           ///< of the largest depth
 };
-/// Pairs that overlap in some frame. Empty where the map lacks arms, legs, neck or head.
+/// Pairs that overlap in some frame. Empty if the map lacks arms, legs, neck or head.
 [[nodiscard]] std::vector<Intersection> selfIntersections(const Skeleton& skeleton, const HumanoidMap& map,
                                                           const std::vector<std::vector<Pose>>& world);
 

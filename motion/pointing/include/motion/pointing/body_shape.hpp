@@ -1,4 +1,4 @@
-// How much room a standing body takes: what it may hide from somebody who looks past it.
+// How much room a standing body takes: what it may hide from an observer.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 namespace deixis::motion {
 
 /// A body as capsules around its bones, as thick as those of the reference humanoid for its height (clothes
-/// and hair of the product's own avatar lie within them; skirts and hats of others may not). Ends are rounded
+/// and hair of Deixis's own avatar lie within them; skirts and hats of others may not). Ends are rounded
 /// to 0.1 mm, so that they are the same on every machine. `world` is its pose at ease; with `pointing_at` the
 /// arm on that side is stretched at it, see stretchedArm(). Bones that the skeleton lacks are left out.
 [[nodiscard]] std::vector<Capsule> bodyShape(const Skeleton& skeleton, const HumanoidMap& map,

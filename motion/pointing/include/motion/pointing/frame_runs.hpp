@@ -1,4 +1,4 @@
-// Stretches of frames for which something holds.
+// Runs of frames in which a condition holds.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Everything that can be told of one pointing clip without anybody watching it. docs/measures.md describes
+// Everything that can be measured on one pointing clip without human raters. docs/measures.md describes
 // each measure.
 #pragma once
 
@@ -30,12 +30,12 @@ struct PointingMeasures {
     double hold_s = 0.0;                        ///< from peak to hold
     double time_to_peak_s = 0.0;                ///< from onset to peak
     double time_to_peak_speed_s = 0.0;          ///< from onset to the raise's peak speed
-    /// Of the fingertip over the hold, metres; none where the hold has fewer than 3 frames.
+    /// Of the fingertip over the hold, metres; none if the hold has fewer than 3 frames.
     std::optional<Steadiness> fingertip{};
     /// Of the hand from onset to peak.
     std::optional<double> log_dimensionless_jerk{};
     std::optional<double> spectral_arc_length{};
-    /// Each ray by PointingRay; none where it has no direction (a bone of zero length), or without a target.
+    /// Each ray by PointingRay; none if it has no direction (a bone of zero length), or without a target.
     std::array<std::optional<RayMeasures>, all_pointing_rays.size()> rays{};
     std::optional<double> reward{};      ///< equation 2 in the middle of the hold
     std::optional<double> max_reward{};  ///< the largest of the hold
@@ -46,7 +46,7 @@ struct PointingMeasures {
 
 /// Measures a clip. `target` in the clip's own coordinates, metres. Given phases are taken, else they are
 /// detected on the hand that goes farther. Fails on a clip without hips, head or an arm (named), with a joint
-/// that is no number, without a gesture, or with phases outside the clip.
+/// that is not a number, without a gesture, or with phases outside the clip.
 [[nodiscard]] Result<PointingMeasures> measurePointing(const Clip& clip, const HumanoidMap& map,
                                                        const std::optional<Vec3>& target,
                                                        const std::optional<GesturePhases>& phases = {});

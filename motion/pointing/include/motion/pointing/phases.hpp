@@ -1,5 +1,5 @@
-// When a pointing hand sets out, arrives, starts back and is back: the one detector, which clips and the
-// gestures of a recording share.
+// When a pointing hand starts, arrives, starts to return and is back: the one detector, used for clips and
+// for the gestures of a recording.
 #pragma once
 
 #include <vector>

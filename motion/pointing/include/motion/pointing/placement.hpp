@@ -1,4 +1,4 @@
-// Where a figure stands in its clip.
+// The place and facing of a figure in its clip.
 #pragma once
 
 #include "motion/skeleton/clip.hpp"
@@ -6,7 +6,7 @@
 namespace deixis::motion {
 
 /// Takes a clip's coordinates to those of its figure in a frame: origin on y = 0 below the hips, z ahead as
-/// the hips face (told by the legs, else by the upper arms), x to its left. The identity where the figure has
+/// the hips face (told by the legs, else by the upper arms), x to its left. The identity if the figure has
 /// no hips, or neither both legs nor both arms.
 [[nodiscard]] Pose figureFromClip(const Clip& clip, const HumanoidMap& map, int frame);
 

@@ -40,10 +40,10 @@ constexpr std::array<PointingRay, 7> all_pointing_rays{
 [[nodiscard]] Vec3 headDirection(const Skeleton& skeleton, const HumanoidMap& map,
                                  const std::vector<Pose>& world);
 
-/// Midpoint between the eyes (the head joint where there are none).
+/// Midpoint between the eyes (the head joint if there are none).
 [[nodiscard]] Vec3 eyePosition(const HumanoidMap& map, const std::vector<Pose>& world);
 
-/// Tip of the index finger; the hand joint where there are no fingers.
+/// Tip of the index finger; the hand joint if there are no fingers.
 [[nodiscard]] Vec3 fingertipPosition(const Skeleton& skeleton, const HumanoidMap& map,
                                      const std::vector<Pose>& world, Side side);
 
@@ -63,10 +63,10 @@ struct RayDistance {
 struct BallChoice {
     std::size_t ball = 0;
     double error_rad = 0.0;
-    /// Angle by which the next best ball is missed more; none where there is but one ball.
+    /// Angle by which the next best ball is missed more; none if there is but one ball.
     std::optional<double> margin_rad{};
 };
-/// Empty where there are no balls.
+/// Empty if there are no balls.
 [[nodiscard]] std::optional<BallChoice> chosenBall(const Ray& ray, const std::vector<Vec3>& balls);
 
 /// Equation 2 of Deichler et al. (2023): theta = 1 - angle(hand->target, elbow->hand)/pi; (e^theta - 1)/e. In

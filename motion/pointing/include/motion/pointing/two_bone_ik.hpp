@@ -1,6 +1,6 @@
-// Analytic inverse kinematics of two bones in a row with a hinge between them: upper arm and forearm, thigh
-// and shin. The hinge's angle brings the tip to a distance; what is left free, the turn about the line to the
-// tip, is settled by a direction for the elbow (solveArm), or by keeping the side on which it stands (reach).
+// Analytic inverse kinematics of two bones with a hinge between them: upper arm and forearm, thigh and
+// shin. The hinge's angle sets the distance of the tip; the remaining freedom, the turn about the line to
+// the tip, is set by a direction for the elbow (solveArm), or by keeping its side (reach).
 #pragma once
 
 #include "core/pose.hpp"

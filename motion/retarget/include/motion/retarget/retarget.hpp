@@ -1,4 +1,5 @@
-// Any humanoid clip onto the avatar: from another skeleton's rotations, or from joint positions alone.
+// Retargeting any humanoid clip to the avatar: from another skeleton's rotations, or from joint positions
+// alone.
 #pragma once
 
 #include <array>
@@ -66,13 +67,13 @@ struct RetargetReport {
 /// The clip played by the avatar: upright, facing its own way round, feet planted on the floor; rest poses
 /// are corrected (T, A, arms down, z up) by aligning bone directions. A clip with a target stays where it
 /// stands, since the target does. `avatar` is a T-pose
-/// skeleton without rest rotations. Fails where the source lacks the bones that a humanoid needs, naming
+/// skeleton without rest rotations. Fails if the source lacks the bones that a humanoid needs, naming
 /// them, and where a gesture ends after the clip.
 [[nodiscard]] Result<Clip> retarget(const Clip& source, const HumanoidMap& source_map, const Skeleton& avatar,
                                     const HumanoidMap& avatar_map, const RetargetOptions& options = {},
                                     RetargetReport* report = nullptr);
 
-/// The error of a clip's gesture, by pointingRay() from the eye over the fingertip; none where the gesture
+/// The error of a clip's gesture, by pointingRay() from the eye over the fingertip; none if the gesture
 /// has no target or ends after the clip.
 [[nodiscard]] std::optional<PointingError> pointingError(const Clip& clip, const HumanoidMap& map,
                                                          const PointingGesture& gesture);

@@ -1,4 +1,4 @@
-// A bone's place in tables that have an entry for each.
+// The index of a bone in tables with an entry for each bone.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// A clip: a skeleton and its poses at a steady frame rate.
+// A clip: a skeleton and its poses at a constant frame rate.
 #pragma once
 
 #include <vector>
@@ -29,8 +29,8 @@ void sample(const Clip& clip, double time_s, LocalPose& out);
 [[nodiscard]] Pose interpolate(const Pose& a, const Pose& b, double t);
 
 /// The clip at another frame rate, its first frame kept; the last sample lies within one new frame of the
-/// end. Fails where that takes more than 20 million poses of single joints (about 1 GB): an hour of a person
-/// with 55 joints at 100 frames a second.
+/// end. Fails if that takes more than 20 million poses of single joints (about 1 GB): an hour of a person
+/// with 55 joints at 100 frames per second.
 [[nodiscard]] Result<Clip> resample(const Clip& clip, double frame_time_s);
 
 }  // namespace deixis::motion

@@ -1,4 +1,4 @@
-// Clips cut, moved and seen in a mirror.
+// Cutting, moving and mirroring clips.
 #pragma once
 
 #include <vector>
@@ -34,7 +34,7 @@ namespace deixis::motion {
 [[nodiscard]] LocalPose mirrored(const Skeleton& skeleton, const std::vector<int>& partners,
                                  const LocalPose& pose);
 
-/// The frames `first` to `last`, both kept, from 0. Fails where 0 <= first <= last < frame count does not
+/// The frames `first` to `last`, both kept, from 0. Fails if 0 <= first <= last < frame count does not
 /// hold.
 [[nodiscard]] Result<Clip> trimmed(const Clip& clip, int first, int last);
 

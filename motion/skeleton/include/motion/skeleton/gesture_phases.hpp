@@ -1,4 +1,4 @@
-// When the hand of a pointing gesture does what, in frames of a clip.
+// The phases of a pointing gesture, in frames of a clip.
 #pragma once
 
 #include <fmt/core.h>
@@ -17,7 +17,7 @@ struct GesturePhases {
     int end_frame = 0;    ///< the hand is back at rest
 };
 
-/// Fails, with the frames found, where a gesture's frames are out of order or not in a clip of so many.
+/// Fails, with the frames found, where a gesture's frames are out of order or not in a clip of this many.
 [[nodiscard]] inline Result<void> checkPhases(const GesturePhases& p, int frame_count) {
     if (0 <= p.onset_frame && p.onset_frame < p.peak_frame && p.peak_frame <= p.hold_frame &&
         p.hold_frame < p.end_frame && p.end_frame < frame_count)

@@ -40,7 +40,7 @@ struct LocalPose {
 void worldPose(const Skeleton& skeleton, const LocalPose& pose, std::vector<Pose>& out);
 [[nodiscard]] std::vector<Pose> worldPose(const Skeleton& skeleton, const LocalPose& pose);
 
-/// The map of a skeleton whose joints carry the VRM names themselves, as the product's own avatar does.
+/// The map of a skeleton whose joints carry the VRM names themselves, as Deixis's own avatar does.
 [[nodiscard]] HumanoidMap mapByVrmNames(const Skeleton& skeleton);
 
 /// The position of a joint's tip: its end site where it has one, else its own position.

@@ -1,6 +1,6 @@
-// Parameters of the synthetic demonstrations and of the systems that are made from the same parts.
-// assets/data/demonstrations.toml holds the values and marks where each comes from; the defaults here are the
-// same values.
+// Parameters of the synthetic demonstrations and of the systems made from the same parts.
+// assets/data/demonstrations.toml has the values with their sources; the defaults here are the same
+// values.
 #pragma once
 
 #include <array>
@@ -120,7 +120,7 @@ struct DriftingParameters {
     Interval hold_s{1.5, 2.5};
     double wander_deg = 5.0;  ///< amplitude of the slow wandering during the hold
     Interval wander_hz{0.25, 0.6};
-    Interval hold_shift{0.10, 0.25};  ///< share of the way that the posture goes on moving during the hold
+    Interval hold_shift{0.10, 0.25};  ///< share of the way that the posture continues moving during the hold
     double jitter_rad = 0.003;        ///< SD of the unsmoothed shaking of each arm joint, per frame
     double noise_share = 1.5;
 };

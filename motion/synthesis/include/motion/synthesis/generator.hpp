@@ -1,5 +1,5 @@
-// Systems that make pointing clips for a target: the interface, and the built-in ones. Each is documented in
-// docs/systems.md. They are synthetic stand-ins until learned systems come.
+// Systems that make pointing clips for a target: the interface, and the built-in ones. Each is documented
+// in docs/systems.md. They are synthetic and serve until there are learned systems.
 #pragma once
 
 #include <cstdint>

@@ -57,7 +57,7 @@ class BoardPass {
         unsigned last_paint = 0;  // the number of the call of paint() that asked for it last
     };
     [[nodiscard]] Resolution resolution(const Board& board) const;
-    [[nodiscard]] std::size_t find(const Board& board) const;  // number of cards where there is none
+    [[nodiscard]] std::size_t find(const Board& board) const;  // number of cards if there is none
     [[nodiscard]] const Card& painted(const Board& board) const;
     Card& freeCard(const Resolution& wanted);
     void paint(const Board& board, Card& card);

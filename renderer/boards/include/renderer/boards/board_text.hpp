@@ -1,4 +1,4 @@
-// The fonts of the board, at the pixel sizes and with the characters that it needs.
+// The fonts of a board, at the pixel sizes and with the characters that it needs.
 #pragma once
 
 #include <imgui.h>
@@ -24,10 +24,10 @@ struct FontKey {
 
 class BoardFonts {
   public:
-    /// Reads the font files; fails where one is missing.
+    /// Reads the font files; fails if one is missing.
     [[nodiscard]] static Result<BoardFonts> load();
 
-    /// Makes the atlas hold these fonts with these characters (UTF-8); true where it was built again, so that
+    /// Makes the atlas hold these fonts with these characters (UTF-8); true if it was built again, so that
     /// its texture must be made again.
     bool require(const std::set<FontKey>& keys, std::string_view characters);
     [[nodiscard]] ImFont* font(const FontKey& key) const { return fonts_.at(key); }

@@ -1,4 +1,4 @@
-// The fonts that boards are drawn with, for windows that draw text of their own.
+// The fonts of the boards, for windows that draw their own text.
 #pragma once
 
 #include <string>

@@ -50,7 +50,7 @@ class Renderer {
 
     /// Draws both eyes (Scene::camera gives only near and far) into `target`, resolved, in sRGB. Skinning,
     /// the shadow maps and the list of what is drawn are made once for both. The first of the scene's boards
-    /// is left out as a hole: alpha 0 where it would be seen, 1 elsewhere, colours premultiplied, so that it
+    /// is left out as a hole: alpha 0 if it would be seen, 1 elsewhere, colours premultiplied, so that it
     /// can be shown beneath this layer as a sharp layer of its own, rightly covered by whatever stands before
     /// it. Further boards are drawn. `mode` two_passes is always there, multiview where hasMultiview(). GL
     /// state afterwards as after draw().

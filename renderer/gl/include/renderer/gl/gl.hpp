@@ -1,4 +1,5 @@
-// OpenGL objects that own themselves, shader programs, and errors as exceptions. Private to the module.
+// OpenGL objects that manage their own lifetime, shader programs, and errors as exceptions. Private to the
+// module.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -104,7 +105,7 @@ using Parts = std::initializer_list<std::string_view>;
 [[nodiscard]] Program drawProgram(std::string_view name, Parts vertex, Parts fragment);
 [[nodiscard]] Program computeProgram(std::string_view name, Parts compute);
 
-/// Location of a uniform that the program must have; throws std::runtime_error where it has none.
+/// Location of a uniform that the program must have; throws std::runtime_error if it has none.
 [[nodiscard]] GLint uniform(const Program& program, const char* name);
 
 /// In debug builds: makes the driver report errors to checkErrors.

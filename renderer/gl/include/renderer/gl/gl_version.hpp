@@ -1,4 +1,4 @@
-// The oldest OpenGL that the renderer draws with, and what to say where there is less.
+// The oldest OpenGL version that the renderer supports, and the message if there is only an older one.
 #pragma once
 
 #include "core/error.hpp"

@@ -1,4 +1,4 @@
-// The avatars: one mesh, skinned once a frame for each of them by a compute shader, then drawn into the
+// The avatars: one mesh, skinned once per frame for each of them by a compute shader, then drawn into the
 // shadow maps and into the picture.
 #pragma once
 
@@ -17,7 +17,7 @@ class AvatarPass {
     AvatarPass(const assets::Avatar& avatar, int shadow_resolution);
 
     /// Moves the vertices to these poses, and tells the block where the shadow maps lie and where the feet
-    /// darken the floor. Throws std::invalid_argument where a number of joints is not the skeleton's, or
+    /// darken the floor. Throws std::invalid_argument if a number of joints is not the skeleton's, or
     /// there are too many avatars.
     void place(const std::vector<std::vector<Pose>>& avatars, FrameBlock& block);
     /// Draws the shadow maps; the block must be bound.

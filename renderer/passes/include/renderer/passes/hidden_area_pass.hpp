@@ -1,5 +1,5 @@
-// The part of each eye's picture that is never seen: black and nearer than everything, so that what follows
-// is not drawn there.
+// The part of each eye's picture that is never visible: black and nearer than everything, so that nothing
+// is drawn there.
 #pragma once
 
 #include "renderer/scene/stereo.hpp"
@@ -10,7 +10,7 @@ namespace deixis::renderer {
 class HiddenAreaPass {
   public:
     HiddenAreaPass();
-    /// Throws std::invalid_argument where the indices are no triangles of the corners.
+    /// Throws std::invalid_argument if the indices are not triangles of the corners.
     void set(const std::array<HiddenArea, 2>& areas);
     void draw(Views views);
 

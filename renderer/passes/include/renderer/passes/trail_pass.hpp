@@ -1,4 +1,4 @@
-// Ways that were gone: ribbons that face the eye, fading towards their start.
+// Trails of movements: ribbons that face the eye, fading towards their start.
 #pragma once
 
 #include <vector>

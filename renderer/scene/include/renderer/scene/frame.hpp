@@ -1,5 +1,5 @@
-// What every pass needs of one frame: the uniform blocks, and the shader text that reads it and lights a
-// surface with it.
+// What every pass needs for one frame: the uniform blocks, and the shader text that reads them and lights
+// surfaces.
 #pragma once
 
 #include <array>

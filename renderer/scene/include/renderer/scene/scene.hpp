@@ -82,7 +82,7 @@ struct BoardButton {
     friend bool operator==(const BoardButton&, const BoardButton&) = default;
 };
 /// A track with a thumb. Each label has a tick: the first at the track's start, the last at its end; its
-/// lines are parted by line feeds.
+/// lines are separated by line feeds.
 struct BoardSlider {
     BoardRect box{};
     BoardRect track{};

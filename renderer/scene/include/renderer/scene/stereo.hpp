@@ -1,4 +1,4 @@
-// What a headset's two eyes need beside a scene: views, and the textures to draw into.
+// What a headset's two eyes need besides a scene: views, and the textures to draw into.
 #pragma once
 
 #include <array>

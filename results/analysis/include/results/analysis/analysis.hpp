@@ -32,15 +32,14 @@ struct AnalysisOptions {
 };
 
 struct Summary {
-    double mean = 0.0;                     ///< of participants' means
-    double median = 0.0;                   ///< likewise
-    double sd_participants = 0.0;          ///< over participants' means
-    double sd_trials = 0.0;                ///< over single trials
-    int n = 0;                             ///< trials
-    std::vector<double> by_participant{};  ///< participants' means, participants in order
-    std::optional<BootstrapInterval>
-        interval{};  ///< of the mean, resampling participants; BCa, or percentile
-                     ///< where there is none; from two participants on
+    double mean = 0.0;                            ///< of participants' means
+    double median = 0.0;                          ///< likewise
+    double sd_participants = 0.0;                 ///< over participants' means
+    double sd_trials = 0.0;                       ///< over single trials
+    int n = 0;                                    ///< trials
+    std::vector<double> by_participant{};         ///< participants' means, participants in order
+    std::optional<BootstrapInterval> interval{};  ///< of the mean, resampling participants; BCa, or
+                                                  ///< percentile if there is none; from two participants on
     /// So few participants that the range of their means itself covers the middle less often than the level.
     bool interval_falls_short = false;
 };
@@ -75,14 +74,14 @@ struct AdjustedTest {
     SignedRankTest test{};  ///< n_pairs: the participants who have both conditions
     std::string family{};
     int family_size = 0;                    ///< tests of the family that have a p
-    std::optional<double> p_holm{};         ///< none where no participant has both
+    std::optional<double> p_holm{};         ///< none if no participant has both
     std::optional<double> p_holm_pratt{};   ///< the family corrected with Pratt's p of each test
     std::optional<double> p_holm_normal{};  ///< likewise with the normal approximation's
     bool significant = false;               ///< p_holm <= alpha
     bool depends_on_zeros = false;          ///< the decision would be another with Pratt's p
     bool depends_on_approximation = false;  ///< likewise with the normal approximation's
-    /// Even the smallest p that so many differences can give, times the family's size, exceeds alpha:
-    /// significant at the most where others of the family have a smaller p.
+    /// Even the smallest p possible with this many differences, times the family's size, exceeds alpha:
+    /// significant at most where others of the family have a smaller p.
     bool out_of_reach = false;
     ShapiroWilk normality{};                   ///< of the differences; for description only
     std::optional<Equivalence> equivalence{};  ///< where a bound was declared
@@ -190,7 +189,7 @@ struct UnansweredResult {
 struct GroupTest {
     std::string factor;
     std::string a, b;     ///< levels
-    double mean_a = 0.0;  ///< of participants' scores; 0 where there are none
+    double mean_a = 0.0;  ///< of participants' scores; 0 if there are none
     double mean_b = 0.0;
     RankSumTest test{};
     std::string family{};
@@ -264,7 +263,7 @@ struct ConfusionResult {
     int shown = 0;  ///< such balls, over all trials
 };
 
-/// Right choices for the targets at one place.
+/// Correct choices for the targets at one place.
 struct TargetPlace {
     std::string system;  ///< "all" first
     std::string target_id;
@@ -273,7 +272,7 @@ struct TargetPlace {
     double mean = 0.0;     ///< share of right ones
 };
 
-/// Ratings taken one by one. Those of a participant hang together, so they are pseudo-replicated: this
+/// Ratings taken one by one. Those of a participant are correlated, so they are pseudo-replicated: this
 /// describes, and no test belongs to it.
 struct PooledResult {
     std::string measure;
@@ -291,7 +290,7 @@ struct ChanceResult : AdjustedTest {
     int successes = 0;
     int n = 0;                ///< choices
     int n_known = 0;          ///< of them, those whose number of balls is known
-    double chance = 0.0;      ///< mean of participants' means of 1 / balls; 0 where it is not known
+    double chance = 0.0;      ///< mean of participants' means of 1 / balls; 0 if it is not known
     double mean_above = 0.0;  ///< mean of participants' means of correct - 1 / balls; likewise
 };
 
@@ -397,7 +396,7 @@ struct AnalysisResult {
         time_tests;  ///< of participants' median response times, seconds, pairs of systems
     std::vector<BetweenResult> time_groups;  ///< likewise, groups of participants
     std::vector<FieldResult> fields;
-    std::vector<SessionTimeResult> session_times;  ///< all first; empty where they are not known
+    std::vector<SessionTimeResult> session_times;  ///< all first; empty if they are not known
     std::vector<SensitivityResult> sensitivity;
     AnswerCounts headline_answers;
     std::array<AnswerCounts, all_choices.size()> other_answers{};  ///< of all_choices
@@ -406,7 +405,7 @@ struct AnalysisResult {
     std::vector<PreferenceBetweenResult> preferences_between;
     std::vector<ConfusionResult> confusion;  ///< where the balls' positions are known
     std::vector<TargetPlace> target_space;   ///< likewise; of each system by target
-    std::vector<ObserverReading> observers;  ///< where the choices' clips are at hand
+    std::vector<ObserverReading> observers;  ///< where the choices' clips are available
     std::vector<DriftResult> drift;          ///< likewise
     std::vector<PooledResult> pooled;        ///< of ratings
     std::vector<ChanceResult> chance;        ///< where there is a game

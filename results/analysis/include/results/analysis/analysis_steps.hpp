@@ -1,4 +1,4 @@
-// The parts of an analysis; private to it. Each fills in its own of the result, and needs the measures.
+// The parts of an analysis; private to it. Each fills in its part of the result, and needs the measures.
 #pragma once
 
 #include "results/analysis/analysis.hpp"
@@ -6,7 +6,7 @@
 
 namespace deixis::results {
 
-/// Means of the levels of each factor within participants, and tests of all pairs of levels.
+/// Means of the levels of each within-participants factor, and tests of all pairs of levels.
 void compareLevels(AnalysisResult& result);
 
 /// Of participants' means, resampling participants. Summaries of as many participants are resampled together:
@@ -24,10 +24,10 @@ void compareOtherAnswers(AnalysisResult& result);
 void compareGroups(AnalysisResult& result);
 void comparePreferencesOfGroups(AnalysisResult& result);
 
-/// The factor under which systems stand that no participant met both of.
+/// The factor under which systems stand that no participant saw both of.
 inline constexpr const char* systems_between = "system";
 
-/// Pairs of systems that no participant met both of, as groups of participants. Needs pairwise.
+/// Pairs of systems that no participant saw both of, as groups of participants. Needs pairwise.
 void compareSystemsBetween(const MeansByMeasure& means, AnalysisResult& result);
 
 /// Pairs of systems by single ratings, where they are asked for.

@@ -14,7 +14,7 @@ namespace deixis::results {
 using WinMatrix = std::vector<std::vector<double>>;
 
 /// Maximum likelihood of P(i preferred to j) = 1 / (1 + exp(b_j - b_i)): the b, with sum 0. By Hunter's
-/// (2004) MM algorithm, from `start` where it is given. None where there is no finite maximum: unless every
+/// (2004) MM algorithm, from `start` where it is given. None if there is no finite maximum: unless every
 /// system is preferred, directly or through others, to every other one (Ford 1957), a difference grows
 /// without bound.
 [[nodiscard]] std::optional<std::vector<double>> bradleyTerryAbilities(const WinMatrix& wins,
@@ -24,7 +24,7 @@ struct Ability {
     std::string system;
     std::optional<double> estimate{};               ///< log odds scale; the mean of all is 0
     std::optional<BootstrapInterval> percentile{};  ///< participants are resampled
-    /// Bias-corrected and accelerated. None where there are no finite abilities without one of the
+    /// Bias-corrected and accelerated. None if there are no finite abilities without one of the
     /// participants, or where all or none of the resampled abilities lie below the estimate; the note says
     /// so.
     std::optional<BootstrapInterval> bca{};
@@ -43,7 +43,7 @@ struct BradleyTerry {
         abilities{};                 ///< of the systems compared, in the study's order; empty: no preferences
     std::vector<PairCount> pairs{};  ///< compared at least once
     int participants = 0;
-    /// Resamples in which there are no finite abilities; they are passed over, so intervals are too narrow.
+    /// Resamples in which there are no finite abilities; they are skipped, so intervals are too narrow.
     int resamples_left_out = 0;
     std::string note{};  ///< why there are no abilities, or what is wrong with the intervals; may be empty
 };

@@ -1,4 +1,4 @@
-// What was measured in a unit, such as how far from its target a ball was put, over the targets' places.
+// Measures with a unit, such as the distance from ball to target, over the targets' places.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct MeasuredPlace {
     double mean = 0.0;     ///< in the unit
 };
 
-/// In the order of the measures, of "all" and the systems, and of the targets' ids. Empty where nothing is
+/// In the order of the measures, of "all" and the systems, and of the targets' ids. Empty if nothing is
 /// measured in a unit, or the places of its targets are not known.
 [[nodiscard]] std::vector<MeasuredPlace> measuredSpace(const ResponseTable& table);
 

@@ -1,6 +1,5 @@
-// How often a study would find what it looks for: whole studies drawn from assumed effects on the real plans,
-// and the report's own tests on each. The answers are simulated and no evidence about people. Conventions:
-// docs/power.md.
+// Power by simulation: whole studies are drawn from assumed effects on the real plans, with the report's
+// own tests on each. The answers are simulated and no evidence about people. Conventions: docs/power.md.
 #pragma once
 
 #include <cstdint>
@@ -73,7 +72,7 @@ using PowerProgress = std::function<void(std::size_t done, std::size_t all)>;
 /// beginning of the same one: powers of different sizes rise and fall together.
 class PowerAnalysis {
   public:
-    /// Fails where a plan cannot be built. Groups are assigned as they are to participants who come in turn,
+    /// Fails if a plan cannot be built. Groups are assigned as they are to participants who come in turn,
     /// of whom none drops out.
     [[nodiscard]] static Result<PowerAnalysis> make(const studies::Study& study,
                                                     const std::vector<studies::TargetItem>& targets,
@@ -93,7 +92,7 @@ class PowerAnalysis {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The smallest of the numbers simulated whose estimated power reaches `goal`; none where none does.
+/// The smallest of the numbers simulated whose estimated power reaches `goal`; none if none does.
 [[nodiscard]] std::optional<int> participantsFor(const PowerResult& result, const ContrastPower& contrast,
                                                  double goal);
 /// Simulates between the numbers simulated so far, halving, until for each contrast the smallest number that

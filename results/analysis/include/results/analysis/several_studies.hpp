@@ -10,7 +10,7 @@
 
 namespace deixis::results {
 
-/// The factor between participants that the studies are.
+/// The between-participants factor that the studies are.
 inline constexpr const char* study_factor = "study";
 /// What stands for all studies together where a study's name would stand.
 inline constexpr const char* pooled_studies = "pooled";
@@ -22,14 +22,14 @@ struct JoinChoice {
 };
 
 /// One table of all data: of one study as joinTables(). Databases of studies of different names are compared
-/// by study, with or without `by_study`: the study is a factor between participants, participants and items
+/// by study, with or without `by_study`: the study is a between-participants factor, participants and items
 /// are called "STUDY/ID" (P01 of one study is not P01 of another), and systems that not all studies have are
 /// left out. The order of the tables changes nothing. Fails, with the reason, where the studies do not share
 /// their measures and scales or any system, and where there is nothing to compare by study.
 [[nodiscard]] Result<ResponseTable> joinData(std::vector<ResponseTable> tables,
                                              const JoinChoice& choice = {});
 
-/// The studies that have answers, in order; empty where the table is of one study.
+/// The studies that have answers, in order; empty if the table is of one study.
 [[nodiscard]] std::vector<std::string> studiesIn(const ResponseTable& table);
 
 /// Those answers of one study that tests of its systems need; without factors.
@@ -39,7 +39,7 @@ struct JoinChoice {
 /// factor, too.
 void dropEmptyStudies(ResponseTable& table);
 
-/// Fails where no two studies have answers that are analysed together: people's at one kind of station (at
+/// Fails if no two studies have answers that are analysed together: people's at one kind of station (at
 /// any, where `stations_together`), or simulated participants'.
 [[nodiscard]] Result<void> checkStudiesMeet(const ResponseTable& table, bool stations_together);
 

@@ -34,7 +34,7 @@ using RowPointers = std::vector<const ResponseRow*>;
 
 [[nodiscard]] Means exactMeans(const Cells& cells);
 [[nodiscard]] MeansByMeasure exactMeans(const CellsByMeasure& cells);
-/// Of a factor between participants; empty where it is not known.
+/// Of a between-participants factor; empty if it is not known.
 [[nodiscard]] std::string levelOfParticipant(const ResponseTable& table, const std::string& participant,
                                              const std::string& factor);
 

@@ -1,4 +1,4 @@
-// Right choices by how near the nearest distractor looked to the target.
+// Correct choices by the angle between the target and the nearest distractor.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How carefully participants answered, and how far they agree: what a reader asks before the results.
+// How carefully participants answered, and how far they agree: what a reader checks before the results.
 #pragma once
 
 #include <map>

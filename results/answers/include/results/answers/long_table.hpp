@@ -1,4 +1,4 @@
-// Answers from any lab as a tidy table: one line an answer.
+// Answers from any lab as a tidy table: one line per answer.
 #pragma once
 
 #include <filesystem>

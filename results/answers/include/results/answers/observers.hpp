@@ -1,5 +1,5 @@
-// What simulated observers of several kinds make of the same arms: how far a system's accuracy hangs on what
-// pointing is taken to mean. They are no evidence about people. docs/evaluation.md.
+// What simulated observers of several kinds choose after the same arms: how far a system's accuracy
+// depends on how pointing is read. They are no evidence about people. docs/evaluation.md.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct ObservedChoice {
     std::string participant{};  ///< who chose
 };
 
-/// Choices where an arm goes on moving while it is held: of the ball nearest to a line when the hold began,
+/// Choices where an arm continues moving while it is held: of the ball nearest to a line when the hold began,
 /// or when it ended (Deichler et al. 2023, section 4).
 struct DriftResult {
     std::string system;
@@ -52,8 +52,8 @@ struct ObserverReading {
     std::string system;
     std::string layout;  ///< "all": over the layouts' trials
     double trials = 0.0;
-    /// Of each observer, the expected share of right choices with the noise and lapses of the parameters that
-    /// ship,
+    /// Of each observer, the expected share of correct choices with the noise and lapses of the parameters
+    /// that ship,
     std::array<double, observer_names.size()> accuracy{};
     /// and with neither: the ceiling of that reading, the share in which the target is what is read.
     std::array<double, observer_names.size()> without_error{};

@@ -1,4 +1,4 @@
-// The scores of questionnaires, computed from the answers that a database keeps.
+// The scores of questionnaires, computed from the answers in a database.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,4 +1,4 @@
-// The responses of an open database, wherever it came from.
+// Reading the responses of an open database, wherever it came from.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -53,15 +53,15 @@ struct ResponseRow {
     int trial = -1;  ///< place among the participant's trials, from 0; -1: not known
     double value = 0.0;
     std::string other_system{};    ///< preference: `system` stood left, this one right
-    double response_time_s = 0.0;  ///< 0 where it is not known, or nothing was answered
+    double response_time_s = 0.0;  ///< 0 if it is not known, or nothing was answered
     bool synthetic = false;        ///< answered by a simulated participant
-    std::string station{};         ///< at which kind of station; empty where it is not known
+    std::string station{};         ///< at which kind of station; empty if it is not known
     int pauses = 0;                ///< the trial was interrupted this often
-    /// Levels of ResponseTable::within, in its order; empty where a level is not known.
+    /// Levels of ResponseTable::within, in its order; empty if a level is not known.
     std::vector<std::string> within{};
     int balls = 0;  ///< accuracy: shown in this trial; 0: not known
     /// Why there is no choice: "timed_out" (it counts as wrong) or "skipped" (of
-    /// ResponseTable::skipped_rows only); empty where there is one.
+    /// ResponseTable::skipped_rows only); empty if there is one.
     std::string unanswered{};
     int author_trial = 0;    ///< in which of its author's trials the clip was made, from 1; 0: not known
     std::string marked{};    ///< why the trial is in doubt; empty: it is not
@@ -80,7 +80,7 @@ struct ChoiceRow {
     double head_z_m = 0.0;
     std::string station{};  ///< at which kind, as of the rows
     /// The smallest angle from the target to a distractor, as the avatar's eyes see it and as the
-    /// participant's do from the layout's place for the station; degrees, none where they were not kept.
+    /// participant's do from the layout's place for the station; degrees, none if they were not kept.
     std::optional<double> avatar_angle_deg{};
     std::optional<double> participant_angle_deg{};
     std::string layout{};
@@ -130,7 +130,7 @@ struct DataOrigin {
     std::string study;  ///< the group that its participants are
     std::string data;   ///< as ResponseTable::database
     std::string title;
-    std::string study_hash;    ///< empty where the answers come without a study file
+    std::string study_hash;    ///< empty if the answers come without a study file
     std::string answers_hash;  ///< answersHash() of these data alone
     int schema_version = 0;    ///< as ResponseTable::schema_version
     std::vector<std::string> program_versions{};
@@ -146,16 +146,16 @@ struct DataOrigin {
 struct ResponseTable {
     std::string study_name;
     std::string study_title;
-    std::string study_hash;  ///< empty where the answers come without a study file
+    std::string study_hash;  ///< empty if the answers come without a study file
     double alpha = 0.01;
     std::vector<std::string> systems{};    ///< in the study file's order
     std::vector<std::string> layouts{};    ///< of scored trials, likewise
     std::vector<std::string> distances{};  ///< likewise
-    std::vector<Factor> within{};          ///< further factors within participants
+    std::vector<Factor> within{};          ///< further within-participants factors
     std::vector<Measure> measures{};       ///< accuracy first, then in the order of the stages
     int planned_participants =
         0;  ///< those left out are not counted; 0: not known, as of one kind of station
-    /// Participant, measure: values planned. Empty where the answers come without a study.
+    /// Participant, measure: values planned. Empty if the answers come without a study.
     std::map<std::string, std::map<std::string, int>> planned_answers{};
     int withdrawn = 0;
     std::vector<LeftOut> left_out{};
@@ -165,7 +165,7 @@ struct ResponseTable {
     std::vector<std::vector<std::string>> repeated_questionnaires{};
     std::vector<FieldRow> fields{};                   ///< of participants who count
     std::map<std::string, double> session_minutes{};  ///< likewise: all sessions of each together
-    std::vector<Factor> between{};                    ///< factors between participants
+    std::vector<Factor> between{};                    ///< between-participants factors
     std::map<std::string, std::map<std::string, std::string>> groups{};  ///< participant, factor: level
     std::set<std::string> failed_checks{};  ///< participants who count and failed an attention check
     std::string database{};                 ///< file names without their folders, joined by ", "
@@ -189,18 +189,18 @@ struct ResponseTable {
     /// By its id, where each target stands in the avatar's frame; of studies that measure a quantity in a
     /// unit.
     std::map<std::string, Vec3> target_positions{};
-    /// Choices with the arms that they were made after, where the clips are at hand; whoever reads them adds
-    /// them (the reading of a database does not).
+    /// Choices with the arms that they were made after, where the clips are available; whoever reads them
+    /// adds them (the reading of a database does not).
     std::vector<ObservedChoice> watched{};
 };
 
-/// The factors within participants that the rows differ in: "layout", "distance", then ResponseTable::within.
+/// The within-participants factors that the rows differ in: "layout", "distance", then ResponseTable::within.
 [[nodiscard]] std::vector<Factor> withinFactors(const ResponseTable& table);
 
 /// Adds a level that a factor does not have yet, and a factor that is not there yet.
 void addLevel(std::vector<Factor>& factors, const std::string& name, const std::string& level);
 
-/// A row's level of one of them; empty where it has none.
+/// A row's level of one of them; empty if it has none.
 [[nodiscard]] std::string levelOf(const ResponseTable& table, const ResponseRow& row,
                                   const std::string& factor);
 

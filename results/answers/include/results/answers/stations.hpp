@@ -1,4 +1,5 @@
-// Where answers were given: at a desktop, in a headset, by simulated participants. They are analysed apart.
+// Where answers were given: at a desktop, in a headset, by simulated participants. They are analysed
+// separately.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ inline constexpr const char* station_factor = "station";
 /// answered, for plans do not tell at which station a session will be.
 [[nodiscard]] ResponseTable onlyAt(ResponseTable table, const std::optional<std::string>& kind);
 
-/// People's answers at all stations, which are a factor between participants. Who sat at two kinds is in no
+/// People's answers at all stations, which are a between-participants factor. Who sat at two kinds is in no
 /// group. Simulated participants' answers go.
 [[nodiscard]] ResponseTable withStations(ResponseTable table);
 

@@ -1,5 +1,5 @@
-// A database to be given away: the same study and answers, and nothing by which a person, a place or a moment
-// could be told that the analysis does not need. docs/data-out.md says what becomes of each table.
+// A database for sharing: the same study and answers, without anything that identifies a person, place or
+// time and that the analysis does not need. docs/data-out.md says how each table is treated.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +32,7 @@ struct AnonymousCounts {
 };
 
 /// Writes the copy of a database into a new file. Participants are called as in an anonymised export. The
-/// same database and options give the same bytes. Fails where a set that the database speaks of is not among
+/// same database and options give the same bytes. Fails if a set that the database speaks of is not among
 /// `locked`.
 [[nodiscard]] Result<AnonymousCounts> copyAnonymously(const std::filesystem::path& database,
                                                       const std::filesystem::path& copy,

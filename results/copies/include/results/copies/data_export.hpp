@@ -19,7 +19,7 @@ struct ExportOptions {
 
 /// Writes responses.csv, trials.csv, participants.csv, sessions.csv, events.csv, scores.csv, questions.csv,
 /// tracking.csv (where there is any) and codebook.json (Psych-DS style column descriptions) into `folder`,
-/// which is made and must be empty or hold an earlier export, also one that was broken off. All is written
+/// which is made and must be empty or hold an earlier export, also one that was interrupted. All is written
 /// aside first, in the folder's `.export-under-way`: where that fails an earlier export stays as it is. RFC
 /// 4180, UTF-8; a text that a spreadsheet would take for a formula is written with a leading apostrophe.
 /// Returns the names of the files written. The same database gives the same bytes.

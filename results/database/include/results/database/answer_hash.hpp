@@ -1,4 +1,4 @@
-// A hash of each answer, kept with it: what a damaged file or another program has changed is noticed.
+// A hash of each answer, stored with it, so that changes by file damage or another program are noticed.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

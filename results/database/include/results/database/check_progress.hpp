@@ -1,4 +1,5 @@
-// A database is looked over whenever it is opened, which takes long where it is large.
+// Progress of the check that a database goes through whenever it is opened, which takes long if it is
+// large.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A value on its way from one database to another, where it may be changed.
+// A value copied from one database to another, which may be changed on the way.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,4 +1,4 @@
-// Who counts, and why somebody does not.
+// Which participants count, and why others do not.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ inline constexpr const char* asked_anew_reason = "consent was declined; it is as
 /// Why somebody is a drop-out whose session the operator ended without saying why.
 inline constexpr const char* operator_ended_reason = "the operator ended the session";
 
-/// SQL: whether a participant, given by an expression for the id such as `p.id`, refused one of the study's
+/// SQL: whether a participant, given by an expression for the id such as `p.id`, declined one of the study's
 /// consents when last asked for it. Looks at nobody else's. The view responses_flat says the same.
 [[nodiscard]] std::string declinedConsent(std::string_view participant);
 

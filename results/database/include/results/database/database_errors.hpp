@@ -1,4 +1,4 @@
-// Opening a database: what can be wrong with the file, in words for the person who named it.
+// Errors on opening a database: what is wrong with the file, in words for the user.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -12,7 +12,7 @@ namespace deixis::results {
 [[nodiscard]] bool hasLog(const std::filesystem::path& database);
 
 /// Likewise, in the mode that programs other than this one may have left the database in: a transaction that
-/// was broken off, or is under way, and what the pages held before. Whoever reads next undoes it.
+/// was interrupted, or is under way, and what the pages held before. Whoever reads next undoes it.
 [[nodiscard]] bool hasJournal(const std::filesystem::path& database);
 
 /// Answers in a log or journal whose database is not there: it is missing, empty, or another file has taken
@@ -21,7 +21,7 @@ namespace deixis::results {
 [[nodiscard]] std::optional<Error> orphanBeside(const std::filesystem::path& database);
 
 /// Error: no database may be made under this name, since what is left of another one with it lies there,
-/// which has answers that are nowhere else. That it is there itself is no error.
+/// which has answers that are nowhere else. That it is there itself is not an error.
 [[nodiscard]] Result<void> checkPlaceForDatabase(const std::filesystem::path& database);
 
 /// Where the nth copy of what a database held goes when it is lost in a session: "study.recovered.sqlite",

@@ -1,4 +1,4 @@
-// Opening the database files of a study: for a run, for changing participants, and only to read.
+// Opening the database files of a study: for a run, for changing participants, and read-only.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -42,12 +42,12 @@ enum class WithLog : unsigned char {
 
 /// A database opened only to be read, in the newest schema. Nothing in the file or beside it is changed, but
 /// that a transaction broken off is undone by its journal, which asks for permission to write: one of an
-/// older version is copied into memory and brought up to date there.
+/// older version is copied into memory and updated there.
 class ReadOnlyDatabase {
   public:
     [[nodiscard]] SQLite::Database& operator*() { return database_; }
     [[nodiscard]] SQLite::Database* operator->() { return &database_; }
-    /// Whether what was read can be relied on: false where a writer has begun since and the file was read
+    /// Whether what was read can be relied on: false if a writer has begun since and the file was read
     /// without its log. Then read again with openReadOnly(path, WithLog::yes).
     [[nodiscard]] bool undisturbed() const;
     /// The schema's version in the file itself.

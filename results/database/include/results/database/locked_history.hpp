@@ -1,5 +1,5 @@
-// Which locked sets a database's study has had, one after another: databases of one study can be joined where
-// one of them has had all the others' sets.
+// The locked sets that a database's study has had, in order: databases of one study can be joined if one
+// of them has had all the others' sets.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -23,7 +23,7 @@ struct LockedHistory {
 
 /// `in_force`, and what a change says of the set before it (locked_changes.what).
 [[nodiscard]] LockedHistory readLockedHistory(SQLite::Database& database);
-/// The hash before a change; none where it does not tell.
+/// The hash before a change; none if it does not tell.
 [[nodiscard]] std::optional<std::string> lockedBefore(const std::string& what);
 
 /// A sentence for each accepted change, for the reader of a report.

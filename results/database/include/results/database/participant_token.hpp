@@ -1,5 +1,5 @@
-// What stands for a participant in the table of withdrawals: it tells nobody whose it was, and every copy of
-// the participant's rows carries it.
+// The token of a participant in the table of withdrawals: it does not reveal whose it was, and every copy
+// of the participant's rows has it.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace deixis::results {
 [[nodiscard]] std::string drawToken();
 
 /// What is known of a participant who took part before there were tokens, from the moment on in which the
-/// first session began: copies of a database brought up to date one by one agree on it.
+/// first session began: copies of a database updated one by one agree on it.
 struct BeforeTokens {
     std::string participant;
     std::optional<double> session_started_utc_s{};  ///< of the first session
@@ -20,7 +20,7 @@ struct BeforeTokens {
 };
 
 /// The same for the same facts. Who has neither these rows nor a copy of them has to guess three clock
-/// readings to find it by the id: see docs/database.md. None where no session has begun yet: the id alone
+/// readings to find it by the id: see docs/database.md. None if no session has begun yet: the id alone
 /// would tell it, and nothing was answered that a copy could hold; the first session then draws it.
 [[nodiscard]] std::optional<std::string> tokenFrom(const BeforeTokens& facts);
 

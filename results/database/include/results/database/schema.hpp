@@ -1,4 +1,4 @@
-// The database's schema and the two numbers by which a file is known to be ours. Column by column in
+// The database's schema and the two numbers that identify a file as ours. Column by column in
 // docs/database.md.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What the tables hold of a study and of each person: for what copies rows from one database to another, and
-// for what erases them.
+// What the tables store about a study and about each person: for copying rows from one database to
+// another, and for erasing them.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ struct ParticipantTable {
     const char* session;           ///< column that refers to sessions.id; null: none
     const char* response;          ///< column that refers to responses.id; null: none
     const char* participant_rows;  ///< the rows of a participant (?1)
-    /// What tells a row from the participant's others in every copy: columns, parted by ", ". Of a session,
-    /// response or event it is its own_id, counted from 1 within the participant.
+    /// What tells a row from the participant's others in every copy: columns, separated by ", ". Of a
+    /// session, response or event it is its own_id, counted from 1 within the participant.
     const char* key;
-    /// Columns that may change once a row is stored, parted by ", "; empty: none.
+    /// Columns that may change once a row is stored, separated by ", "; empty: none.
     const char* changing = "";
     /// Columns that may be NULL at first, and never change after that.
     const char* filled_later = "";
@@ -57,7 +57,7 @@ inline constexpr std::array<ParticipantTable, 18> participant_tables{{
      "last_display_time_s"},
 }};
 
-/// Whether a list parted by ", " names the column.
+/// Whether a list separated by ", " names the column.
 [[nodiscard]] constexpr bool isListed(std::string_view list, std::string_view column) {
     while (!list.empty()) {
         const auto comma = list.find(", ");

@@ -1,4 +1,4 @@
-// Texts of a database that a server could not hold: kept by an earlier version, or by another program.
+// Texts in a database that a server could not store: from an earlier version, or another program.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -1,9 +1,9 @@
-// Tracked frames packed into blocks: what stands in tracking_blocks.data.
+// Tracked frames packed into blocks: the content of tracking_blocks.data.
 //
-// A block holds up to 64 frames of one trial. Times are kept to the microsecond, positions to 2^-16 m (15
+// A block has up to 64 frames of one trial. Times are stored to the microsecond, positions to 2^-16 m (15
 // micrometres), rotations to 2^-15 of a quaternion's component (0.004 degrees); each column is written as
-// differences from the frame before, and the whole is deflated (zlib). docs/database.md describes the bytes
-// and has a reader of a few lines.
+// differences from the frame before, and the whole is deflated (zlib). docs/database.md describes the
+// bytes and has a short reader.
 #pragma once
 
 #include <cstdint>

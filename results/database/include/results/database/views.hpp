@@ -1,5 +1,5 @@
-// The views of a database: responses_flat, and for each kind of trial that keeps values of its own
-// (kept_values.hpp) those in which they stand as columns, made from the kind's declaration.
+// The views of a database: responses_flat, and for each kind of trial with its own values
+// (kept_values.hpp) views that show them as columns, made from the kind's declaration.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Who withdrew, as several copies of a study's databases tell it together.
+// Who withdrew, combined from several copies of a study's databases.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>

@@ -42,7 +42,7 @@ struct MeasuredClip {
     std::optional<motion::PointingAccuracy> accuracy{};  ///< none: the hand was never slow enough
     motion::PointingProfile profile{};
     /// By PointingRay, the angle between ray and target in the frame of the accuracy, or else of pointing;
-    /// none where the figure lacks a joint of it.
+    /// none if the figure lacks a joint of it.
     std::array<std::optional<double>, motion::all_pointing_rays.size()> ray_errors_deg{};
     studies::ArmLines lines{};  ///< over the hold
 };
@@ -146,7 +146,7 @@ struct SystemComparison {
     /// bits of another machine's arithmetic change no rank. n_pairs is how many targets there are.
     SignedRankTest test{};
     std::vector<double> differences{};  ///< of accuracy, one for each target
-    std::optional<double> p_holm{};     ///< over all pairs that share targets; none where there are none
+    std::optional<double> p_holm{};     ///< over all pairs that share targets; none if there are none
 };
 
 struct Evaluation {
@@ -172,7 +172,7 @@ struct Evaluation {
     ~Evaluation() = default;
 };
 
-/// Fails where there are no clips, or no density or clusters can be had from the training targets.
+/// Fails if there are no clips, or no density or clusters can be had from the training targets.
 [[nodiscard]] Result<Evaluation> evaluate(EvaluationInput input);
 
 /// A whole, self-contained HTML page (also well-formed XML), without outside file or date: the same

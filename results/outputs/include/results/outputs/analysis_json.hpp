@@ -1,4 +1,4 @@
-// The analysis as JSON: analysis.json, whose keys stand in docs/analysis.md.
+// The analysis as JSON: analysis.json, with the keys described in docs/analysis.md.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Abilities from preferences in the analysis' outputs; private to them.
+// Abilities from preferences in the analysis's outputs; private to them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace deixis::results {
 
-/// Empty where there are no preferences.
+/// Empty if there are no preferences.
 [[nodiscard]] std::string bradleyTerryHtml(const AnalysisResult& result, Numbering& numbering);
 
 }  // namespace deixis::results

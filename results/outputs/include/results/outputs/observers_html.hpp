@@ -10,8 +10,8 @@
 
 namespace deixis::results {
 
-/// Where the observers agree and where they do not: how far each system's accuracy hangs on the observer, and
-/// which one gives which ranking. One list item of the findings, HTML; empty without readings.
+/// Where the observers agree and where they do not: how far each system's accuracy depends on the observer,
+/// and which one gives which ranking. One list item of the findings, HTML; empty without readings.
 [[nodiscard]] std::string observersFinding(const std::vector<ObserverReading>& readings);
 
 /// The table, with what no reader can exceed. `trials`: what is counted in it, "choices" or "clips and

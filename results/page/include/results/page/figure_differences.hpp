@@ -1,4 +1,4 @@
-// Paired differences in a row for each pair, with the estimate of their shift that belongs to the test.
+// Paired differences, one row per pair, with the estimate of their shift that belongs to the test.
 #pragma once
 
 #include <functional>

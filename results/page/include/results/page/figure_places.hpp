@@ -1,4 +1,4 @@
-// The space before the avatar, from above and from behind: its left on the left, two panels a row.
+// The space in front of the avatar, from above and from behind: its left on the left, two panels per row.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ class SpacePlot {
 
     /// In both panels of a row.
     void point(std::size_t row, const Vec3& at, double value, const std::string& tip);
-    /// In both panels, without a value; nothing where it lies outside.
+    /// In both panels, without a value; nothing if it lies outside.
     void dot(std::size_t row, const Vec3& at);
     /// A part of one panel; `low` and `high` need not lie in the space along the view's own axis.
     void cell(std::size_t row, SpaceView view, const Vec3& low, const Vec3& high, double value,

@@ -1,4 +1,4 @@
-// Tables on a page: HTML of the one model of a table.
+// Tables on a page: HTML from the one model of a table.
 #pragma once
 
 #include <functional>
@@ -54,7 +54,7 @@ struct AcrossColumn {
     std::function<Cell(const Table::Row&)> cell;
 };
 /// A row for each combination of `keys` in the order in which they first stand, and columns for each of
-/// `values` of the column `across`; empty where there is no such row.
+/// `values` of the column `across`; empty if there is no such row.
 [[nodiscard]] Table wide(const Table& table, const std::vector<const char*>& keys, const char* across,
                          const std::vector<std::string>& values, const std::vector<AcrossColumn>& columns);
 

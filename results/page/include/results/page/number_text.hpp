@@ -38,9 +38,9 @@ class Numbering {
 /// "<0.001" or three decimals; pText() is HTML.
 [[nodiscard]] std::string pWords(double p);
 [[nodiscard]] std::string pText(double p);
-[[nodiscard]] std::string pText(const std::optional<double>& p);  ///< a dash where there is none
+[[nodiscard]] std::string pText(const std::optional<double>& p);  ///< a dash if there is none
 
-/// With so many decimals and a proper minus sign, none before zero. Text, which HTML takes as it is.
+/// With this many decimals and a proper minus sign, none before zero. Text, which HTML takes as it is.
 [[nodiscard]] std::string fixedText(double value, int decimals);
 
 /// A participant's mean, a mean or an SD of a measure: percent with one decimal, or scale points with two.

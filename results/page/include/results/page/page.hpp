@@ -19,7 +19,7 @@ struct Fact {
 [[nodiscard]] std::string listHtml(const std::vector<std::string>& texts);
 /// A list of HTML; what is empty is passed over.
 [[nodiscard]] std::string itemsHtml(std::vector<std::string> items);
-/// A section; empty where there are none.
+/// A section; empty if there are none.
 [[nodiscard]] std::string remarksHtml(const std::vector<std::string>& remarks);
 /// Both, with a list of the sections' headings (h2, HTML without attributes) between them, which leads to
 /// them.

@@ -1,4 +1,4 @@
-// The skeletons of HTML: the files of results/page/templates, which stand in the program as they are.
+// The HTML templates: the files of results/page/templates, which are compiled into the program.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace deixis::results {
 
-/// The text of one of the files; throws std::logic_error where there is none of that name.
+/// The text of one of the files; throws std::logic_error if there is none of that name.
 [[nodiscard]] std::string templateText(std::string_view file);
 
 /// A Mustache template with its values: {{texts}} are escaped, {{{HTML}}} is not. Numbers stand as JSON has

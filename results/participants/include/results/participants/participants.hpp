@@ -1,4 +1,4 @@
-// Looking after participants in a database: list, show, exclude, withdraw.
+// Managing participants in a database: list, show, exclude, include, withdraw.
 #pragma once
 
 #include <filesystem>
@@ -49,16 +49,16 @@ struct ParticipantList {
 };
 
 [[nodiscard]] Result<ParticipantList> listParticipants(const std::filesystem::path& database);
-/// Fails where there is no such participant; so do the following.
+/// Fails if there is no such participant; so do the following.
 [[nodiscard]] Result<ParticipantDetails> showParticipant(const std::filesystem::path& database,
                                                          const std::string& participant);
 /// Takes the participant's answers out of the analysis; they stay in the database. An empty reason is
-/// refused.
+/// rejected.
 [[nodiscard]] Result<void> excludeParticipant(const std::filesystem::path& database,
                                               const std::string& participant, const std::string& reason);
 /// What letting somebody in again came to.
 struct Inclusion {
-    bool consent_asked_anew = false;      ///< it was refused: nobody counts before it is given
+    bool consent_asked_anew = false;      ///< it was declined: nobody counts before it is given
     std::vector<std::string> practice{};  ///< stages that were failed, and are practised again
     int failed_checks_forgiven = 0;       ///< attention checks that no rule counts any more
 };
@@ -74,7 +74,7 @@ enum class Withdrawn : unsigned char {
 };
 /// Erases every row, tracked frame and text of the person, also from free pages and the write-ahead log, and
 /// counts one withdrawal more. Where that breaks off after the rows are erased (full disk, power cut), the
-/// next call goes on with the rest. Fails while a session of the participant runs.
+/// next call continues with the rest. Fails while a session of the participant runs.
 [[nodiscard]] Result<Withdrawn> withdrawParticipant(const std::filesystem::path& database,
                                                     const std::string& participant, double utc_s);
 

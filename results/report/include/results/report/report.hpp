@@ -1,4 +1,4 @@
-// The report: the page that says in words, tables and figures what an analysis found.
+// The report: the page that presents the results of an analysis in words, tables and figures.
 #pragma once
 
 #include <string>

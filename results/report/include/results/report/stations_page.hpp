@@ -1,4 +1,4 @@
-// What leads to the reports of several kinds of station, and compares these.
+// The page that links to the reports of several kinds of station, and compares these.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace deixis::results {
 /// The report of the answers given at one kind of station.
 struct StationReport {
     std::string kind;
-    std::string page;  ///< file name; empty where none was written
+    std::string page;  ///< file name; empty if none was written
     int participants = 0;
     int answers = 0;
 };

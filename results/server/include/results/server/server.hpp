@@ -1,5 +1,5 @@
-// Many stations' results in one place: a PostgreSQL database, which holds any number of studies beside each
-// other, each in a schema (namespace) of its own with the tables of docs/database.md. People's guide:
+// Many stations' results in one place: a PostgreSQL database, which holds any number of studies side by
+// side, each in its own schema (namespace) with the tables of docs/database.md. User's guide:
 // docs/server.md.
 #pragma once
 
@@ -30,16 +30,16 @@ struct PushOutcome {
 
 /// Brings what the database holds, and the server does not yet, to the server, in one transaction. Rows that
 /// are there are compared: answers and plans must be equal; what may change (status, fields, ends of
-/// sessions, answers superseded) is brought up to date. `address` is a libpq URL; what it leaves out come
+/// sessions, answers superseded) is updated. `address` is a libpq URL; what it leaves out come
 /// from PGHOST, PGUSER, PGPASSWORD, ... or ~/.pgpass. Pushes wait for each other. Errors: of the file, as of
-/// a report; server not reached, user or password refused, no such database; the study's schema is another
-/// program's or of a newer version, while an older one is brought up to date first; a row differs; an id or
+/// a report; server not reached, user or password rejected, no such database; the study's schema is another
+/// program's or of a newer version, while an older one is updated first; a row differs; an id or
 /// number is another person's there.
 [[nodiscard]] Result<PushOutcome> pushDatabase(const std::filesystem::path& database,
                                                const std::string& address);
 
 /// As loadResponses(), of one study on the server. `study` is its name or the beginning of its hash, and may
-/// be empty where there is only one. Errors: as of a push; no study, or several.
+/// be empty if there is only one. Errors: as of a push; no study, or several.
 [[nodiscard]] Result<ResponseTable> loadServerResponses(const std::string& address, const std::string& study);
 
 }  // namespace deixis::results

@@ -1,4 +1,4 @@
-// Bootstrap intervals, resampling whole participants: of means, and what those of other estimates need.
+// Bootstrap intervals, resampling whole participants: of means, and what other estimates' intervals need.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ struct BootstrapMean {
     std::optional<double> se{};                     ///< standard deviation of the resampled means
     std::optional<BootstrapInterval> percentile{};  ///< type-7 quantiles of the resampled means
     /// Bias-corrected and accelerated (Efron 1987): the bias from the share of resampled means below the
-    /// estimate, equal ones counting half; the acceleration from the jackknife. None where that share is 0 or
+    /// estimate, equal ones counting half; the acceleration from the jackknife. None if that share is 0 or
     /// 1.
     std::optional<BootstrapInterval> bca{};
 };
 
 /// `rows`: one a participant, all of one length; NaN where a value is missing. A resample draws as many
 /// participants as there are, with replacement, the same ones for all columns; its mean of a column is over
-/// the values drawn, and a resample without any is passed over. The same seed gives the same result on every
+/// the values drawn, and a resample without any is skipped. The same seed gives the same result on every
 /// machine.
 [[nodiscard]] std::vector<BootstrapMean> bootstrapMeans(std::span<const std::vector<double>> rows,
                                                         const BootstrapOptions& options);

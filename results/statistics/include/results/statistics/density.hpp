@@ -1,4 +1,4 @@
-// Multivariate Gaussian kernel density estimates, with the bandwidth conventions of the libraries in use.
+// Multivariate Gaussian kernel density estimates, with the bandwidth conventions of common libraries.
 #pragma once
 
 #include <string_view>
@@ -26,7 +26,7 @@ enum class BandwidthRule : unsigned char {
 /// f(x) = 1/n sum_i N(x; x_i, H): a normal kernel on each point.
 class GaussianDensity {
   public:
-    /// With one bandwidth (standard deviation of the kernel) for each axis: H is diagonal. Fails where there
+    /// With one bandwidth (standard deviation of the kernel) for each axis: H is diagonal. Fails if there
     /// are no points, rows differ in length, a number is not finite or a bandwidth not above 0.
     [[nodiscard]] static Result<GaussianDensity> fit(const Points& points,
                                                      const std::vector<double>& bandwidths);

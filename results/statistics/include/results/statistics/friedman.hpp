@@ -1,4 +1,4 @@
-// Friedman's test: one score of each person under each of several conditions.
+// Friedman's test: one score per person under each of several conditions.
 #pragma once
 
 #include <optional>

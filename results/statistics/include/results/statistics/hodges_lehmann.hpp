@@ -10,7 +10,7 @@
 namespace deixis::results {
 
 struct HodgesLehmann {
-    std::optional<double> estimate{};  ///< none where there are no values
+    std::optional<double> estimate{};  ///< none if there are no values
     std::optional<double> lower{};     ///< none where every shift is rejected
     std::optional<double> upper{};
     bool lower_included = true;  ///< the end itself is not rejected

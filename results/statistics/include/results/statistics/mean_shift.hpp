@@ -21,7 +21,7 @@ struct MeanShiftClusters {
                                                   double bandwidth);
 
 /// scikit-learn's estimate_bandwidth: the mean over the points of the distance to the k-th nearest, the
-/// point itself being the first; k = floor(quantile n), at least 1. `quantile` in (0, 1]. 0 where all such
+/// point itself being the first; k = floor(quantile n), at least 1. `quantile` in (0, 1]. 0 if all such
 /// neighbours coincide.
 [[nodiscard]] double estimateBandwidth(const std::vector<std::vector<double>>& points, double quantile = 0.3);
 

@@ -18,11 +18,11 @@ struct RankSumTest {
     double u = 0.0;  ///< pairs in which a is larger, equal ones counting half: w - n_a (n_a + 1) / 2
     std::string
         method;  ///< "exact", "exact with ties", "normal approximation", "undefined" (an empty sample)
-    /// min(1, twice the smaller of the next two). None where a sample is empty; so for all that follows.
+    /// min(1, twice the smaller of the next two). None if a sample is empty; so for all that follows.
     std::optional<double> p_two_sided{};
     std::optional<double> p_greater{};  ///< P(U >= u): against a being larger
     std::optional<double> p_less{};     ///< P(U <= u)
-    /// (U - its mean) / SD, the SD corrected for ties, the numerator by 1/2 towards 0. None where all values
+    /// (U - its mean) / SD, the SD corrected for ties, the numerator by 1/2 towards 0. None if all values
     /// are equal.
     std::optional<double> z{};
     std::optional<double> normal_p_two_sided{};  ///< from z; 1 where all values are equal
@@ -31,7 +31,7 @@ struct RankSumTest {
     HodgesLehmann hodges_lehmann{};              ///< of the shift a - b
 };
 
-/// Conditional on the values at hand, every way to share them out among the samples being equally likely:
+/// Conditional on the observed values, every way to share them out among the samples being equally likely:
 /// exact with ties up to 400 values in all, then normal with tie and continuity correction.
 [[nodiscard]] RankSumTest rankSumTest(std::span<const Rational> a, std::span<const Rational> b,
                                       double level = 0.95);

@@ -1,4 +1,4 @@
-// Exact fractions: what cells and scores are read as, so that differences which are equal on paper are equal.
+// Exact fractions for cells and scores, so that differences that are equal on paper are equal.
 #pragma once
 
 #include <compare>
@@ -26,7 +26,7 @@ class Rational {
     /// Exactly the binary value: 0.1 becomes 3602879701896397/2^55. `value` is finite.
     [[nodiscard]] static Rational fromBinary(double value);
 
-    [[nodiscard]] double toDouble() const;   ///< the nearest double; infinite where there is none
+    [[nodiscard]] double toDouble() const;   ///< the nearest double; infinite if there is none
     [[nodiscard]] int sign() const;          ///< -1, 0 or 1
     [[nodiscard]] std::string text() const;  ///< "7/3" or "2"
 

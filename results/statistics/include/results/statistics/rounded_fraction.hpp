@@ -1,5 +1,5 @@
-// Decimals that are rounded fractions: a mean of three ratings that another program wrote
-// as 7.333333333333334.
+// Decimals that are rounded fractions: a mean of three ratings that another program wrote as
+// 7.333333333333334.
 #pragma once
 
 #include <optional>

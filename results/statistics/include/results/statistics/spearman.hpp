@@ -19,8 +19,8 @@ struct SpearmanTest {
 };
 
 /// Pearson's correlation of the midranks (equal numbers share the mean of their ranks). p up to nine pairs is
-/// exact, with ties too: among all n! pairings of the ranks at hand. Beyond, Student's t with n - 2 degrees
-/// of freedom, as SciPy's spearmanr and R's cor.test(exact = FALSE). Throws std::invalid_argument where the
+/// exact, with ties too: among all n! pairings of the observed ranks. Beyond, Student's t with n - 2 degrees
+/// of freedom, as SciPy's spearmanr and R's cor.test(exact = FALSE). Throws std::invalid_argument if the
 /// sides differ in length.
 [[nodiscard]] SpearmanTest spearman(std::span<const double> x, std::span<const double> y);
 [[nodiscard]] SpearmanTest spearman(std::span<const Rational> x, std::span<const Rational> y);

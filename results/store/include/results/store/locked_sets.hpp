@@ -1,4 +1,4 @@
-// What a database says of the locked copies of a study beside it.
+// What a database says about the locked copies of a study beside it.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// One run at a time of a participant in a database.
+// A lock that allows one run at a time of a participant in a database.
 #pragma once
 
 #include <filesystem>

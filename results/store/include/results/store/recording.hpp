@@ -1,4 +1,4 @@
-// What was recorded of a participant's trials, to be shown again.
+// What was recorded in a participant's trials, for replay.
 #pragma once
 
 #include <filesystem>
@@ -23,13 +23,13 @@ struct RecordedAnswer {
 
 struct Recording {
     std::string study_title;
-    std::string study_source{};  ///< the study file's text; empty where it was not kept
+    std::string study_source{};  ///< the study file's text; empty if it was not kept
     std::string participant;
     std::vector<RecordedAnswer> answers;  ///< of trials that show clips, in order of arrival
 };
 
 /// Reads all trials that show clips, with their plays, answers and tracked frames; changes nothing. Fails
-/// where there is no such participant.
+/// if there is no such participant.
 [[nodiscard]] Result<Recording> loadRecording(const std::filesystem::path& database,
                                               const std::string& participant);
 

@@ -1,5 +1,5 @@
-// Keeps what happens in a session without ever holding up a frame: events and tracking samples are handed
-// over in microseconds and written by a thread of their own.
+// Stores what happens in a session without delaying a frame: events and tracking samples are handed over
+// in microseconds and written by a separate thread.
 #pragma once
 
 #include <cstddef>

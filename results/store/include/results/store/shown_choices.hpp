@@ -1,4 +1,4 @@
-// Choices of the game with what there was to see: which clip, which balls, from where.
+// Choices of the game with what was visible: which clip, which balls, from where.
 #pragma once
 
 #include <filesystem>
@@ -24,11 +24,11 @@ struct ShownChoice {
 };
 
 struct ShownChoices {
-    std::string study_source;          ///< the study file's text; empty where it was not kept
+    std::string study_source;          ///< the study file's text; empty if it was not kept
     std::vector<ShownChoice> choices;  ///< by participant, then in the order of their trials
 };
 
-/// The scored choices that count, of participants who count. None is no error.
+/// The scored choices that count, of participants who count. None is not an error.
 [[nodiscard]] Result<ShownChoices> loadShownChoices(const std::filesystem::path& database);
 
 }  // namespace deixis::results

@@ -1,6 +1,6 @@
-// The SQLite store: one file holds the participants, plans, sessions, responses and events of a study. The
-// schema is documented in docs/database.md. Failing SQLite calls inside a session throw; what a user can meet
-// on opening (a newer version, a locked or read-only file, not a database) is a Result.
+// The SQLite store: one file has the participants, plans, sessions, responses and events of a study. The
+// schema is documented in docs/database.md. Failing SQLite calls inside a session throw; what a user can
+// meet on opening (a newer version, a locked or read-only file, not a database) is a Result.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@
 
 namespace deixis::results {
 
-/// What a stimulus was: kept with each response.
+/// What a stimulus was: stored with each response.
 struct ClipRecord {
     std::string file;
     std::string content_hash;    ///< SHA-256 of the file's bytes
@@ -92,7 +92,7 @@ class Store {
     [[nodiscard]] static Result<Store> open(const std::filesystem::path& path, Durability durability,
                                             std::chrono::milliseconds patience = store_patience);
     /// Gives `look` a store of a database that is only read, as it is at one moment: nothing in it or beside
-    /// it is changed, and an older version is brought up to date in memory. May call it twice, where a writer
+    /// it is changed, and an older version is updated in memory. May call it twice, where a writer
     /// came in between. Errors: its own, no such file, damaged, nothing in it yet.
     [[nodiscard]] static Result<void> read(const std::filesystem::path& path,
                                            const std::function<Result<void>(const Store&)>& look);
@@ -111,7 +111,7 @@ class Store {
     /// The stored plan of a participant, if any.
     [[nodiscard]] std::optional<studies::StudyPlan> plan(const std::string& participant) const;
     /// Stores study, registration and plan, all or nothing. `locked_hash` is of the locked set that the plan
-    /// was made from; where it is empty, nothing was locked. Fails where the database holds another study
+    /// was made from; where it is empty, nothing was locked. Fails if the database holds another study
     /// (another locked set in force, or another hash where nothing was locked), another plan of the
     /// participant, or the number for somebody else.
     [[nodiscard]] Result<void> storePlan(const studies::Study& study, const Registration& registration,
@@ -124,13 +124,13 @@ class Store {
     /// Hash of the locked set in force; empty: nothing was locked when the study began. None: there is no
     /// study yet.
     [[nodiscard]] std::optional<std::string> lockedHash() const;
-    /// The set that a participant's stored plan was made from; none where no plan is stored.
+    /// The set that a participant's stored plan was made from; none if no plan is stored.
     [[nodiscard]] std::optional<std::string> lockedHashOf(const std::string& participant) const;
-    /// Fails where the database holds another study than this one (other hash), and says how they differ.
+    /// Fails if the database holds another study than this one (other hash), and says how they differ.
     [[nodiscard]] Result<void> checkStudy(const studies::Study& study) const;
     /// Of a study that began with nothing locked: study and plans are of this set from now on.
     void lockOlder(const std::string& hash);
-    /// Another set is in force from now on: `what` (JSON) has changed, for a reason. Fails where `from` is
+    /// Another set is in force from now on: `what` (JSON) has changed, for a reason. Fails if `from` is
     /// not the one in force.
     [[nodiscard]] Result<void> changeLocked(const std::string& from, const std::string& to,
                                             const std::string& what, const std::string& reason, double utc_s);

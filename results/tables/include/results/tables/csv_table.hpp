@@ -34,7 +34,7 @@ class CsvTable {
     void empty();
     /// NULL is empty.
     void cell(const SQLite::Column& value);
-    /// Throws std::logic_error where the row has not as many cells as there are columns.
+    /// Throws std::logic_error if the row has not as many cells as there are columns.
     void endRow();
 
     [[nodiscard]] const std::vector<ColumnSpec>& columns() const { return columns_; }

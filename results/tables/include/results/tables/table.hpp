@@ -1,5 +1,5 @@
-// One model of a table: its columns are declared once, with what is read from a result, and rendered as CSV,
-// JSON and LaTeX here, as HTML by the pages.
+// One model of a table: its columns are declared once, with how they are read from a result, and rendered
+// as CSV, JSON and LaTeX here, and as HTML by the pages.
 #pragma once
 
 #include <concepts>
@@ -21,7 +21,7 @@ namespace deixis::results {
 
 using Json = nlohmann::ordered_json;
 
-/// Two ends, none where they are not known, and what they may be the interval of.
+/// Two ends, none if they are not known, and what they may be the interval of.
 struct Interval {
     std::optional<double> lower{};
     std::optional<double> upper{};
@@ -55,7 +55,7 @@ class Cell {
     [[nodiscard]] const T* as() const {
         return std::get_if<T>(&value_);
     }
-    /// Empty where it is no text.
+    /// Empty if it is not text.
     [[nodiscard]] std::string text() const {
         return as<std::string>() != nullptr ? *as<std::string>() : std::string();
     }
@@ -80,7 +80,7 @@ class Cell {
     Value value_{};
 };
 
-/// Nothing where it is not `known`.
+/// Nothing if it is not `known`.
 template <typename T>
 [[nodiscard]] Cell known(bool known, const T& value) {
     return known ? Cell(value) : Cell();

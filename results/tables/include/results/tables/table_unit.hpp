@@ -1,4 +1,4 @@
-// What the numbers of a table are taken over: each table of the pages, of CSV and of LaTeX names it, in these
+// What the numbers of a table are computed over: each table of the pages, CSV and LaTeX names it in these
 // words.
 #pragma once
 

@@ -1,4 +1,5 @@
-// Ids of what can be pressed on panels: who builds a panel and who reads a press know them.
+// Ids of everything that can be pressed on panels, shared by the code that builds a panel and the code
+// that reads a press.
 #pragma once
 
 namespace deixis::studies {

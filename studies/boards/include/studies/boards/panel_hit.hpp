@@ -1,4 +1,4 @@
-// What a ray meets on a board, and what a board hides.
+// What a ray hits on a board, and what a board hides.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct PanelHit {
     int field = -1;    ///< index of the enabled field
 };
 
-/// Where the ray meets the board from either side; none where it passes it by.
+/// Where the ray meets the board from either side; none if it passes it by.
 [[nodiscard]] std::optional<PanelHit> meetPanel(const Panel& panel, const Ray& ray);
 
 /// Whether a ball lies before or behind the panel for these eyes, or nearly.

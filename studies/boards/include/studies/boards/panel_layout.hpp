@@ -1,9 +1,9 @@
-// Boards in the world: what they say, how large they are, where they stand, and what a ray meets on them.
+// Boards in the world: what they say, how large they are, where they are, and what a ray hits on them.
 //
-// Sizes follow what is comfortable to read in a headset at about 1.5 m: lines of at least 35 mm (1.3
-// degrees), buttons of at least 0.13 m (5 degrees), or 0.1 m where many stand in a row (0.065 m: more than
-// seven steps for each of several stimuli). Boards are at most 1.6 m wide and, but for texts beyond all
-// measure, 1.1 m high.
+// Sizes are comfortable to read in a headset at about 1.5 m: lines of at least 35 mm (1.3 degrees),
+// buttons of at least 0.13 m (5 degrees), or 0.1 m for many in a row (0.065 m: more than seven steps for
+// each of several stimuli). Boards are at most 1.6 m wide and, except for extremely long texts, 1.1 m
+// high.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How far a game's distractors look from its target: what makes a choice hard or easy, beside their distance.
+// Angles between a game's distractors and its target: what makes a choice hard or easy, besides distance.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,8 @@
-// Where the stage lies in the room in which a headset is tracked: pure geometry, no device.
+// Where the stage is in the room in which a headset is tracked: pure geometry, no device.
 //
-// The participant keeps one physical place, the anchor, for the whole session; for each layout the stage is
-// turned and shifted under it, about the vertical only. Pitch, roll and, unless the study asks for it, height
-// are never touched: the tracked floor stays the floor.
+// The participant keeps one physical place, the anchor, for the whole session; for each layout the stage
+// is turned and shifted under it, about the vertical only. Pitch, roll and, unless the study asks for it,
+// height are never changed: the tracked floor stays the floor.
 #pragma once
 
 #include "core/pose.hpp"

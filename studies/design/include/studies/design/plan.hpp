@@ -1,4 +1,4 @@
-// The plan: all that one participant answers, fixed before the first is shown.
+// The plan: everything that one participant answers, fixed before the first trial is shown.
 #pragma once
 
 #include <cstdint>
@@ -81,7 +81,7 @@ struct StudyPlan {
     std::uint64_t seed = 0;                     ///< the study's
     std::map<std::string, std::string> groups;  ///< between factor -> the participant's level
     /// 1, 2, ...: of the participant among those with the same groups, which a Williams square goes by. None
-    /// where there are no groups (and in plans of before version 5): then it goes by `number`.
+    /// if there are no groups (and in plans of before version 5): then it goes by `number`.
     std::optional<int> number_in_cell{};
     std::vector<std::string> stages;  ///< names of those that apply, in order
     std::vector<Trial> trials;
@@ -91,17 +91,17 @@ struct StudyPlan {
 [[nodiscard]] bool validParticipant(std::string_view participant);
 /// The same as an error.
 [[nodiscard]] Result<void> checkParticipantId(std::string_view participant);
-/// The number that an id ends in ("P07" -> 7); none where it ends in no digit, in 0 or in more than 6 digits.
+/// The number that an id ends in ("P07" -> 7); none if it ends in no digit, in 0 or in more than 6 digits.
 [[nodiscard]] std::optional<int> numberOfParticipant(std::string_view participant);
 
-/// Levels of the factors between participants, as in StudyPlan::groups.
+/// Levels of the between-participants factors, as in StudyPlan::groups.
 using Groups = std::map<std::string, std::string>;
 
 /// How many participants have which groups.
 using GroupSizes = std::map<Groups, int>;
 
-/// The cell (one level of every factor between participants) with the fewest in `taken`, which counts
-/// everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty where the
+/// The cell (one level of every between-participants factor) with the fewest in `taken`, which counts
+/// everybody who counts: drop-outs do not. Among equals chance decides, by seed and number. Empty if the
 /// study has no such factor.
 [[nodiscard]] Groups assignGroups(const Study& study, const GroupSizes& taken, int number);
 
@@ -128,7 +128,7 @@ struct Assignment {
 ///   participant's trials (Yoon et al. 2021, 7.2.1).
 ///
 /// Depends on the study's seed and design, the targets, the numbers and the groups alone, and not on the
-/// texts. Fails where the id is not valid, a group is missing or unknown, there are too few targets, or the
+/// texts. Fails if the id is not valid, a group is missing or unknown, there are too few targets, or the
 /// constraints cannot be met.
 [[nodiscard]] Result<StudyPlan> buildPlan(const Study& study, const std::vector<TargetItem>& targets,
                                           std::string_view participant, int number, const Groups& groups,
@@ -144,11 +144,11 @@ struct Assignment {
 [[nodiscard]] Result<StudyPlan> planFromJson(std::string_view json);
 
 /// Trial::seen as JSON: {"headset": {"at_rest": [...], "pointing": [...]}, "desktop": {...}}, shares of each
-/// ball's disc in the order in which the balls are shown; empty where it was not kept.
+/// ball's disc in the order in which the balls are shown; empty if it was not kept.
 [[nodiscard]] std::string visibilityJson(const Trial& trial);
 
 /// Trial::angles as JSON: {"avatar": [...], "headset": [...], "desktop": [...]}, degrees, in the order of the
-/// distractors; empty where they were not kept.
+/// distractors; empty if they were not kept.
 [[nodiscard]] std::string anglesJson(const Trial& trial);
 
 /// What the trial's kind keeps of it beside, as it declares (kept_values.hpp).

@@ -11,7 +11,7 @@ namespace deixis::studies {
 
 /// `count` = k^3 points, k >= 2: k evenly from the smallest to the largest x of `training`, and so for y and
 /// z, ends included; x runs fastest, then y, then z. Ids "G0001", "G0002", ..., as wide as needed; positions
-/// rounded to 0.1 mm. Fails where count is no such number (naming the nearest that are), or where there are
+/// rounded to 0.1 mm. Fails if count is no such number (naming the nearest that are), or where there are
 /// no training targets.
 [[nodiscard]] Result<std::vector<TargetItem>> targetGrid(const std::vector<Vec3>& training, int count);
 

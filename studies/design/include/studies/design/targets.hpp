@@ -19,7 +19,7 @@ struct TargetItem {
     std::string id;  ///< "T001", "T002", ...
     Vec3 target{0.0};
     bool placed = true;  ///< false: an item of a manifest that has no target; it cannot be played
-    /// By distance band, in the order of the bands given; empty where there are none.
+    /// By distance band, in the order of the bands given; empty if there are none.
     std::vector<std::vector<Vec3>> distractors{};
     /// How many clips a system has for the item, where it has several: a plan draws one of them.
     std::map<std::string, int> clips{};
@@ -53,7 +53,7 @@ struct TargetItem {
     std::vector<TargetItem> items, const TargetSpace& space, const std::vector<DistanceBand>& bands,
     std::uint64_t seed, const std::vector<Viewpoint>& from = {}, const std::vector<Viewpoint>& places = {});
 
-/// From where the balls of a study must be seen: viewpoints(), or none where it asks for the bare rule.
+/// From where the balls of a study must be seen: viewpoints(), or none if it asks for the bare rule.
 [[nodiscard]] std::vector<Viewpoint> askedViewpoints(const Study& study);
 
 /// Those of a study whose ranges stand in its file.
@@ -70,7 +70,7 @@ enum class Redrawn : unsigned char { nothing, distractors, target };
                                                    const std::vector<TargetItem>& targets);
 
 /// `space` with its three ranges replaced by those of `positions` (the targets of a manifest's clips): least
-/// and largest height, azimuth and radius. Fails where there are none, or where one
+/// and largest height, azimuth and radius. Fails if there are none, or where one
 /// lies on the avatar's axis, farther than 20 m, or so low that a ball there would stick in the floor.
 [[nodiscard]] Result<TargetSpace> fitTargetSpace(TargetSpace space, const std::vector<Vec3>& positions);
 
@@ -82,7 +82,7 @@ enum class Redrawn : unsigned char { nothing, distractors, target };
 /// that is seen from there, "seen_LAYOUT_headset" and "seen_LAYOUT_desktop", and the smallest angle from the
 /// target to a distractor in degrees, "angle_avatar", "angle_LAYOUT_headset" and "angle_LAYOUT_desktop" (of
 /// several bands with the band before); last "drawn_anew": "target", "distractors" or empty, see redrawn();
-/// all empty where that fails.
+/// all empty if that fails.
 [[nodiscard]] std::string targetsCsv(const Study& study, const std::vector<TargetItem>& targets);
 
 /// What is seen of an item's balls in one band, past an avatar: by viewpoint; of each the target first.

@@ -1,4 +1,4 @@
-// Whether the balls of a trial can be seen from where the participant stands: past the avatar, at rest and
+// Whether the balls of a trial are visible from where the participant stands: past the avatar, at rest and
 // pointing, and past each other.
 #pragma once
 
@@ -27,7 +27,7 @@ struct Viewpoint {
 /// The eyes of a participant of Study::eye_height_m there; metres, rounded to 0.1 mm.
 [[nodiscard]] Vec3 eyesAt(const Study& study, const Layout& layout, Standing standing);
 
-/// Of all layouts in which the study plays its game; none where it plays none.
+/// Of all layouts in which the study plays its game; none if it plays none.
 [[nodiscard]] std::vector<Viewpoint> viewpoints(const Study& study);
 
 /// The avatar as something that is in the way.

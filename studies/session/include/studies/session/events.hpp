@@ -1,4 +1,4 @@
-// What happens in a session, as the session tells it and the store keeps it.
+// The events of a session, as the session reports them and the store records them.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ struct Answer {
     std::string question;
     int stimulus = -1;              ///< rating: which of the trial's; else -1
     std::optional<double> value{};  ///< a number, a scale's value; choice: the option's place from 0
-    std::string text{};             ///< text; choice: the option's id; choices: ids, parted by ';'
+    std::string text{};             ///< text; choice: the option's id; choices: ids, separated by ';'
 };
 
 enum class ResponseStatus : unsigned char {
@@ -55,7 +55,7 @@ struct Response {
     int replays = 0;
     std::vector<int> plays{};  ///< by stimulus: how often its clip was shown to the end
     int pauses = 0;            ///< interruptions: during the clip, which then started over, or while choosing
-    bool begun_before = false;     ///< its clip had been begun in an earlier session, which broke off
+    bool begun_before = false;     ///< its clip had been begun in an earlier session, which was interrupted
     std::string reason{};          ///< skipped: why
     std::string exclusion{};       ///< why the participant leaves the analysis with it; empty: does not
     std::string input;             ///< "ray", "key"; "" where nothing was answered
@@ -63,7 +63,7 @@ struct Response {
     std::optional<Ray> pointer{};  ///< at the answer
     ViewerPlace viewer{};          ///< where the participant was asked to stand
 
-    /// Of kinds with wrong answers; false where nothing was chosen.
+    /// Of kinds with wrong answers; false if nothing was chosen.
     [[nodiscard]] bool correct() const { return keptNumber(values, "correct") == 1.0; }
     /// Of kinds with balls: which was chosen, by its place; -1: none.
     [[nodiscard]] int chosenPlace() const { return keptPlace(values, "chosen_place"); }

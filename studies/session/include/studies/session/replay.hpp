@@ -1,4 +1,4 @@
-// A trial as it was recorded, shown again: pure geometry and time, no database, no drawing.
+// Replaying a recorded trial: pure geometry and time, no database, no drawing.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ struct RecordedTrial {
     std::vector<KeptValue> values{};         ///< as Response::values
     std::optional<Ray> pointer{};            ///< at the answer
     Pose stage_from_head{};                  ///< at the answer
-    std::vector<TrackingSample> tracking{};  ///< in order of time; empty where nothing was tracked
+    std::vector<TrackingSample> tracking{};  ///< in order of time; empty if nothing was tracked
 
     /// As Response::chosenPlace().
     [[nodiscard]] int chosenPlace() const { return keptPlace(values, "chosen_place"); }

@@ -98,7 +98,7 @@ class SessionRunner {
     /// Goes through trialsLeft(); pages of a stage that has begun are not shown again, but for the
     /// instructions before it where `resume.gap_s` exceeds Study::instructions_again_after_s. `keyboard`:
     /// questions that need one are asked. `hint`: StationInfo::hint. `idle_pose` is how the avatar stands
-    /// when no clip plays. All references must outlive the runner. Throws std::invalid_argument where the
+    /// when no clip plays. All references must outlive the runner. Throws std::invalid_argument if the
     /// plan names a stage or layout that the study lacks, and step() where a clip is empty or has not the
     /// avatar's joints.
     SessionRunner(const Study& study, const StudyPlan& plan, const ClipSource& clips,

@@ -1,5 +1,5 @@
-// Answers to real plans, drawn from assumed effects: nobody watches anything, no ray is read. For power
-// analyses; they are no evidence about people. The model is told in docs/power.md.
+// Answers to real plans, drawn from assumed effects: nothing is watched, no ray is read. For power
+// analyses; they are no evidence about people. The model is described in docs/power.md.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What an observer takes from a clip of a pointing gesture, without a session around it.
+// What an observer sees in a clip of a pointing gesture, without a session.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct ObservedGesture {
 };
 
 /// Watches the clip on its avatar as a simulated participant does, whose rule finds hand and hold. None where
-/// an arm has no direction. Throws std::invalid_argument where the avatar lacks the joints of head, trunk or
+/// an arm has no direction. Throws std::invalid_argument if the avatar lacks the joints of head, trunk or
 /// an arm.
 [[nodiscard]] std::optional<ObservedGesture> observeGesture(const motion::Clip& clip, const Reading& reading);
 

@@ -1,5 +1,5 @@
-// How an observer takes one of several balls from a pointing arm. Pure functions. The model, where each of
-// its parts comes from and what is ours: docs/simulated-participant.md.
+// How an observer chooses one of several balls from a pointing arm. Pure functions. The model, its sources
+// and what is ours: docs/simulated-participant.md.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
-// The simulated participant's way of choosing a ball, fitted to choices that were made: its noise and its
-// lapse rate, and of two cues their weights, by maximum likelihood. The probability of a choice is
-// choiceChance(). docs/simulated-participant.md.
+// The simulated participant's way of choosing a ball, fitted to recorded choices: its noise and its lapse
+// rate, and the weights of two cues, by maximum likelihood. The probability of a choice is choiceChance().
+// docs/simulated-participant.md.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct SeenChoice {
 };
 
 /// Watches a recorded trial of the game at `frame_rate_hz` as a simulated participant does, from where the
-/// participant's head was in the hold. None where no ball was chosen, there was but one, or no arm was seen
+/// participant's head was in the hold. None if no ball was chosen, there was but one, or no arm was seen
 /// to point.
 [[nodiscard]] std::optional<SeenChoice> seenChoice(const RecordedTrial& recorded, const ClipSource& clips,
                                                    const motion::Skeleton& avatar,

@@ -1,6 +1,6 @@
 // A simulated participant. It sees what a person would see, the presented frame, and never the plan or the
-// answer. Its answers test pipelines and power; they are no evidence about people. How it decides is told in
-// docs/simulated-participant.md.
+// answer. Its answers test pipelines and power; they are no evidence about people.
+// docs/simulated-participant.md describes how it decides.
 #pragma once
 
 #include <cstdint>

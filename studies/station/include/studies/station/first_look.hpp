@@ -1,4 +1,4 @@
-// Where a flat screen looks first in a trial of the game, so that nobody misses what lies beside its view.
+// Where a flat screen looks first in a trial of the game, so that nobody misses what is beside its view.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What a note of the record is of: one name for each kind, in databases, traces and documents.
+// The kinds of notes in the record: one name for each, in databases, traces and documents.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ enum class NoteKind : std::uint8_t {
     feedback,
     early_select,  ///< select went down before the answer was open (what was shown, at most once a trial), or
                    ///< so
-                   ///< shortly before that it was told afterwards (by how much); it was no answer
+                   ///< shortly before that it was told afterwards (by how much); it was not an answer
     practice_met,  ///< share correct
     practice_failed,
     // Interruptions.

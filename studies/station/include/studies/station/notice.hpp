@@ -1,4 +1,4 @@
-// One calm sentence to the participant, on a small board beside all else.
+// One calm sentence to the participant, on a small board beside everything else.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Why a session is paused, which decides what the participant reads.
+// Why a session is paused, which determines what the participant reads.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a session is doing, as a frame says it: one name for each state, in traces, pictures and documents.
+// What a session is doing in a frame: one name for each state, in traces, pictures and documents.
 #pragma once
 
 #include <string_view>
@@ -24,7 +24,7 @@ enum class PresentedState : unsigned char {
     check,       ///< the same, and a number to be given is shown
     rating,      ///< the answer to a single clip is open
     rated,       ///< an answer given on a board is shown
-    watching,    ///< parallel rating: the board is open; "listening" in traces
+    watching,    ///< parallel rating: the board is open
     comparing,   ///< a pair: the board is open
     reasons,     ///< for a preference
     choosing,    ///< the game: the ray is on no ball,

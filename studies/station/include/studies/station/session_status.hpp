@@ -1,4 +1,4 @@
-// Where a session is, for the operator.
+// The progress of a session, for the operator.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace deixis::studies {
 struct SessionStatus {
     std::string part{};    ///< the stage's name, or what is shown outside of stages; empty: nothing yet
     int trial = 0;         ///< the trial under way, from 1; 0: none is
-    int trials = 0;        ///< of so many in the stage; 0 likewise
+    int trials = 0;        ///< of this many in the stage; 0 likewise
     std::string remark{};  ///< "paused: focus lost", "4 s"; may be empty
     friend bool operator==(const SessionStatus&, const SessionStatus&) = default;
 

@@ -1,8 +1,8 @@
-// The one interface between a session and whoever takes part in it: a desktop, a headset or a simulated
-// participant.
+// The one interface between a session and the person or program that takes part in it: a desktop, a
+// headset or a simulated participant.
 //
-// A station begins a frame (which paces, and is the only clock), tells what the person did, presents what the
-// session says, and reports whether the frame was really shown.
+// A station begins a frame (which sets the pace, and is the only clock), returns what the person did,
+// presents what the session says, and reports whether the frame was really shown.
 #pragma once
 
 #include <array>
@@ -72,7 +72,7 @@ struct InputFrame {
     PauseReason pause_reason = PauseReason::unsaid;
     bool quit = false;          ///< the window was closed or the operator ends the session
     std::string quit_reason{};  ///< empty: "quit"
-    /// How far the person stands from the layout's place, along the floor; 0 where the station keeps it
+    /// How far the person stands from the layout's place, along the floor; 0 if the station keeps it
     /// there. Beyond HeadsetOptions::place_tolerance_m the person is asked back.
     double off_place_m = 0.0;
     /// Whether every answer given so far is on the disk. The next trial waits for it.
@@ -249,14 +249,14 @@ struct FrameReport {
     std::uint64_t number = 0;
     bool shown = false;
     double display_time_s = 0.0;               ///< when it was (or is predicted to have been) shown
-    std::optional<TrackingSample> tracking{};  ///< none where nothing is tracked
+    std::optional<TrackingSample> tracking{};  ///< none if nothing is tracked
 };
 
 struct StationInfo {
     StationKind kind = StationKind::desktop;
     std::string details;     ///< device, driver, display and refresh rate in words
     bool synthetic = false;  ///< no person answers here
-    std::string controls{};  ///< how to take part, one line; empty where there is nothing to tell
+    std::string controls{};  ///< how to take part, one line; empty if there is nothing to tell
     std::string hint{};      ///< the same for the participant, under the first pages and where a pause begins
     /// Name and value, for the record: "runtime", "runtime_version", "system", "refresh_rate_hz", "ipd_m",
     /// ...

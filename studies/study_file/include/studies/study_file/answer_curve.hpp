@@ -1,5 +1,5 @@
-// From something that varies normally to an answer: how a choice of the game, or a step on a scale, depends
-// on what lies behind it. What a power analysis and the estimation of its effects have in common.
+// From a normally distributed variable to an answer: how a choice of the game, or a step on a scale,
+// depends on it. Shared by power analysis and the estimation of its effects.
 #pragma once
 
 #include <optional>
@@ -26,7 +26,7 @@ class AnswerCurve {
     /// The covariance of two answers that share a part of what lies behind them, of SD `shared`, out of `sd`.
     [[nodiscard]] double covariance(double location, double sd, double shared) const;
     /// The location, to which each of `shifts` is added in turn, at which the mean over them is `expected`.
-    /// None where that lies outside (low(), high()). `sd` must be above 0 for a scale.
+    /// None if that lies outside (low(), high()). `sd` must be above 0 for a scale.
     [[nodiscard]] std::optional<double> location(double expected, double sd,
                                                  std::span<const double> shifts) const;
 

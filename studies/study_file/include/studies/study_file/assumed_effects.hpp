@@ -1,4 +1,4 @@
-// What a power analysis assumes of the answers to come: means of the systems, and how much answers differ.
+// What a power analysis assumes about future answers: means of the systems, and how much answers differ.
 // The file is documented in docs/power.md.
 #pragma once
 
@@ -30,7 +30,7 @@ struct StudyMeasure {
 /// By name of a system, a layout or a distance.
 using ByName = std::map<std::string, double>;
 
-/// By factor between participants: a shift of each of its levels; 0 where one is not named.
+/// By between-participants factor: a shift of each of its levels; 0 if one is not named.
 using GroupShifts = std::map<std::string, ByName>;
 
 /// SDs over participants, over participants for each system of its own, and over items. Independent of one
@@ -43,10 +43,10 @@ struct AssumedSpread {
 
 /// The game. SDs and shifts are on the logit scale.
 struct AssumedAccuracy {
-    ByName systems;  ///< expected share of right choices, over participants, items and levels
+    ByName systems;  ///< expected share of correct choices, over participants, items and levels
     AssumedSpread spread{};
     double lapse_rate = 0.0;  ///< of choices that fall on any ball
-    ByName layouts{};         ///< shift of each; 0 where it is not named
+    ByName layouts{};         ///< shift of each; 0 if it is not named
     ByName distances{};
     GroupShifts groups{};
 };
@@ -81,7 +81,7 @@ struct AssumedEffects {
 /// The same as a file, which reads back as the same numbers.
 [[nodiscard]] std::string assumedEffectsToml(const AssumedEffects& effects);
 
-/// All sums of one shift of each factor between participants; {0} where there is none.
+/// All sums of one shift of each between-participants factor; {0} if there is none.
 [[nodiscard]] std::vector<double> groupShifts(const Study& study, const GroupShifts& groups);
 /// All sums of one of these, one shift of a layout and one of a distance that the games of the study have.
 [[nodiscard]] std::vector<double> gameShifts(const Study& study, const AssumedAccuracy& accuracy);

@@ -1,5 +1,6 @@
-// What a kind of trial keeps that other kinds do not: named values of a trial as planned, and of a response,
-// beside its typed answers. A kind declares them (stage_kind.hpp); the store, copies and views know none.
+// Values that only one kind of trial has: named values of a planned trial, and of a response, beside its
+// typed answers. A kind declares them (stage_kind.hpp); the store, copies and views know none in
+// particular.
 #pragma once
 
 #include <optional>
@@ -37,7 +38,7 @@ struct KeptValue {
     std::string text{};
 };
 
-/// The number of that name; none where it is not kept.
+/// The number of that name; none if it is not kept.
 [[nodiscard]] std::optional<double> keptNumber(const std::vector<KeptValue>& values, std::string_view name);
 /// A place, counted from 0; -1 where none is kept.
 [[nodiscard]] int keptPlace(const std::vector<KeptValue>& values, std::string_view name);

@@ -1,4 +1,4 @@
-// Whose answers a study leaves out of its headline, as declared before it is run.
+// Which participants a study leaves out of its headline results, as declared before it is run.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Answers on a scale, and questions about anything: what ratings, game confidence and questionnaires share.
+// Answers on a scale, and questions of any kind: what ratings, game confidence and questionnaires share.
 #pragma once
 
 #include <string>

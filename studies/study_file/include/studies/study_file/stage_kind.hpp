@@ -1,5 +1,5 @@
-// What the kinds of stages declare of themselves: all that reader, planner, store, export, power and analysis
-// ask of a kind. Declarations stand in studies/trials/KIND/declaration.cpp.
+// What the kinds of stages declare: everything that reader, planner, store, export, power and analysis
+// need to know about a kind. Declarations are in studies/trials/KIND/declaration.cpp.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ struct StageReading;
 
 /// How what is measured is analysed.
 enum class AnswerKind : unsigned char {
-    accuracy,   ///< right or wrong, among so many balls
+    accuracy,   ///< right or wrong, among this many balls
     rating,     ///< a number of one stimulus
     preference  ///< -2 clearly the left stimulus .. 2 clearly the right one
 };
@@ -55,7 +55,7 @@ struct StageDeclaration {
     // Stages that show clips.
     int min_stimuli = 0;  ///< of a trial; 0: no clips
     int max_stimuli = 0;
-    /// What a trial shows of so many systems (indices): the levels of the factor "system".
+    /// What a trial shows of this many systems (indices): the levels of the factor "system".
     std::vector<std::vector<int>> (*shown)(int systems) = nullptr;
     Arrangement arrangement = Arrangement::listed;
     bool placed = false;          ///< the target of an item must have a place in the room
@@ -81,7 +81,7 @@ struct StageDeclaration {
 };
 
 [[nodiscard]] const StageDeclaration& declarationOf(StageKind kind);
-/// By its name; null where there is no such kind.
+/// By its name; null if there is no such kind.
 [[nodiscard]] const StageDeclaration* findDeclaration(std::string_view name);
 /// All, in the order of the registry.
 [[nodiscard]] std::span<const StageDeclaration* const> allDeclarations();

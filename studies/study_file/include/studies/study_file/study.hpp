@@ -1,4 +1,4 @@
-// What a study is, as its TOML file says it, in one language. Documented key by key in docs/study-file.md.
+// A study as its TOML file describes it, in one language. Documented key by key in docs/study-file.md.
 #pragma once
 
 #include <cstdint>
@@ -85,7 +85,7 @@ struct SystemSource {
     std::map<std::string, std::string> levels{};
 };
 
-/// A factor between participants: each gets one level, see assignGroups(). Stages say for which levels they
+/// A between-participants factor: each gets one level, see assignGroups(). Stages say for which levels they
 /// are (Stage::when).
 struct BetweenFactor {
     std::string name;
@@ -98,7 +98,7 @@ struct BetweenFactor {
 /// Whether its units are trials that show clips.
 [[nodiscard]] bool showsClips(StageKind kind);
 
-/// How the levels of a factor within participants meet the items.
+/// How the levels of a within-participants factor meet the items.
 enum class Crossing : unsigned char {
     crossed,  ///< every item meets every level
     nested    ///< an item has one level, which it keeps; the levels share the items out evenly
@@ -187,7 +187,7 @@ struct Stage {
     bool feedback = false;                 ///< game: the target is shown after the choice
     double time_limit_s = 0.0;             ///< for the answer; 0: none
     std::optional<Question> confidence{};  ///< game: asked after the choice, on a scale
-    std::optional<Question> reasons{};     ///< pairwise: asked after a preference that is no tie
+    std::optional<Question> reasons{};     ///< pairwise: asked after a preference that is not a tie
 
     [[nodiscard]] bool scored() const { return showsClips(kind) && !practice; }
 };
@@ -196,7 +196,7 @@ struct Stage {
 enum class EyeLevel : unsigned char { measured, raise, scale };
 
 /// What becomes of a trial in which the session was interrupted before its answer (a pause, a headset taken
-/// off, tracking lost): it starts over from its clip, or goes on where it was. A clip that was interrupted
+/// off, tracking lost): it starts over from its clip, or continues where it was. A clip that was interrupted
 /// always starts over.
 enum class AfterInterruption : unsigned char { resume, repeat };
 
@@ -226,7 +226,7 @@ struct Study {
     std::string language;                         ///< the one that all texts are in
     std::vector<LanguageStatus> language_status;  ///< of `languages`, in their order
     double eye_height_m = 1.65;                   ///< standing eye height of a desktop participant
-    std::filesystem::path avatar{};               ///< glTF or VRM file; empty: the product's own
+    std::filesystem::path avatar{};               ///< glTF or VRM file; empty: Deixis's own
     /// To which `avatar` is scaled; none: as tall as its file has it.
     std::optional<double> avatar_height_m{};
     double inter_trial_s = 0.6;  ///< inter-trial interval: between an answer and the next clip
@@ -247,7 +247,7 @@ struct Study {
     HeadsetOptions headset{};
 
     std::filesystem::path file{};  ///< where it was read from
-    std::string source{};          ///< the file's text; kept with the data
+    std::string source{};          ///< the file's text; stored with the data
     std::string hash{};            ///< SHA-256 of the file's bytes and of the questionnaire files it names
     std::vector<std::filesystem::path> questionnaire_files{};  ///< those it names, each once, in their order
     std::vector<std::filesystem::path> language_files{};       ///< of the program's words, likewise
@@ -255,7 +255,7 @@ struct Study {
     /// "study.avatar", "targets.fit_manifest", "targets.from_manifest", "systems.NAME", "layouts.NAME".
     std::map<std::string, std::string> places{};
 
-    /// Of `places`; the file where there is none.
+    /// Of `places`; the file if there is none.
     [[nodiscard]] std::string place(const std::string& key) const;
     [[nodiscard]] const Layout* findLayout(std::string_view name) const;
     [[nodiscard]] const DistanceBand* findDistance(std::string_view name) const;

@@ -1,6 +1,6 @@
-// The program's own words that a participant reads, in one language: buttons, pause pages, notices. A study's
-// texts are the study file's. Tables ship in assets/data/languages (en, de, sv, ko); a study file may bring
-// those of another language, or change single ones ([words.LANGUAGE], docs/study-file.md).
+// The program's own words that a participant reads, in one language: buttons, pause pages, notices. A
+// study's texts are in the study file. Tables for en, de, sv and ko are in assets/data/languages; a study
+// file may add those of another language, or change single ones ([words.LANGUAGE], docs/study-file.md).
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ enum class TextStatus : unsigned char {
 };
 /// As in the files: "written", "translated", "reviewed"; none for anything else.
 [[nodiscard]] std::optional<TextStatus> textStatusFromName(std::string_view name);
-/// In words: "translated, not reviewed by a speaker".
+/// In words: "translated, not reviewed by a native speaker".
 [[nodiscard]] std::string_view textStatusText(TextStatus status);
 
 class LanguageTable {
@@ -38,7 +38,7 @@ class LanguageTable {
     /// with the same placeholders ("{number}") as in languageKeys(), and no other key.
     [[nodiscard]] static Result<LanguageTable> load(const std::filesystem::path& file);
     /// Words that were kept, maybe by an earlier program: those that it lacked, or that say something else by
-    /// now, are as in the file `today` (where there is none, in English); those that are gone are passed
+    /// now, are as in the file `today` (if there is none, in English); those that are gone are passed
     /// over.
     [[nodiscard]] static Result<LanguageTable> loadKept(const std::filesystem::path& file,
                                                         const std::filesystem::path& today);

@@ -1,4 +1,4 @@
-// The program's words as a TOML table says them; private to studies.
+// The program's words as read from a TOML table; private to studies.
 #pragma once
 
 #include <toml++/toml.h>
@@ -23,7 +23,7 @@ struct NotDrawn {
     const char* hint;
 };
 
-/// None where they can. Not drawn are letters of a script that is written from right to left or whose letters
+/// None if they can. Not drawn are letters of a script that is written from right to left or whose letters
 /// change with their neighbours, such as Arabic, and letters for which the program's fonts have no shape,
 /// such as Chinese ones.
 [[nodiscard]] std::optional<NotDrawn> notDrawn(std::string_view text);

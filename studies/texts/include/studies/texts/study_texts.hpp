@@ -21,7 +21,7 @@ class TextBook {
     void read(const toml::table& file, const std::vector<std::string>& languages,
               const std::string& language);
     /// A text in the language asked for: "@key" from the book, anything else as it stands, which is a problem
-    /// where there is more than one language. Empty where there was a problem.
+    /// where there is more than one language. Empty if there was a problem.
     [[nodiscard]] std::string resolve(const std::string& written, toml::source_position at,
                                       const std::string& key);
 

@@ -1,7 +1,7 @@
 // How wide a text on a board is, and where its lines break. Boards are laid out in a study, drawn by a
-// station and simulated without either, and must be the same everywhere: the advance widths of the fonts that
-// boards are drawn with (Open Sans, and Nanum Barun Gothic for what it lacks) stand in a table. A line that
-// is laid out is drawn as it is.
+// station and simulated without either, and must be the same everywhere: a table has the advance widths of
+// the boards' fonts (Open Sans, and Nanum Barun Gothic for characters that it lacks). Lines are drawn
+// exactly as they are laid out.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// A TOML file read key by key, every key checked and every problem kept; private to studies.
+// A TOML file read key by key, with every key checked and every problem collected; private to studies.
 #pragma once
 
 #include <toml++/toml.h>
@@ -21,7 +21,7 @@ namespace deixis::studies {
 
 class TextBook;
 
-/// The problems of one file. Readers go on after a problem with harmless values, so that all are found.
+/// The problems of one file. Readers continue after a problem with harmless values, so that all are found.
 class Problems {
   public:
     explicit Problems(std::string file) : file_(std::move(file)) {}
@@ -82,7 +82,7 @@ class TomlTable {
     [[nodiscard]] std::string note(std::string_view key, std::optional<std::string> fallback = {});
     [[nodiscard]] std::string text(std::string_view key, std::optional<std::string> fallback = {});
     [[nodiscard]] std::string name(std::string_view key, std::optional<std::string> fallback = {});
-    [[nodiscard]] std::vector<std::string> texts(std::string_view key);  ///< empty where it is missing
+    [[nodiscard]] std::vector<std::string> texts(std::string_view key);  ///< empty if it is missing
     [[nodiscard]] std::int64_t whole(std::string_view key, std::int64_t low, std::int64_t high,
                                      std::optional<std::int64_t> fallback = {});
     [[nodiscard]] int count(std::string_view key, int low, int high, std::optional<int> fallback = {});
@@ -105,9 +105,9 @@ class TomlTable {
     /// {factor = "level"}: names to names.
     [[nodiscard]] std::map<std::string, std::string> levels(std::string_view key);
 
-    /// [key]; null where it is missing (a problem if `required`).
+    /// [key]; null if it is missing (a problem if `required`).
     [[nodiscard]] const toml::table* section(std::string_view key, bool required);
-    /// [[key]]; none where it is missing (a problem if `required`).
+    /// [[key]]; none if it is missing (a problem if `required`).
     [[nodiscard]] std::vector<const toml::table*> sections(std::string_view key, bool required);
     /// The table below [key] or one of [[key]], with the keys that it may have.
     [[nodiscard]] TomlTable below(std::string_view key, const toml::table* table, Names known) const;
