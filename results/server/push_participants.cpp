@@ -73,7 +73,8 @@ std::string ParticipantPush::literal(const SQLite::Column& value) {
 std::int64_t ParticipantPush::nextId(const std::string& table) {
     const auto [known, is_new] = next_id_.try_emplace(table, 0);
     if (is_new)
-        known->second = std::stoll(server_.value("SELECT coalesce(max(id), 0) FROM " + table).value());
+        known->second =
+            numberIn<std::int64_t>(server_.value("SELECT coalesce(max(id), 0) FROM " + table).value());
     return ++known->second;
 }
 
@@ -160,14 +161,15 @@ std::map<std::string, ParticipantPush::Known> ParticipantPush::fetch(const Parti
         for (std::size_t c = 0; c < columns.size(); ++c) {
             Cell cell = cellOf(textOf(rows, i, static_cast<int>(c)), columns[c]);
             if (isColumn(table.own_id, columns[c])) {
-                known.server_id = std::stoll(*cell);
+                known.server_id = numberIn<std::int64_t>(*cell);
                 cell = std::to_string(i + 1);
                 counted.place_on_server[known.server_id] = i + 1;
                 counted.server_id[i + 1] = known.server_id;
             } else if (isColumn(table.session, columns[c])) {
-                cell = std::to_string(counted_["sessions"].place_on_server.at(std::stoll(*cell)));
+                cell = std::to_string(counted_["sessions"].place_on_server.at(numberIn<std::int64_t>(*cell)));
             } else if (isColumn(table.response, columns[c])) {
-                cell = std::to_string(counted_["responses"].place_on_server.at(std::stoll(*cell)));
+                cell =
+                    std::to_string(counted_["responses"].place_on_server.at(numberIn<std::int64_t>(*cell)));
             }
             if (isListed(table.key, columns[c].name)) key += *cell + "\n";
             known.cells.push_back(std::move(cell));

@@ -70,7 +70,8 @@ class Differences {
     std::vector<Int> b_;
 };
 
-/// The k-th smallest, k from 1.
+/// The k-th smallest, k from 1: by halving whole numbers, exactly; counts are a stair, for which root finders
+/// are not made.
 template <typename Int, typename Sums>
 Int select(const Sums& sums, std::uint64_t k) {
     Int low = sums.min();

@@ -120,7 +120,7 @@ ObserverFit fitWeights(std::span<const SeenChoice> choices, const ObserverModel&
     best = climbed(best.at, dimensions, 0.05, logLikelihood);
 
     const double wanted = best.value - allowedFall(level);
-    constexpr double tolerance = 1e-3;
+    constexpr double tolerance = 1e-4;
     const auto fitted = [&](std::size_t which) {
         // Each step continues from the best of the one before.
         const auto end = [&](double last) {
