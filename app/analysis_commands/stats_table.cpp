@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <unordered_map>
 #include <utility>
 
-#include "core/csv.hpp"
+#include "core/csv_sheet.hpp"
 #include "core/files.hpp"
 #include "core/foreign_csv.hpp"
 #include "core/text.hpp"
@@ -40,26 +39,16 @@ int decimalsOf(std::string_view text) {
 }
 
 struct Source {
-    std::string name;
-    std::vector<std::string> header;
-    std::vector<CsvRecord> rows;
+    CsvSheet sheet;
     char separator = ',';
     mutable int rounded = 0;  ///< cells that number() took as fractions
-    /// The first that it read with a decimal comma, and with a decimal point: "FILE:LINE: column ...: 3,5".
+    /// The first that it read with a decimal comma, and with a decimal point: "FILE:LINE: COLUMN: 3,5".
     mutable std::string with_comma{}, with_point{};
 
-    [[nodiscard]] std::string place(const CsvRecord& row, std::size_t column) const {
-        return fmt::format("{}:{}: column \"{}\"", name, row.line, header[column]);
-    }
     [[nodiscard]] Result<std::size_t> find(const std::string& column) const {
-        const auto found = std::find(header.begin(), header.end(), column);
-        if (found == header.end())
-            return fail(name, fmt::format("has no column \"{}\"", column),
-                        fmt::format("Columns found, separated by {}: {}", separatorName(separator),
-                                    fmt::join(header, ", ")));
-        if (std::find(found + 1, header.end(), column) != header.end())
-            return fail(name, fmt::format("has several columns \"{}\"", column), "Name them differently");
-        return static_cast<std::size_t>(found - header.begin());
+        return sheet.column(column,
+                            fmt::format("Columns found, separated by {}: {}", separatorName(separator),
+                                        fmt::join(sheet.header.fields, ", ")));
     }
     [[nodiscard]] Result<Cell> number(const CsvRecord& row, std::size_t column) const {
         std::string_view text = trimmed(row.fields[column]);
@@ -68,10 +57,10 @@ struct Source {
         const auto as_point = separator == ',' ? std::nullopt : decimalCommaAsPoint(text);
         std::string& first = as_point ? with_comma : with_point;
         if (first.empty() && (as_point || text.find('.') != std::string_view::npos))
-            first = fmt::format("{}: {}", place(row, column), text);
+            first = fmt::format("{}: {}", sheet.place(row, column), text);
         if (as_point) text = *as_point;
         auto value = Rational::parse(text);
-        if (!value) return fail(place(row, column), value.error());
+        if (!value) return fail(sheet.place(row, column), value.error());
         if (auto fraction = results::roundedFraction(*value, decimalsOf(text))) {
             ++rounded;
             return Cell(std::move(*fraction));
@@ -85,45 +74,33 @@ int linesIn(std::string_view text) {
 }
 
 /// The reader passes over empty lines; in a file of one column they are cells.
-void restoreEmptyCells(std::vector<CsvRecord>& records, std::string_view text) {
+void restoreEmptyCells(CsvSheet& sheet, std::string_view text) {
     std::vector<CsvRecord> all;
-    int next = records.front().line;
+    int next = sheet.header.line + 1 + linesIn(sheet.header.fields[0]);
     const auto fill = [&](int up_to) {
         for (; next < up_to; ++next) all.push_back({next, {""}});
     };
-    for (CsvRecord& record : records) {
+    for (CsvRecord& record : sheet.rows) {
         fill(record.line);
         next += 1 + linesIn(record.fields[0]);
         all.push_back(std::move(record));
     }
     fill(1 + linesIn(text) + (text.back() == '\n' ? 0 : 1));
-    records = std::move(all);
+    sheet.rows = std::move(all);
 }
 
 Result<Source> readSource(const std::string& file) {
-    Source source;
-    source.name = file == "-" ? "standard input" : file;
-    auto read = file == "-" ? readAll(std::cin, source.name) : readFile(file);
+    const std::string name = file == "-" ? "standard input" : file;
+    auto read = file == "-" ? readAll(std::cin, name) : readFile(file);
     if (!read) return tl::unexpected(read.error());
-    const auto csv = readForeignCsv(std::move(*read), source.name);
+    const auto csv = readForeignCsv(std::move(*read), name);
     if (!csv) return tl::unexpected(csv.error());
-    const std::string& text = csv->text;
-    auto records = parseCsv(text, source.name, csv->form);
-    if (!records) return tl::unexpected(records.error());
-    if (records->empty())
-        return fail(source.name, "is empty; expected a CSV file with the columns' names in its first line");
-    if (records->front().fields.size() == 1) restoreEmptyCells(*records, text);
-    source.separator = csv->form.separator;
-    for (const std::string& name : records->front().fields) source.header.emplace_back(trimmed(name));
-    source.rows.assign(std::make_move_iterator(records->begin() + 1),
-                       std::make_move_iterator(records->end()));
-    for (const CsvRecord& row : source.rows)
-        if (row.fields.size() != source.header.size())
-            return fail(fmt::format("{}:{}", source.name, row.line),
-                        fmt::format("has {} field{}, but the first line names {} column{}", row.fields.size(),
-                                    row.fields.size() == 1 ? "" : "s", source.header.size(),
-                                    source.header.size() == 1 ? "" : "s"));
-    return source;
+    auto sheet = parseCsvSheet(csv->text, name, csv->form);
+    if (!sheet) return tl::unexpected(sheet.error());
+    if (sheet->header.fields.empty())
+        return fail(name, "is empty; expected a CSV file with the columns' names in its first line");
+    if (sheet->header.fields.size() == 1) restoreEmptyCells(*sheet, csv->text);
+    return Source{std::move(*sheet), csv->form.separator};
 }
 
 /// Means of the cells that belong to one participant and one column.
@@ -166,7 +143,7 @@ class Participants {
 
 Result<std::string> nameIn(const Source& source, const CsvRecord& row, std::size_t column) {
     const std::string_view text = trimmed(row.fields[column]);
-    if (text.empty()) return fail(source.place(row, column), "is empty; expected a name");
+    if (text.empty()) return fail(source.sheet.place(row, column), "is empty; expected a name");
     return std::string(text);
 }
 
@@ -177,7 +154,7 @@ Result<void> readWide(const Source& source, const ColumnChoice& choice, StatsTab
         if (!place) return tl::unexpected(place.error());
         places.push_back(*place);
         table.columns.push_back({name});
-        table.columns.back().cells.reserve(source.rows.size());
+        table.columns.back().cells.reserve(source.sheet.rows.size());
     }
     const bool joined = !choice.paired_by.empty();
     std::size_t by = 0;
@@ -187,7 +164,7 @@ Result<void> readWide(const Source& source, const ColumnChoice& choice, StatsTab
         by = *place;
     }
     Participants participants(places.size());
-    for (const CsvRecord& row : source.rows) {
+    for (const CsvRecord& row : source.sheet.rows) {
         std::vector<Means>* means = nullptr;
         if (joined) {
             const auto id = nameIn(source, row, by);
@@ -237,25 +214,25 @@ Result<void> readLong(const Source& source, const ColumnChoice& choice, StatsTab
     for (const std::string& level : choice.columns) table.columns.push_back({level});
     // Levels first: they say how many columns there are.
     std::vector<std::optional<std::size_t>> levels;
-    for (const CsvRecord& row : source.rows) {
+    for (const CsvRecord& row : source.sheet.rows) {
         const auto level = levelOf(source, row, *group, choice.columns.empty(), table);
         if (!level) return tl::unexpected(level.error());
         levels.push_back(*level);
     }
     for (std::size_t c = 0; c < table.columns.size(); ++c)
         if (std::find(levels.begin(), levels.end(), std::optional(c)) == levels.end())
-            return fail(source.name, fmt::format("has no row with \"{}\" in column \"{}\"",
-                                                 table.columns[c].name, choice.group));
+            return fail(source.sheet.name, fmt::format("has no row with \"{}\" in column \"{}\"",
+                                                       table.columns[c].name, choice.group));
     Participants participants(table.columns.size());
-    for (std::size_t r = 0; r < source.rows.size(); ++r) {
+    for (std::size_t r = 0; r < source.sheet.rows.size(); ++r) {
         if (!levels[r]) continue;
-        auto cell = source.number(source.rows[r], *value);
+        auto cell = source.number(source.sheet.rows[r], *value);
         if (!cell) return tl::unexpected(cell.error());
         if (!joined) {
             table.columns[*levels[r]].cells.push_back(std::move(*cell));
             continue;
         }
-        const auto id = nameIn(source, source.rows[r], by);
+        const auto id = nameIn(source, source.sheet.rows[r], by);
         if (!id) return tl::unexpected(id.error());
         participants[*id][*levels[r]].add(*cell);
     }
@@ -298,12 +275,12 @@ Result<StatsTable> readStatsTable(const ColumnChoice& choice) {
     const auto source = readSource(choice.file);
     if (!source) return tl::unexpected(source.error());
     StatsTable table;
-    table.name = source->name;
+    table.name = source->sheet.name;
     const auto read =
         choice.group.empty() ? readWide(*source, choice, table) : readLong(*source, choice, table);
     if (!read) return tl::unexpected(read.error());
     if (!source->with_comma.empty() && !source->with_point.empty())
-        return fail(source->name,
+        return fail(source->sheet.name,
                     fmt::format("has numbers with a decimal comma ({}) and with a decimal point ({})",
                                 source->with_comma, source->with_point),
                     "Write all of them in the same way");

@@ -10,7 +10,7 @@
 #include "assets/data/demonstrations.hpp"
 #include "assets/tables/manifest.hpp"
 #include "assets/tables/target_list.hpp"
-#include "core/csv.hpp"
+#include "core/csv_sheet.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
@@ -63,13 +63,11 @@ Result<TrainingTargets> loadTrainingTargets(const std::string& file) {
     if (file.empty()) return syntheticLibrary();
     const auto bytes = readFile(file);
     if (!bytes) return tl::unexpected(bytes.error());
-    const auto records = parseCsv(*bytes, file);
-    if (!records) return tl::unexpected(records.error());
-    const bool manifest = !records->empty() &&
-                          std::find(records->front().fields.begin(), records->front().fields.end(), "clip") !=
-                              records->front().fields.end();
+    CsvReader reader(*bytes, file);
+    const auto sheet = readCsvHeader(reader, file);
+    if (!sheet) return tl::unexpected(sheet.error());
     Result<TrainingTargets> out;
-    if (manifest) {
+    if (sheet->find("clip")) {
         out = fromManifest(*bytes, file);
     } else {
         const auto list = assets::parseTargetList(*bytes, file);

@@ -259,14 +259,14 @@ Result<void> runOn(const RunArguments& options, Prepared& prepared, results::Sto
 }
 
 Result<void> run(RunArguments options) {
-    auto database = databaseFor(options);
-    if (!database) return tl::unexpected(database.error());
-    options.database = std::move(*database);
     auto screenshots = parseScreenshots(options.screenshots);
     if (!screenshots) return tl::unexpected(screenshots.error());
     for (const auto& [state, picture] : *screenshots)
         if (auto free = checkFree(picture, options.force); !free) return free;
     options.station.screenshots->wanted = std::move(*screenshots);
+    auto database = databaseFor(options);
+    if (!database) return tl::unexpected(database.error());
+    options.database = std::move(*database);
     const auto recording = recordingOptions();
     if (!recording) return tl::unexpected(recording.error());
 

@@ -37,8 +37,10 @@ std::string endingOf(const std::string& name) {
 
 /// What a line of numbers, or a header of words, is the first of.
 Kind kindOfTable(std::string_view line) {
-    std::vector<std::string_view> fields;
-    splitFields(trimmed(line), separatorOf(line), fields);
+    const CsvForm form = formOfNumbers(line);
+    CsvRecord record;
+    const auto read = CsvReader(line, "", form).next(record);
+    std::vector<std::string>& fields = record.fields;
     while (!fields.empty() && fields.back().empty()) fields.pop_back();
     const bool numbers =
         std::all_of(fields.begin(), fields.end(),
@@ -48,7 +50,8 @@ Kind kindOfTable(std::string_view line) {
                         return finiteNumber(field) || !hintOfNumber(field).empty() ||
                                (!field.empty() && std::from_chars(field.data(), end, value).ptr == end);
                     });
-    if (!numbers) return fields.size() >= 4 && separatorOf(line) != ' ' ? Kind::joint_csv : Kind::unknown;
+    if (!read || !numbers)
+        return fields.size() >= 4 && form.separator != ' ' ? Kind::joint_csv : Kind::unknown;
     if (fields.size() == 101) return Kind::kinect;
     if (fields.size() == 99 || fields.size() == 117) return Kind::expmap;
     return Kind::unknown;
@@ -56,15 +59,14 @@ Kind kindOfTable(std::string_view line) {
 
 Kind kindOfContent(std::string_view bytes) {
     if (bytes.starts_with("glTF")) return Kind::gltf;
-    const auto line = TextLines(bytes).next();
-    if (!line) return Kind::unknown;
-    const std::string_view start = trimmed(*line);
+    const std::string_view start = firstLine(bytes);
+    if (start.empty()) return Kind::unknown;
     constexpr std::string_view bvh = "hierarchy";
     if (lowerCase(start.substr(0, bvh.size())) == bvh) return Kind::bvh;
     if (start.front() == '{' || start.front() == '[')
         return start.front() == '{' && bytes.find("\"asset\"") != std::string_view::npos ? Kind::gltf
                                                                                          : Kind::json;
-    return kindOfTable(*line);
+    return kindOfTable(start);
 }
 
 Kind kindOfEnding(const std::string& ending) {

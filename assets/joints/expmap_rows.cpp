@@ -29,14 +29,17 @@ Quat rotationOf(const Vec3& map) {
 
 Result<ImportedClip> parseExpmapRows(std::string_view text, const std::string& name,
                                      const ImportOptions& options) {
-    TextLines lines(text);
-    std::vector<std::string_view> fields;
+    CsvReader reader(text, name, formOfNumbers(text));
+    CsvRecord row;
+    const std::vector<std::string>& fields = row.fields;
     const ExpmapSkeleton* kind = nullptr;
     ImportedClip out;
     motion::LocalPose rest;
-    while (const auto row = lines.next()) {
-        const std::string where = name + ":" + std::to_string(lines.line());
-        splitFields(*row, separatorOf(*row), fields);
+    for (;;) {
+        const auto more = reader.next(row);
+        if (!more) return tl::unexpected(more.error());
+        if (!*more) break;
+        const std::string where = name + ":" + std::to_string(row.line);
         if (kind == nullptr) {
             kind = expmapSkeleton(fields.size());
             if (kind == nullptr)
@@ -60,8 +63,8 @@ Result<ImportedClip> parseExpmapRows(std::string_view text, const std::string& n
                 const std::size_t column = 3 * triple + static_cast<std::size_t>(axis);
                 const auto number = finiteNumber(fields[column]);
                 if (!number || std::abs(*number) > largest)
-                    return fail(where, "found '" + std::string(fields[column].substr(0, 40)) +
-                                           "' in column " + std::to_string(column + 1) +
+                    return fail(where, "found '" + fields[column].substr(0, 40) + "' in column " +
+                                           std::to_string(column + 1) +
                                            ", expected a number from -1e9 to 1e9");
                 value[axis] = *number;
             }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "assets/joints/joint_positions.hpp"
+#include "core/csv_sheet.hpp"
 #include "core/text.hpp"
 #include "number_lines.hpp"
 #include "position_import.hpp"
@@ -39,7 +40,6 @@ std::optional<Coordinate> coordinateOf(std::string_view title) {
 }
 
 struct Columns {
-    std::size_t count = 0;
     std::optional<std::size_t> time{};
     double seconds_per_unit = 1.0;
     std::vector<std::string> joints{};                    // in the order in which they first come
@@ -57,17 +57,13 @@ bool isTime(const std::string& title, Columns& columns) {
     return true;
 }
 
-Result<Columns> readHeader(std::string_view line, char separator, const std::string& where) {
+Result<Columns> findColumns(const CsvSheet& sheet) {
     constexpr std::size_t missing = static_cast<std::size_t>(-1);
-    std::vector<std::string_view> titles;
-    splitFields(line, separator, titles);
+    const std::string where = sheet.place(sheet.header);
     Columns columns;
-    columns.count = titles.size();
     std::map<std::string, std::size_t> number_of;
-    for (std::size_t c = 0; c < titles.size(); ++c) {
-        std::string_view title = titles[c];
-        if (title.size() >= 2 && title.front() == '"' && title.back() == '"')
-            title = title.substr(1, title.size() - 2);
+    for (std::size_t c = 0; c < sheet.header.fields.size(); ++c) {
+        const std::string& title = sheet.header.fields[c];
         if (!columns.time && isTime(lowerCase(title), columns)) {
             columns.time = c;
             continue;
@@ -83,8 +79,7 @@ Result<Columns> readHeader(std::string_view line, char separator, const std::str
             columns.of_joints.push_back({missing, missing, missing});
         }
         std::size_t& column = columns.of_joints[at->second][static_cast<std::size_t>(coordinate->axis)];
-        if (column != missing)
-            return fail(where, "found column '" + std::string(title) + "' twice, expected it once");
+        if (column != missing) return fail(where, "found column '" + title + "' twice, expected it once");
         column = c;
     }
     if (columns.joints.empty())
@@ -111,18 +106,20 @@ struct JointRecording {
 class JointCsvReader {
   public:
     JointCsvReader(std::string_view text, const std::string& name, const ImportOptions& options)
-        : lines_(text), name_(name), options_(options) {}
+        : reader_(text, name, formOfNumbers(text)), name_(name), options_(options) {}
 
     Result<PositionRecording> read() {
-        const auto header = lines_.next();
-        if (!header) return fail(name_, "found no lines, expected a header with the joints' names");
-        separator_ = separatorOf(*header);
-        auto columns = readHeader(*header, separator_, where());
+        auto sheet = readCsvHeader(reader_, name_);
+        if (!sheet) return tl::unexpected(sheet.error());
+        sheet_ = std::move(*sheet);
+        if (sheet_.header.fields.empty())
+            return fail(name_, "found no lines, expected a header with the joints' names");
+        auto columns = findColumns(sheet_);
         if (!columns) return tl::unexpected(columns.error());
         columns_ = std::move(*columns);
         bones_ = bonesByName(columns_.joints);
         if (std::all_of(bones_.joint.begin(), bones_.joint.end(), [](int joint) { return joint < 0; }))
-            return fail(where(),
+            return fail(sheet_.place(sheet_.header),
                         "found no joint with the name of a human bone among '" + columns_.joints.front() +
                             "' and the others",
                         "Name the joints as VRM, Mixamo or Kinect do, such as hips, leftUpperArm");
@@ -131,53 +128,51 @@ class JointCsvReader {
     }
 
   private:
-    [[nodiscard]] std::string where() const { return name_ + ":" + std::to_string(lines_.line()); }
-
     Result<void> readRows() {
-        std::vector<std::string_view> fields;
+        CsvRecord row;
         const bool timed = columns_.time && !options_.fps;
-        while (const auto row = lines_.next()) {
-            splitFields(*row, separator_, fields);
-            if (fields.size() != columns_.count)
-                return fail(where(), "found " + std::to_string(fields.size()) + " fields, expected " +
-                                         std::to_string(columns_.count) + ", as the header has");
+        for (;;) {
+            const auto more = reader_.next(row);
+            if (!more) return tl::unexpected(more.error());
+            if (!*more) break;
+            if (auto width = sheet_.checkWidth(row); !width) return width;
             double time_s =
                 static_cast<double>(recording_.times_s.size()) / options_.fps.value_or(assumed_fps);
             if (timed) {
-                const auto time = finiteNumber(fields[*columns_.time]);
+                const std::string& field = row.fields[*columns_.time];
+                const auto time = finiteNumber(field);
                 if (!time)
-                    return fail(where(), "found '" + std::string(fields[*columns_.time]) +
-                                             "' as time, expected a number");
+                    return fail(sheet_.place(row, *columns_.time),
+                                "found '" + field.substr(0, 40) + "', expected a number");
                 time_s = *time * columns_.seconds_per_unit;
                 if (!recording_.times_s.empty() && time_s <= recording_.times_s.back())
-                    return fail(where(),
+                    return fail(sheet_.place(row, *columns_.time),
                                 "found a time that is not after the one before, expected increasing times");
             }
             recording_.times_s.push_back(time_s);
             for (std::size_t b = 0; b < motion::bone_count; ++b) {
                 if (bones_.joint[b] < 0) continue;
-                if (auto read = readPosition(fields, b, time_s); !read) return read;
+                if (auto read = readPosition(row, b, time_s); !read) return read;
             }
         }
         if (recording_.times_s.empty()) return fail(name_, "found no frames under the header");
         return {};
     }
 
-    Result<void> readPosition(const std::vector<std::string_view>& fields, std::size_t bone, double time_s) {
+    Result<void> readPosition(const CsvRecord& row, std::size_t bone, double time_s) {
         const auto& columns = columns_.of_joints[static_cast<std::size_t>(bones_.joint[bone])];
         Vec3 position(0.0);
         for (int axis = 0; axis < 3; ++axis) {
-            const std::string_view field = fields[columns[static_cast<std::size_t>(axis)]];
+            const std::size_t column = columns[static_cast<std::size_t>(axis)];
+            const std::string& field = row.fields[column];
             if (isUnknown(field)) {
                 unknown_ = true;
                 return {};
             }
             const auto value = finiteNumber(field);
             if (!value)
-                return fail(where(),
-                            "found '" + std::string(field.substr(0, 40)) + "' in column " +
-                                columns_.joints[static_cast<std::size_t>(bones_.joint[bone])] + "." +
-                                "xyz"[axis] + ", expected a finite number or nothing",
+                return fail(sheet_.place(row, column),
+                            "found '" + field.substr(0, 40) + "', expected a finite number or nothing",
                             hintOfNumber(field));
             position[axis] = *value;
         }
@@ -263,10 +258,10 @@ class JointCsvReader {
                                    : ""));
     }
 
-    TextLines lines_;
+    CsvReader reader_;
+    CsvSheet sheet_{};
     const std::string& name_;
     const ImportOptions& options_;
-    char separator_ = ',';
     Columns columns_;
     motion::HumanoidMap bones_;
     JointRecording recording_;

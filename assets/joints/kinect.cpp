@@ -42,18 +42,20 @@ Result<KinectRecording> parseLines(std::string_view text, const std::string& nam
                                    const std::optional<double>& fps) {
     KinectRecording recording;
     std::array<double, field_count> fields{};
-    std::vector<std::string_view> words;
-    TextLines lines(text);
-    while (const auto row = lines.next()) {
-        const std::string where = name + ":" + std::to_string(lines.line());
-        splitFields(trimmed(*row), separatorOf(*row), words);
+    CsvReader reader(text, name, formOfNumbers(text));
+    CsvRecord row;
+    std::vector<std::string>& words = row.fields;
+    for (;;) {
+        const auto more = reader.next(row);
+        if (!more) return tl::unexpected(more.error());
+        if (!*more) break;
+        const std::string where = name + ":" + std::to_string(row.line);
         while (!words.empty() && words.back().empty()) words.pop_back();
         for (std::size_t i = 0; i < words.size(); ++i) {
             const auto value = finiteNumber(words[i]);
             if (!value)
                 return fail(where,
-                            "found '" + std::string(words[i].substr(0, 40)) + "' in column " +
-                                std::to_string(i + 1) +
+                            "found '" + words[i].substr(0, 40) + "' in column " + std::to_string(i + 1) +
                                 ", expected a finite number: time and x,y,z,state of 25 joints",
                             hintOfNumber(words[i]));
             if (i < field_count) fields[i] = *value;

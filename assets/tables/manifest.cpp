@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "assets/tables/target_list.hpp"
-#include "core/csv.hpp"
+#include "core/csv_sheet.hpp"
 #include "core/files.hpp"
 #include "core/number.hpp"
 
@@ -65,12 +65,14 @@ std::string header() {
                        fmt::join(manifest_columns.begin(), manifest_columns.begin() + required_columns, ","));
 }
 
+/// Where each column stands in the file.
+using Places = std::array<std::size_t, manifest_columns.size()>;
+
 /// One record by column name; notes the first problem.
 class RowReader {
   public:
-    RowReader(const CsvRecord& record, const std::array<std::size_t, manifest_columns.size()>& places,
-              const std::string& file)
-        : record_(record), places_(places), file_(file) {}
+    RowReader(const CsvSheet& sheet, const CsvRecord& record, const Places& places)
+        : sheet_(sheet), record_(record), places_(places) {}
 
     std::string text(Column column) {
         const std::string& found = record_.fields[places_[column]];
@@ -106,9 +108,7 @@ class RowReader {
     }
 
     void problem(Column column, const std::string& message, std::string hint = {}) {
-        if (!first_)
-            first_ = Error{fmt::format("{}:{}: {}", file_, record_.line, manifest_columns[column]), message,
-                           std::move(hint)};
+        if (!first_) first_ = Error{sheet_.place(record_, places_[column]), message, std::move(hint)};
     }
 
     /// Whether an optional column is there and has a value.
@@ -127,9 +127,9 @@ class RowReader {
     [[nodiscard]] const std::optional<Error>& first() const { return first_; }
 
   private:
+    const CsvSheet& sheet_;
     const CsvRecord& record_;
-    const std::array<std::size_t, manifest_columns.size()>& places_;
-    const std::string& file_;
+    const Places& places_;
     std::optional<Error> first_;
 };
 
@@ -189,22 +189,14 @@ Result<ManifestRow> readRow(RowReader reader) {
     return row;
 }
 
-Result<std::array<std::size_t, manifest_columns.size()>> findColumns(const CsvRecord& first,
-                                                                     const std::string& file) {
-    std::array<std::size_t, manifest_columns.size()> places{};
+Result<Places> findColumns(const CsvSheet& sheet) {
+    Places places{};
+    places.fill(absent);
     for (std::size_t i = 0; i < manifest_columns.size(); ++i) {
-        const auto count = std::count(first.fields.begin(), first.fields.end(), manifest_columns[i]);
-        if (count == 0 && i >= required_columns) {
-            places[i] = absent;
-            continue;
-        }
-        if (count != 1)
-            return fail(fmt::format("{}:{}: {}", file, first.line, manifest_columns[i]),
-                        count == 0 ? "this column is missing from the header"
-                                   : "this column is in the header more than once",
-                        fmt::format("The columns are {}", header()));
-        places[i] = static_cast<std::size_t>(
-            std::find(first.fields.begin(), first.fields.end(), manifest_columns[i]) - first.fields.begin());
+        if (i >= required_columns && !sheet.find(manifest_columns[i])) continue;
+        const auto place = sheet.column(manifest_columns[i], fmt::format("The columns are {}", header()));
+        if (!place) return tl::unexpected(place.error());
+        places[i] = *place;
     }
     return places;
 }
@@ -213,25 +205,26 @@ tl::expected<Manifest, std::vector<Error>> checkManifestText(std::string_view te
                                                              const std::filesystem::path& name) {
     const std::string file = name.string();
     const auto one = [](Error error) { return tl::unexpected(std::vector<Error>{std::move(error)}); };
-    const auto records = parseCsv(text, file);
-    if (!records) return one(records.error());
-    if (records->empty())
+    CsvReader reader(text, file);
+    const auto sheet = readCsvHeader(reader, file);
+    if (!sheet) return one(sheet.error());
+    if (sheet->header.fields.empty())
         return one({file, "the manifest is empty", fmt::format("Its first line is {}", header())});
-    const CsvRecord& first = records->front();
-    const auto places = findColumns(first, file);
+    const auto places = findColumns(*sheet);
     if (!places) return one(places.error());
     Manifest manifest;
     manifest.file = name;
     std::vector<Error> problems;
-    for (std::size_t i = 1; i < records->size(); ++i) {
-        const CsvRecord& record = (*records)[i];
-        if (record.fields.size() != first.fields.size()) {
-            problems.push_back({fmt::format("{}:{}", file, record.line),
-                                fmt::format("found {} fields, expected {} as in the header",
-                                            record.fields.size(), first.fields.size())});
+    CsvRecord record;
+    for (;;) {
+        const auto more = reader.next(record);
+        if (!more) return one(more.error());
+        if (!*more) break;
+        if (const auto width = sheet->checkWidth(record); !width) {
+            problems.push_back(width.error());
             continue;
         }
-        auto row = readRow(RowReader(record, *places, file));
+        auto row = readRow(RowReader(*sheet, record, *places));
         if (!row) {
             problems.push_back(row.error());
             continue;

@@ -21,7 +21,10 @@ bool looksLikeFormula(std::string_view text) {
 }  // namespace
 
 const char* separatorName(char separator) {
-    return separator == ',' ? "a comma" : separator == ';' ? "a semicolon" : "a tab";
+    return separator == ','   ? "a comma"
+           : separator == ';' ? "a semicolon"
+           : separator == ' ' ? "blanks"
+                              : "a tab";
 }
 
 bool isCsvComment(std::string_view line) {
@@ -46,15 +49,15 @@ Result<bool> CsvReader::next(CsvRecord& record) {
         if (auto text = checkText(); !text) return tl::unexpected(text.error());
         if (form_.comments) skipComments();
     }
-    while (at_ < text_.size() && atLineEnd()) skipLineEnd();
+    skipEmptyLines();
     if (at_ >= text_.size()) return false;
     record.line = line_;
     std::size_t count = 0;
     for (;;) {
         if (count == record.fields.size()) record.fields.emplace_back();
+        if (form_.trims) skipBlanks();
         if (auto read = readField(record.fields[count++]); !read) return tl::unexpected(read.error());
-        if (at_ >= text_.size() || text_[at_] != form_.separator) break;
-        ++at_;
+        if (!passSeparator()) break;
     }
     record.fields.resize(count);
     skipLineEnd();
@@ -80,6 +83,34 @@ void CsvReader::skipLineEnd() {
     ++line_;
 }
 
+void CsvReader::skipEmptyLines() {
+    for (;;) {
+        const std::size_t line_begin = at_;
+        while (form_.trims && at_ < text_.size() && isBlank(text_[at_])) ++at_;
+        if (at_ >= text_.size()) return;
+        if (!atLineEnd()) {
+            at_ = line_begin;
+            return;
+        }
+        skipLineEnd();
+    }
+}
+
+void CsvReader::skipBlanks() {
+    while (at_ < text_.size() && isBlank(text_[at_]) &&
+           (text_[at_] != form_.separator || form_.separator == ' '))
+        ++at_;
+}
+
+bool CsvReader::passSeparator() {
+    if (form_.trims) skipBlanks();
+    if (at_ >= text_.size() || atLineEnd()) return false;
+    if (form_.separator == ' ') return true;
+    if (text_[at_] != form_.separator) return false;
+    ++at_;
+    return true;
+}
+
 Result<void> CsvReader::readField(std::string& field) {
     if (at_ < text_.size() && text_[at_] == '"') return readQuoted(field);
     const std::size_t begin = at_;
@@ -88,11 +119,13 @@ Result<void> CsvReader::readField(std::string& field) {
         // What ends a field comes before the comma in ASCII, but for another separator.
         if (static_cast<unsigned char>(c) > ',' && c != form_.separator) continue;
         if (c == form_.separator || c == '\n' || (c == '\r' && atLineEnd())) break;
+        if (form_.separator == ' ' && isBlank(c)) break;
         if (c == '"')
             return fail(fmt::format("{}:{}", name_, line_), "a quote is inside an unquoted field",
                         "Quote the whole field and double the quote");
     }
-    field.assign(text_.data() + begin, at_ - begin);
+    const std::string_view found = text_.substr(begin, at_ - begin);
+    field = form_.trims ? trimmed(found) : found;
     return {};
 }
 
@@ -111,7 +144,9 @@ Result<void> CsvReader::readQuoted(std::string& field) {
     if (at_ >= text_.size())
         return fail(fmt::format("{}:{}", name_, opened), "a quoted field has no closing quote");
     ++at_;
-    if (at_ < text_.size() && text_[at_] != form_.separator && !atLineEnd())
+    if (form_.trims && form_.separator != ' ') skipBlanks();
+    if (at_ < text_.size() && text_[at_] != form_.separator && !atLineEnd() &&
+        !(form_.separator == ' ' && isBlank(text_[at_])))
         return fail(fmt::format("{}:{}", name_, line_),
                     fmt::format("text follows a closing quote; expected {} or the end of the line",
                                 separatorName(form_.separator)));

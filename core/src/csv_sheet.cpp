@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/number.hpp"
+#include "core/text.hpp"
 
 namespace deixis {
 
@@ -16,9 +17,23 @@ std::optional<std::size_t> CsvSheet::find(std::string_view column) const {
 }
 
 Result<std::size_t> CsvSheet::column(std::string_view column, std::string hint) const {
-    if (const auto found = find(column)) return *found;
-    return fail(fmt::format("{}:{}", name, header.line),
-                fmt::format("the column '{}' is missing from the header", column), std::move(hint));
+    const auto count = std::count(header.fields.begin(), header.fields.end(), column);
+    if (count == 1) return *find(column);
+    return fail(place(header),
+                count == 0 ? fmt::format("the column '{}' is missing from the header", column)
+                           : fmt::format("the column '{}' stands in the header more than once", column),
+                std::move(hint));
+}
+
+Result<void> CsvSheet::checkWidth(const CsvRecord& row) const {
+    const std::size_t found = row.fields.size();
+    if (found == header.fields.size()) return {};
+    return fail(place(row), fmt::format("found {} field{}, expected {} as in the header", found,
+                                        found == 1 ? "" : "s", header.fields.size()));
+}
+
+std::string CsvSheet::place(const CsvRecord& row) const {
+    return fmt::format("{}:{}", name, row.line);
 }
 
 std::string CsvSheet::place(const CsvRecord& row, std::size_t column) const {
@@ -33,20 +48,25 @@ Result<double> CsvSheet::number(const CsvRecord& row, std::size_t column, std::s
     return fail(place(row, column), fmt::format("found '{}', expected {}", cell, expected));
 }
 
-Result<CsvSheet> parseCsvSheet(std::string_view text, const std::string& name) {
-    auto records = parseCsv(text, name);
-    if (!records) return tl::unexpected(records.error());
+Result<CsvSheet> readCsvHeader(CsvReader& reader, const std::string& name) {
     CsvSheet sheet{name, {}, {}};
-    if (records->empty()) return sheet;
-    sheet.header = std::move(records->front());
-    records->erase(records->begin());
-    for (const CsvRecord& row : *records)
-        if (row.fields.size() != sheet.header.fields.size())
-            return fail(fmt::format("{}:{}", name, row.line),
-                        fmt::format("found {} fields, expected {} as in the header", row.fields.size(),
-                                    sheet.header.fields.size()));
-    sheet.rows = std::move(*records);
+    if (const auto there = reader.next(sheet.header); !there) return tl::unexpected(there.error());
+    for (std::string& field : sheet.header.fields) field = std::string(trimmed(field));
     return sheet;
+}
+
+Result<CsvSheet> parseCsvSheet(std::string_view text, const std::string& name, CsvForm form) {
+    CsvReader reader(text, name, form);
+    auto sheet = readCsvHeader(reader, name);
+    if (!sheet) return sheet;
+    for (;;) {
+        CsvRecord row;
+        const auto more = reader.next(row);
+        if (!more) return tl::unexpected(more.error());
+        if (!*more) return sheet;
+        if (auto width = sheet->checkWidth(row); !width) return tl::unexpected(width.error());
+        sheet->rows.push_back(std::move(row));
+    }
 }
 
 }  // namespace deixis

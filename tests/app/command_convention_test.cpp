@@ -161,6 +161,16 @@ TEST_SUITE("app/command_convention") {
                 for (const std::string& name : option->get_snames()) CHECK((name == "o" || name == "h"));
             }
         }
+        // Whatever option names a place to write to, --force stands beside it, but for what is never
+        // replaced.
+        const std::set<std::string> never{"simulate", "export", "merge", "package"};
+        for (const OneCommand& command : declared.commands)
+            for (const char* name :
+                 {"output", "latex", "r", "png", "mp4", "screenshot", "picture", "save-effects"})
+                if (command.app->get_option_no_throw(std::string("--") + name) != nullptr &&
+                    never.count(command.words) == 0)
+                    CHECK_MESSAGE(command.app->get_option_no_throw("--force") != nullptr, command.words,
+                                  name);
         for (const char* writes : {"simulate", "report", "evaluate", "fit", "export", "merge", "package",
                                    "generate", "clips convert", "clips mirror", "clips trim",
                                    "clips resample", "clips retarget", "clips segment"})

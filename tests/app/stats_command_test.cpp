@@ -126,7 +126,7 @@ TEST_SUITE("app/stats") {
         auto told = json::parse(commas.out);
         CHECK(contains(told["note"].get<std::string>(), "decimal points"));
         CHECK(told["hodges_lehmann"] == json::parse(points.out)["hodges_lehmann"]);
-        CHECK_FAILS_SAYING(signed_rank("a;b\n1,5;2.25\n3;1,5\n"), "column \"b\": 2.25", "the same way");
+        CHECK_FAILS_SAYING(signed_rank("a;b\n1,5;2.25\n3;1,5\n"), "d.csv:2: b: 2.25", "the same way");
         // A thousands separator is no decimal comma.
         CHECK_FAILS_SAYING(signed_rank("a,b\n\"1,234\",2\n3,4\n"), "d.csv:2", "1,234");
     }
@@ -174,22 +174,23 @@ TEST_SUITE("app/stats") {
     }
 
     TEST_CASE("What cannot be read is named with file, line and column") {
-        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n1,two\n", "--columns a,b"), "data.csv:3", "\"b\"",
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n1,two\n", "--columns a,b"), "data.csv:3: b",
                            "\"two\" is not a number", "7/3");
         CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2/0\n", "--columns a,b"), "data.csv:2",
                            "divides by zero");
-        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1\n", "--columns a,b"), "data.csv:2", "1 field",
-                           "2 columns");
-        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n", "--columns a,c"), "no column \"c\"", "a, b");
-        CHECK_FAILS_SAYING(stats("signed-rank", "a,a\n1,2\n", "--columns a,a"), "several columns");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1\n", "--columns a,b"), "data.csv:2", "found 1 field",
+                           "expected 2");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n", "--columns a,c"), "data.csv:1",
+                           "column 'c' is missing", "a, b");
+        CHECK_FAILS_SAYING(stats("signed-rank", "a,a\n1,2\n", "--columns a,a"), "more than once");
         CHECK_FAILS_SAYING(stats("signed-rank", "a,b\n1,2\n", "--columns a"), "takes 2 columns",
                            "1 is chosen");
         CHECK_FAILS_SAYING(stats("signed-rank", "", "--columns a,b"), "is empty");
         CHECK_FAILS_SAYING(stats("holm", "p\n0.1\n1.5\n", "--columns p"), "data.csv:3", "not a p value");
         CHECK_FAILS_SAYING(stats("proportion", "c\n1\n2\n", "--columns c"), "data.csv:3", "neither 0 nor 1");
         CHECK_FAILS_SAYING(stats("proportion", "c\n1\n", "--columns c --chance 3/2"), "--chance");
-        CHECK_FAILS_SAYING(stats("describe", "who,a\n,1\n", "--columns a --paired-by who"), "data.csv:2",
-                           "\"who\"");
+        CHECK_FAILS_SAYING(stats("describe", "who,a\n,1\n", "--columns a --paired-by who"),
+                           "data.csv:2: who");
         CHECK_FAILS_SAYING(stats("rank-sum", pairs, "--columns a,b --level 1"), "--level");
         CHECK_FAILS_SAYING(program("stats describe /nowhere/x.csv --columns a"), "/nowhere/x.csv");
         CHECK_FAILS_SAYING(stats("rank-sum", "x\n1\n", "--columns x,x,x"), "takes 2 columns");
@@ -208,7 +209,7 @@ TEST_SUITE("app/stats") {
         const auto first = program("stats signed-rank --columns a,b " + (scratch / "data.csv") + " --json");
         REQUIRE(first.status == 0);
         CHECK(json::parse(first.out) == numbers("signed-rank", pairs, "--columns a,b"));
-        CHECK_FAILS_SAYING(stats("friedman", odd, "--columns 'x, y'"), "no column \"x\"");
+        CHECK_FAILS_SAYING(stats("friedman", odd, "--columns 'x, y'"), "column 'x' is missing");
         CHECK_FAILS_SAYING(stats("friedman", odd, "--columns '\"x'"), "--columns", "no closing quote");
         CHECK_FAILS_SAYING(stats("friedman", odd, "--columns 'who\n7/3'"), "--columns", "2 lines");
     }
@@ -217,7 +218,7 @@ TEST_SUITE("app/stats") {
         CHECK(numbers("describe", "x,y\n,1\nNA,1\nnan,1\n Null ,1\n7,1\n", "--columns x")["n_missing"] == 4);
         for (const char* cell : {"-", "none", "n/a", "inf", ".", "1;5"})
             CHECK_FAILS_SAYING(stats("describe", "x\n1\n" + std::string(cell) + "\n", "--columns x"),
-                               "data.csv:3", "column \"x\"", cell, "is not a number");
+                               "data.csv:3: x", cell, "is not a number");
     }
 
     TEST_CASE("A number beyond a double is null, and the note says so") {

@@ -188,12 +188,13 @@ TEST_SUITE("assets/joint_csv") {
         CHECK(contains(jointCsvError("head.x,head.y,head.z,head.x\n"), "'head.x' twice"));
         CHECK(contains(jointCsvError("p1.x,p1.y,p1.z\n1,2,3\n"), "no joint with the name of a human bone"));
         CHECK(contains(jointCsvError(head + "0,1,2\n"), "j.csv:2: found 3 fields, expected 40"));
-        CHECK(contains(jointCsvError(head + row("soon")), "j.csv:2: found 'soon' as time"));
-        CHECK(contains(jointCsvError(head + row("1") + row("1")), "j.csv:3: found a time that is not after"));
+        CHECK(contains(jointCsvError(head + row("soon")), "j.csv:2: time: found 'soon'"));
+        CHECK(contains(jointCsvError(head + row("1") + row("1")),
+                       "j.csv:3: time: found a time that is not after"));
         CHECK(contains(jointCsvError(head + row("0") + row("0.1") + row("1e9")), "with gaps"));
         std::string bad = row("0");
         bad.replace(bad.find("1.6"), 3, "inf");
-        CHECK(contains(jointCsvError(head + bad), "found 'inf000' in column head.y"));
+        CHECK(contains(jointCsvError(head + bad), "head.y: found 'inf000'"));
         // A hand that no line knows.
         CHECK(contains(jointCsvError(head + row("0", 1.0, ',', 6) + row("0.1", 1.0, ',', 6)),
                        "has no position for rightHand"));

@@ -87,8 +87,8 @@ TEST_SUITE("assets/manifest") {
 
     TEST_CASE("a header without a column, or with one twice, is rejected by the column's name") {
         CHECK(says(errorOf(""), "m.csv: the manifest is empty"));
-        CHECK(says(errorOf("clip,system\n"), "m.csv:1: target_id: this column is missing"));
-        CHECK(says(errorOf("clip," + header + "b.bvh," + good), "m.csv:1: clip: this column stands"));
+        CHECK(says(errorOf("clip,system\n"), "m.csv:1: the column 'target_id' is missing"));
+        CHECK(says(errorOf("clip," + header + "b.bvh," + good), "m.csv:1: the column 'clip' stands"));
     }
 
     TEST_CASE("broken quoting is rejected with its line") {

@@ -16,14 +16,18 @@ struct CsvRecord {
 
 /// How the records of a text are laid out.
 struct CsvForm {
-    char separator = ',';
-    bool comments =
-        false;  ///< lines before the first record that begin with #, and Excel's "sep=;", are none
+    char separator = ',';   ///< a blank: any number of blanks and tabs, also before and after all fields
+    bool comments = false;  ///< lines before the first record that begin with #, or Excel's "sep=;", are none
+    bool trims = false;  ///< fields without blanks around them; lines of nothing but blanks are passed over
 };
 
 [[nodiscard]] const char* separatorName(char separator);  ///< "a comma"
 /// Whether CsvForm::comments passes over a line that begins so.
 [[nodiscard]] bool isCsvComment(std::string_view line);
+
+[[nodiscard]] constexpr bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
 
 /// Reads record by record. Fields may be quoted, with "" for a quote; lines end in LF or CRLF, empty ones and
 /// a UTF-8 mark at the start are skipped. `name` stands for the file in errors. A text that is not UTF-8
@@ -40,6 +44,10 @@ class CsvReader {
     void skipComments();
     [[nodiscard]] bool atLineEnd() const;
     void skipLineEnd();
+    void skipEmptyLines();
+    void skipBlanks();
+    /// Whether a further field of the record follows.
+    [[nodiscard]] bool passSeparator();
     [[nodiscard]] Result<void> readField(std::string& field);
     [[nodiscard]] Result<void> readQuoted(std::string& field);
 
