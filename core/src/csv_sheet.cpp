@@ -21,7 +21,7 @@ Result<std::size_t> CsvSheet::column(std::string_view column, std::string hint) 
     if (count == 1) return *find(column);
     return fail(place(header),
                 count == 0 ? fmt::format("the column '{}' is missing from the header", column)
-                           : fmt::format("the column '{}' stands in the header more than once", column),
+                           : fmt::format("the column '{}' is in the header more than once", column),
                 std::move(hint));
 }
 

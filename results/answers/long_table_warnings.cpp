@@ -97,7 +97,7 @@ void warnDuplicates(const ResponseTable& table, std::vector<std::string>& notes)
     notes.push_back(
         fmt::format("{} {} the same participant, measure, system, item and position among the trials as "
                     "another one, such as {}'s of {} in {}{}: {} counted. Remove duplicates.",
-                    twice, twice == 1 ? "answer is" : "answers are", first->participant, first->measure,
+                    twice, twice == 1 ? "answer has" : "answers have", first->participant, first->measure,
                     first->system, first->target_id.empty() ? "" : fmt::format(", item {}", first->target_id),
                     twice == 1 ? "it is" : "they are"));
 }
@@ -177,7 +177,7 @@ std::optional<std::string> warningOfUnread(const std::vector<std::string>& unrea
     return fmt::format(
         "{} may be about attention checks or exclusions, and {} not used. --column excluded={} leaves those "
         "participants out; --column attention={} treats marked lines as checks.",
-        fmt::join(found, ", "), found.size() == 1 ? "has" : "have", found.front(), found.front());
+        fmt::join(found, ", "), found.size() == 1 ? "is" : "are", found.front(), found.front());
 }
 
 void addWarnings(const ForeignCsv& csv, ResponseTable& table) {

@@ -97,7 +97,7 @@ TEST_SUITE("app/locked_study") {
         }
         SUBCASE("another study") {
             lab.change("study.toml", "name = \"lab\"", "name = \"bal\"");
-            CHECK_FAILS_SAYING(lab.run("P02"), "holds study 'lab'", "'bal'", "another database");
+            CHECK_FAILS_SAYING(lab.run("P02"), "has the study 'lab'", "'bal'", "another database");
         }
     }
 
@@ -153,7 +153,7 @@ TEST_SUITE("app/locked_study") {
                     .status == 0);
         const std::string remarks = nlohmann::json::parse(lab.read("r.json"))["remarks"].dump();
         CHECK_MESSAGE(
-            contains(remarks, "changed while it was under way (T002 was broken): study.toml has changed"),
+            contains(remarks, "changed while it was running (T002 was broken): study.toml has changed"),
             remarks);
         CHECK(contains(remarks, "1 participant has seen it as it was before"));
         // Who was planned before goes on with the old clips, by the new study file, too.

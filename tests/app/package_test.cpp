@@ -153,7 +153,7 @@ TEST_SUITE("app/package") {
         CHECK_MESSAGE(plan.status == 0, plan.err);
         const std::string readme = files.at("README.md");
         for (const char* word : {"5 participants, 1 of them excluded", "1 withdrew", "**Synthetic**",
-                                 "deixis 0", "6 texts of the experimenter's"})
+                                 "deixis 0", "6 texts by the experimenter"})
             CHECK_MESSAGE(contains(readme, word), word);
     }
 

@@ -68,8 +68,7 @@ TEST_SUITE("assets/avatar_height") {
             const fs::path path = figure("odd", sized(factor));
             const std::string error = rejection(path);
             CHECK(contains(error, path.string()));
-            CHECK(contains(error,
-                           fmt::format("stands {:.2f} m tall, expected 1.2 to 2.2 m", factor * plain_m)));
+            CHECK(contains(error, fmt::format("is {:.2f} m tall, expected 1.2 to 2.2 m", factor * plain_m)));
             CHECK(contains(error, "avatar_height_m = 1.7 under [study]"));
             CHECK(contains(error, "height_m = 1.7 in "));
             CHECK(contains(error, "odd.humanoid.toml"));
@@ -78,7 +77,7 @@ TEST_SUITE("assets/avatar_height") {
                 CHECK(avatar.height_m == doctest::Approx(wanted_m).epsilon(1e-4));
                 CHECK(hipHeight(avatar) == doctest::Approx(0.93 * wanted_m / plain_m).epsilon(1e-3));
                 REQUIRE(avatar.remarks.size() == 1);
-                CHECK(contains(avatar.remarks[0], "as asked for"));
+                CHECK(contains(avatar.remarks[0], "as requested"));
             }
         }
         for (const double factor : {0.75, 1.0, 1.25, 100.0, 0.01})
@@ -168,7 +167,7 @@ TEST_SUITE("assets/avatar_height") {
     TEST_CASE("A robot of 4.56 m comes through the door") {
         const fs::path robot = tests::sharedData("repro/RobotExpressive.glb");
         DEIXIS_SKIP_WITHOUT(robot);
-        CHECK(contains(rejection(robot), "stands 4.56"));
+        CHECK(contains(rejection(robot), "is 4.56"));
         const auto leftOut = [](const assets::Avatar& avatar) {
             return std::any_of(avatar.remarks.begin(), avatar.remarks.end(),
                                [](const std::string& remark) { return contains(remark, "left out"); });

@@ -146,7 +146,7 @@ TEST_SUITE("assets/avatar_materials") {
     TEST_CASE("Pictures that are none are named, and only those that are shown are opened") {
         checkMaterialError(
             loadMaterials(figure(textured, R"({"name":"face","uri":"data:image/png;base64,AAAA"})").glb()),
-            "\"face\" is no readable PNG or JPEG");
+            "\"face\" is not a readable PNG or JPEG");
         checkMaterialError(
             loadMaterials(
                 figure(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":4}}})", data_image).glb()),
@@ -187,7 +187,7 @@ TEST_SUITE("assets/avatar_materials") {
                            "http://example.org/a.bin");
         checkMaterialError(loadMaterials(file.json("file:///etc/passwd"), "figure.gltf"),
                            "file:///etc/passwd");
-        checkMaterialError(loadMaterials(file.json("lost.bin"), "figure.gltf"), "which is not there");
+        checkMaterialError(loadMaterials(file.json("lost.bin"), "figure.gltf"), "which does not exist");
         std::error_code code;
         fs::remove(folder() / "link.bin", code);
         fs::create_symlink(folder().parent_path() / "outside.bin", folder() / "link.bin", code);

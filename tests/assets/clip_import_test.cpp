@@ -172,7 +172,7 @@ TEST_SUITE("assets/clip_import") {
 
     TEST_CASE("What is of no known kind, or no clip, is rejected in one sentence") {
         CHECK(contains(errorOf("", "clip"), "clip: is empty"));
-        CHECK(contains(errorOf("dear diary", "clip.txt"), "clip.txt: is of no known kind: expected BVH"));
+        CHECK(contains(errorOf("dear diary", "clip.txt"), "clip.txt: has no known format: expected BVH"));
         CHECK(contains(errorOf("1 2 3\n", "clip.txt"), "no known format"));
         CHECK(contains(errorOf("dear diary", "clip.bvh"), "expected 'HIERARCHY'"));
         CHECK(contains(errorOf("{\"motion\": 3}", "clip"), "found no frames"));

@@ -223,7 +223,7 @@ TEST_SUITE("assets/gltf_clip") {
         checkNear(positionOf(file, 3), {0.5, 0, 0});
         checkNear(positionOf(file, 6), {1, 0, 0});
         checkNear(positionOf(file, 6, 1), {0, 3, 0});
-        CHECK(has(file, "first key stands at 1 s"));
+        CHECK(has(file, "first key is at 1 s"));
     }
 
     TEST_CASE("The frame rate is that of the keys") {
@@ -347,7 +347,7 @@ TEST_SUITE("assets/gltf_clip") {
         CHECK(joints[3].parent == 2);
         CHECK(joints[4].name == "root#2");
         CHECK(has(file, "3 roots are joined"));
-        CHECK(has(file, "3 nodes have no name or one that stands twice"));
+        CHECK(has(file, "3 nodes have no name or a repeated one"));
     }
 
     TEST_CASE("An animation is chosen by name or number, and the others are told") {

@@ -175,7 +175,7 @@ TEST_SUITE("assets/gltf_safety") {
         checkError(accessor(R"("bufferView":1,"componentType":5126,"count":3,"type":"VEC3")"),
                    "3 values for 2 times");
         checkError(accessor(R"("bufferView":1,"byteOffset":4,"componentType":5126,"count":2,"type":"VEC3")"),
-                   "leave buffer view 1 of 24 bytes");
+                   "exceed buffer view 1 of 24 bytes");
         checkError(accessor(R"("bufferView":7,"componentType":5126,"count":2,"type":"VEC3")"),
                    "buffer view 7 does not exist");
         checkError(accessor(R"("bufferView":1,"componentType":5124,"count":2,"type":"VEC3")"),
@@ -298,8 +298,8 @@ TEST_SUITE("assets/gltf_safety") {
         rejected("a%2", "two hexadecimal digits");
         rejected("", "is empty");
         rejected("link.bin", "link that leaves");
-        rejected("nothing.bin", "not there");
-        rejected(".", "not there");
+        rejected("nothing.bin", "does not exist");
+        rejected(".", "does not exist");
         rejected("my data.bin", "has 32 bytes, expected 33 or more", 33);
         const auto unused = read(
             R"({"asset":{"version":"2.0"},"nodes":[{"name":"a"}],"buffers":[{"uri":"../x.bin","byteLength":1}]})");

@@ -164,7 +164,7 @@ TEST_SUITE("assets/joint_csv") {
         const ImportedClip bridged = parsed(header(dotted) + row("0") + row("0.1", 1.0, ',', 6) + row("0.2"));
         CHECK(glm::length(at(bridged.clip, 1, Bone::rightHand) - at(whole.clip, 1, Bone::rightHand)) < 1e-9);
         REQUIRE(bridged.remarks.size() == 1);
-        CHECK(contains(bridged.remarks[0], "bridged"));
+        CHECK(contains(bridged.remarks[0], "interpolated"));
         // The right arm points to the person's right.
         const Vec3 arm = at(bridged.clip, 1, Bone::rightHand) - at(bridged.clip, 1, Bone::rightUpperArm);
         CHECK(glm::normalize(arm).x < -0.999);

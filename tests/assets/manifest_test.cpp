@@ -88,14 +88,14 @@ TEST_SUITE("assets/manifest") {
     TEST_CASE("a header without a column, or with one twice, is rejected by the column's name") {
         CHECK(says(errorOf(""), "m.csv: the manifest is empty"));
         CHECK(says(errorOf("clip,system\n"), "m.csv:1: the column 'target_id' is missing"));
-        CHECK(says(errorOf("clip," + header + "b.bvh," + good), "m.csv:1: the column 'clip' stands"));
+        CHECK(says(errorOf("clip," + header + "b.bvh," + good), "m.csv:1: the column 'clip' is in the header"));
     }
 
     TEST_CASE("broken quoting is rejected with its line") {
         CHECK(says(errorOf(header + "\"a.bvh,direct\n" + good),
                    "m.csv:2: a quoted field has no closing quote"));
         CHECK(says(errorOf(header + "\"a\"b,direct\n"), "m.csv:2: text follows a closing quote"));
-        CHECK(says(errorOf(header + "a\"b,direct\n"), "m.csv:2: a quote stands inside"));
+        CHECK(says(errorOf(header + "a\"b,direct\n"), "m.csv:2: a quote is inside"));
     }
 
     TEST_CASE("a file that is not there is an error that names it") {

@@ -18,9 +18,8 @@ TEST_SUITE("assets/target_list") {
         CHECK(message("target_id,x,y,z\nA,1,2,nan\n").find("t.csv:2: z: found 'nan'") == 0);
         CHECK(message("target_id,x,y,z\nA,1,2,-1e155\n").find("t.csv:2: z: found '-1e155'") == 0);
         CHECK(message("target_id,x,y,z\n../A,1,2,3\n").find("t.csv:2: target_id: found '../A'") == 0);
-        CHECK(
-            message("target_id,x,y,z\nA,1,2,3\nA,1,2,3\n").find("t.csv:3: target_id: 'A' was given before") ==
-            0);
+        CHECK(message("target_id,x,y,z\nA,1,2,3\nA,1,2,3\n")
+                  .find("t.csv:3: target_id: 'A' was already given") == 0);
     }
 
     TEST_CASE("columns are found by name and others are passed over") {

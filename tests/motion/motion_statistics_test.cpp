@@ -76,8 +76,9 @@ TEST_SUITE("motion/motion_statistics") {
         };
         CHECK(rejection({}).find("no clips") != std::string::npos);
         CHECK(rejection({trajectories({0, 1, 2})}).find("3 frames") != std::string::npos);
-        CHECK(rejection({trajectories({0, 1, 2, 3}), trajectories({0, 1, 2, 3}, 0.1)})
-                  .find("clip 2 runs at 10") != std::string::npos);
+        CHECK(
+            rejection({trajectories({0, 1, 2, 3}), trajectories({0, 1, 2, 3}, 0.1)}).find("clip 2 has 10") !=
+            std::string::npos);
         auto other = trajectories({0, 1, 2, 3});
         other.joints[0] = Bone::head;
         CHECK(rejection({trajectories({0, 1, 2, 3}), other}).find("clip 2 has other joints") !=

@@ -103,7 +103,7 @@ TEST_SUITE("results/analysis_chance") {
         }
         bool told = false;
         for (const std::string& remark : result.remarks)
-            told = told || contains(remark, "Of 3 of 294 choices it is not known among how many balls");
+            told = told || contains(remark, "For 3 of 294 choices the number of balls is not known");
         CHECK(told);
         const json out = json::parse(analysisJson(result))["chance"][0];
         CHECK(out["p"] == result.chance[0].test.p_two_sided);

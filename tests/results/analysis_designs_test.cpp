@@ -74,7 +74,7 @@ TEST_SUITE("results/analysis_designs") {
                                         p % 2 == 0 ? "x" : "y");
         const std::string page = renderReport(analyseText(text, {{"group"}, {}}));
         CHECK(
-            contains(page, "No test of layout is significant in rating, for any system; that does not show"));
+            contains(page, "No test of layout is significant in rating, for any system; this does not show"));
         CHECK(contains(page, "No test of the groups by group is significant in rating"));
         CHECK_FALSE(contains(page, "made no significant difference"));
         CHECK_FALSE(contains(page, "do not differ"));
@@ -170,8 +170,8 @@ TEST_SUITE("results/analysis_designs") {
         CHECK(two.systems[0].measures[0].interval_falls_short);
         bool told = false;
         for (const std::string& remark : two.remarks)
-            told =
-                told || contains(remark, "covers the middle in 50 % of all samples, and 95 % were asked for");
+            told = told ||
+                   contains(remark, "covers the median in only 50 % of all samples, and 95 % were requested");
         CHECK(told);
         CHECK(contains(renderReport(two), "it is too narrow"));
         CHECK(of(5).systems[0].measures[0].interval_falls_short);        // 1 - 2^-4 = 0.9375

@@ -120,7 +120,7 @@ TEST_SUITE("results/evaluation_figures") {
             CHECK(shift["x"] == *pair.test.hodges_lehmann.estimate);
             CHECK(shift["low"] == *pair.test.hodges_lehmann.lower);
             CHECK(shift["high"] == *pair.test.hodges_lehmann.upper);
-            CHECK(contains(page, "At most 100 points a pair") == (points == 100));
+            CHECK(contains(page, "At most 100 points per pair") == (points == 100));
         }
     }
 

@@ -102,7 +102,7 @@ TEST_SUITE("results/long_table_foreign") {
         CHECK(notesWith(table, "Commas in numbers are read as decimal points, as in \"3,5\" in line 3") == 1);
         const std::string error = foreignError(text);
         CHECK(contains(error, "has no column \"participant\""));
-        CHECK(contains(error, "parted by a semicolon: subject, cond, slider.response, slider.rt"));
+        CHECK(contains(error, "separated by a semicolon: subject, cond, slider.response, slider.rt"));
         CHECK(contains(error, "--column participant=NAME"));
         CHECK(contains(foreignError(text, {{}, {}, {{"participant", "id"}}}), "there is no such column"));
         CHECK(contains(foreignError(text, {{}, {}, {{"person", "subject"}}}),
@@ -155,7 +155,7 @@ TEST_SUITE("results/long_table_foreign") {
                  "\"P01\" and \"P1\"");
         doubtful("P02,a,T9,999,2\n", "1 answer of rating is 999, far from the others (1 to 5)");
         doubtful("P02,a,T9,-1,2\nP02,a,T8,-1,2\n", "2 answers of rating are -1");
-        doubtful("P02,a,T3,1,2\n", "1 answer is like another one");
+        doubtful("P02,a,T3,1,2\n", "1 answer has the same participant");
         CHECK(foreignTable(text + "P02,b,T3,1,2\n").notes.empty());
         CHECK(notesWith(foreignTable("participant,system,rating,rt\nP,a,1,1500\nP,a,2,2000\n"),
                         "rt_ms=NAME") == 1);

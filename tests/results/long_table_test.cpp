@@ -70,7 +70,7 @@ TEST_SUITE("results/long_table") {
         CHECK(table.checks[0].passed == 1);
         CHECK(table.checks[0].failed == 1);
         CHECK(anyNote(table, "not read: mood"));
-        CHECK(anyNote(table, "1 lines hold no answer"));
+        CHECK(anyNote(table, "1 lines have no answer"));
     }
 
     TEST_CASE("Responses are right or wrong in a stage that has nothing else, else ratings; it is said") {
@@ -159,7 +159,7 @@ TEST_SUITE("results/long_table") {
         CHECK(both->planned_participants == 2);
         const auto clash = joinTables({a, b, a});
         REQUIRE_FALSE(clash.has_value());
-        CHECK(contains(clash.error().text(), "participant P1 stands in"));
+        CHECK(contains(clash.error().text(), "participant P1 is also in"));
         auto other = b;
         other.study_hash = "f00";
         CHECK(contains(joinTables({a, other}).error().text(), "Only databases of the same study file"));

@@ -100,7 +100,7 @@ TEST_SUITE("results/merge") {
         const std::string problems = list(merged.error());
         CAPTURE(problems);
         CHECK(merged.error().size() == 4);
-        CHECK(contains(problems, "participant P02 stands in"));
+        CHECK(contains(problems, "participant P02 is also in"));
         CHECK(contains(problems, "participant Q05 has the number 5, which P05"));
         CHECK(contains(problems, "has the study 'another'"));
         CHECK(contains(problems, "none.sqlite: no such file"));

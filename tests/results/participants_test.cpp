@@ -117,7 +117,7 @@ TEST_SUITE("results/participants") {
         for (const char* reason : {"", "  \n"}) {
             const auto rejected = excludeParticipant(path, "P01", reason);
             REQUIRE_FALSE(rejected);
-            CHECK(contains(rejected.error().message, "no reason"));
+            CHECK(contains(rejected.error().message, "without a reason"));
         }
         REQUIRE(excludeParticipant(path, "P01", "knew the systems"));
         CHECK(showParticipant(path, "P01")->row.status == ParticipantStatus::excluded);

@@ -80,9 +80,10 @@ TEST_SUITE("results/report") {
         const Page page = pageOf(folder / "a.sqlite", "for-the-paper");
         CHECK(contains(page.text, "4: demonstration-nn, direct, stiff and drifting (within participants)"));
         CHECK(contains(page.text, "12 of 12 planned have answered"));
-        CHECK(contains(page.text, "720 in all, 60 of each participant"));
-        CHECK(contains(page.text,
-                       "no people, stand here for a sample of 12 participants, who gave 60 answers each"));
+        CHECK(contains(page.text, "720 in all, 60 per participant"));
+        CHECK(
+            contains(page.text,
+                     "not people, take the place of a sample of 12 participants, who gave 60 answers each"));
         CHECK(contains(page.text,
                        "participants' means of each pair of systems and their means of each pair "
                        "of a factor's levels by two-sided Wilcoxon signed-rank tests"));
@@ -135,6 +136,6 @@ TEST_SUITE("results/report") {
         const auto stopped = pageOf(folder / "b.sqlite", "stopped").text;
         CHECK(contains(stopped, "incomplete: 442 of 480 planned on accuracy are answered"));
         CHECK_FALSE(contains(stopped, "\u22120.0\u00a0%"));
-        CHECK(contains(stopped, "11 to 12 of 12 participants enter"));
+        CHECK(contains(stopped, "11 to 12 of 12 participants are used"));
     }
 }

@@ -302,7 +302,7 @@ TEST_SUITE("results/several_studies") {
         CHECK(contains(rejection({one, file}), "is not a database and names no study"));
         CHECK(joinData({one, file}, {true, {}, {}}).has_value());
         CHECK(contains(rejection({one}, {true, {}, {}}), "--by study: all data are from one study, one"));
-        CHECK(contains(rejection({one, one}), "participant P01 stands in one.sqlite too"));
+        CHECK(contains(rejection({one, one}), "participant P01 is also in one.sqlite"));
         auto factor = studyOf("two", ratingsOf(3));
         factor.between.push_back({"study", {"x"}});
         CHECK(contains(rejection({one, factor}), "has its own factor \"study\""));

@@ -155,7 +155,7 @@ TEST_SUITE("studies/angles") {
         study.distances[0].avatar_angle_deg = Range{60.0, 90.0};
         const auto none = sampleTargets(study);
         REQUIRE_FALSE(none.has_value());
-        CHECK(none.error().message.find("60 to 90 degrees as the avatar sees it") != std::string::npos);
+        CHECK(none.error().message.find("60 to 90 degrees as seen by the avatar") != std::string::npos);
         CHECK(none.error().hint.find("its angles") != std::string::npos);
     }
 

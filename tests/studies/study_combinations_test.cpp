@@ -133,7 +133,7 @@ TEST_SUITE("studies/study_combinations") {
               "name = \"game\"\nsession = 3",
               "session",
               "stages.session",
-              {"expected 1 or 2", "left out"}},
+              {"expected 1 or 2", "no gaps"}},
              {"kind = \"rating\"",
               "kind = \"parallel-rating\"\nsystems = [\"ours\"]",
               "systems = ",

@@ -56,7 +56,7 @@ TEST_SUITE("studies/study_texts") {
               "languages = [\"en\", \"de\", \"de\"]",
               "languages = [",
               "study.languages",
-              {"\"de\" comes twice"}},
+              {"\"de\" occurs twice"}},
              {"[texts.de]",
               "[texts.dee]",
               "[texts.dee]",
