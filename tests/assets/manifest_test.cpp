@@ -88,7 +88,8 @@ TEST_SUITE("assets/manifest") {
     TEST_CASE("a header without a column, or with one twice, is rejected by the column's name") {
         CHECK(says(errorOf(""), "m.csv: the manifest is empty"));
         CHECK(says(errorOf("clip,system\n"), "m.csv:1: the column 'target_id' is missing"));
-        CHECK(says(errorOf("clip," + header + "b.bvh," + good), "m.csv:1: the column 'clip' is in the header"));
+        CHECK(
+            says(errorOf("clip," + header + "b.bvh," + good), "m.csv:1: the column 'clip' is in the header"));
     }
 
     TEST_CASE("broken quoting is rejected with its line") {
