@@ -26,7 +26,7 @@ TEST_SUITE("core/csv_sheet") {
         CHECK(sheet->number(sheet->rows[0], 0, "at most 0.5", 0.5).error().text() ==
               "f.csv:2: a: found '1', expected at most 0.5");
         CHECK(parseCsvSheet("a,b,a\n", "f.csv")->column("a").error().text() ==
-              "f.csv:1: the column 'a' stands in the header more than once");
+              "f.csv:1: the column 'a' is in the header more than once");
     }
 
     TEST_CASE("Names stand without the blanks around them, whatever parts them") {
