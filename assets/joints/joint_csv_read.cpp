@@ -5,6 +5,7 @@
 
 #include "assets/joints/joint_positions.hpp"
 #include "core/csv_sheet.hpp"
+#include "core/foreign_csv.hpp"
 #include "core/text.hpp"
 #include "number_lines.hpp"
 #include "position_import.hpp"
@@ -272,7 +273,9 @@ class JointCsvReader {
 
 Result<ImportedClip> parseJointCsv(std::string_view text, const std::string& name,
                                    const ImportOptions& options) {
-    auto recording = JointCsvReader(text, name, options).read();
+    const auto csv = readForeignCsv(std::string(text), name);
+    if (!csv) return tl::unexpected(csv.error());
+    auto recording = JointCsvReader(csv->text, name, options).read();
     if (!recording) return tl::unexpected(recording.error());
     return clipOfPositions(std::move(*recording), name, options);
 }

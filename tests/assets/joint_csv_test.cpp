@@ -159,6 +159,20 @@ TEST_SUITE("assets/joint_csv") {
         CHECK(found.clip.frameCount() == 2);
     }
 
+    TEST_CASE("Names in quotes may hold the separator, and letters be those of Windows") {
+        const ImportedClip found = parsed("\xEF\xBB\xBF" + header(dotted, "\"size, cm\"") + row("\"1,7\"") +
+                                          "  \r\n" + row("\"1,8\""));
+        REQUIRE(found.remarks.size() == 1);
+        CHECK(contains(found.remarks[0], "'size, cm'"));
+        CHECK(found.clip.frameCount() == 2);
+        CHECK(contains(parsed(header(dotted,
+                                     "Gr\xF6\xDF"
+                                     "e") +
+                              row("1"))
+                           .remarks[0],
+                       "'Gr\u00F6\u00DFe'"));
+    }
+
     TEST_CASE("A blank is a position that nobody knows, bridged by a straight line") {
         const ImportedClip whole = parsed(header(dotted) + row("0") + row("0.1") + row("0.2"));
         const ImportedClip bridged = parsed(header(dotted) + row("0") + row("0.1", 1.0, ',', 6) + row("0.2"));
