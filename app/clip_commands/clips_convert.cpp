@@ -6,6 +6,7 @@
 #include "app/clips/clip_output.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "clips_commands.hpp"
 #include "import_options.hpp"
 
@@ -21,9 +22,10 @@ struct ClipsConvertArguments {
 };
 
 Result<void> convert(const ClipsConvertArguments& options) {
+    if (auto free = checkFree(options.to, options.force); !free) return free;
     const auto file = assets::importClip(options.from, options.import);
     if (!file) return tl::unexpected(file.error());
-    if (auto done = writeClip(file->clip, options.to, options.force); !done) return done;
+    if (auto done = writeClip(file->clip, options.to); !done) return done;
     for (const std::string& remark : file->remarks) fmt::print(stderr, "{}: {}\n", options.from, remark);
     fmt::print("{}: {}\n{}: {} frames at {:.4g} fps, metres, y up\n", options.from, assets::describe(*file),
                options.to, file->clip.frameCount(), file->clip.framesPerSecond());

@@ -8,6 +8,7 @@
 #include "app/clips/clip_output.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "assets/tables/manifest.hpp"
 #include "clips_commands.hpp"
 #include "import_options.hpp"
@@ -34,9 +35,10 @@ std::string mirroredName(const std::string& name) {
 }
 
 Result<void> mirrorClip(const ClipsMirrorArguments& options) {
+    if (auto free = checkFree(options.out, options.force); !free) return free;
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
-    return writeClip(motion::mirrored(source->clip, source->map), options.out, options.force);
+    return writeClip(motion::mirrored(source->clip, source->map), options.out);
 }
 
 /// Where the image of a clip goes: under its own folder inside the manifest's, or beside the manifest.
@@ -56,6 +58,9 @@ Result<void> mirrorManifest(const ClipsMirrorArguments& options) {
                     "Put mirrored clips in another folder");
 
     OutputFolder folder(options.out, options.force);
+    std::vector<fs::path> names{"manifest.csv"};
+    for (const assets::ManifestRow& row : manifest->rows) names.push_back(imageFile(row.clip));
+    if (auto free = folder.expect(names); !free) return free;
     std::map<std::string, fs::path> done;  // by the source's name
     std::vector<assets::ManifestRow> rows = manifest->rows;
     for (assets::ManifestRow& row : rows) {

@@ -5,6 +5,7 @@
 #include "app/clips/clip_output.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "clips_commands.hpp"
 #include "import_options.hpp"
 
@@ -21,11 +22,12 @@ struct ClipsResampleArguments {
 };
 
 Result<void> resample(const ClipsResampleArguments& options) {
+    if (auto free = checkFree(options.out, options.force); !free) return free;
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
     const auto resampled = motion::resample(source->clip, 1.0 / options.fps);
     if (!resampled) return fail(options.in, resampled.error().message, resampled.error().hint);
-    return writeClip(*resampled, options.out, options.force);
+    return writeClip(*resampled, options.out);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "app/clips/clip_output.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
+#include "app/program/written_output.hpp"
 #include "clips_commands.hpp"
 #include "core/number.hpp"
 #include "import_options.hpp"
@@ -43,6 +44,7 @@ Result<int> frameFrom(std::string_view option, const std::string& text, const mo
 }
 
 Result<void> trim(const ClipsTrimArguments& options) {
+    if (auto free = checkFree(options.out, options.force); !free) return free;
     const auto source = readMappedClip(options.in, options.import);
     if (!source) return tl::unexpected(source.error());
     const auto first = frameFrom("--from", options.from, source->clip);
@@ -52,7 +54,7 @@ Result<void> trim(const ClipsTrimArguments& options) {
     if (!last) return tl::unexpected(last.error());
     const auto part = motion::trimmed(source->clip, *first, *last);
     if (!part) return fail(options.in, part.error().message, part.error().hint);
-    return writeClip(*part, options.out, options.force);
+    return writeClip(*part, options.out);
 }
 
 }  // namespace

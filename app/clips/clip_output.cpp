@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/program/written_output.hpp"
 #include "assets/gltf/gltf_clip.hpp"
 #include "assets/joints/bvh.hpp"
 #include "assets/joints/joint_positions.hpp"
@@ -17,13 +18,6 @@ namespace deixis::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-Result<void> rejectReplacing(const fs::path& file, bool force) {
-    std::error_code code;
-    if (!force && fs::exists(file, code))
-        return fail(file.string(), "exists already", "Give another name, or --force to replace it");
-    return {};
-}
 
 bool isManifest(const fs::path& name) {
     return name.extension() == ".csv";
@@ -47,8 +41,7 @@ Result<std::string> clipBytes(const motion::Clip& clip, const fs::path& file) {
     return assets::writeBvh(clip);
 }
 
-Result<void> writeClip(const motion::Clip& clip, const fs::path& file, bool force) {
-    if (auto free = rejectReplacing(file, force); !free) return free;
+Result<void> writeClip(const motion::Clip& clip, const fs::path& file) {
     const auto bytes = clipBytes(clip, file);
     if (!bytes) return tl::unexpected(bytes.error());
     return writeFile(file, *bytes);
@@ -62,8 +55,14 @@ std::string clipStem(const fs::path& file) {
 OutputFolder::OutputFolder(fs::path folder, bool force, bool durable)
     : folder_(std::move(folder)), force_(force), durable_(durable) {}
 
+Result<void> OutputFolder::expect(const std::vector<fs::path>& names) const {
+    for (const fs::path& name : names)
+        if (auto free = checkFree((folder_ / name).string(), force_); !free) return free;
+    return {};
+}
+
 Result<void> OutputFolder::add(const fs::path& name, std::string_view bytes) {
-    if (auto free = rejectReplacing(folder_ / name, force_); !free) return free;
+    if (auto free = expect({name}); !free) return free;
     if (!names_.insert(name).second)
         return fail((folder_ / name).string(), "two clips would have this name",
                     "Give the clips names of their own");

@@ -79,6 +79,10 @@ Result<std::vector<assets::ManifestRow>> retargetClips(
     OutputFolder output(folder, force);
     std::vector<assets::ManifestRow> rows;
     std::set<std::string> taken;
+    std::vector<fs::path> names;
+    for (const auto& row : manifest.rows) names.emplace_back(newName(row.clip, taken));
+    names.emplace_back("manifest.csv");
+    if (auto free = output.expect(names); !free) return tl::unexpected(free.error());
     for (assets::ManifestRow row : manifest.rows) {
         const fs::path file = manifest.file.parent_path() / row.clip;
         const auto read = assets::importClip(file);
@@ -86,7 +90,7 @@ Result<std::vector<assets::ManifestRow>> retargetClips(
         motion::RetargetReport report;
         const auto clip = retargetRow(*read, file.string(), avatar, settings, row, &report);
         if (!clip) return tl::unexpected(clip.error());
-        row.clip = newName(row.clip, taken);
+        row.clip = names[rows.size()].string();
         if (auto added = output.add(row.clip, assets::writeBvh(*clip)); !added)
             return tl::unexpected(added.error());
         each(row, report);

@@ -12,12 +12,17 @@ Result<std::vector<assets::ManifestRow>> generateClips(
     const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
     const motion::HoldSettings& settings, const std::filesystem::path& folder, bool force, bool durable) {
     OutputFolder output(folder, force, durable);
+    const auto fileOf = [&](const std::string& id) { return fmt::format("{}_{}.bvh", generator.name(), id); };
+    std::vector<std::filesystem::path> names;
+    for (const auto& target : targets) names.emplace_back(fileOf(target.id));
+    names.emplace_back("manifest.csv");
+    if (auto free = output.expect(names); !free) return tl::unexpected(free.error());
     std::vector<assets::ManifestRow> rows;
     for (const auto& [id, position] : targets) {
         const std::uint64_t clip_seed = deriveSeed(seed, id);
         const motion::GeneratedClip made = generator.generate({id, position, clip_seed, settings});
         assets::ManifestRow row;
-        row.clip = fmt::format("{}_{}.bvh", generator.name(), id);
+        row.clip = fileOf(id);
         row.system = std::string(generator.name());
         row.target_id = id;
         row.target = position;

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/staging.hpp"
@@ -21,8 +22,8 @@ namespace deixis::app {
 /// that the format cannot hold.
 [[nodiscard]] Result<std::string> clipBytes(const motion::Clip& clip, const std::filesystem::path& file);
 
-/// The clip as a file. One that exists already is replaced only if `force` says so.
-[[nodiscard]] Result<void> writeClip(const motion::Clip& clip, const std::filesystem::path& file, bool force);
+/// The clip as a file, over one that exists.
+[[nodiscard]] Result<void> writeClip(const motion::Clip& clip, const std::filesystem::path& file);
 
 /// A clip file's name without the endings of its format: "a/T1.bvh.gz" -> "T1".
 [[nodiscard]] std::string clipStem(const std::filesystem::path& file);
@@ -35,6 +36,8 @@ class OutputFolder {
     /// which clips that can be made again need not wait for.
     OutputFolder(std::filesystem::path folder, bool force, bool durable = true);
 
+    /// Before any work: fails if one of these exists already, and `force` was not given.
+    [[nodiscard]] Result<void> expect(const std::vector<std::filesystem::path>& names) const;
     /// `name` is relative to the folder. Fails if it exists already, and `force` was not given.
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
     [[nodiscard]] Result<void> finish();
