@@ -55,7 +55,8 @@ TEST_SUITE("app/desktop") {
     TEST_CASE("a driver without OpenGL 4.5 is named with the version that it has") {
         const Scratch scratch;
         CHECK_FAILS_SAYING(
-            program("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite"),
+            program("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite") +
+                        " --screenshot rating=" + (scratch / "rating.png"),
                     "env MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
             "4.5");
         const Display display;
