@@ -265,8 +265,8 @@ Result<void> statistics(const ClipsStatisticsArguments& options) {
 void addClipsStatisticsCommand(Parser clips, Command& chosen) {
     auto options = std::make_shared<ClipsStatisticsArguments>();
     Parser command = clips.addCommand("statistics",
-                                      "Measure speed, acceleration, jerk and style of clips, distances "
-                                      "between two sets, compliance with poses");
+                                      "Measure speed, acceleration, jerk and style of clips, distance "
+                                      "of two sets, agreement with poses");
     describe(command, {.writes = "nothing; it prints the numbers.",
                        .example = "deixis clips statistics made/*.bvh --against recorded/*.bvh --json",
                        .page = "docs/measures.md"});

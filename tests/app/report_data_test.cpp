@@ -114,7 +114,7 @@ TEST_SUITE("app/report_data") {
         CHECK(two["pairwise"] == one["pairwise"]);
         const auto clash = report((scratch / "a.csv") + " " + (scratch / "all.csv"), "clash");
         CHECK(clash.status == 1);
-        CHECK(contains(clash.err, "participant P10 stands in a.csv too"));
+        CHECK(contains(clash.err, "participant P10 is also in a.csv"));
         CHECK_FALSE(fs::exists(scratch / "clash.html"));
         const auto nothing = report(scratch / "missing.csv", "missing");
         CHECK(nothing.status == 1);

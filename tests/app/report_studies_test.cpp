@@ -118,7 +118,7 @@ TEST_SUITE("app/report_studies") {
         CHECK(out["study_medians"][0]["system"] == "b");
         CHECK(out["study"]["hash"] == "");
         // As one study, as ever, the two are the same people twice.
-        CHECK(contains(program("report " + both + files).err, "participant P1 stands in calm.csv too"));
+        CHECK(contains(program("report " + both + files).err, "participant P1 is also in calm.csv"));
         spill(scratch / "other.csv", studyAnswers(6, 4, "warmth"));
         const auto apart = program("report " + (scratch / "calm.csv") + " " + (scratch / "other.csv") +
                                    " --by study" + files);

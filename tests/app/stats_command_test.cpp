@@ -164,7 +164,7 @@ TEST_SUITE("app/stats") {
         CHECK(shared_out["n_a"] == 7);
         CHECK(shared_out["n_b"] == 6);
         CHECK_FAILS_SAYING(stats("signed-rank", rows, "--group system --value score --columns a,b"),
-                           "belong together", "--paired-by");
+                           "compares paired values", "--paired-by");
         CHECK_FAILS_SAYING(stats("signed-rank", rows, "--group system --value score --paired-by who"),
                            "takes 2 columns", "3 are chosen");
         CHECK_FAILS_SAYING(stats("rank-sum", rows, "--group system --columns a,b"), "--value",

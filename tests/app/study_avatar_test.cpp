@@ -124,7 +124,7 @@ TEST_SUITE("app/study_avatar") {
         spill(scratch / "study.toml", withAvatar("robot.glb"));
         const auto rejected = program("check " + (scratch / "study.toml"));
         CHECK(rejected.status == 1);
-        CHECK(rejected.err.find("study.avatar: " + (scratch / "robot.glb") + ": stands 4.56 m tall") !=
+        CHECK(rejected.err.find("study.avatar: " + (scratch / "robot.glb") + ": is 4.56 m tall") !=
               std::string::npos);
         CHECK(rejected.err.find("has 1 problem") != std::string::npos);
         spill(scratch / "study.toml",
