@@ -21,7 +21,7 @@ session() {
 session pointing2023 P01 rating=naturalness aiming-across=across pointing-side-by-side=side-by-side
 session sgtoolkit2021 P12 check=parallel # the check is at the third movement of its page: two are rated by then
 session genea-pairwise P01 pointing=pairwise
-session free-placement P01 aiming-across=placement
+session free-placement P01 chosen-across=placement
 "$program" targets pointing2023 --picture docs/images/targets.svg --force >/dev/null
 
 # What is missing here keeps its picture.
