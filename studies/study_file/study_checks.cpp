@@ -60,8 +60,9 @@ void finishPractice(StageEntry& entry, const std::deque<StageEntry>& stages) {
                          fmt::format("in practice of a stage of kind \"{}\", whose answers are neither right "
                                      "nor wrong",
                                      of->kind->name));
-        table.reject("feedback", "in practice of a stage that is not a game");
     }
+    if (!of->kind->has("feedback"))
+        table.reject("feedback", fmt::format("in practice of a stage of kind \"{}\"", of->kind->name));
     if (table.sound("when"))
         for (const auto& [factor, level] : of->stage.when) {
             const auto found = entry.stage.when.find(factor);
