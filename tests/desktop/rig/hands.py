@@ -250,10 +250,12 @@ class Hands:
         from the person where they are positive, and lets go. Where it lies then."""
 
         def away_m(line):
-            return length(subtract(line["balls"][0]["centre"], line["head"][:3]))
+            return length(subtract(line["balls"][0]["centre"], line["ray"]["origin"]))
 
         def in_front(line):
-            ball, wanted = (subtract(point, line["head"][:3]) for point in (line["balls"][0]["centre"], to))
+            if line["ray"] is None:
+                return False
+            ball, wanted = (subtract(point, line["ray"]["origin"]) for point in (line["balls"][0]["centre"], to))
             return angle_deg(ball, wanted) < CARRIED_DEG
 
         if self.hover_ball(0) is None:
