@@ -12,6 +12,16 @@ std::string studyWithManifest() {
     return replaced(shippedStudy(), "generator = \"direct\"", "manifest = \"clips/manifest.csv\"");
 }
 
+// A database with one participant of the shipped study; made once, and copied.
+void copySimulated(const std::string& database) {
+    static const Scratch lab{WithSharedStimuli{}};
+    if (!fs::exists(lab / "study.sqlite"))
+        REQUIRE(program("simulate pointing2023 --participants 1 --db " + (lab / "study.sqlite")).status == 0);
+    const fs::path to = fs::path(database).parent_path();
+    fs::copy(lab / "study.sqlite", database);
+    fs::copy(lab / "study.locked", to / "study.locked", fs::copy_options::recursive);
+}
+
 // A folder with that study and clips of `direct` for its targets, as a lab would make them.
 void makeLabFolder(const Scratch& scratch) {
     static const Scratch lab;  // made once, and copied
@@ -223,7 +233,7 @@ TEST_SUITE("app/bad-input") {
             CHECK(slurp(database) == before);
         }
         SUBCASE("from a newer version") {
-            REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
+            copySimulated(database);
             REQUIRE(shell("sqlite3 " + database + " 'pragma user_version = 999'").status == 0);
             CHECK_FAILS_SAYING(run(), "study.sqlite", "999", "newer");
             CHECK_FAILS_SAYING(program("report " + database + " -o " + (scratch / "r.html")), "study.sqlite",
@@ -231,7 +241,7 @@ TEST_SUITE("app/bad-input") {
             CHECK_FALSE(fs::exists(scratch / "r.html"));
         }
         SUBCASE("locked") {
-            REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
+            copySimulated(database);
             SQLite::Database holder(database, SQLite::OPEN_READWRITE);
             holder.exec("pragma locking_mode = exclusive; begin exclusive; create table t (x); ");
             CHECK_FAILS_SAYING(run(), "study.sqlite", "lock");
@@ -242,7 +252,7 @@ TEST_SUITE("app/bad-input") {
                 "/proc/study.sqlite");
         }
         SUBCASE("of another study") {
-            REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
+            copySimulated(database);
             spill(scratch / "other.toml", replaced(shippedStudy(), "seed = 2023", "seed = 2024"));
             CHECK_FAILS_SAYING(program("run " + (scratch / "other.toml") +
                                        " --station simulated --participant P09 --db " + database),
