@@ -151,14 +151,15 @@ std::optional<TrialCheck> readCheck(const Reader& trial, const Trial& read) {
     return check;
 }
 
-std::vector<double> readShares(const Reader& reader, const char* key, std::size_t balls) {
+/// `count` numbers from 0 to `max`; what they are is said by `expected`.
+std::vector<double> readNumbers(const Reader& reader, const char* key, std::size_t count, double max,
+                                std::string_view expected) {
     const Json& json = reader.list(key);
     std::vector<double> out;
-    for (const Json& share : json)
-        if (share.is_number() && share.get<double>() >= 0.0 && share.get<double>() <= 1.0)
-            out.push_back(share.get<double>());
-    if (out.size() != balls || json.size() != balls)
-        reader.bad(key, json, "a share from 0 to 1 for each ball");
+    for (const Json& number : json)
+        if (number.is_number() && number.get<double>() >= 0.0 && number.get<double>() <= max)
+            out.push_back(number.get<double>());
+    if (out.size() != count || json.size() != count) reader.bad(key, json, expected);
     return out;
 }
 
@@ -172,20 +173,11 @@ std::vector<SeenBalls> readSeen(const Reader& trial, const Trial& read) {
         constexpr std::size_t keys = 2;
         const Reader one(stands.get(name.c_str()), stands.name(name), keys);
         const std::size_t balls = read.ball_order.size();
-        out.push_back(
-            {read.layout, standing, readShares(one, "at_rest", balls), readShares(one, "pointing", balls)});
+        const auto shares = [&](const char* key) {
+            return readNumbers(one, key, balls, 1.0, "a share from 0 to 1 for each ball");
+        };
+        out.push_back({read.layout, standing, shares("at_rest"), shares("pointing")});
     }
-    return out;
-}
-
-std::vector<double> readDegrees(const Reader& reader, const char* key, std::size_t distractors) {
-    const Json& json = reader.list(key);
-    std::vector<double> out;
-    for (const Json& angle : json)
-        if (angle.is_number() && angle.get<double>() >= 0.0 && angle.get<double>() <= 180.0)
-            out.push_back(angle.get<double>());
-    if (out.size() != distractors || json.size() != distractors)
-        reader.bad(key, json, "degrees from 0 to 180 for each distractor");
     return out;
 }
 
@@ -193,8 +185,10 @@ std::vector<double> readDegrees(const Reader& reader, const char* key, std::size
 BallAngles readAngles(const Reader& trial, std::size_t distractors) {
     constexpr std::size_t keys = 3;
     const Reader reader(trial.get("angles"), trial.name("angles"), keys);
-    return {readDegrees(reader, "avatar", distractors), readDegrees(reader, "headset", distractors),
-            readDegrees(reader, "desktop", distractors)};
+    const auto degrees = [&](const char* key) {
+        return readNumbers(reader, key, distractors, 180.0, "degrees from 0 to 180 for each distractor");
+    };
+    return {degrees("avatar"), degrees("headset"), degrees("desktop")};
 }
 
 Trial readTrial(const Json& json, std::size_t index, const std::vector<std::string>& stages) {

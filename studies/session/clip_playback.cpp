@@ -44,7 +44,6 @@ Shown ClipPlayback::shown(std::uint64_t frame, const Moment& at) {
         return Shown::onset;
     }
     if (!last_frame_ || frame < *last_frame_) return Shown::nothing;
-    motion_end_ = at;
     return Shown::end;
 }
 

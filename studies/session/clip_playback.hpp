@@ -38,7 +38,6 @@ class ClipPlayback {
     /// A frame was shown at `at`.
     Shown shown(std::uint64_t frame, const Moment& at);
     [[nodiscard]] const Moment& onset() const { return *onset_; }  ///< once it was shown
-    [[nodiscard]] const Moment& motionEnd() const { return motion_end_; }
 
   private:
     AvatarPoser& poser_;
@@ -51,7 +50,6 @@ class ClipPlayback {
     std::optional<std::uint64_t> first_frame_;  ///< the first that presented the clip's start
     std::optional<std::uint64_t> last_frame_;   ///< the first that presented its end
     std::optional<Moment> onset_;
-    Moment motion_end_{};
 };
 
 }  // namespace deixis::studies
