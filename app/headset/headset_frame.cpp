@@ -18,7 +18,7 @@ constexpr double recentre_hold_s = 1.0;
 constexpr double idle_wait_s = 0.02;  ///< between polls while the session does not run
 constexpr double ipd_changed_m = 0.0005;
 
-const char* nameOf(studies::Hand hand) {
+const char* handName(studies::Hand hand) {
     return hand == studies::Hand::left ? "left" : "right";
 }
 
@@ -63,7 +63,7 @@ void HeadsetStation::State::noteProfiles() {
     for (const studies::Hand hand : {studies::Hand::left, studies::Hand::right}) {
         const std::string& profile = profiles[static_cast<std::size_t>(hand)];
         note(studies::NoteKind::input_profile,
-             fmt::format("{} hand: {}", nameOf(hand), profile.empty() ? "none" : profile));
+             fmt::format("{} hand: {}", handName(hand), profile.empty() ? "none" : profile));
     }
 }
 
@@ -166,7 +166,7 @@ void HeadsetStation::State::readInput(studies::InputFrame& in) {
     const studies::Hand before = pointing_hand.hand();
     const PointingHand::Press press = pointing_hand.update(device.select);
     const studies::Hand hand = pointing_hand.hand();
-    if (hand != before) note(studies::NoteKind::pointing_hand, nameOf(hand));
+    if (hand != before) note(studies::NoteKind::pointing_hand, handName(hand));
     in.select_held = press.held;
     const double pushed = device.farther[static_cast<std::size_t>(hand)];
     if (std::abs(pushed) > stick_at_rest) in.farther_m = pushed * push_m_s * elapsed_s;
@@ -244,7 +244,7 @@ OperatorView HeadsetStation::State::operatorView() const {
     view.dropped_frames = dropped;
     view.tracked = {
         {"Head", head.tracked}, {"Left", device.aim[0].tracked}, {"Right", device.aim[1].tracked}};
-    view.pointer = fmt::format("Ray from the {}", nameOf(pointing_hand.hand()));
+    view.pointer = fmt::format("Ray from the {}", handName(pointing_hand.hand()));
     view.has_place = true;
     if (head.tracked) view.off_place_m = off_place_m;
     view.place_tolerance_m = options.study.place_tolerance_m;

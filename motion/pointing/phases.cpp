@@ -32,7 +32,8 @@ class View {
     View(const std::vector<double>& speed, int origin, int step)
         : speed_(speed), origin_(origin), step_(step) {}
     [[nodiscard]] double operator[](int i) const {
-        return speed_[static_cast<std::size_t>(origin_ + step_ * i)];
+        const int index = origin_ + step_ * i;
+        return speed_[static_cast<std::size_t>(index)];
     }
 
   private:

@@ -12,7 +12,7 @@ namespace {
 constexpr double same_place_m = 0.001;
 
 /// Not where a bone has no length, so that a line has no direction.
-bool known(const studies::ArmLines& lines) {
+bool allKnown(const studies::ArmLines& lines) {
     const auto unit = [](const Ray& line) { return std::abs(glm::length(line.direction) - 1.0) < 1e-6; };
     return unit(lines.eye_line) && unit(lines.arm_line);
 }
@@ -32,7 +32,7 @@ Result<void> readGames(Evaluation& evaluation) {
                 glm::distance(game.balls.front(), clip.target) > same_place_m)
                 continue;
             found = true;
-            if (!known(clip.lines)) {
+            if (!allKnown(clip.lines)) {
                 ++without_lines;
                 break;
             }

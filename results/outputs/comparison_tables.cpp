@@ -269,7 +269,7 @@ std::vector<Decision> decisionsOf(const SensitivityResult& one) {
 Table sensitivity(const AnalysisResult& result) {
     std::vector<Decision> rows;
     for (const SensitivityResult& one : result.sensitivity)
-        for (Decision& decision : decisionsOf(one)) rows.push_back(std::move(decision));
+        for (const Decision& decision : decisionsOf(one)) rows.push_back(decision);
     const Show before{.in = in_csv | in_print};
     return tableOf<Decision>(
         "sensitivity", units::means, "The pairs of systems under other choices",

@@ -59,7 +59,9 @@ std::string pageEnd(const std::string& elsewhere) {
 }
 
 std::string propertyLabel(std::string name) {
-    return capitalised(inWords(std::move(name)));
+    name = inWords(std::move(name));
+    if (name.starts_with("vr ")) name.replace(0, 2, "VR");
+    return capitalised(name);
 }
 
 }  // namespace deixis::results

@@ -24,7 +24,10 @@ Figure differencesFigure(const AnalysisResult& result, std::size_t index, Number
     const bool accuracy = measure.kind == MeasureKind::accuracy;
     DifferencePlot plot;
     plot.rows = comparedRows(result, measure);
-    plot.axis = {{"title", accuracy ? "difference, percentage points" : "difference, points of the scale"},
+    const std::string unit = accuracy               ? "percentage points"
+                             : measure.unit.empty() ? "points of the scale"
+                                                    : measure.unit;
+    plot.axis = {{"title", "difference, " + unit},
                  {"labelExpr", accuracy ? "format(100 * datum.value, '.0f')" : "datum.label"}};
     plot.text = [&](double value) { return scoreText(measure, value); };
     return {

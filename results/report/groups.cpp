@@ -120,8 +120,9 @@ std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {
     });
     if (table.rows.empty()) return "";
     return tableHtml(table,
-                     "Single ratings, pseudo-replicated: a participant's ratings are correlated, so this "
-                     "table is for description and supports no test.",
+                     fmt::format("Single {0}, pseudo-replicated: a participant's {0} are correlated, so this "
+                                 "table is for description and supports no test.",
+                                 table.unit.words == units::ratings.words ? "ratings" : "answers"),
                      {"measure", "system", "n", "mean", "sd", "q05", "q25", "median", "q75", "q95"},
                      numbering);
 }

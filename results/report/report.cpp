@@ -76,7 +76,7 @@ std::string levelTable(const AnalysisResult& result, const Measure& measure, con
                         {[](const std::string&) { return "n"; }, n}});
     for (Table::Row& row : table.rows) row.all = row.cells.front().text() == "all";
     const bool accuracy = measure.kind == MeasureKind::accuracy;
-    table.unit = accuracy ? units::choices : units::ratings;
+    table.unit = accuracy ? units::choices : measure.unit.empty() ? units::ratings : units::answers;
     return tableHtml(
         table,
         fmt::format(

@@ -1,8 +1,7 @@
 // The kinds of stages that a study may have. Each stands in a folder of studies/trials, and nowhere else:
 //
-// - declaration.cpp (compiled with studies/study_file): its keys and how they are read, its stimuli,
-// questions
-//   and measures (stage_kind.hpp);
+// - declaration.cpp (compiled with studies/study_file): its keys and how they are read, its stimuli, its
+//   questions and measures (stage_kind.hpp);
 // - plan.cpp (studies/design), where more is planned than the declaration says;
 // - unit.cpp (studies/session): how it is presented and answered (session_unit.hpp).
 //
@@ -10,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 
 #define DEIXIS_STAGE_KINDS(KIND)                                                      \
     KIND(instructions)    /* page: to be read */                                      \
@@ -30,8 +30,9 @@ enum class StageKind : unsigned char {
 #undef DEIXIS_KIND
 };
 
-#define DEIXIS_KIND(name) +1
-inline constexpr std::size_t stage_kinds = 0 DEIXIS_STAGE_KINDS(DEIXIS_KIND);
+#define DEIXIS_KIND(name) StageKind::name,
+inline constexpr std::size_t stage_kinds =
+    std::initializer_list<StageKind>{DEIXIS_STAGE_KINDS(DEIXIS_KIND)}.size();
 #undef DEIXIS_KIND
 
 }  // namespace deixis::studies
