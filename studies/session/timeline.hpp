@@ -66,7 +66,7 @@ struct Attempt {
 class Timeline {
   public:
     /// Throws std::invalid_argument where the plan names a stage or layout that the study lacks. Both must
-    /// outlive the course.
+    /// outlive the timeline.
     Timeline(const Study& study, const StudyPlan& plan, std::map<int, bool> answered, double gap_s);
 
     /// What comes now; none: the visit is over. The same again until it has been read or answered, but for
