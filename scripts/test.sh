@@ -52,7 +52,7 @@ count_tests() {
 run_preset() { build "$1" && run_tests "$1"; }
 check_installed() {
     cmake --install build/release --prefix $logs/installed >/dev/null || return 1
-    ! grep -aoE "$PWD/(app|assets|build|core|motion|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
+    ! grep -aoE "$PWD/(app|assets|build|core|motion|physics|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
 }
 check_browser_code() {
     emcmake cmake -S tests/wasm -B build/wasm -G Ninja >$logs/wasm.log 2>&1 && cmake --build build/wasm >>$logs/wasm.log 2>&1 || {
