@@ -139,6 +139,15 @@ class Follower {
     std::optional<Body> ahead_{};  ///< where the body should be
 };
 
+/// The first frame in which the pelvis is much lower than the clip's.
+std::optional<std::size_t> fallOf(const Figure& figure, const Clip& given, const Clip& made) {
+    constexpr double fallen_m = 0.25;
+    for (std::size_t f = 0; f < given.frames.size(); ++f)
+        if (rootOf(figure, given.frames[f]).position.y - rootOf(figure, made.frames[f]).position.y > fallen_m)
+            return f;
+    return std::nullopt;
+}
+
 /// The clip's pose with the body's angles between two of its states.
 motion::LocalPose poseBetween(const Figure& figure, const std::vector<BodyState>& states, double time_s,
                               motion::LocalPose pose) {
@@ -192,6 +201,9 @@ Result<Projection> project(Body& body, const Clip& clip, const ProjectionSetting
                 return fail("", fmt::format("the simulation broke down in frame {}", f),
                             "The clip may move faster than a body can");
     }
+    if (const auto frame = fallOf(figure, clip, out.clip))
+        return fail("", fmt::format("the body falls; in frame {} it is down", *frame),
+                    "A body whose pelvis is held does not fall");
     out.tracking = trackingOf(figure, clip, out.clip);
     out.fit_distance_m = reference.fit_distance_m;
     out.beyond_limit_rad = reference.beyond_rad;

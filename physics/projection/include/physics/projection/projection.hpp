@@ -40,7 +40,7 @@ struct Projection {
 
 /// The clip is on the skeleton that the body was made for. Joints that the body does not have move as in the
 /// clip, and so do the hips of a pinned body. The body is left in its last state. Fails on numbers that are
-/// not finite, on another skeleton, and where the simulation breaks down.
+/// not finite, on another skeleton, where a body on its feet falls, and where the simulation breaks down.
 [[nodiscard]] Result<Projection> project(Body& body, const motion::Clip& clip,
                                          const ProjectionSettings& settings);
 
