@@ -52,6 +52,17 @@ std::string clipStem(const fs::path& file) {
     return name.stem().string();
 }
 
+fs::path bvhBelow(const std::string& clip, std::set<fs::path>& taken) {
+    fs::path name = fs::path(clip).lexically_normal();
+    if (name.is_absolute() || name.begin()->string() == "..") name = name.filename();
+    if (name.extension() == ".gz") name.replace_extension();
+    const fs::path stem = fs::path(name).replace_extension();
+    fs::path unique = stem.string() + ".bvh";
+    for (int number = 2; !taken.insert(unique).second; ++number)
+        unique = fmt::format("{}-{}.bvh", stem.string(), number);
+    return unique;
+}
+
 OutputFolder::OutputFolder(fs::path folder, bool force, bool durable)
     : folder_(std::move(folder)), force_(force), durable_(durable) {}
 

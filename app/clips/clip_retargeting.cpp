@@ -11,24 +11,7 @@
 
 namespace deixis::app {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-/// Where a clip goes below the new folder: as beside its manifest, never outside, with a number where the
-/// name is taken.
-std::string newName(const std::string& clip, std::set<std::string>& taken) {
-    fs::path name = fs::path(clip).lexically_normal();
-    if (name.is_absolute() || name.begin()->string() == "..") name = name.filename();
-    if (name.extension() == ".gz") name.replace_extension();
-    const fs::path stem = fs::path(name).replace_extension();
-    std::string unique = stem.string() + ".bvh";
-    for (int number = 2; !taken.insert(unique).second; ++number)
-        unique = fmt::format("{}-{}.bvh", stem.string(), number);
-    return unique;
-}
-
-}  // namespace
 
 std::optional<motion::PointingGesture> gestureOf(const assets::ManifestRow& row) {
     if (!row.phases) return std::nullopt;
@@ -78,9 +61,9 @@ Result<std::vector<assets::ManifestRow>> retargetClips(
         return fail(folder.string(), "is the folder of the clips themselves, expected another one");
     OutputFolder output(folder, force);
     std::vector<assets::ManifestRow> rows;
-    std::set<std::string> taken;
+    std::set<fs::path> taken;
     std::vector<fs::path> names;
-    for (const auto& row : manifest.rows) names.emplace_back(newName(row.clip, taken));
+    for (const auto& row : manifest.rows) names.push_back(bvhBelow(row.clip, taken));
     names.emplace_back("manifest.csv");
     if (auto free = output.expect(names); !free) return tl::unexpected(free.error());
     for (assets::ManifestRow row : manifest.rows) {

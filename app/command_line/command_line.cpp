@@ -8,6 +8,7 @@
 
 #include "app/analysis_commands/analysis_commands.hpp"
 #include "app/clip_commands/clip_commands.hpp"
+#include "app/learning_commands/learning_commands.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/help_formatter.hpp"
 #include "app/study_commands/study_commands.hpp"
@@ -97,7 +98,7 @@ void addCommands(CLI::App& cli, Command& chosen) {
                                        addPushCommand, addSchemaCommand});
     group("Commands for statistics", {addPowerCommand, addFitCommand, addStatsCommand});
     group("Commands for clips and systems",
-          {addGenerateCommand, addEvaluateCommand, addClipsCommand, addViewCommand});
+          {addGenerateCommand, addEvaluateCommand, addClipsCommand, addViewCommand, addLearnCommand});
     addDescribeCommand(parser, chosen);
     nameValues(cli);
     guardNumbers(cli);

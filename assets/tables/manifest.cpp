@@ -37,9 +37,10 @@ enum Column {
     avatar_error_deg,
     author,
     trial,
-    target_frame
+    target_frame,
+    processing
 };
-constexpr std::array<std::string_view, 18> manifest_columns{"clip",
+constexpr std::array<std::string_view, 19> manifest_columns{"clip",
                                                             "system",
                                                             "target_id",
                                                             "target_x",
@@ -56,7 +57,8 @@ constexpr std::array<std::string_view, 18> manifest_columns{"clip",
                                                             "avatar_error_deg",
                                                             "author",
                                                             "trial",
-                                                            "target_frame"};
+                                                            "target_frame",
+                                                            "processing"};
 constexpr std::size_t required_columns = 13;  // the first ones
 constexpr std::size_t absent = ~std::size_t{0};
 
@@ -185,6 +187,7 @@ Result<ManifestRow> readRow(RowReader reader) {
             reader.problem(target_frame, fmt::format("found '{}', expected clip or figure", found));
         row.target_frame = found == "figure" ? TargetFrame::figure : TargetFrame::clip;
     }
+    if (reader.has(processing)) row.processing = reader.text(processing);
     if (reader.first()) return tl::unexpected(*reader.first());
     return row;
 }
@@ -262,11 +265,13 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
     const bool authors = any([](const auto& row) { return !row.author.empty(); });
     const bool trials = any([](const auto& row) { return row.trial.has_value(); });
     const bool frames = any([](const auto& row) { return row.target_frame == TargetFrame::figure; });
+    const bool processed = any([](const auto& row) { return !row.processing.empty(); });
     std::string out = header();
     if (errors) out += ",source_error_deg,avatar_error_deg";
     if (authors) out += ",author";
     if (trials) out += ",trial";
     if (frames) out += ",target_frame";
+    if (processed) out += ",processing";
     out += "\n";
     for (const ManifestRow& row : rows) {
         out += fmt::format("{},{},{},", csvField(row.clip), csvField(row.system), csvField(row.target_id));
@@ -283,6 +288,7 @@ std::string manifestCsv(const std::vector<ManifestRow>& rows) {
         if (authors) out += "," + csvField(row.author);
         if (trials) out += row.trial ? fmt::format(",{}", *row.trial) : ",";
         if (frames) out += row.target_frame == TargetFrame::figure ? ",figure" : ",clip";
+        if (processed) out += "," + csvField(row.processing);
         out += "\n";
     }
     return out;

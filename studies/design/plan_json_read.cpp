@@ -151,13 +151,13 @@ std::optional<TrialCheck> readCheck(const Reader& trial, const Trial& read) {
     return check;
 }
 
-/// `count` numbers from 0 to `max`; what they are is said by `expected`.
-std::vector<double> readNumbers(const Reader& reader, const char* key, std::size_t count, double max,
+/// `count` numbers from 0 to `largest`; what they are is said by `expected`.
+std::vector<double> readNumbers(const Reader& reader, const char* key, std::size_t count, double largest,
                                 std::string_view expected) {
     const Json& json = reader.list(key);
     std::vector<double> out;
     for (const Json& number : json)
-        if (number.is_number() && number.get<double>() >= 0.0 && number.get<double>() <= max)
+        if (number.is_number() && number.get<double>() >= 0.0 && number.get<double>() <= largest)
             out.push_back(number.get<double>());
     if (out.size() != count || json.size() != count) reader.bad(key, json, expected);
     return out;

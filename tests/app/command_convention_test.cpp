@@ -173,7 +173,7 @@ TEST_SUITE("app/command_convention") {
                                   name);
         for (const char* writes : {"simulate", "report", "evaluate", "fit", "export", "merge", "package",
                                    "generate", "clips convert", "clips mirror", "clips trim",
-                                   "clips resample", "clips retarget", "clips segment"})
+                                   "clips resample", "clips retarget", "clips segment", "learn project"})
             CHECK_MESSAGE(with_output.count(writes) == 1, writes);
     }
 

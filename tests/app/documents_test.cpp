@@ -44,7 +44,8 @@ TEST_SUITE("app/documents") {
                 const std::string rest = (*at)[2];
                 const std::regex what(" ([a-z]+)");
                 std::smatch one;
-                if ((name == "participants" || name == "clips") && std::regex_search(rest, one, what))
+                if ((name == "participants" || name == "clips" || name == "learn") &&
+                    std::regex_search(rest, one, what))
                     name += " " + one[1].str();
                 INFO(file.string() << ": deixis " << (*at)[1].str() << rest);
                 const auto help = program(name + " --help");

@@ -57,6 +57,17 @@ TEST_SUITE("assets/manifest") {
         CHECK(says(errorOf(wide + row + ",3,x\n"), "m.csv:2: avatar_error_deg: found 'x'"));
     }
 
+    TEST_CASE("what was done to a clip is kept in a column of its own, which may lack") {
+        const std::string wide = header.substr(0, header.size() - 1) + ",processing\n";
+        const std::string row = good.substr(0, good.size() - 1);
+        const auto read = parseManifest(wide + row + ",physics-projected\n" + row + ",\n", "m.csv");
+        REQUIRE(read.has_value());
+        CHECK(read->rows[0].processing == physics_projected);
+        CHECK(read->rows[1].processing.empty());
+        CHECK(manifestCsv(read->rows) == wide + row + ",physics-projected\n" + row + ",\n");
+        CHECK(manifestCsv({read->rows[1]}) == header + good);
+    }
+
     TEST_CASE("bad rows are rejected with file, line and column") {
         CHECK(says(errorOf(with(0, "")), "m.csv:2: clip: is empty"));
         CHECK(says(errorOf(with(3, "nan")), "m.csv:2: target_x: found 'nan', expected a finite number"));

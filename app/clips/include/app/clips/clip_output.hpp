@@ -28,6 +28,10 @@ namespace deixis::app {
 /// A clip file's name without the endings of its format: "a/T1.bvh.gz" -> "T1".
 [[nodiscard]] std::string clipStem(const std::filesystem::path& file);
 
+/// Where a manifest's clip goes below another folder, as BVH: as beside its manifest, never outside, with a
+/// number where the name is `taken`, to which it is added.
+[[nodiscard]] std::filesystem::path bvhBelow(const std::string& clip, std::set<std::filesystem::path>& taken);
+
 /// A folder of clips and manifests in the making. The files lie in a hidden folder inside it until `finish`
 /// moves them all to their places, manifests last; whatever ends the work before leaves none of them.
 class OutputFolder {

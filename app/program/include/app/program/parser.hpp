@@ -17,8 +17,8 @@ namespace deixis::app {
 
 /// Limits of a number; both ends are allowed. Whole limits show as whole numbers.
 struct Range {
-    Range(int min, int max) : min(min), max(max), whole(true) {}
-    Range(double min, double max) : min(min), max(max) {}
+    Range(int lowest, int highest) : min(lowest), max(highest), whole(true) {}
+    Range(double lowest, double highest) : min(lowest), max(highest) {}
     double min;
     double max;
     bool whole = false;

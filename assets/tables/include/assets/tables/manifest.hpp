@@ -20,6 +20,9 @@ namespace deixis::assets {
 /// (motion/pointing/placement.hpp).
 enum class TargetFrame : unsigned char { clip, figure };
 
+/// What was done to clips that are as a simulated body moved (docs/learning.md).
+inline constexpr std::string_view physics_projected = "physics-projected";
+
 /// One clip. Gestures that point at nothing have no target, and none of the phases.
 struct ManifestRow {
     std::string clip;  ///< file, relative to the manifest
@@ -35,6 +38,7 @@ struct ManifestRow {
     std::optional<double> avatar_error_deg{};
     std::string author{};        ///< who made it, where people do; empty: not known
     std::optional<int> trial{};  ///< which of the author's trials it came from, from 1
+    std::string processing{};    ///< what was done to the clip, such as physics_projected; empty: nothing
     std::size_t line = 0;        ///< of the file on which the row begins; 0: it comes from no file
 };
 

@@ -1,0 +1,10 @@
+// The commands below `deixis learn`.
+#pragma once
+
+#include "app/program/commands.hpp"
+
+namespace deixis::app {
+
+void addLearnProjectCommand(Parser learn, Command& chosen);
+
+}  // namespace deixis::app
