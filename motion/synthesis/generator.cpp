@@ -12,10 +12,11 @@ struct System {
     std::string_view name;
     std::unique_ptr<Generator> (*make)(const PointingBody&, const DemonstrationParameters&);
 };
-constexpr std::array<System, 4> systems{{{"demonstration-nn", makeDemonstrationNn},
+constexpr std::array<System, 5> systems{{{"demonstration-nn", makeDemonstrationNn},
                                          {"direct", makeDirect},
                                          {"stiff", makeStiff},
-                                         {"drifting", makeDrifting}}};
+                                         {"drifting", makeDrifting},
+                                         {"gp", makeGp}}};
 
 }  // namespace
 

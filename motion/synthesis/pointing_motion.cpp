@@ -262,16 +262,6 @@ class Performance {
     std::vector<std::size_t> head_joints_, arm_joints_, trunk_joints_, finger_joints_;
 };
 
-/// One sign from frame to frame, so that a plain blend between neighbours never turns the long way.
-void makeContinuous(std::vector<LocalPose>& frames) {
-    for (std::size_t f = 0; f < frames.size(); ++f)
-        for (std::size_t j = 0; j < frames[f].joints.size(); ++j) {
-            Quat& q = frames[f].joints[j].orientation;
-            q = glm::normalize(q);
-            if (f > 0 && glm::dot(frames[f - 1].joints[j].orientation, q) < 0.0) q = -q;
-        }
-}
-
 }  // namespace
 
 PointingMotion heldAs(PointingMotion motion, const HoldSettings& settings, const PointingBody& body) {
@@ -291,24 +281,44 @@ PointingMotion heldAs(PointingMotion motion, const HoldSettings& settings, const
     return motion;
 }
 
-GeneratedClip perform(const PointingBody& body, const PointingMotion& motion,
-                      const DemonstrationParameters& parameters, std::uint64_t seed) {
-    Random random(seed, "performance");
+double wholeDuration_s(const PointingMotion& motion) {
+    return timesOf(motion).whole;
+}
+
+GeneratedClip emptyClip(const PointingBody& body, const PointingMotion& motion) {
     const Times times = timesOf(motion);
-    Performance performance(body, motion, parameters, random);
     GeneratedClip out;
     out.hand = motion.hand;
     out.clip.skeleton = body.skeleton;
     out.clip.frame_time_s = generated_frame_time_s;
     const double fps = 1.0 / generated_frame_time_s;
     const int last = static_cast<int>(std::ceil(times.whole * fps));
-    out.clip.frames.reserve(static_cast<std::size_t>(last) + 1);
-    for (int i = 0; i <= last; ++i) out.clip.frames.push_back(performance.at(std::min(i / fps, times.whole)));
-    makeContinuous(out.clip.frames);
+    out.clip.frames.resize(static_cast<std::size_t>(last) + 1);
     out.onset_frame = static_cast<int>(std::floor(times.onset * fps));
     out.peak_frame = static_cast<int>(std::ceil(times.peak * fps));
     out.hold_frame = std::max(out.peak_frame, static_cast<int>(std::floor(times.hold * fps)));
     out.end_frame = std::min(last, static_cast<int>(std::ceil(times.end * fps)));
+    return out;
+}
+
+void makeContinuous(std::vector<LocalPose>& frames) {
+    for (std::size_t f = 0; f < frames.size(); ++f)
+        for (std::size_t j = 0; j < frames[f].joints.size(); ++j) {
+            Quat& q = frames[f].joints[j].orientation;
+            q = glm::normalize(q);
+            if (f > 0 && glm::dot(frames[f - 1].joints[j].orientation, q) < 0.0) q = -q;
+        }
+}
+
+GeneratedClip perform(const PointingBody& body, const PointingMotion& motion,
+                      const DemonstrationParameters& parameters, std::uint64_t seed) {
+    Random random(seed, "performance");
+    Performance performance(body, motion, parameters, random);
+    GeneratedClip out = emptyClip(body, motion);
+    const double fps = 1.0 / generated_frame_time_s;
+    for (std::size_t i = 0; i < out.clip.frames.size(); ++i)
+        out.clip.frames[i] = performance.at(std::min(static_cast<double>(i) / fps, wholeDuration_s(motion)));
+    makeContinuous(out.clip.frames);
     return out;
 }
 

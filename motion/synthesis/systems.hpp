@@ -16,5 +16,7 @@ namespace deixis::motion {
                                                    const DemonstrationParameters& parameters);
 [[nodiscard]] std::unique_ptr<Generator> makeDrifting(const PointingBody& body,
                                                       const DemonstrationParameters& parameters);
+[[nodiscard]] std::unique_ptr<Generator> makeGp(const PointingBody& body,
+                                                const DemonstrationParameters& parameters);
 
 }  // namespace deixis::motion

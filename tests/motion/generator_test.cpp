@@ -65,9 +65,9 @@ bool equal(const GeneratedClip& a, const GeneratedClip& b) {
 
 TEST_SUITE("motion/generator") {
     TEST_CASE("an unknown system is rejected with the names of those that there are") {
-        const auto made = makeGenerator("moglow", referenceHumanoid(), {});
+        const auto made = makeGenerator("mogul", referenceHumanoid(), {});
         REQUIRE_FALSE(made.has_value());
-        CHECK(made.error().text().find("moglow") != std::string::npos);
+        CHECK(made.error().text().find("mogul") != std::string::npos);
         for (const std::string& name : generatorNames())
             CHECK(made.error().text().find(name) != std::string::npos);
     }
@@ -142,7 +142,7 @@ TEST_SUITE("motion/generator") {
     }
 
     TEST_CASE("the hand on the target's side points") {
-        for (const std::string name : {"direct", "stiff", "drifting"})
+        for (const std::string name : {"direct", "stiff", "drifting", "gp"})
             for (const Sample& s : samples(name))
                 CHECK(s.made.hand == (s.target.x > 0 ? Side::left : Side::right));
     }
@@ -155,6 +155,31 @@ TEST_SUITE("motion/generator") {
         CHECK(medianError("demonstration-nn") > 4.0);
         CHECK(medianError("demonstration-nn") < 14.0);
         CHECK(medianError("drifting") > 14.0);
+    }
+
+    TEST_CASE("gp points within 2 degrees on average, at targets of no demonstration") {
+        double sum_deg = 0.0;
+        for (const Sample& s : samples("gp")) {
+            sum_deg += errorDeg(s.made, s.target);
+            CHECK(errorDeg(s.made, s.target) < 6.0);
+        }
+        CHECK(sum_deg / static_cast<double>(samples("gp").size()) < 2.0);
+    }
+
+    TEST_CASE("gp is the same to the left and to the right, and smooth in the target") {
+        const auto generator = make("gp");
+        const GeneratedClip left = generator->generate({"T", Vec3(1.2, 1.4, 1.5), 1});
+        const GeneratedClip right = generator->generate({"T", Vec3(-1.2, 1.4, 1.5), 1});
+        const GeneratedClip beside = generator->generate({"T", Vec3(-1.21, 1.4, 1.5), 1});
+        REQUIRE(left.clip.frameCount() == right.clip.frameCount());
+        CHECK(left.hand == Side::left);
+        CHECK(right.hand == Side::right);
+        for (int f = 0; f < left.clip.frameCount(); ++f) {
+            const Vec3 tip = fingertipAt(left, f);
+            CHECK(glm::length(Vec3(-tip.x, tip.y, tip.z) - fingertipAt(right, f)) < 1e-9);
+        }
+        CHECK(glm::length(fingertipAt(beside, right.peak_frame) - fingertipAt(right, right.peak_frame)) <
+              0.01);
     }
 
     TEST_CASE(
@@ -264,7 +289,7 @@ TEST_SUITE("motion/generator") {
     }
 
     TEST_CASE("a hold is held, except by drifting") {
-        for (const std::string name : {"direct", "stiff", "demonstration-nn"}) {
+        for (const std::string name : {"direct", "stiff", "demonstration-nn", "gp"}) {
             std::vector<double> speeds;
             for (const Sample& s : samples(name)) speeds.push_back(holdSpeed(s.made));
             CHECK(median(speeds) < 0.06);

@@ -188,7 +188,7 @@ TEST_SUITE("results/observers") {
             }
         }
         const auto readings = readByObservers(trials, motion::generatorNames());
-        REQUIRE(readings.size() == 4);
+        REQUIRE(readings.size() == 5);
         std::map<std::string, double> found;
         for (const ObserverReading& one : readings) {
             CAPTURE(one.system);
@@ -197,6 +197,8 @@ TEST_SUITE("results/observers") {
             if (one.system == "direct" || one.system == "stiff") {
                 CHECK(std::abs(eye - expected[one.system]) < 0.02);
                 CHECK(one.without_error[2] == 1.0);
+            } else if (one.system == "gp") {
+                CHECK(std::abs(eye - expected[one.system]) < 0.1);  // it is off by a degree
             } else {
                 CHECK(eye < expected[one.system] - 0.1);
             }
@@ -204,6 +206,7 @@ TEST_SUITE("results/observers") {
             found[one.system] = eye;
         }
         CHECK(found["drifting"] < found["demonstration-nn"]);
+        CHECK(found["demonstration-nn"] < found["gp"]);
     }
 
     TEST_CASE("choices by the ball nearest when the hold began and when it ended") {

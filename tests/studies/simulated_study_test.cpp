@@ -238,8 +238,9 @@ TEST_SUITE("studies/simulated_study") {
         "over 30 targets drifting is the least accurate, and the nearest demonstration less than direct") {
         const Prepared prepared(written(thirtyTargets(motion::generatorNames())));
         auto found = tallies(prepared, {}, 3);
-        REQUIRE(found.size() == 4);
+        REQUIRE(found.size() == 5);
         CHECK(found["drifting"].accuracy() < found["demonstration-nn"].accuracy() - 0.1);
+        CHECK(found["demonstration-nn"].accuracy() < found["gp"].accuracy());
         CHECK(found["demonstration-nn"].accuracy() < found["direct"].accuracy());
         CHECK(found["demonstration-nn"].accuracy() < found["stiff"].accuracy());
     }

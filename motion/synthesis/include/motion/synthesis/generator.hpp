@@ -43,7 +43,7 @@ class Generator {
     [[nodiscard]] virtual GeneratedClip generate(const GenerationRequest& request) const = 0;
 };
 
-/// Names of the built-in systems: "demonstration-nn", "direct", "stiff", "drifting".
+/// Names of the built-in systems: "demonstration-nn", "direct", "stiff", "drifting", "gp".
 [[nodiscard]] const std::vector<std::string>& generatorNames();
 
 /// Makes a built-in system for an avatar. Fails on an unknown name, or an avatar without the bones of both

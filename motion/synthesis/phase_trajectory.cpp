@@ -1,0 +1,91 @@
+#include "motion/synthesis/phase_trajectory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "motion/synthesis/gaussian_process.hpp"
+
+namespace deixis::motion {
+
+namespace {
+
+constexpr std::array<double, 5> intervals{3.0, 8.0, 6.0, 8.0, 3.0};
+constexpr double whole = 28.0;
+/// Splines that reach over an end, left out: those of which the value and two derivatives there are made.
+constexpr std::size_t left_out = 3;
+static_assert(PhaseTrajectory::coefficient_count == static_cast<std::size_t>(whole) + 3 - 2 * left_out);
+
+/// The uniform cubic B-spline about 0, which reaches from -2 to 2.
+double spline(double x) {
+    const double far = std::abs(x);
+    if (far >= 2.0) return 0.0;
+    if (far >= 1.0) return (2.0 - far) * (2.0 - far) * (2.0 - far) / 6.0;
+    return 2.0 / 3.0 - far * far + 0.5 * far * far * far;
+}
+
+}  // namespace
+
+PhaseDurations durationsOf(const GesturePhases& phases, int frame_count, double frame_time_s) {
+    const std::array<int, 6> borders{
+        0, phases.onset_frame, phases.peak_frame, phases.hold_frame, phases.end_frame, frame_count - 1};
+    PhaseDurations out{};
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = frame_time_s * std::max(1, borders[i + 1] - borders[i]);
+    return out;
+}
+
+double PhaseTrajectory::aligned(double time_s, const PhaseDurations& durations) {
+    double begin = 0.0;
+    for (std::size_t i = 0; i < durations.size(); ++i) {
+        if (time_s < durations[i]) return begin + intervals[i] * std::max(0.0, time_s) / durations[i];
+        time_s -= durations[i];
+        begin += intervals[i];
+    }
+    return whole;
+}
+
+PhaseTrajectory::Coefficients PhaseTrajectory::basis(double aligned_time) {
+    Coefficients out{};
+    // Spline 0 of all is centred at -1.
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = spline(aligned_time - (static_cast<double>(i + left_out) - 1.0));
+    return out;
+}
+
+std::vector<double> fitTrajectory(const std::vector<std::vector<double>>& frames, double frame_time_s,
+                                  const PhaseDurations& durations) {
+    constexpr std::size_t n = PhaseTrajectory::coefficient_count;
+    constexpr double ridge = 1e-6;
+    const std::size_t dimensions = frames.front().size();
+    std::vector<double> normal(n * (n + 1) / 2, 0.0);
+    for (std::size_t i = 0; i < n; ++i) normal[i * (i + 1) / 2 + i] = ridge;
+    std::vector<std::vector<double>> right(dimensions, std::vector<double>(n, 0.0));
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+        const auto basis = PhaseTrajectory::basis(
+            PhaseTrajectory::aligned(static_cast<double>(f) * frame_time_s, durations));
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t j = 0; j <= i; ++j) normal[i * (i + 1) / 2 + j] += basis[i] * basis[j];
+            for (std::size_t d = 0; d < dimensions; ++d) right[d][i] += basis[i] * frames[f][d];
+        }
+    }
+    const Cholesky factor(std::move(normal), n);
+    std::vector<double> out;
+    for (std::size_t d = 0; d < dimensions; ++d) {
+        const auto fitted = factor.solve(std::move(right[d]));
+        out.insert(out.end(), fitted.begin(), fitted.end());
+    }
+    return out;
+}
+
+std::vector<double> trajectoryAt(const std::vector<double>& coefficients, double aligned_time) {
+    constexpr std::size_t n = PhaseTrajectory::coefficient_count;
+    const auto basis = PhaseTrajectory::basis(aligned_time);
+    std::vector<double> out(coefficients.size() / n, 0.0);
+    for (std::size_t d = 0; d < out.size(); ++d)
+        out[d] = std::inner_product(basis.begin(), basis.end(),
+                                    coefficients.begin() + static_cast<std::ptrdiff_t>(d * n), 0.0);
+    return out;
+}
+
+}  // namespace deixis::motion
