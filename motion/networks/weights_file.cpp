@@ -60,8 +60,8 @@ float valueAt(const char* bytes, WeightsPrecision precision) {
 
 Json headerOf(const NetworkWeights& weights, WeightsPrecision precision) {
     Json settings = Json::object();
-    for (const auto& [key, value] : weights.settings)
-        std::visit([&](const auto& held) { settings[key] = held; }, value);
+    for (const auto& setting : weights.settings)
+        std::visit([&](const auto& held) { settings[setting.first] = held; }, setting.second);
     Json arrays = Json::array();
     for (const NamedArray& array : weights.arrays)
         arrays.push_back({{"name", array.name}, {"type", nameOf(precision)}, {"shape", array.shape}});
