@@ -23,6 +23,18 @@ bool isManifest(const fs::path& name) {
     return name.extension() == ".csv";
 }
 
+/// With a number where the name is taken; adds it to those.
+fs::path bvhBelow(const std::string& clip, std::set<fs::path>& taken) {
+    fs::path name = fs::path(clip).lexically_normal();
+    if (name.is_absolute() || name.begin()->string() == "..") name = name.filename();
+    if (name.extension() == ".gz") name.replace_extension();
+    const fs::path stem = fs::path(name).replace_extension();
+    fs::path unique = stem.string() + ".bvh";
+    for (int number = 2; !taken.insert(unique).second; ++number)
+        unique = fmt::format("{}-{}.bvh", stem.string(), number);
+    return unique;
+}
+
 }  // namespace
 
 bool isClipFile(const fs::path& file) {
@@ -52,17 +64,6 @@ std::string clipStem(const fs::path& file) {
     return name.stem().string();
 }
 
-fs::path bvhBelow(const std::string& clip, std::set<fs::path>& taken) {
-    fs::path name = fs::path(clip).lexically_normal();
-    if (name.is_absolute() || name.begin()->string() == "..") name = name.filename();
-    if (name.extension() == ".gz") name.replace_extension();
-    const fs::path stem = fs::path(name).replace_extension();
-    fs::path unique = stem.string() + ".bvh";
-    for (int number = 2; !taken.insert(unique).second; ++number)
-        unique = fmt::format("{}-{}.bvh", stem.string(), number);
-    return unique;
-}
-
 OutputFolder::OutputFolder(fs::path folder, bool force, bool durable)
     : folder_(std::move(folder)), force_(force), durable_(durable) {}
 
@@ -70,6 +71,19 @@ Result<void> OutputFolder::expect(const std::vector<fs::path>& names) const {
     for (const fs::path& name : names)
         if (auto free = checkFree((folder_ / name).string(), force_); !free) return free;
     return {};
+}
+
+Result<std::vector<fs::path>> OutputFolder::expectClipsOf(const assets::Manifest& manifest) const {
+    std::error_code code;
+    if (fs::equivalent(fs::absolute(manifest.file).parent_path(), folder_, code))
+        return fail(folder_.string(), "is the folder of the clips themselves, expected another one");
+    std::set<fs::path> taken;
+    std::vector<fs::path> names;
+    for (const assets::ManifestRow& row : manifest.rows) names.push_back(bvhBelow(row.clip, taken));
+    names.emplace_back("manifest.csv");
+    if (auto free = expect(names); !free) return tl::unexpected(free.error());
+    names.pop_back();
+    return names;
 }
 
 Result<void> OutputFolder::add(const fs::path& name, std::string_view bytes) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
-
 #include "app/clips/clip_files.hpp"
 #include "app/clips/clip_output.hpp"
 #include "assets/joints/bvh.hpp"
@@ -56,16 +54,10 @@ Result<std::vector<assets::ManifestRow>> retargetClips(
     const assets::Manifest& manifest, const assets::Avatar& avatar, const RetargetSettings& settings,
     const fs::path& folder, bool force,
     const std::function<void(const assets::ManifestRow&, const motion::RetargetReport&)>& each) {
-    std::error_code code;
-    if (fs::equivalent(folder, manifest.file.parent_path().empty() ? "." : manifest.file.parent_path(), code))
-        return fail(folder.string(), "is the folder of the clips themselves, expected another one");
     OutputFolder output(folder, force);
+    const auto names = output.expectClipsOf(manifest);
+    if (!names) return tl::unexpected(names.error());
     std::vector<assets::ManifestRow> rows;
-    std::set<fs::path> taken;
-    std::vector<fs::path> names;
-    for (const auto& row : manifest.rows) names.push_back(bvhBelow(row.clip, taken));
-    names.emplace_back("manifest.csv");
-    if (auto free = output.expect(names); !free) return tl::unexpected(free.error());
     for (assets::ManifestRow row : manifest.rows) {
         const fs::path file = manifest.file.parent_path() / row.clip;
         const auto read = assets::importClip(file);
@@ -73,7 +65,7 @@ Result<std::vector<assets::ManifestRow>> retargetClips(
         motion::RetargetReport report;
         const auto clip = retargetRow(*read, file.string(), avatar, settings, row, &report);
         if (!clip) return tl::unexpected(clip.error());
-        row.clip = names[rows.size()].string();
+        row.clip = (*names)[rows.size()].string();
         if (auto added = output.add(row.clip, assets::writeBvh(*clip)); !added)
             return tl::unexpected(added.error());
         each(row, report);

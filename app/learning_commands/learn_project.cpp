@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 
 #include "app/clips/clip_files.hpp"
 #include "app/clips/clip_output.hpp"
@@ -118,15 +117,9 @@ Result<void> projectAll(const LearnProjectArguments& options) {
     const auto manifest = readDemonstrations(options.manifest);
     if (!manifest) return tl::unexpected(manifest.error());
     const fs::path home = fs::absolute(manifest->file).parent_path();
-    std::error_code code;
-    if (fs::equivalent(home, options.folder, code))
-        return fail(options.folder, "is the folder of the demonstrations themselves, expected another one");
     OutputFolder folder(options.folder, options.force);
-    std::set<fs::path> taken;
-    std::vector<fs::path> names;
-    for (const assets::ManifestRow& row : manifest->rows) names.push_back(bvhBelow(row.clip, taken));
-    names.emplace_back("manifest.csv");
-    if (auto free = folder.expect(names); !free) return free;
+    const auto names = folder.expectClipsOf(*manifest);
+    if (!names) return tl::unexpected(names.error());
 
     const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
@@ -145,9 +138,9 @@ Result<void> projectAll(const LearnProjectArguments& options) {
         if (!clip) return tl::unexpected(clip.error());
         auto tracked = projectRow(*body, *clip, file, options, rows[i]);
         if (!tracked) return tl::unexpected(tracked.error());
-        rows[i].clip = names[i].generic_string();
+        rows[i].clip = (*names)[i].generic_string();
         rows[i].processing = assets::physics_projected;
-        if (auto added = folder.add(names[i], assets::writeBvh(tracked->made.clip)); !added) return added;
+        if (auto added = folder.add((*names)[i], assets::writeBvh(tracked->made.clip)); !added) return added;
         tracked->made.clip = {};
         table.push_back(std::move(*tracked));
         progress(i + 1, rows.size());

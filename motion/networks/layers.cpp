@@ -27,15 +27,6 @@ float sigmoid(float x) {
     return 1.0F / (1.0F + std::exp(-x));
 }
 
-void relu(VectorXf& x) {
-    x = x.cwiseMax(0.0F);
-}
-
-void elu(VectorXf& x) {
-    for (float& value : x)
-        if (value < 0.0F) value = std::expm1(value);
-}
-
 Result<Linear> Linear::read(const NetworkWeights& weights, const std::string& name, int inputs, int outputs) {
     auto weight = readMatrix(weights, name + ".weight", outputs, inputs);
     if (!weight) return tl::unexpected(weight.error());

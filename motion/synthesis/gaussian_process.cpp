@@ -1,7 +1,6 @@
 #include "motion/synthesis/gaussian_process.hpp"
 
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -12,48 +11,28 @@ namespace deixis::motion {
 
 namespace {
 
-std::vector<double> covariances(const std::vector<std::vector<double>>& inputs, const Kernel& kernel) {
-    std::vector<double> lower;
-    for (std::size_t i = 0; i < inputs.size(); ++i)
-        for (std::size_t j = 0; j <= i; ++j)
-            lower.push_back(kernel(inputs[i], inputs[j]) + (i == j ? kernel.noise : 0.0));
-    return lower;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd covariances(const std::vector<std::vector<double>>& inputs, const Kernel& kernel) {
+    const auto n = static_cast<Index>(inputs.size());
+    MatrixXd out(n, n);
+    for (Index i = 0; i < n; ++i)
+        for (Index j = 0; j < n; ++j)
+            out(i, j) = kernel(inputs[static_cast<std::size_t>(i)], inputs[static_cast<std::size_t>(j)]) +
+                        (i == j ? kernel.noise : 0.0);
+    return out;
+}
+
+MatrixXd matrixOf(const std::vector<std::vector<double>>& rows) {
+    MatrixXd out(static_cast<Index>(rows.size()), static_cast<Index>(rows.front().size()));
+    for (Index i = 0; i < out.rows(); ++i)
+        out.row(i) = VectorXd::Map(rows[static_cast<std::size_t>(i)].data(), out.cols());
+    return out;
 }
 
 }  // namespace
-
-Cholesky::Cholesky(std::vector<double> lower_triangle, std::size_t size)
-    : lower_(std::move(lower_triangle)), size_(size) {
-    for (std::size_t i = 0; i < size_; ++i)
-        for (std::size_t j = 0; j <= i; ++j) {
-            double& entry = lower_[i * (i + 1) / 2 + j];
-            for (std::size_t k = 0; k < j; ++k) entry -= at(i, k) * at(j, k);
-            if (i > j) {
-                entry /= at(j, j);
-            } else {
-                if (!(entry > 0.0)) throw std::logic_error("a covariance is not positive definite");
-                entry = std::sqrt(entry);
-            }
-        }
-}
-
-std::vector<double> Cholesky::solve(std::vector<double> right) const {
-    for (std::size_t i = 0; i < size_; ++i) {
-        for (std::size_t k = 0; k < i; ++k) right[i] -= at(i, k) * right[k];
-        right[i] /= at(i, i);
-    }
-    for (std::size_t i = size_; i-- > 0;) {
-        for (std::size_t k = i + 1; k < size_; ++k) right[i] -= at(k, i) * right[k];
-        right[i] /= at(i, i);
-    }
-    return right;
-}
-
-double Cholesky::logDeterminant() const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < size_; ++i) sum += 2.0 * std::log(at(i, i));
-    return sum;
-}
 
 double Kernel::operator()(std::span<const double> a, std::span<const double> b) const {
     double product = 0.0, apart = 0.0;
@@ -65,11 +44,13 @@ double Kernel::operator()(std::span<const double> a, std::span<const double> b) 
 }
 
 GaussianProcess::GaussianProcess(std::vector<std::vector<double>> inputs,
-                                 std::vector<std::vector<double>> outputs, const Kernel& kernel)
+                                 const std::vector<std::vector<double>>& outputs, const Kernel& kernel)
     : inputs_(std::move(inputs)),
-      outputs_(std::move(outputs)),
+      outputs_(matrixOf(outputs)),
       kernel_(kernel),
-      factor_(covariances(inputs_, kernel), inputs_.size()) {}
+      factor_(covariances(inputs_, kernel)) {
+    if (factor_.info() != Eigen::Success) throw std::logic_error("a covariance is not positive definite");
+}
 
 GaussianProcess GaussianProcess::fitted(const std::vector<std::vector<double>>& inputs,
                                         const std::vector<std::vector<double>>& outputs,
@@ -91,29 +72,20 @@ GaussianProcess GaussianProcess::fitted(const std::vector<std::vector<double>>& 
 }
 
 std::vector<double> GaussianProcess::predict(std::span<const double> input) const {
-    std::vector<double> covariance;
-    for (const auto& other : inputs_) covariance.push_back(kernel_(input, other));
-    const std::vector<double> weights = factor_.solve(std::move(covariance));
-    std::vector<double> out(outputs_.front().size(), 0.0);
-    for (std::size_t i = 0; i < outputs_.size(); ++i)
-        for (std::size_t d = 0; d < out.size(); ++d) out[d] += weights[i] * outputs_[i][d];
-    return out;
+    VectorXd covariance(outputs_.rows());
+    for (Index i = 0; i < covariance.size(); ++i)
+        covariance[i] = kernel_(input, inputs_[static_cast<std::size_t>(i)]);
+    const VectorXd mean = outputs_.transpose() * factor_.solve(covariance);
+    return {mean.begin(), mean.end()};
 }
 
 double GaussianProcess::logMarginalLikelihood() const {
-    const std::size_t n = outputs_.size();
-    const std::size_t dimensions = outputs_.front().size();
-    double squares = 0.0;
-    for (std::size_t d = 0; d < dimensions; ++d) {
-        std::vector<double> column;
-        for (const auto& row : outputs_) column.push_back(row[d]);
-        const std::vector<double> solved = factor_.solve(column);
-        squares += std::inner_product(column.begin(), column.end(), solved.begin(), 0.0);
-    }
-    const auto count = static_cast<double>(n * dimensions);
+    const double squares = outputs_.cwiseProduct(factor_.solve(outputs_)).sum();
+    const auto count = static_cast<double>(outputs_.size());
     const double variance = squares / count;
+    const double log_determinant = 2.0 * factor_.matrixLLT().diagonal().array().log().sum();
     return -0.5 * (count * (std::log(2.0 * pi * variance) + 1.0) +
-                   static_cast<double>(dimensions) * factor_.logDeterminant());
+                   static_cast<double>(outputs_.cols()) * log_determinant);
 }
 
 }  // namespace deixis::motion

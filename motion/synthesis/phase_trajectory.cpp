@@ -1,10 +1,9 @@
 #include "motion/synthesis/phase_trajectory.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-
-#include "motion/synthesis/gaussian_process.hpp"
 
 namespace deixis::motion {
 
@@ -55,27 +54,20 @@ PhaseTrajectory::Coefficients PhaseTrajectory::basis(double aligned_time) {
 
 std::vector<double> fitTrajectory(const std::vector<std::vector<double>>& frames, double frame_time_s,
                                   const PhaseDurations& durations) {
-    constexpr std::size_t n = PhaseTrajectory::coefficient_count;
+    constexpr int n = PhaseTrajectory::coefficient_count;
     constexpr double ridge = 1e-6;
-    const std::size_t dimensions = frames.front().size();
-    std::vector<double> normal(n * (n + 1) / 2, 0.0);
-    for (std::size_t i = 0; i < n; ++i) normal[i * (i + 1) / 2 + i] = ridge;
-    std::vector<std::vector<double>> right(dimensions, std::vector<double>(n, 0.0));
+    const auto dimensions = static_cast<Eigen::Index>(frames.front().size());
+    Eigen::MatrixXd normal = ridge * Eigen::MatrixXd::Identity(n, n);
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, dimensions);
     for (std::size_t f = 0; f < frames.size(); ++f) {
-        const auto basis = PhaseTrajectory::basis(
+        const auto coefficients = PhaseTrajectory::basis(
             PhaseTrajectory::aligned(static_cast<double>(f) * frame_time_s, durations));
-        for (std::size_t i = 0; i < n; ++i) {
-            for (std::size_t j = 0; j <= i; ++j) normal[i * (i + 1) / 2 + j] += basis[i] * basis[j];
-            for (std::size_t d = 0; d < dimensions; ++d) right[d][i] += basis[i] * frames[f][d];
-        }
+        const auto basis = Eigen::Matrix<double, n, 1>::Map(coefficients.data());
+        normal += basis * basis.transpose();
+        right += basis * Eigen::RowVectorXd::Map(frames[f].data(), dimensions);
     }
-    const Cholesky factor(std::move(normal), n);
-    std::vector<double> out;
-    for (std::size_t d = 0; d < dimensions; ++d) {
-        const auto fitted = factor.solve(std::move(right[d]));
-        out.insert(out.end(), fitted.begin(), fitted.end());
-    }
-    return out;
+    const Eigen::MatrixXd fitted = normal.llt().solve(right);
+    return {fitted.data(), fitted.data() + fitted.size()};  // column by column
 }
 
 std::vector<double> trajectoryAt(const std::vector<double>& coefficients, double aligned_time) {

@@ -240,8 +240,7 @@ class Performance {
             const Vec3 there = glm::normalize(motion_.gaze_at - eye.position);
             const Vec3 looked = glm::slerp(no_rotation, rotationBetween(ahead, there), gaze) * ahead;
             const Quat needed = rotationBetween(ahead, glm::conjugate(head.orientation) * looked);
-            const double angle = 2.0 * std::acos(std::clamp(needed.w, 0.0, 1.0));
-            *body_.find(pose, bone) = angle > limit ? glm::slerp(no_rotation, needed, limit / angle) : needed;
+            *body_.find(pose, bone) = turnedAtMost(needed, limit);
         }
     }
 

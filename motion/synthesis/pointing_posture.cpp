@@ -106,6 +106,11 @@ double palmDownTwist(const Quat& forearm, const PostureRequest& request) {
 
 }  // namespace
 
+Quat turnedAtMost(const Quat& rotation, double limit_rad) {
+    const double angle = 2.0 * std::acos(std::clamp(rotation.w, 0.0, 1.0));
+    return angle > limit_rad ? partOf(rotation, limit_rad / angle) : rotation;
+}
+
 double azimuthOf(const Vec3& direction) {
     return std::atan2(direction.x, direction.z);
 }

@@ -34,6 +34,9 @@ struct PostureRequest {
 /// Turns the head (neck and head joints) of a pose.
 void turnHead(const PointingBody& body, LocalPose& pose, const Quat& torso_from_head);
 
+/// The rotation (w not negative), or as much of it as turns by the limit.
+[[nodiscard]] Quat turnedAtMost(const Quat& rotation, double limit_rad);
+
 /// Azimuth (0 along +z, positive to the left) and elevation of a direction, radians.
 [[nodiscard]] double azimuthOf(const Vec3& direction);
 [[nodiscard]] double elevationOf(const Vec3& direction);

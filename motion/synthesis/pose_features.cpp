@@ -59,19 +59,19 @@ Quat rotationBy(const Vec3& rotation_vector) {
 Result<PoseFeatures> PoseFeatures::of(const Skeleton& avatar) {
     const auto body = makePointingBody(avatar);
     if (!body) return tl::unexpected(body.error());
-    PoseFeatures out;
-    out.skeleton_ = avatar;
-    out.at_ease_ = body->relaxed;
+    return PoseFeatures(*body);
+}
+
+PoseFeatures::PoseFeatures(const PointingBody& body) : skeleton_(body.skeleton), at_ease_(body.relaxed) {
     for (const Bone bone : moving_bones)
-        if (body->map.has(bone)) out.joints_.push_back(body->joint(bone));
+        if (body.map.has(bone)) joints_.push_back(body.joint(bone));
     for (const Side side : {Side::left, Side::right})
-        for (const std::size_t joint : body->fingers[static_cast<std::size_t>(side)]) {
-            if (static_cast<int>(joint) == body->map[armBones(side).index_proximal]) continue;
-            const Vec3 turn = rotationVector(turnFrom(body->relaxed.joints[joint].orientation,
-                                                      body->pointing_hands.joints[joint].orientation));
-            out.hands_[static_cast<std::size_t>(side)].push_back({joint, turn});
+        for (const std::size_t joint : body.fingers[static_cast<std::size_t>(side)]) {
+            if (static_cast<int>(joint) == body.map[armBones(side).index_proximal]) continue;
+            const Vec3 turn = rotationVector(turnFrom(body.relaxed.joints[joint].orientation,
+                                                      body.pointing_hands.joints[joint].orientation));
+            hands_[static_cast<std::size_t>(side)].push_back({joint, turn});
         }
-    return out;
 }
 
 std::string PoseFeatures::names() const {

@@ -15,6 +15,7 @@
 #include "motion/synthesis/phase_trajectory.hpp"
 #include "motion/synthesis/pose_features.hpp"
 #include "pointing_plan.hpp"
+#include "pointing_posture.hpp"
 #include "systems.hpp"
 
 namespace deixis::motion {
@@ -47,9 +48,9 @@ Vec3 pointedAt(const PointingBody& body, const Demonstration& demonstration) {
 
 class Gp : public Generator {
   public:
-    Gp(PointingBody body, PoseFeatures features, const DemonstrationParameters& parameters)
+    Gp(PointingBody body, const DemonstrationParameters& parameters)
         : body_(std::move(body)),
-          features_(std::move(features)),
+          features_(body_),
           parameters_(parameters),
           process_(fitted(body_, features_, parameters)) {}
 
@@ -92,11 +93,7 @@ class Gp : public Generator {
             trajectoryAt(course.coefficients, PhaseTrajectory::aligned(time_s, course.durations)));
         const double limit = radiansFromDegrees(parameters_.body.eye_limit_deg);
         for (const Bone bone : {Bone::leftEye, Bone::rightEye})
-            if (Quat* eye = body_.find(pose, bone)) {
-                const Vec3 turn = rotationVector(*eye);
-                const double angle = glm::length(turn);
-                if (angle > limit) *eye = rotationBy(turn * (limit / angle));
-            }
+            if (Quat* eye = body_.find(pose, bone)) *eye = turnedAtMost(*eye, limit);
         return pose;
     }
 
@@ -148,8 +145,7 @@ class Gp : public Generator {
 }  // namespace
 
 std::unique_ptr<Generator> makeGp(const PointingBody& body, const DemonstrationParameters& parameters) {
-    // The body has all that the features need.
-    return std::make_unique<Gp>(body, PoseFeatures::of(body.skeleton).value(), parameters);
+    return std::make_unique<Gp>(body, parameters);
 }
 
 }  // namespace deixis::motion

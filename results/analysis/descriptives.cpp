@@ -204,6 +204,11 @@ bool hasManySteps(const Measure& measure) {
     return measure.kind == MeasureKind::rating && measure.high - measure.low + 1.0 > 10.0;
 }
 
+bool hasRatingsOnly(const AnalysisResult& result) {
+    return std::all_of(result.measures.begin(), result.measures.end(),
+                       [](const Measure& measure) { return measure.unit.empty(); });
+}
+
 void describeAnswers(AnalysisResult& result) {
     const std::vector<MeasureRows> rows = rowsOfMeasures(result);
     for (std::size_t m = 0; m < rows.size(); ++m) {

@@ -23,12 +23,6 @@ namespace tables {
 
 namespace {
 
-/// No measure is a distance or an angle.
-bool onlyRatings(const AnalysisResult& result) {
-    return std::all_of(result.measures.begin(), result.measures.end(),
-                       [](const Measure& measure) { return measure.unit.empty(); });
-}
-
 struct SystemMeasure {
     std::string system;
     const Measure* measure = nullptr;
@@ -118,21 +112,21 @@ Table levels(const AnalysisResult& result, const std::string& factor, const char
 
 Table pooledRatings(const AnalysisResult& result) {
     return withScales(
-        tableOf<PooledResult>(
-            "pooled_ratings", onlyRatings(result) ? units::ratings : units::answers,
-            onlyRatings(result) ? "Single ratings (pseudo-replicated)" : "Single answers (pseudo-replicated)",
-            {{"measure", &PooledResult::measure, {.heading = true}},
-             {"system", &PooledResult::system},
-             {"n", &PooledResult::n},
-             {"mean", &PooledResult::mean},
-             {"sd", [](auto& one) { return known(one.n > 1, one.sd); }},
-             {"q05", &PooledResult::q05},
-             {"q25", &PooledResult::q25},
-             {"median", &PooledResult::median},
-             {"q75", &PooledResult::q75},
-             {"q95", &PooledResult::q95},
-             noteField<PooledResult>("pseudo-replicated: answers treated as independent")},
-            result.pooled),
+        tableOf<PooledResult>("pooled_ratings", hasRatingsOnly(result) ? units::ratings : units::answers,
+                              hasRatingsOnly(result) ? "Single ratings (pseudo-replicated)"
+                                                     : "Single answers (pseudo-replicated)",
+                              {{"measure", &PooledResult::measure, {.heading = true}},
+                               {"system", &PooledResult::system},
+                               {"n", &PooledResult::n},
+                               {"mean", &PooledResult::mean},
+                               {"sd", [](auto& one) { return known(one.n > 1, one.sd); }},
+                               {"q05", &PooledResult::q05},
+                               {"q25", &PooledResult::q25},
+                               {"median", &PooledResult::median},
+                               {"q75", &PooledResult::q75},
+                               {"q95", &PooledResult::q95},
+                               noteField<PooledResult>("pseudo-replicated: answers treated as independent")},
+                              result.pooled),
         result);
 }
 

@@ -140,7 +140,7 @@ TEST_SUITE("app/learn") {
         spill(folder + "/long.csv",
               head + "demonstration-nn_A.bvh,lab,A,0.8,1.2,1.7,left,9,33,60,9000,30,1\n");
         CHECK_FAILS_SAYING(program(project(folder + "/long.csv", out)), "demonstration-nn_A.bvh", "end 9000");
-        CHECK_FAILS_SAYING(program(project(manifest, folder)), "folder of the demonstrations themselves");
+        CHECK_FAILS_SAYING(program(project(manifest, folder)), "folder of the clips themselves");
 
         const std::string clip = folder + "/demonstration-nn_B.bvh";
         const std::string bvh = slurp(clip);

@@ -44,20 +44,14 @@ double numericalLogDeterminant(const ConditionalFlow& flow, const VectorXf& x, c
 }  // namespace
 
 TEST_SUITE("motion/network_layers") {
-    TEST_CASE("a linear layer, relu and elu give what is worked by hand") {
+    TEST_CASE("a linear layer gives what is worked by hand") {
         NetworkWeights weights;
         weights.arrays = {{"l.weight", {2, 3}, {1, 2, 3, -1, 0, 0.5}}, {"l.bias", {2}, {0.25, -1}}};
         const auto layer = Linear::read(weights, "l", 3, 2);
         REQUIRE(layer.has_value());
-        VectorXf y = layer->forward(VectorXf{{1.0F, -1.0F, 2.0F}});
+        const VectorXf y = layer->forward(VectorXf{{1.0F, -1.0F, 2.0F}});
         CHECK(y[0] == 5.25F);  // 1 - 2 + 6 + 0.25
         CHECK(y[1] == -1.0F);  // -1 + 0 + 1 - 1
-        VectorXf z = y;
-        relu(y);
-        CHECK(y == VectorXf{{5.25F, 0.0F}});
-        elu(z);
-        CHECK(z[0] == 5.25F);
-        CHECK(z[1] == Approx(std::exp(-1.0) - 1.0).epsilon(1e-6));
         CHECK_FALSE(Linear::read(weights, "l", 2, 2).has_value());
         CHECK_FALSE(Linear::read(weights, "m", 3, 2).has_value());
     }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "assets/tables/manifest.hpp"
 #include "core/error.hpp"
 #include "core/staging.hpp"
 #include "motion/skeleton/clip.hpp"
@@ -28,10 +29,6 @@ namespace deixis::app {
 /// A clip file's name without the endings of its format: "a/T1.bvh.gz" -> "T1".
 [[nodiscard]] std::string clipStem(const std::filesystem::path& file);
 
-/// Where a manifest's clip goes below another folder, as BVH: as beside its manifest, never outside, with a
-/// number where the name is `taken`, to which it is added.
-[[nodiscard]] std::filesystem::path bvhBelow(const std::string& clip, std::set<std::filesystem::path>& taken);
-
 /// A folder of clips and manifests in the making. The files lie in a hidden folder inside it until `finish`
 /// moves them all to their places, manifests last; whatever ends the work before leaves none of them.
 class OutputFolder {
@@ -42,6 +39,11 @@ class OutputFolder {
 
     /// Before any work: fails if one of these exists already, and `force` was not given.
     [[nodiscard]] Result<void> expect(const std::vector<std::filesystem::path>& names) const;
+    /// Before any work: where each of a manifest's clips goes in this folder, as BVH: as beside its manifest,
+    /// never outside, with a number where a name is taken. Fails as `expect` does, with the new manifest, and
+    /// if this is the clips' own folder.
+    [[nodiscard]] Result<std::vector<std::filesystem::path>> expectClipsOf(
+        const assets::Manifest& manifest) const;
     /// `name` is relative to the folder. Fails if it exists already, and `force` was not given.
     [[nodiscard]] Result<void> add(const std::filesystem::path& name, std::string_view bytes);
     [[nodiscard]] Result<void> finish();

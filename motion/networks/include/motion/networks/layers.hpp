@@ -17,9 +17,6 @@ using Eigen::VectorXf;
                                           int columns);
 
 [[nodiscard]] float sigmoid(float x);
-void relu(VectorXf& x);
-/// x where it is positive, else e^x - 1 (Clevert et al. 2016).
-void elu(VectorXf& x);
 
 /// weight x + bias.
 struct Linear {

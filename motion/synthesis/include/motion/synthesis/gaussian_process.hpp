@@ -2,28 +2,13 @@
 // 2.1). Each prediction is the training outputs, weighted by the same weights for all of them.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <span>
 #include <vector>
 
 #include "core/error.hpp"
 
 namespace deixis::motion {
-
-/// Lower triangle of a symmetric positive definite matrix, row by row: 1, 2, 3 ... numbers.
-class Cholesky {
-  public:
-    /// Takes the matrix's lower triangle. Throws where it is not positive definite.
-    explicit Cholesky(std::vector<double> lower_triangle, std::size_t size);
-    [[nodiscard]] std::vector<double> solve(std::vector<double> right) const;
-    [[nodiscard]] double logDeterminant() const;
-
-  private:
-    [[nodiscard]] const double& at(std::size_t row, std::size_t column) const {
-        return lower_[row * (row + 1) / 2 + column];
-    }
-    std::vector<double> lower_;
-    std::size_t size_;
-};
 
 /// k(a, b) = constant + linear a.b + exp(-|a - b|^2 / (2 length^2)), with `noise` added where a and b are one
 /// observation; all in units of the outputs' own variance, which is estimated.
@@ -38,8 +23,9 @@ struct Kernel {
 
 class GaussianProcess {
   public:
-    /// One input and one row of outputs for each observation; at least two.
-    GaussianProcess(std::vector<std::vector<double>> inputs, std::vector<std::vector<double>> outputs,
+    /// One input and one row of outputs for each observation; at least two. Throws where their covariance is
+    /// not positive definite: two of the same input without noise.
+    GaussianProcess(std::vector<std::vector<double>> inputs, const std::vector<std::vector<double>>& outputs,
                     const Kernel& kernel);
     /// The one of the lengths and noises whose marginal likelihood is the highest: the first of equal ones.
     [[nodiscard]] static GaussianProcess fitted(const std::vector<std::vector<double>>& inputs,
@@ -55,9 +41,9 @@ class GaussianProcess {
 
   private:
     std::vector<std::vector<double>> inputs_;
-    std::vector<std::vector<double>> outputs_;
+    Eigen::MatrixXd outputs_;  ///< a row for each observation
     Kernel kernel_;
-    Cholesky factor_;
+    Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
 }  // namespace deixis::motion

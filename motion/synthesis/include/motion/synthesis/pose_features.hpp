@@ -12,6 +12,8 @@
 
 namespace deixis::motion {
 
+struct PointingBody;
+
 /// The numbers are, for each joint of trunk, head, eyes, arms and index knuckles, the rotation vector
 /// (exponential map, radians) from its orientation at ease to that of the pose; then, for each hand, left
 /// first, how far the other joints of its fingers are on the way from ease (0) to the pointing hand (1). At
@@ -21,6 +23,7 @@ class PoseFeatures {
   public:
     /// Fails as makeGenerator() does where the avatar lacks a bone.
     [[nodiscard]] static Result<PoseFeatures> of(const Skeleton& avatar);
+    explicit PoseFeatures(const PointingBody& body);
 
     [[nodiscard]] std::size_t size() const { return 3 * joints_.size() + hands_.size(); }
     /// The names of the joints and the hands, with blanks between: bodies with the same can be moved by the

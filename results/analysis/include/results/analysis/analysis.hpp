@@ -435,5 +435,7 @@ struct AnalysisResult {
 void runTests(AnalysisResult& result);
 /// A rating on a scale of more than ten steps (0 to 100): medians are given beside its means.
 [[nodiscard]] bool hasManySteps(const Measure& measure);
+/// No measure of the result is a distance or an angle: single answers are single ratings.
+[[nodiscard]] bool hasRatingsOnly(const AnalysisResult& result);
 
 }  // namespace deixis::results
