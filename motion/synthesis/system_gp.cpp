@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "body_noise.hpp"
-#include "motion/synthesis/gaussian_process.hpp"
 #include "motion/pointing/rays.hpp"
 #include "motion/pointing/stretched_arm.hpp"
 #include "motion/skeleton/clip_edit.hpp"
 #include "motion/skeleton/minimum_jerk.hpp"
 #include "motion/synthesis/demonstration_library.hpp"
-#include "motion/synthesis/pose_features.hpp"
+#include "motion/synthesis/gaussian_process.hpp"
 #include "motion/synthesis/phase_trajectory.hpp"
+#include "motion/synthesis/pose_features.hpp"
 #include "pointing_plan.hpp"
 #include "systems.hpp"
 
