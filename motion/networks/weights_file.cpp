@@ -60,8 +60,8 @@ float valueAt(const char* bytes, WeightsPrecision precision) {
 
 Json headerOf(const NetworkWeights& weights, WeightsPrecision precision) {
     Json settings = Json::object();
-    for (const auto& [key, value] : weights.settings)
-        std::visit([&](const auto& held) { settings[key] = held; }, value);
+    for (const auto& setting : weights.settings)
+        std::visit([&](const auto& held) { settings[setting.first] = held; }, setting.second);
     Json arrays = Json::array();
     for (const NamedArray& array : weights.arrays)
         arrays.push_back({{"name", array.name}, {"type", nameOf(precision)}, {"shape", array.shape}});
@@ -76,6 +76,13 @@ Json headerOf(const NetworkWeights& weights, WeightsPrecision precision) {
             {"arrays", arrays}};
 }
 
+/// A number as it stands: one with a point or a minus is none. Throws where it is another.
+std::uint64_t wholeNumber(const Json& value) {
+    if (!value.is_number_unsigned())
+        throw std::invalid_argument(fmt::format("found {}, expected a whole number", value.dump()));
+    return value.get<std::uint64_t>();
+}
+
 /// One array as the header announces it.
 struct Announced {
     NamedArray array;
@@ -87,7 +94,7 @@ struct Announced {
 Announced announced(const Json& one) {
     Announced out;
     out.array.name = one.at("name").get<std::string>();
-    out.array.shape = one.at("shape").get<std::vector<std::size_t>>();
+    for (const Json& size : one.at("shape")) out.array.shape.push_back(wholeNumber(size));
     const auto type = one.at("type").get<std::string>();
     if (type == nameOf(WeightsPrecision::float16))
         out.precision = WeightsPrecision::float16;
@@ -113,7 +120,7 @@ NetworkWeights withoutArrays(const Json& header) {
             out.settings[key] = value.get<double>();
     }
     out.training_data_sha256 = header.at("training_data_sha256").get<std::string>();
-    out.seed = header.at("seed").get<std::uint64_t>();
+    out.seed = wholeNumber(header.at("seed"));
     out.program_version = header.at("program_version").get<std::string>();
     out.commit = header.at("commit").get<std::string>();
     out.metrics = header.at("metrics").get<std::map<std::string, double>>();

@@ -10,23 +10,23 @@ namespace deixis::motion {
 
 namespace {
 
-constexpr std::array<Bone, 17> moved{Bone::spine,
-                                     Bone::chest,
-                                     Bone::upperChest,
-                                     Bone::neck,
-                                     Bone::head,
-                                     Bone::leftEye,
-                                     Bone::rightEye,
-                                     Bone::leftShoulder,
-                                     Bone::leftUpperArm,
-                                     Bone::leftLowerArm,
-                                     Bone::leftHand,
-                                     Bone::rightShoulder,
-                                     Bone::rightUpperArm,
-                                     Bone::rightLowerArm,
-                                     Bone::rightHand,
-                                     Bone::leftIndexProximal,
-                                     Bone::rightIndexProximal};
+constexpr std::array<Bone, 17> moving_bones{Bone::spine,
+                                            Bone::chest,
+                                            Bone::upperChest,
+                                            Bone::neck,
+                                            Bone::head,
+                                            Bone::leftEye,
+                                            Bone::rightEye,
+                                            Bone::leftShoulder,
+                                            Bone::leftUpperArm,
+                                            Bone::leftLowerArm,
+                                            Bone::leftHand,
+                                            Bone::rightShoulder,
+                                            Bone::rightUpperArm,
+                                            Bone::rightLowerArm,
+                                            Bone::rightHand,
+                                            Bone::leftIndexProximal,
+                                            Bone::rightIndexProximal};
 
 Quat turnFrom(const Quat& from, const Quat& to) {
     return glm::conjugate(from) * to;
@@ -62,7 +62,7 @@ Result<PoseFeatures> PoseFeatures::of(const Skeleton& avatar) {
     PoseFeatures out;
     out.skeleton_ = avatar;
     out.at_ease_ = body->relaxed;
-    for (const Bone bone : moved)
+    for (const Bone bone : moving_bones)
         if (body->map.has(bone)) out.joints_.push_back(body->joint(bone));
     for (const Side side : {Side::left, Side::right})
         for (const std::size_t joint : body->fingers[static_cast<std::size_t>(side)]) {

@@ -119,12 +119,12 @@ std::string pooledHtml(const AnalysisResult& result, Numbering& numbering) {
         return !hasManySteps(measureOf(result, row.cells[table.at("measure")].text()));
     });
     if (table.rows.empty()) return "";
-    return tableHtml(table,
-                     fmt::format("Single {0}, pseudo-replicated: a participant's {0} are correlated, so this "
-                                 "table is for description and supports no test.",
-                                 table.unit.words == units::ratings.words ? "ratings" : "answers"),
-                     {"measure", "system", "n", "mean", "sd", "q05", "q25", "median", "q75", "q95"},
-                     numbering);
+    return tableHtml(
+        table,
+        fmt::format("Single {0}, pseudo-replicated: a participant's {0} are correlated, so this "
+                    "table is for description and supports no test.",
+                    table.unit.words == std::string_view(units::ratings.words) ? "ratings" : "answers"),
+        {"measure", "system", "n", "mean", "sd", "q05", "q25", "median", "q75", "q95"}, numbering);
 }
 
 }  // namespace deixis::results

@@ -153,9 +153,9 @@ TEST_SUITE("motion/weights_file") {
     TEST_CASE("a number that is not finite is refused by its array, and never written") {
         NetworkWeights weights = someWeights();
         weights.arrays[1].values[0] = std::numeric_limits<float>::quiet_NaN();
-        CHECK_THROWS(encodeWeights(weights, WeightsPrecision::float32));
+        CHECK_THROWS(static_cast<void>(encodeWeights(weights, WeightsPrecision::float32)));
         weights.arrays[1].values[0] = 1e6F;  // beyond 65504, the largest of float16
-        CHECK_THROWS(encodeWeights(weights, WeightsPrecision::float16));
+        CHECK_THROWS(static_cast<void>(encodeWeights(weights, WeightsPrecision::float16)));
         weights.arrays[1].values[0] = 1.0F;
         weights.metrics["loss"] = std::numeric_limits<double>::infinity();
         CHECK_THROWS(encodeWeights(weights, WeightsPrecision::float32));

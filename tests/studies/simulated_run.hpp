@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -55,18 +56,23 @@ class GeneratedClips : public ClipSource {
         const auto found = clips_.find(stimulus);
         if (found != clips_.end()) return found->second;
         const SystemSource& system = *study_.findSystem(stimulus.system);
-        const auto generator = motion::makeGenerator(system.generator, motion::referenceHumanoid(), {});
-        REQUIRE(generator.has_value());
+        auto& generator = generators_[system.generator];
+        if (!generator) {
+            auto made = motion::makeGenerator(system.generator, motion::referenceHumanoid(), {});
+            REQUIRE(made.has_value());
+            generator = std::move(*made);
+        }
         const motion::GenerationRequest request{stimulus.item,
                                                 targets_.at(stimulus.item),
                                                 deriveSeed(1, stimulus.item),
                                                 {system.hold_s, system.unsteadiness_m}};
-        return clips_.emplace(stimulus, (*generator)->generate(request).clip).first->second;
+        return clips_.emplace(stimulus, generator->generate(request).clip).first->second;
     }
 
   private:
     const Study& study_;
     std::map<std::string, Vec3> targets_;
+    mutable std::map<std::string, std::unique_ptr<motion::Generator>> generators_;
     mutable std::map<Stimulus, motion::Clip> clips_;
 };
 

@@ -120,11 +120,9 @@ class Hands:
                 continue
             pixel = tuple(round(v) for v in pixel)
             if pixel == at:  # it has been there all the time: as people do, away and back
-                self.mouse.move_to(pixel[0] + (25 if pixel[0] < size[0] / 2 else -25), pixel[1])
-                self._frames(line)
-            self.mouse.move_to(*pixel)
+                self._frames(line, self.mouse.move_to(pixel[0] + (25 if pixel[0] < size[0] / 2 else -25), pixel[1]))
+            self._frames(line, self.mouse.move_to(*pixel))
             at = pixel
-            self._frames(line)
             if self._soon(lambda now: point(now) is None or there(now), 1.0) and point(self.look()) is not None:
                 return True
             if point(self.look()) is not None and self._settled(line):
@@ -140,17 +138,24 @@ class Hands:
         self._tries = 0
         return True
 
-    def _frames(self, line):
-        self._soon(lambda now: now["frame"] > line["frame"] + 1 or board(now) != board(line), 1.5)
+    def _frames(self, line, moved):
+        """Until a frame that began when the cursor had moved, or another board is there. A line is of a frame that was
+        drawn with the cursor where it was some time before."""
+        def wait_for(condition):
+            self._soon(lambda now: condition(now) or board(now) != board(line), 1.5)
+
+        wait_for(lambda now: now["utc_s"] > moved[1])
+        frame = self.look()["frame"]
+        wait_for(lambda now: now["frame"] > frame)
 
     def _look_towards(self, line, point):
         head = head_of(line)
         yaw, pitch = angles_deg(rotate(head.orientation, (0.0, 0.0, -1.0)))
         wanted_yaw, wanted_pitch = angles_deg(subtract(point, head.position))
         turn = (yaw - wanted_yaw + 180.0) % 360.0 - 180.0
-        self.mouse.look_around(round(turn / DEG_PER_PIXEL), round((pitch - wanted_pitch) / DEG_PER_PIXEL))
+        moved = self.mouse.look_around(round(turn / DEG_PER_PIXEL), round((pitch - wanted_pitch) / DEG_PER_PIXEL))
         self.turned += 1
-        self._frames(self.look())
+        self._frames(line, moved)
 
     def _soon(self, condition, timeout_s):
         try:

@@ -109,9 +109,11 @@ class RayHands(Hands):
         self.body.stand()
 
     def carry_ball(self, to, notches):
-        placed = super().carry_ball(to, notches)
+        super().carry_ball(to, notches)
+        # Until it is seen that the trigger is free, the ball goes where the hand goes.
+        line = self.wait("letting go", self.mouse.seen)
         self.body.stand()
-        return placed
+        return tuple(line["balls"][0]["centre"])
 
     def press_key(self, name, done):
         raise AssertionError(f"key {name}: there is no keyboard in a headset")
