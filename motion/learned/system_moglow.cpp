@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "motion/learned/moglow.hpp"
 #include "motion/pointing/phases.hpp"

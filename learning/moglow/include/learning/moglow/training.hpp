@@ -30,7 +30,7 @@ struct MoglowSettings {
     double max_gradient_norm = 100.0;
     double dropout = 0.5;      ///< share of the past poses that are blanked, whole ones, without rescaling
     double noise = 0.02;       ///< SD of noise on the standardised numbers, without which rest has no density
-    double temperature = 1.0;  ///< SD of the latents that are drawn
+    double temperature = 0.1;  ///< SD of the latents that are drawn: with 1 the noise comes back as shaking
     int validate_every = 200;  ///< updates
     std::uint64_t seed = 1;
     int threads = 1;
