@@ -3,6 +3,7 @@
 #   scripts/install.sh          what building and running needs
 #   scripts/install.sh tests    and what the tests need, with a compiler cache and a quick linker
 #   scripts/install.sh all      and what `scripts/test.sh all` needs: Blender, Emscripten, clang-tidy, another Debian
+#   scripts/install.sh learning what building and running needs, and what trains the learned systems (DEIXIS_LEARNING=ON)
 #   scripts/install.sh list     prints what building and running needs, and installs nothing
 set -euo pipefail
 
@@ -19,6 +20,10 @@ tests | all)
     packages+=(clang clang-format-14 ccache mold xvfb xdotool python3 python3-jsonschema sqlite3 libxml2-utils
         r-base-core r-cran-lme4 r-cran-ordinal postgresql chromium poppler-utils groff-base)
     ;;&
+learning)
+    # The plain OpenBLAS is slower in LibTorch: its threads wait for each other.
+    packages+=(libtorch-dev libopenblas0-openmp)
+    ;;
 all)
     packages+=(blender emscripten clang-tidy-14 debootstrap libbenchmark-dev)
     ;;

@@ -1,4 +1,4 @@
-// deixis generate: a built-in system's clips for a list of targets.
+// deixis generate: a built-in or learned system's clips for a list of targets.
 #include <fmt/format.h>
 
 #include <memory>
@@ -13,6 +13,7 @@
 #include "assets/data/data_paths.hpp"
 #include "assets/data/demonstrations.hpp"
 #include "assets/tables/target_list.hpp"
+#include "motion/learned/moglow.hpp"
 
 namespace deixis::app {
 
@@ -22,17 +23,30 @@ struct GenerateArguments {
     std::string system;
     std::string targets;
     std::string folder;
+    std::string weights;
     std::uint64_t seed = 1;
     motion::HoldSettings settings;
     bool force = false;
 };
 
+/// The system asked for: with weights the one that they are of.
+Result<std::unique_ptr<motion::Generator>> systemOf(const GenerateArguments& options,
+                                                    const motion::Skeleton& avatar) {
+    if (options.weights.empty()) {
+        const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
+        if (!parameters) return tl::unexpected(parameters.error());
+        return motion::makeGenerator(options.system, avatar, *parameters);
+    }
+    if (options.system != motion::moglow_architecture)
+        return fail("--weights", fmt::format("the system '{}' has no weights", options.system),
+                    "Weights belong to a learned system: moglow");
+    return motion::loadMoglow(options.weights, avatar);
+}
+
 Result<void> generate(const GenerateArguments& options) {
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
-    const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
-    if (!parameters) return tl::unexpected(parameters.error());
-    const auto generator = motion::makeGenerator(options.system, avatar->skeleton, *parameters);
+    const auto generator = systemOf(options, avatar->skeleton);
     if (!generator) return tl::unexpected(generator.error());
     const auto targets = assets::readTargetList(options.targets);
     if (!targets) return tl::unexpected(targets.error());
@@ -56,13 +70,15 @@ void addGenerateCommand(Parser cli, Command& chosen) {
                                   "--targets targets.csv -o clips/direct",
                        .page = "docs/systems.md"});
     command
-        .addOption("SYSTEM", options->system,
-                   fmt::format("One of {}", fmt::join(motion::generatorNames(), ", ")))
+        .addOption(
+            "SYSTEM", options->system,
+            fmt::format("One of {}; or moglow, with its weights", fmt::join(motion::generatorNames(), ", ")))
         .required();
     command
         .addOption("--targets", options->targets, "CSV with target_id,x,y,z, such as 'deixis targets' prints")
         .required();
     addOutput(command, options->folder, "Folder for the clips and their manifest", "DIR").required();
+    command.addOption("--weights", options->weights, "File of a learned system's weights");
     addForce(command, options->force);
     addSeed(command, options->seed, "what varies from clip to clip");
     command

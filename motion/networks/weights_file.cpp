@@ -213,6 +213,8 @@ std::string encodeWeights(const NetworkWeights& weights, WeightsPrecision precis
                 throw std::logic_error("array '" + array.name + "' has a number that is not finite");
         }
     }
+    for (const auto& [key, value] : weights.metrics)
+        if (!std::isfinite(value)) throw std::logic_error("the metric '" + key + "' is not finite");
     const std::string header = headerOf(weights, precision).dump(1);
     std::string out = fmt::format("{}{} {}\n", mark, format_version, header.size());
     out += header;

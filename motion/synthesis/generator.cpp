@@ -37,6 +37,10 @@ Result<std::unique_ptr<Generator>> makeGenerator(std::string_view name, const Sk
         if (!body) return tl::unexpected(body.error());
         return system.make(*body, parameters);
     }
+    if (name == "moglow")
+        return fail(
+            "", "the system 'moglow' is learned, and no weights of it come with the program",
+            "Train it (docs/systems.md, moglow) and give its file: deixis generate moglow --weights FILE");
     std::string known;
     for (const System& system : systems) known += (known.empty() ? "" : ", ") + std::string(system.name);
     return fail("", "unknown system '" + std::string(name) + "'", "Expected one of: " + known);

@@ -72,6 +72,13 @@ TEST_SUITE("motion/generator") {
             CHECK(made.error().text().find(name) != std::string::npos);
     }
 
+    TEST_CASE("a learned system without weights says how to get them") {
+        const auto made = makeGenerator("moglow", referenceHumanoid(), {});
+        REQUIRE_FALSE(made.has_value());
+        CHECK(made.error().text().find("--weights") != std::string::npos);
+        CHECK(made.error().text().find("Train it") != std::string::npos);
+    }
+
     TEST_CASE("an avatar without the bones of both arms is rejected by the bone's name") {
         Skeleton avatar = referenceHumanoid();
         avatar.joints[static_cast<std::size_t>(Bone::rightLowerArm)].name = "prosthesis";

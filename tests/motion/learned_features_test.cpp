@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "motion/skeleton/minimum_jerk.hpp"
 #include "motion/synthesis/demonstration_library.hpp"

@@ -157,6 +157,9 @@ TEST_SUITE("motion/weights_file") {
         weights.arrays[1].values[0] = 1e6F;  // beyond 65504, the largest of float16
         CHECK_THROWS(static_cast<void>(encodeWeights(weights, WeightsPrecision::float16)));
         weights.arrays[1].values[0] = 1.0F;
+        weights.metrics["loss"] = std::numeric_limits<double>::infinity();
+        CHECK_THROWS(encodeWeights(weights, WeightsPrecision::float32));
+        weights.metrics.clear();
         std::string bytes = encodeWeights(weights, WeightsPrecision::float32);
         bytes.resize(bytes.size() - 64);
         bytes.replace(bytes.size() - 4, 4, std::string("\0\0\x80\x7f", 4));  // infinity

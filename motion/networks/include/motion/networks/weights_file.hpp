@@ -50,8 +50,8 @@ struct NetworkWeights {
 
 enum class WeightsPrecision : unsigned char { float32, float16 };
 
-/// The file's bytes. All numbers must be finite in that precision, names unique and shapes right; else it
-/// throws, as that is an error of the program.
+/// The file's bytes. All numbers, and the metrics, must be finite in that precision, names unique and shapes
+/// right; else it throws, as that is an error of the program.
 [[nodiscard]] std::string encodeWeights(const NetworkWeights& weights, WeightsPrecision precision);
 
 /// Refuses, each with a message of its own: what is no file of weights, one of a newer format, one that is

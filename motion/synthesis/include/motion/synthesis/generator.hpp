@@ -46,8 +46,8 @@ class Generator {
 /// Names of the built-in systems: "demonstration-nn", "direct", "stiff", "drifting", "gp".
 [[nodiscard]] const std::vector<std::string>& generatorNames();
 
-/// Makes a built-in system for an avatar. Fails on an unknown name, or an avatar without the bones of both
-/// arms.
+/// Makes a built-in system for an avatar. Fails on an unknown name, on that of a learned system, which is
+/// made from its weights (motion/learned), or an avatar without the bones of both arms.
 [[nodiscard]] Result<std::unique_ptr<Generator>> makeGenerator(std::string_view name, const Skeleton& avatar,
                                                                const DemonstrationParameters& parameters);
 
