@@ -123,4 +123,13 @@ Clip moved(const Clip& clip, const Pose& new_from_old) {
     return out;
 }
 
+void makeContinuous(std::vector<LocalPose>& frames) {
+    for (std::size_t f = 0; f < frames.size(); ++f)
+        for (std::size_t j = 0; j < frames[f].joints.size(); ++j) {
+            Quat& q = frames[f].joints[j].orientation;
+            q = glm::normalize(q);
+            if (f > 0 && glm::dot(frames[f - 1].joints[j].orientation, q) < 0.0) q = -q;
+        }
+}
+
 }  // namespace deixis::motion

@@ -9,6 +9,7 @@
 #include "body_noise.hpp"
 #include "motion/pointing/two_bone_ik.hpp"
 #include "motion/skeleton/axes.hpp"
+#include "motion/skeleton/clip_edit.hpp"
 #include "motion/skeleton/minimum_jerk.hpp"
 #include "pointing_posture.hpp"
 
@@ -298,15 +299,6 @@ GeneratedClip emptyClip(const PointingBody& body, const PointingMotion& motion) 
     out.hold_frame = std::max(out.peak_frame, static_cast<int>(std::floor(times.hold * fps)));
     out.end_frame = std::min(last, static_cast<int>(std::ceil(times.end * fps)));
     return out;
-}
-
-void makeContinuous(std::vector<LocalPose>& frames) {
-    for (std::size_t f = 0; f < frames.size(); ++f)
-        for (std::size_t j = 0; j < frames[f].joints.size(); ++j) {
-            Quat& q = frames[f].joints[j].orientation;
-            q = glm::normalize(q);
-            if (f > 0 && glm::dot(frames[f - 1].joints[j].orientation, q) < 0.0) q = -q;
-        }
 }
 
 GeneratedClip perform(const PointingBody& body, const PointingMotion& motion,

@@ -39,8 +39,6 @@ constexpr double generated_frame_time_s = 1.0 / 30.0;
 [[nodiscard]] double wholeDuration_s(const PointingMotion& motion);
 /// A clip of that duration with its phases, whose frames are without poses.
 [[nodiscard]] GeneratedClip emptyClip(const PointingBody& body, const PointingMotion& motion);
-/// One sign from frame to frame, so that a plain blend between neighbours never turns the long way.
-void makeContinuous(std::vector<LocalPose>& frames);
 
 [[nodiscard]] GeneratedClip perform(const PointingBody& body, const PointingMotion& motion,
                                     const DemonstrationParameters& parameters, std::uint64_t seed);

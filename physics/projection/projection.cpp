@@ -84,22 +84,22 @@ class Follower {
         if (settings.feed_forward) ahead_.emplace(body);
     }
 
-    /// The body's states at every step, from the first frame's time to the last one's.
-    std::vector<BodyState> run() {
+    Followed run() {
         BodyState start = stateAt(0.0);
         body_.setState(start);
-        std::vector<BodyState> states{std::move(start)};
+        Followed out;
+        out.states.push_back(std::move(start));
         const auto steps = static_cast<std::size_t>(std::ceil(clip_.duration_s() / step_s - 1e-6));
-        std::vector<double> targets;
-        while (states.size() <= steps) {
-            const std::size_t done = states.size() - 1;
-            if (done % steps_per_control == 0) targets = targetsFor(static_cast<double>(done) * step_s);
+        while (out.states.size() <= steps) {
+            const std::size_t done = out.states.size() - 1;
+            if (done % steps_per_control == 0)
+                out.targets_rad.push_back(targetsFor(static_cast<double>(done) * step_s));
             if (body_.figure().stance == Stance::pinned)
                 body_.moveRoot(rootAt(static_cast<double>(done) * step_s));
-            body_.step(targets, 1);
-            states.push_back(body_.state());
+            body_.step(out.targets_rad.back(), 1);
+            out.states.push_back(body_.state());
         }
-        return states;
+        return out;
     }
 
   private:
@@ -185,11 +185,17 @@ Tracking trackingOf(const Figure& figure, const Clip& given, const Clip& made) {
 
 }  // namespace
 
+Result<Followed> follow(Body& body, const Clip& clip, const ProjectionSettings& settings) {
+    if (auto fits = check(body.figure(), clip); !fits) return tl::unexpected(fits.error());
+    const Reference reference = referenceOf(body.figure(), clip);
+    return Follower(body, clip, reference, settings).run();
+}
+
 Result<Projection> project(Body& body, const Clip& clip, const ProjectionSettings& settings) {
     const Figure& figure = body.figure();
     if (auto fits = check(figure, clip); !fits) return tl::unexpected(fits.error());
     const Reference reference = referenceOf(figure, clip);
-    const auto states = Follower(body, clip, reference, settings).run();
+    const auto states = Follower(body, clip, reference, settings).run().states;
     Projection out;
     out.clip.skeleton = clip.skeleton;
     out.clip.frame_time_s = clip.frame_time_s;

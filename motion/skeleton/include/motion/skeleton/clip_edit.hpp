@@ -41,4 +41,8 @@ namespace deixis::motion {
 /// The clip in other axes: roots are moved and turned, the rest follows. Rest poses stay.
 [[nodiscard]] Clip moved(const Clip& clip, const Pose& new_from_old);
 
+/// One sign of each rotation from frame to frame, so that a plain blend between neighbours never turns the
+/// long way; all of unit length.
+void makeContinuous(std::vector<LocalPose>& frames);
+
 }  // namespace deixis::motion

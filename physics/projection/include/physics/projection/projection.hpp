@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "motion/skeleton/clip.hpp"
@@ -22,6 +23,17 @@ struct ProjectionSettings {
     double noise_rad = 0.0;  ///< SD of what is added to every target, each time that it is set
     std::uint64_t seed = 0;  ///< of that noise
 };
+
+/// A clip followed: what the body was told, and what it did.
+struct Followed {
+    std::vector<BodyState> states;                 ///< one every step_s, from the first frame's time
+    std::vector<std::vector<double>> targets_rad;  ///< one every control_s, for each hinge
+};
+
+/// The clip is on the skeleton that the body was made for. The body is left in its last state. Fails on
+/// numbers that are not finite and on another skeleton; what the body does is not looked at.
+[[nodiscard]] Result<Followed> follow(Body& body, const motion::Clip& clip,
+                                      const ProjectionSettings& settings);
 
 /// How far elbows and wrists of the new clip are from those of the given one, over all frames.
 struct Tracking {
@@ -38,9 +50,9 @@ struct Projection {
     std::string beyond_limit_of{};  ///< the hinge; empty: all angles are within the limits
 };
 
-/// The clip is on the skeleton that the body was made for. Joints that the body does not have move as in the
-/// clip, and so do the hips of a pinned body. The body is left in its last state. Fails on numbers that are
-/// not finite, on another skeleton, where a body on its feet falls, and where the simulation breaks down.
+/// The clip as it is followed. Joints that the body does not have move as in the clip, and so do the hips of
+/// a pinned body. Fails as follow() does, where a body on its feet falls, and where the simulation breaks
+/// down.
 [[nodiscard]] Result<Projection> project(Body& body, const motion::Clip& clip,
                                          const ProjectionSettings& settings);
 
