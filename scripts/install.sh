@@ -20,10 +20,10 @@ tests | all)
     packages+=(clang clang-format-14 ccache mold xvfb xdotool python3 python3-jsonschema sqlite3 libxml2-utils
         r-base-core r-cran-lme4 r-cran-ordinal postgresql chromium poppler-utils groff-base)
     ;;&
-learning)
+learning | all)
     # The plain OpenBLAS is slower in LibTorch: its threads wait for each other.
-    packages+=(libtorch-dev libopenblas0-openmp)
-    ;;
+    packages+=(libtorch-dev libgloo-dev libopenblas0-openmp)
+    ;;&
 all)
     packages+=(blender emscripten clang-tidy-14 debootstrap libbenchmark-dev)
     ;;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "learning/networks/tensors.hpp"
 
 namespace deixis::learning {
 
@@ -55,7 +56,7 @@ void MoglowModule::append(std::vector<motion::NamedArray>& out) const {
     flow_->append(out);
 }
 
-MoglowTrainer::MoglowTrainer(const MoglowData& data, const motion::PoseFeatures& features,
+MoglowTrainer::MoglowTrainer(const DemonstrationSets& data, const motion::PoseFeatures& features,
                              const MoglowSettings& settings)
     : settings_(settings),
       features_(features),
@@ -183,10 +184,7 @@ motion::NetworkWeights MoglowTrainer::weights() const {
 }
 
 bool MoglowTrainer::sound() const {
-    constexpr double largest_float16 = 65504.0;
-    return std::ranges::all_of(model_->parameters(), [](const torch::Tensor& one) {
-        return (one.abs() <= largest_float16).all().item<bool>();  // not a number is not less, either
-    });
+    return fitFloat16(model_->parameters());
 }
 
 void MoglowTrainer::save(torch::serialize::OutputArchive& archive) const {

@@ -36,7 +36,7 @@ struct Sequences {
 
 class MoglowTrainer {
   public:
-    MoglowTrainer(const MoglowData& data, const motion::PoseFeatures& features,
+    MoglowTrainer(const DemonstrationSets& data, const motion::PoseFeatures& features,
                   const MoglowSettings& settings);
 
     /// One update, the same whenever it is made from the same model. Its loss, bits a frame, which may not be

@@ -7,6 +7,7 @@
 
 #include "core/files.hpp"
 #include "core/hash.hpp"
+#include "learning/networks/tensors.hpp"
 #include "trainer.hpp"
 
 namespace deixis::learning {
@@ -21,8 +22,8 @@ constexpr int report_every = 10;
 /// A training under way, with what is on disk of it.
 class Training {
   public:
-    Training(const MoglowData& data, const motion::PoseFeatures& features, const MoglowSettings& settings,
-             const Provenance& provenance, fs::path file)
+    Training(const DemonstrationSets& data, const motion::PoseFeatures& features,
+             const MoglowSettings& settings, const Provenance& provenance, fs::path file)
         : data_(data),
           settings_(settings),
           provenance_(provenance),
@@ -33,7 +34,7 @@ class Training {
         outcome_.best.reward = -1.0;  // any other is better
     }
 
-    Result<MoglowOutcome> run(const MoglowReport& report) {
+    Result<TrainingOutcome> run(const TrainingReport& report) {
         if (const auto resumed = resume(); !resumed) return tl::unexpected(resumed.error());
         using Clock = std::chrono::steady_clock;
         auto since = Clock::now();
@@ -50,10 +51,11 @@ class Training {
             const bool validate = last || number % settings_.validate_every == 0;
             if (!validate && number % report_every != 0) continue;
             const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
-            MoglowProgress progress{number, settings_.updates, sum / summed, seconds / summed};
+            bits_ = sum / summed;
+            TrainingProgress progress = progressNow();
+            progress.numbers.emplace_back("seconds an update", seconds / summed);
             if (validate)
                 if (const auto tried = tryOut(progress); !tried) return tl::unexpected(tried.error());
-            reported_bits_ = progress.bits;
             outcome_.stopped = !report(progress) && !last;
             sum = 0.0;
             summed = 0;
@@ -87,7 +89,7 @@ class Training {
             outcome_.best_update = static_cast<int>(value.toInt());
             archive.read("best", value);
             const auto best = value.toDoubleVector();
-            outcome_.best = {best.at(0), best.at(1), best.at(2)};
+            outcome_.best = {.reward = best.at(0), .at_rest = best.at(1), .jerk_ratio = best.at(2)};
             trainer_.load(archive);
         } catch (const std::exception&) {
             return fail(state_.string(), "this is no state of a training, or damaged",
@@ -104,41 +106,42 @@ class Training {
         archive.write("best", c10::IValue(std::vector<double>{outcome_.best.reward, outcome_.best.at_rest,
                                                               outcome_.best.jerk_ratio}));
         trainer_.save(archive);
-        std::string bytes;
-        archive.save_to([&bytes](const void* data, std::size_t size) {
-            bytes.append(static_cast<const char*>(data), size);
-            return size;
-        });
-        return writeFile(state_, bytes);
+        return writeFile(state_, bytesOf(archive));
+    }
+
+    [[nodiscard]] TrainingProgress progressNow() const {
+        TrainingProgress out{.update = outcome_.updates, .updates = settings_.updates};
+        out.done = static_cast<double>(out.update) / out.updates;
+        out.numbers = {{"bits a frame", bits_}};
+        return out;
     }
 
     /// Generates for the held-out targets with the numbers as a file would hold them, and writes the file
     /// where they are the best yet.
-    Result<void> tryOut(MoglowProgress& progress) {
+    Result<void> tryOut(TrainingProgress& progress) {
         auto weights = trainer_.weights();
-        weights.training_data_sha256 = data_.sha256;
-        weights.program_version = provenance_.version;
-        weights.commit = provenance_.commit;
-        weights.synthetic = data_.synthetic;
+        setProvenance(weights, data_, settings_.seed, provenance_);
         const auto held =
             motion::decodeWeights(motion::encodeWeights(weights, WeightsPrecision::float16), file_.string());
         if (!held) return tl::unexpected(held.error());
         const auto system = motion::makeMoglow(*held, avatar_);
         if (!system) return tl::unexpected(system.error());
-        progress.validation = measureGenerated(**system, data_.validation, settings_.seed);
-        progress.validation_bits = trainer_.validationBits();
-        progress.best = std::isfinite(progress.validation->jerk_ratio) &&
-                        std::isfinite(progress.validation_bits) &&
-                        (outcome_.best_update == 0 || progress.validation->score() > outcome_.best.score());
+        const ClipMeasures tried = measureGenerated(**system, data_.validation, settings_.seed);
+        const double held_out_bits = trainer_.validationBits();
+        progress.validation = tried;
+        progress.numbers.emplace_back("bits a frame held out", held_out_bits);
+        progress.best = std::isfinite(tried.jerk_ratio) && std::isfinite(held_out_bits) &&
+                        (outcome_.best_update == 0 || tried.score() > outcome_.best.score());
         if (progress.best) {
-            outcome_.best = *progress.validation;
+            outcome_.best = tried;
             outcome_.best_update = progress.update;
             weights.metrics = {{"updates", double(progress.update)},
-                               {"validation_reward", outcome_.best.reward},
-                               {"validation_at_rest", outcome_.best.at_rest},
-                               {"validation_jerk_ratio", outcome_.best.jerk_ratio},
-                               {"validation_bits_a_frame", progress.validation_bits},
-                               {"training_bits_a_frame", progress.bits}};
+                               {"validation_reward", tried.reward},
+                               {"validation_at_rest", tried.at_rest},
+                               {"validation_jerk_ratio", tried.jerk_ratio},
+                               {"validation_arm_error_m", tried.arm_error_m},
+                               {"validation_bits_a_frame", held_out_bits},
+                               {"training_bits_a_frame", bits_}};
             const auto written = motion::writeWeights(file_, weights, WeightsPrecision::float16);
             if (!written) return written;
         }
@@ -155,10 +158,10 @@ class Training {
             kept + "; a lower learning rate may help");
     }
 
-    Result<MoglowOutcome> finish() {
+    Result<TrainingOutcome> finish() {
         if (outcome_.stopped) {
             // So that there is a file to use, whenever it was stopped.
-            MoglowProgress progress{outcome_.updates, settings_.updates, reported_bits_};
+            TrainingProgress progress = progressNow();
             const auto kept = outcome_.best_update == 0 ? tryOut(progress) : save();
             if (!kept) return tl::unexpected(kept.error());
         } else {
@@ -168,22 +171,22 @@ class Training {
         return outcome_;
     }
 
-    const MoglowData& data_;
+    const DemonstrationSets& data_;
     const MoglowSettings& settings_;
     const Provenance& provenance_;
     fs::path file_;
     fs::path state_;
     MoglowTrainer trainer_;
     motion::Skeleton avatar_;
-    MoglowOutcome outcome_;
-    double reported_bits_ = 0.0;
+    TrainingOutcome outcome_;
+    double bits_ = 0.0;  ///< a frame, mean since the last report
 };
 
 }  // namespace
 
-Result<MoglowOutcome> trainMoglow(const MoglowData& data, const MoglowSettings& settings,
-                                  const Provenance& provenance, const fs::path& file,
-                                  const MoglowReport& report) {
+Result<TrainingOutcome> trainMoglow(const DemonstrationSets& data, const MoglowSettings& settings,
+                                    const Provenance& provenance, const fs::path& file,
+                                    const TrainingReport& report) {
     if (data.training.empty() || data.validation.empty())
         return fail(
             file.string(),

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "learning/networks/tensors.hpp"
+
 namespace deixis::learning {
 
 namespace {
@@ -12,20 +14,6 @@ torch::Tensor placesOf(const torch::Tensor& permutation_matrix) {
 }
 
 }  // namespace
-
-motion::NamedArray arrayOf(const std::string& name, const torch::Tensor& tensor) {
-    const torch::Tensor plain = tensor.detach().to(torch::kFloat32).contiguous();
-    motion::NamedArray out{name, {}, {}};
-    for (const std::int64_t size : plain.sizes()) out.shape.push_back(static_cast<std::size_t>(size));
-    out.values.assign(plain.data_ptr<float>(), plain.data_ptr<float>() + plain.numel());
-    return out;
-}
-
-void appendLinear(const torch::nn::Linear& layer, const std::string& name,
-                  std::vector<motion::NamedArray>& out) {
-    out.push_back(arrayOf(name + ".weight", layer->weight));
-    out.push_back(arrayOf(name + ".bias", layer->bias));
-}
 
 FlowModule::FlowModule(const FlowSizes& sizes) : sizes_(sizes) {
     const int kept = sizes.size / 2;

@@ -11,11 +11,6 @@
 
 namespace deixis::learning {
 
-/// NAME.weight and NAME.bias of a linear layer.
-void appendLinear(const torch::nn::Linear& layer, const std::string& name,
-                  std::vector<motion::NamedArray>& out);
-[[nodiscard]] motion::NamedArray arrayOf(const std::string& name, const torch::Tensor& tensor);
-
 struct FlowSizes {
     int size = 0;       ///< numbers of a frame
     int condition = 0;  ///< numbers that a frame is conditioned on

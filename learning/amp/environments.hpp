@@ -1,0 +1,56 @@
+// Bodies that try out a policy, many at once: each plays one demonstration's time from somewhere within it
+// (reference-state initialisation) towards a target near the demonstration's.
+#pragma once
+
+#include <vector>
+
+#include "core/random.hpp"
+#include "reference_motions.hpp"
+
+namespace deixis::learning {
+
+class Environments {
+  public:
+    /// `references` stay where they are, and are not empty.
+    Environments(const physics::Body& body, const std::vector<ReferenceMotion>& references,
+                 const AmpSettings& settings, std::uint64_t seed);
+
+    /// All begin anew.
+    void restart(std::uint64_t seed);
+    [[nodiscard]] std::size_t count() const { return bodies_.size(); }
+    /// Numbers of the body's state, and with the goal behind them.
+    [[nodiscard]] std::size_t stateSize() const { return observer_.stateSize(); }
+    [[nodiscard]] std::size_t seenSize() const;
+
+    /// What the policy sees now, count() rows.
+    void see(std::span<float> out);
+
+    struct Step {
+        double task_reward = 0.0;  ///< in [0, 0.632]
+        double phase = 0.0;        ///< of the state before the step
+        bool ended = false;        ///< time is over, or the body has fallen
+        bool fallen = false;
+    };
+    /// One control of one body; `after`: what the policy sees then, before a new begin where it has ended.
+    [[nodiscard]] Step step(std::size_t body, std::span<const double> targets_rad, std::span<float> after);
+
+  private:
+    struct Play {
+        const ReferenceMotion* reference = nullptr;
+        std::size_t control = 0;
+        Vec3 target_m{0.0};
+    };
+    void begin(std::size_t body);
+    void seeOne(std::size_t body, std::span<float> out);
+    [[nodiscard]] double reward(const physics::Body& body, const Play& play);
+
+    const std::vector<ReferenceMotion>& references_;
+    const AmpSettings& settings_;
+    physics::BodyObserver observer_;
+    std::vector<physics::Body> bodies_;
+    std::vector<Play> plays_;
+    Random random_;
+    motion::LocalPose pose_;
+};
+
+}  // namespace deixis::learning

@@ -1,0 +1,80 @@
+// Training of the systems of adversarial motion priors (Peng, Ma, Abbeel, Levine & Kanazawa 2021) as Deichler
+// et al. (2023), section 2.2, change them for pointing.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "motion/networks/weights_file.hpp"
+
+#include "physics/figure/figure.hpp"
+
+namespace deixis::learning {
+
+/// Which of the paper's changes are made. Its three systems: no run time (neither), base (phase alone),
+/// pfnn (both).
+struct AmpVariant {
+    bool policy_phase = true;  ///< the policy knows the running time (section 2.2.1)
+    /// The discriminator is a phase-functioned network (section 2.2.2): four sets of weights, mixed by the
+    /// cubic of Catmull & Rom about the phase, closed to a circle (Holden, Komura & Saito 2017, Eq. 7).
+    bool phase_functioned = true;
+};
+
+/// What is rewarded as the task, beside the style (Eq. 1).
+enum class AmpTask : unsigned char {
+    forearm,       ///< Eq. 2: the forearm's line
+    eye_fingertip  ///< the same of the line from the eyes through the index fingertip
+};
+
+/// Sizes and rates that are not the paper's, which does not state them, were found by trial.
+struct AmpSettings {
+    AmpVariant variant{};
+    AmpTask task = AmpTask::forearm;
+    physics::Stance stance = physics::Stance::pinned;
+    std::vector<int> hidden{256, 128};  ///< units of each network
+    double style_weight = 0.5;          ///< Eq. 1
+    double task_weight = 0.5;
+    bool task_in_hold_only = false;  ///< else in every frame, as in the paper
+    double target_spread_m = 0.1;    ///< a target is drawn within this of the demonstration's, on each axis
+
+    int environments = 256;
+    int horizon = 32;  ///< controls an iteration of each
+    double discount = 0.97;
+    double trace = 0.95;  ///< lambda of the advantages
+    double clip = 0.2;
+    int epochs = 4;
+    int minibatch = 2048;
+    double actor_rate = 1e-4;
+    double critic_rate = 1e-3;
+    double first_noise_rad = 0.05;  ///< SD of what is tried out, at the begin and
+    double last_noise_rad = 0.03;   ///< at the end; linear between
+
+    double discriminator_rate = 1e-4;
+    int discriminator_batch = 512;  ///< of the agent's and as many of the demonstrations' transitions
+    int discriminator_updates = 8;  ///< an iteration
+    double discriminator_weight = 5.0;
+    double gradient_penalty = 0.2;
+    double logit_decay = 0.05;
+    double weight_decay = 1e-4;
+    int remembered = 50'000;                ///< the agent's transitions, at the most
+    int remembered_each = 1000;             ///< of them new each iteration
+    double demonstration_noise_rad = 0.04;  ///< SD of noise on the actuators' targets of demonstrations
+    int demonstration_repeats = 4;          ///< times that each is followed, with other noise
+
+    int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
+    int frozen_iterations = 20;  ///< in which critic and discriminator learn alone
+    int iterations = 200;
+    /// Every so many iterations the policy is tried out, and all but the networks begins anew: the bodies,
+    /// the random numbers and the remembered transitions. So a training goes on from there as if it had not
+    /// stopped.
+    int validate_every = 25;
+    int validation_targets = 24;  ///< drawn for each cluster, beside those of held-out demonstrations
+    std::uint64_t seed = 1;
+};
+
+/// All of them by name, for a file's header.
+[[nodiscard]] std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& settings);
+
+}  // namespace deixis::learning

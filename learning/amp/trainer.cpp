@@ -1,0 +1,374 @@
+#include "trainer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numeric>
+
+#include "learning/networks/tensors.hpp"
+#include "physics/policy/policy.hpp"
+
+namespace deixis::learning {
+
+namespace {
+
+using torch::Tensor;
+
+constexpr double least_sd = 0.05;
+constexpr double largest_style = 9.21;  ///< -ln 1e-4
+constexpr double max_gradient_norm = 1.0;
+
+Tensor tensorOf(std::vector<float> values, std::int64_t columns) {
+    return torch::tensor(values).reshape({-1, columns});
+}
+
+/// LibTorch has one generator for all threads.
+std::unique_lock<std::mutex> seeded(std::uint64_t seed) {
+    static std::mutex mutex;
+    std::unique_lock lock(mutex);
+    torch::manual_seed(seed >> 1U);
+    return lock;
+}
+
+std::unique_ptr<torch::optim::Adam> adam(const std::vector<Tensor>& parameters, double rate, double decay) {
+    return std::make_unique<torch::optim::Adam>(parameters,
+                                                torch::optim::AdamOptions(rate).weight_decay(decay));
+}
+
+}  // namespace
+
+bool AmpIteration::finite() const {
+    return std::isfinite(task_reward + style_reward + agent_logit + demonstration_logit + value_error);
+}
+
+AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMotion>& references,
+                       const AmpSettings& settings, std::uint64_t seed, Ranks& ranks)
+    : settings_(settings),
+      ranks_(ranks),
+      seed_(seed),
+      environments_(body, references, settings_, seed),
+      random_(seed, "cloning"),
+      state_size_(static_cast<std::int64_t>(environments_.stateSize())),
+      actions_(static_cast<std::int64_t>(body.figure().hinges.size())) {
+    const bool phase = settings.variant.policy_phase;
+    const auto seen_size = static_cast<std::int64_t>(environments_.seenSize());
+    const physics::BodyObserver observer(body.figure());
+    std::vector<float> seen, action, pair, phases;
+    for (const ReferenceMotion& one : references)
+        for (const auto& states : one.seen)
+            for (std::size_t i = 0; i < one.controls(); ++i) {
+                std::vector<float> goal(physics::BodyObserver::goalSize(phase));
+                physics::PolicyGoal asked{one.target_m, one.hand, {}};
+                if (phase) asked.phase = one.phase(i);
+                observer.writeGoal(one.states[i].root, states[i], asked, goal);
+                seen.insert(seen.end(), states[i].begin(), states[i].end());
+                seen.insert(seen.end(), goal.begin(), goal.end());
+                for (const double target : one.targets_rad[i]) action.push_back(static_cast<float>(target));
+                pair.insert(pair.end(), states[i].begin(), states[i].end());
+                pair.insert(pair.end(), states[i + 1].begin(), states[i + 1].end());
+                phases.push_back(static_cast<float>(one.phase(i)));
+            }
+    clone_seen_ = tensorOf(std::move(seen), seen_size);
+    clone_action_ = tensorOf(std::move(action), actions_);
+    seen_mean_ = clone_seen_.mean(0);
+    seen_sd_ = clone_seen_.std(0).clamp_min(least_sd);
+    action_mean_ = clone_action_.mean(0);
+    action_sd_ = clone_action_.std(0).clamp_min(least_sd);
+    const Tensor all = tensorOf(std::move(pair), 2 * state_size_);
+    demonstrated_pairs_ = pairs(all.narrow(1, 0, state_size_), all.narrow(1, state_size_, state_size_));
+    demonstrated_phases_ = torch::tensor(phases);
+    remembered_pairs_ = torch::zeros({settings.remembered, 2 * state_size_});
+    remembered_phases_ = torch::zeros({settings.remembered});
+
+    const int inputs = static_cast<int>(seen_size);
+    {
+        const auto lock = seeded(deriveSeed(seed, "networks"));
+        actor_ = std::make_shared<Mlp>(inputs, settings.hidden, static_cast<int>(actions_), 0.1);
+        critic_ = std::make_shared<Mlp>(inputs, settings.hidden, 1, 0.1);
+        discriminator_ = std::make_shared<Discriminator>(static_cast<int>(2 * state_size_), settings.hidden,
+                                                         settings.variant.phase_functioned);
+    }
+    actor_optimiser_ = adam(actor_->parameters(), settings.actor_rate, 0.0);
+    critic_optimiser_ = adam(critic_->parameters(), settings.critic_rate, 0.0);
+    discriminator_optimiser_ =
+        adam(discriminator_->parameters(), settings.discriminator_rate, settings.weight_decay);
+    for (const torch::nn::Module* network :
+         std::initializer_list<const torch::nn::Module*>{actor_.get(), critic_.get(), discriminator_.get()})
+        ranks.takeFirst(network->parameters());
+}
+
+void AmpTrainer::restart(int iterations) {
+    // Of its own in each rank.
+    const std::uint64_t seed =
+        deriveSeed(seed_, fmt::format("from iteration {} rank {}", iterations, ranks_.rank()));
+    environments_.restart(seed);
+    random_ = Random(seed, "trainer");
+    remembered_ = 0;
+}
+
+void AmpTrainer::update(torch::optim::Adam& optimiser, const std::vector<Tensor>& parameters,
+                        const Tensor& loss) {
+    optimiser.zero_grad();
+    loss.backward();
+    ranks_.averageGradients(parameters);
+    torch::nn::utils::clip_grad_norm_(parameters, max_gradient_norm);
+    optimiser.step();
+}
+
+Tensor AmpTrainer::standardised(const Tensor& seen) const {
+    return ((seen - seen_mean_) / seen_sd_).clamp(-physics::largest_input, physics::largest_input);
+}
+
+Tensor AmpTrainer::pairs(const Tensor& before, const Tensor& after) const {
+    const Tensor mean = seen_mean_.narrow(0, 0, state_size_), sd = seen_sd_.narrow(0, 0, state_size_);
+    return torch::cat({(before - mean) / sd, (after - mean) / sd}, 1)
+        .clamp(-physics::largest_input, physics::largest_input);
+}
+
+Tensor AmpTrainer::actionOf(const Tensor& seen) {
+    return action_mean_ + action_sd_ * actor_->forward(standardised(seen));
+}
+
+Tensor AmpTrainer::valueOf(const Tensor& seen) {
+    return critic_->forward(standardised(seen)).squeeze(1) / (1.0 - settings_.discount);
+}
+
+Tensor AmpTrainer::indices(std::int64_t below, std::int64_t count) {
+    std::vector<std::int64_t> out;
+    for (std::int64_t i = 0; i < count; ++i)
+        out.push_back(static_cast<std::int64_t>(random_.below(static_cast<std::uint64_t>(below))));
+    return torch::tensor(out);
+}
+
+Tensor AmpTrainer::permutation(std::int64_t count) {
+    std::vector<std::int64_t> out(static_cast<std::size_t>(count));
+    std::iota(out.begin(), out.end(), 0);
+    random_.shuffle(std::span(out));
+    return torch::tensor(out);
+}
+
+double AmpTrainer::clone() {
+    torch::optim::Adam optimiser(actor_->parameters(), torch::optim::AdamOptions(1e-3));
+    const Tensor wanted = (clone_action_ - action_mean_) / action_sd_;
+    const Tensor seen = standardised(clone_seen_);
+    double error = 0.0;
+    for (int i = 0; i < settings_.cloning_updates; ++i) {
+        for (auto& group : optimiser.param_groups())
+            static_cast<torch::optim::AdamOptions&>(group.options())
+                .lr(1e-3 * (1.0 - 0.9 * i / settings_.cloning_updates));
+        const Tensor batch = indices(seen.size(0), 256);
+        const Tensor loss =
+            torch::mse_loss(actor_->forward(seen.index_select(0, batch)), wanted.index_select(0, batch));
+        update(optimiser, actor_->parameters(), loss);
+        error += 0.01 * (loss.item<double>() - error);
+    }
+    return error;
+}
+
+AmpTrainer::Rollout AmpTrainer::rollOut(double noise_rad) {
+    torch::NoGradGuard no_gradient;
+    const auto n = static_cast<std::int64_t>(environments_.count());
+    const std::int64_t size = settings_.horizon * n;
+    const auto seen_size = static_cast<std::int64_t>(environments_.seenSize());
+    Rollout out;
+    out.seen = torch::empty({size, seen_size});
+    out.after = torch::empty({size, seen_size});
+    out.mean = torch::empty({size, actions_});
+    out.action = torch::empty({size, actions_});
+    out.phase = torch::empty({size});
+    out.task = torch::empty({size});
+    out.ended = torch::empty({size});
+    out.fallen = torch::empty({size});
+    const auto row = [](const Tensor& tensor, std::int64_t at) {
+        return std::span(tensor.data_ptr<float>() + at * tensor.size(1),
+                         static_cast<std::size_t>(tensor.size(1)));
+    };
+    std::vector<double> targets(static_cast<std::size_t>(actions_));
+    for (std::int64_t t = 0; t < settings_.horizon; ++t) {
+        const Tensor seen = out.seen.narrow(0, t * n, n);
+        environments_.see({seen.data_ptr<float>(), static_cast<std::size_t>(n * seen_size)});
+        out.mean.narrow(0, t * n, n).copy_(actionOf(seen));
+        for (std::int64_t i = 0; i < n; ++i) {
+            const std::int64_t at = t * n + i;
+            const auto mean = row(out.mean, at), action = row(out.action, at);
+            for (std::size_t d = 0; d < targets.size(); ++d) {
+                targets[d] = static_cast<double>(mean[d]) + random_.normal(0.0, noise_rad);
+                action[d] = static_cast<float>(targets[d]);
+            }
+            const auto step = environments_.step(static_cast<std::size_t>(i), targets, row(out.after, at));
+            out.phase.data_ptr<float>()[at] = static_cast<float>(step.phase);
+            out.task.data_ptr<float>()[at] = static_cast<float>(step.task_reward);
+            out.ended.data_ptr<float>()[at] = step.ended ? 1.0F : 0.0F;
+            out.fallen.data_ptr<float>()[at] = step.fallen ? 1.0F : 0.0F;
+        }
+    }
+    return out;
+}
+
+void AmpTrainer::setStyle(Rollout& rollout) {
+    torch::NoGradGuard no_gradient;
+    const Tensor logits = discriminator_->forward(
+        pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_)),
+        rollout.phase);
+    rollout.style = 2.0 * torch::softplus(logits).clamp_max(largest_style);  // -2 ln(1 - sigmoid)
+}
+
+void AmpTrainer::setAdvantages(Rollout& rollout) {
+    torch::NoGradGuard no_gradient;
+    const Tensor value = valueOf(rollout.seen);
+    const Tensor reward = settings_.style_weight * rollout.style + settings_.task_weight * rollout.task;
+    // A body that has fallen gets no more; where time is over, the end is not the policy's doing.
+    const Tensor delta =
+        reward + settings_.discount * valueOf(rollout.after) * (1.0 - rollout.fallen) - value;
+    const Tensor goes_on = settings_.discount * settings_.trace * (1.0 - rollout.ended);
+    rollout.advantage = torch::empty_like(delta);
+    const auto n = static_cast<std::int64_t>(environments_.count());
+    Tensor next = torch::zeros({n});
+    for (std::int64_t t = settings_.horizon - 1; t >= 0; --t) {
+        next = delta.narrow(0, t * n, n) + goes_on.narrow(0, t * n, n) * next;
+        rollout.advantage.narrow(0, t * n, n).copy_(next);
+    }
+    rollout.returned = rollout.advantage + value;
+    rollout.advantage =
+        (rollout.advantage - rollout.advantage.mean()) / rollout.advantage.std().clamp_min(1e-6);
+}
+
+void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool actor_too, AmpIteration& out) {
+    const std::int64_t size = rollout.seen.size(0);
+    const double scale = 1.0 - settings_.discount;
+    const Tensor seen = standardised(rollout.seen);
+    double error = 0.0, clipped = 0.0, updates = 0.0;
+    for (int epoch = 0; epoch < settings_.epochs; ++epoch) {
+        const Tensor order = permutation(size);
+        for (std::int64_t begin = 0; begin + settings_.minibatch <= size; begin += settings_.minibatch) {
+            const Tensor batch = order.narrow(0, begin, settings_.minibatch);
+            const Tensor some = seen.index_select(0, batch);
+            const Tensor critic_loss = torch::mse_loss(critic_->forward(some).squeeze(1),
+                                                       scale * rollout.returned.index_select(0, batch));
+            update(*critic_optimiser_, critic_->parameters(), critic_loss);
+            error += critic_loss.item<double>();
+            updates += 1.0;
+            if (!actor_too) continue;
+            const Tensor mean = action_mean_ + action_sd_ * actor_->forward(some);
+            const Tensor action = rollout.action.index_select(0, batch);
+            const Tensor old = rollout.mean.index_select(0, batch);
+            const Tensor log_ratio =
+                ((action - old).square() - (action - mean).square()).sum(1) / (2.0 * noise_rad * noise_rad);
+            const Tensor ratio = log_ratio.exp();
+            const Tensor advantage = rollout.advantage.index_select(0, batch);
+            const Tensor kept = ratio.clamp(1.0 - settings_.clip, 1.0 + settings_.clip);
+            update(*actor_optimiser_, actor_->parameters(),
+                   -torch::min(ratio * advantage, kept * advantage).mean());
+            clipped += ((ratio - 1.0).abs() > settings_.clip).to(torch::kFloat32).mean().item<double>();
+        }
+    }
+    const double variance = (scale * rollout.returned).var().item<double>();
+    out.value_error = error / updates / std::max(variance, 1e-12);
+    out.policy_change = clipped / updates;
+}
+
+void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
+    const std::int64_t size = settings_.discriminator_batch;
+    const Tensor now = pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_));
+    const std::int64_t past = std::min<std::int64_t>(remembered_, settings_.remembered);
+    const std::int64_t from_past = past > 0 ? size / 2 : 0;
+    for (int i = 0; i < settings_.discriminator_updates; ++i) {
+        const Tensor fresh = indices(now.size(0), size - from_past);
+        const Tensor shown = indices(demonstrated_pairs_.size(0), size);
+        std::vector<Tensor> x{now.index_select(0, fresh)}, phase{rollout.phase.index_select(0, fresh)};
+        if (from_past > 0) {
+            const Tensor old = indices(past, from_past);
+            x.push_back(remembered_pairs_.index_select(0, old));
+            phase.push_back(remembered_phases_.index_select(0, old));
+        }
+        x.push_back(demonstrated_pairs_.index_select(0, shown));
+        phase.push_back(demonstrated_phases_.index_select(0, shown));
+        const Tensor input = torch::cat(x).requires_grad_();
+        const Tensor logits = discriminator_->forward(input, torch::cat(phase));
+        const Tensor agent = logits.narrow(0, 0, size), demonstrated = logits.narrow(0, size, size);
+        // Of the binary cross-entropies of both, the mean.
+        const Tensor told_apart =
+            0.5 * (torch::softplus(agent).mean() + torch::softplus(-demonstrated).mean());
+        const Tensor slope = torch::autograd::grad({logits.sum()}, {input}, {}, true, true).front();
+        const Tensor loss = settings_.discriminator_weight *
+                            (told_apart + settings_.gradient_penalty * slope.square().sum(1).mean() +
+                             settings_.logit_decay * discriminator_->lastWeight().square().sum());
+        discriminator_optimiser_->zero_grad();
+        loss.backward();
+        ranks_.averageGradients(discriminator_->parameters());
+        discriminator_optimiser_->step();
+        out.agent_logit += agent.mean().item<double>() / settings_.discriminator_updates;
+        out.demonstration_logit += demonstrated.mean().item<double>() / settings_.discriminator_updates;
+    }
+}
+
+void AmpTrainer::remember(const Rollout& rollout) {
+    const Tensor now = pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_));
+    const Tensor some = indices(now.size(0), settings_.remembered_each);
+    const Tensor places = torch::remainder(
+        torch::arange(remembered_, remembered_ + settings_.remembered_each), settings_.remembered);
+    remembered_pairs_.index_copy_(0, places, now.index_select(0, some));
+    remembered_phases_.index_copy_(0, places, rollout.phase.index_select(0, some));
+    remembered_ += settings_.remembered_each;
+}
+
+AmpIteration AmpTrainer::iterate(int number) {
+    AmpIteration out;
+    const double share = static_cast<double>(number) / settings_.iterations;
+    const double noise_rad = settings_.first_noise_rad +
+                             std::min(1.0, share) * (settings_.last_noise_rad - settings_.first_noise_rad);
+    Rollout rollout = rollOut(noise_rad);
+    setStyle(rollout);
+    setAdvantages(rollout);
+    learnPolicy(rollout, noise_rad, number > settings_.frozen_iterations, out);
+    learnStyle(rollout, out);
+    remember(rollout);
+    out.task_reward = rollout.task.mean().item<double>();
+    out.style_reward = rollout.style.mean().item<double>();
+    return out;
+}
+
+void AmpTrainer::appendPolicy(const std::string& name, std::vector<motion::NamedArray>& out) const {
+    out.push_back(arrayOf(name + ".input_mean", seen_mean_));
+    out.push_back(arrayOf(name + ".input_sd", seen_sd_));
+    out.push_back(arrayOf(name + ".output_mean", action_mean_));
+    out.push_back(arrayOf(name + ".output_sd", action_sd_));
+    actor_->append(name, out);
+}
+
+bool AmpTrainer::sound() const {
+    return fitFloat16(actor_->parameters()) && fitFloat16(critic_->parameters()) &&
+           fitFloat16(discriminator_->parameters());
+}
+
+void AmpTrainer::save(torch::serialize::OutputArchive& archive) const {
+    const auto part = [&archive](const char* name, const auto& what) {
+        torch::serialize::OutputArchive one;
+        what->save(one);
+        archive.write(name, one);
+    };
+    part("actor", actor_);
+    part("critic", critic_);
+    part("discriminator", discriminator_);
+    part("actor_optimiser", actor_optimiser_);
+    part("critic_optimiser", critic_optimiser_);
+    part("discriminator_optimiser", discriminator_optimiser_);
+}
+
+void AmpTrainer::load(torch::serialize::InputArchive& archive) {
+    const auto part = [&archive](const char* name, const auto& what) {
+        torch::serialize::InputArchive one;
+        archive.read(name, one);
+        what->load(one);
+    };
+    part("actor", actor_);
+    part("critic", critic_);
+    part("discriminator", discriminator_);
+    part("actor_optimiser", actor_optimiser_);
+    part("critic_optimiser", critic_optimiser_);
+    part("discriminator_optimiser", discriminator_optimiser_);
+}
+
+}  // namespace deixis::learning

@@ -1,0 +1,88 @@
+// One policy's training: actor and critic by proximal policy optimisation (Schulman et al. 2017), and the
+// discriminator that tells how much the body moves as in the demonstrations.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "environments.hpp"
+#include "learning/ranks/ranks.hpp"
+#include "modules.hpp"
+
+namespace deixis::learning {
+
+/// What an iteration was like; means over its controls.
+struct AmpIteration {
+    double task_reward = 0.0;
+    double style_reward = 0.0;
+    double agent_logit = 0.0;  ///< the discriminator's of the agent's transitions
+    double demonstration_logit = 0.0;
+    double value_error = 0.0;    ///< share of the returns' variance that the critic does not explain
+    double policy_change = 0.0;  ///< share of controls whose probability ratio was clipped
+    [[nodiscard]] bool finite() const;
+};
+
+class AmpTrainer {
+  public:
+    /// `references` stay where they are. One after another is made, even in several threads.
+    AmpTrainer(const physics::Body& body, const std::vector<ReferenceMotion>& references,
+               const AmpSettings& settings, std::uint64_t seed, Ranks& ranks);
+
+    /// The actor learns the demonstrations' own targets. The mean squared error at the end, as a share of
+    /// their variance.
+    double clone();
+    /// All but the networks begins anew, with random numbers of its own: that many iterations are done.
+    void restart(int iterations);
+    /// One iteration, counted from 1.
+    [[nodiscard]] AmpIteration iterate(int number);
+
+    /// The policy's arrays, as Policy::read() reads them.
+    void appendPolicy(const std::string& name, std::vector<motion::NamedArray>& out) const;
+    /// Whether all of the networks' numbers are finite and a file can hold them.
+    [[nodiscard]] bool sound() const;
+    /// The networks and their optimisers.
+    void save(torch::serialize::OutputArchive& archive) const;
+    void load(torch::serialize::InputArchive& archive);
+
+  private:
+    /// The controls of an iteration, environment after environment within each time, flattened.
+    struct Rollout {
+        torch::Tensor seen, after, action, mean;
+        torch::Tensor phase, task, style;
+        torch::Tensor ended, fallen;
+        torch::Tensor advantage, returned;
+    };
+    [[nodiscard]] torch::Tensor standardised(const torch::Tensor& seen) const;
+    [[nodiscard]] torch::Tensor pairs(const torch::Tensor& before, const torch::Tensor& after) const;
+    [[nodiscard]] torch::Tensor actionOf(const torch::Tensor& seen);
+    [[nodiscard]] torch::Tensor valueOf(const torch::Tensor& seen);
+    [[nodiscard]] torch::Tensor indices(std::int64_t below, std::int64_t count);
+    [[nodiscard]] torch::Tensor permutation(std::int64_t count);
+    [[nodiscard]] Rollout rollOut(double noise_rad);
+    void setStyle(Rollout& rollout);
+    void setAdvantages(Rollout& rollout);
+    void update(torch::optim::Adam& optimiser, const std::vector<torch::Tensor>& parameters,
+                const torch::Tensor& loss);
+    void learnPolicy(const Rollout& rollout, double noise_rad, bool actor_too, AmpIteration& out);
+    void learnStyle(const Rollout& rollout, AmpIteration& out);
+    void remember(const Rollout& rollout);
+
+    AmpSettings settings_;
+    Ranks& ranks_;
+    std::uint64_t seed_;
+    Environments environments_;
+    Random random_;
+    std::int64_t state_size_;
+    std::int64_t actions_;
+    torch::Tensor seen_mean_, seen_sd_, action_mean_, action_sd_;
+    torch::Tensor clone_seen_, clone_action_;
+    torch::Tensor demonstrated_pairs_, demonstrated_phases_;
+    torch::Tensor remembered_pairs_, remembered_phases_;
+    std::int64_t remembered_ = 0;  ///< so many since the last restart
+    std::shared_ptr<Mlp> actor_, critic_;
+    std::shared_ptr<Discriminator> discriminator_;
+    std::unique_ptr<torch::optim::Adam> actor_optimiser_, critic_optimiser_, discriminator_optimiser_;
+};
+
+}  // namespace deixis::learning
