@@ -14,6 +14,7 @@
 #include "app/analysis_commands/report.hpp"
 #include "app/clips/measured_clips.hpp"
 #include "app/clips/study_setup.hpp"
+#include "app/clips/systems.hpp"
 #include "app/clips/training_targets.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
@@ -229,13 +230,14 @@ Result<void> evaluateClips(const EvaluateArguments& options) {
     if (auto checked = checkOutputs(options, listed); !checked) return checked;
     if (auto checked = checkThere(listed.clips); !checked) return checked;
 
+    for (const ClipToMeasure& clip : listed.clips)
+        if (isSynthetic(clip.row)) input.synthetic_systems.insert(clip.row.system);
     const unsigned threads = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();
     auto measured = measureClips(listed.clips, input.rule, threads, progressOnTerminal("clips"));
     if (!measured) return failWith(measured.error(), "cannot be measured");
     input.clips = std::move(measured->clips);
     input.motion_digest = std::move(measured->motion_digest);
     input.without_target = listed.without_target;
-    input.synthetic_systems = {motion::generatorNames().begin(), motion::generatorNames().end()};
     input.training = std::move(training->targets);
     input.training_source = std::move(training->source);
     input.training_synthetic = training->synthetic;

@@ -7,13 +7,11 @@
 #include "app/clip_commands/clip_commands.hpp"
 #include "app/clips/generation.hpp"
 #include "app/clips/study_setup.hpp"
+#include "app/clips/systems.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/progress_line.hpp"
-#include "assets/data/data_paths.hpp"
-#include "assets/data/demonstrations.hpp"
 #include "assets/tables/target_list.hpp"
-#include "motion/learned/moglow.hpp"
 
 namespace deixis::app {
 
@@ -29,30 +27,16 @@ struct GenerateArguments {
     bool force = false;
 };
 
-/// The system asked for: with weights the one that they are of.
-Result<std::unique_ptr<motion::Generator>> systemOf(const GenerateArguments& options,
-                                                    const motion::Skeleton& avatar) {
-    if (options.weights.empty()) {
-        const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
-        if (!parameters) return tl::unexpected(parameters.error());
-        return motion::makeGenerator(options.system, avatar, *parameters);
-    }
-    if (options.system != motion::moglow_architecture)
-        return fail("--weights", fmt::format("the system '{}' has no weights", options.system),
-                    "Weights belong to a learned system: moglow");
-    return motion::loadMoglow(options.weights, avatar);
-}
-
 Result<void> generate(const GenerateArguments& options) {
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
-    const auto generator = systemOf(options, avatar->skeleton);
-    if (!generator) return tl::unexpected(generator.error());
+    const auto system = makeSystem(options.system, options.weights, avatar->skeleton);
+    if (!system) return tl::unexpected(system.error());
     const auto targets = assets::readTargetList(options.targets);
     if (!targets) return tl::unexpected(targets.error());
     auto working = std::make_optional<ElapsedOnTerminal>("generating");
     const auto rows =
-        generateClips(**generator, *targets, options.seed, options.settings, options.folder, options.force);
+        generateClips(*system, *targets, options.seed, options.settings, options.folder, options.force);
     working.reset();
     if (!rows) return tl::unexpected(rows.error());
     fmt::print("{} clips of {}: {}\n", rows->size(), options.system,
@@ -64,21 +48,23 @@ Result<void> generate(const GenerateArguments& options) {
 
 void addGenerateCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<GenerateArguments>();
-    Parser command = cli.addCommand("generate", "Make a built-in system's clips for a list of targets");
+    Parser command = cli.addCommand("generate", "Make a system's clips for a list of targets");
     describe(command, {.writes = "a BVH file for each target and manifest.csv to DIR; all of them or none.",
                        .example = "deixis targets pointing2023 > targets.csv\ndeixis generate direct "
                                   "--targets targets.csv -o clips/direct",
                        .page = "docs/systems.md"});
     command
-        .addOption(
-            "SYSTEM", options->system,
-            fmt::format("One of {}; or moglow, with its weights", fmt::join(motion::generatorNames(), ", ")))
+        .addOption("SYSTEM", options->system,
+                   fmt::format("One of {}", fmt::join(motion::systemNames(), ", ")))
         .required();
     command
         .addOption("--targets", options->targets, "CSV with target_id,x,y,z, such as 'deixis targets' prints")
         .required();
     addOutput(command, options->folder, "Folder for the clips and their manifest", "DIR").required();
-    command.addOption("--weights", options->weights, "File of a learned system's weights");
+    command
+        .addOption("--weights", options->weights,
+                   "A learned system's weights [those that come with the program]")
+        .valueName("FILE");
     addForce(command, options->force);
     addSeed(command, options->seed, "what varies from clip to clip");
     command

@@ -6,13 +6,10 @@
 #include <system_error>
 
 #include "app/clips/generation.hpp"
+#include "app/clips/systems.hpp"
 #include "app/program/version.hpp"
-#include "assets/data/data_paths.hpp"
-#include "assets/data/demonstrations.hpp"
-#include "core/files.hpp"
 #include "core/hash.hpp"
 #include "core/staging.hpp"
-#include "motion/synthesis/generator.hpp"
 
 namespace deixis::app {
 
@@ -23,14 +20,12 @@ namespace fs = std::filesystem;
 Result<void> makeClips(const studies::SystemSource& system, std::uint64_t seed,
                        const std::vector<assets::ListedTarget>& targets, const assets::Avatar& maker,
                        const motion::HoldSettings& settings, const fs::path& folder) {
-    const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
-    if (!parameters) return tl::unexpected(parameters.error());
-    const auto generator = motion::makeGenerator(system.generator, maker.skeleton, *parameters);
-    if (!generator) return tl::unexpected(generator.error());
+    const auto made_by = makeSystem(system.generator, "", maker.skeleton);
+    if (!made_by) return tl::unexpected(made_by.error());
     // Whole, or not there: whoever makes the same clips at the same time finds those of whoever was first.
     auto making = Staging::within(folder.parent_path());
     if (!making) return tl::unexpected(making.error());
-    const auto rows = generateClips(**generator, targets, seed, settings, making->path(), true, false);
+    const auto rows = generateClips(*made_by, targets, seed, settings, making->path(), true, false);
     if (!rows) return tl::unexpected(rows.error());
     // One without a manifest was left half by a program that was killed.
     std::error_code code;
@@ -45,12 +40,12 @@ Result<void> makeClips(const studies::SystemSource& system, std::uint64_t seed,
 Result<fs::path> builtInManifest(const studies::SystemSource& system, std::uint64_t seed,
                                  const std::vector<assets::ListedTarget>& targets,
                                  const assets::Avatar& maker, const fs::path& folder) {
-    const auto parameter_bytes = readFile(assets::dataFile("demonstrations.toml"));
-    if (!parameter_bytes) return tl::unexpected(parameter_bytes.error());
+    const auto source = systemSource(system.generator);
+    if (!source) return tl::unexpected(source.error());
     const motion::HoldSettings settings{system.hold_s, system.unsteadiness_m};
     // Another version of the program may make other clips.
     std::string made_from = fmt::format("{}\n{}\n{}\n{}\n{}\n", programVersion(), system.generator, seed,
-                                        *parameter_bytes, maker.content_hash);
+                                        *source, maker.content_hash);
     if (settings.hold_s) made_from += fmt::format("hold {}\n", *settings.hold_s);
     if (settings.unsteadiness_m) made_from += fmt::format("unsteadiness {}\n", *settings.unsteadiness_m);
     for (const auto& [id, target] : targets)

@@ -9,8 +9,9 @@
 namespace deixis::app {
 
 Result<std::vector<assets::ManifestRow>> generateClips(
-    const motion::Generator& generator, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
+    const System& system, const std::vector<assets::ListedTarget>& targets, std::uint64_t seed,
     const motion::HoldSettings& settings, const std::filesystem::path& folder, bool force, bool durable) {
+    const motion::Generator& generator = *system.generator;
     OutputFolder output(folder, force, durable);
     const auto fileOf = [&](const std::string& id) { return fmt::format("{}_{}.bvh", generator.name(), id); };
     std::vector<std::filesystem::path> names;
@@ -29,6 +30,7 @@ Result<std::vector<assets::ManifestRow>> generateClips(
         row.phases = made;
         row.fps = made.clip.framesPerSecond();
         row.seed = clip_seed;
+        row.processing = system.processing;
         if (auto added = output.add(row.clip, assets::writeBvh(made.clip)); !added)
             return tl::unexpected(added.error());
         rows.push_back(std::move(row));

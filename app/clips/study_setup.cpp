@@ -21,7 +21,7 @@ namespace {
 
 // Which generators there are is not the study's to know.
 void checkGenerators(const studies::Study& study, std::vector<Error>& problems) {
-    const auto& known = motion::generatorNames();
+    const auto& known = motion::systemNames();
     for (const auto& system : study.systems)
         if (!system.generator.empty() &&
             std::find(known.begin(), known.end(), system.generator) == known.end())

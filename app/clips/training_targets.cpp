@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "app/clips/systems.hpp"
 #include "assets/data/data_paths.hpp"
 #include "assets/data/demonstrations.hpp"
 #include "assets/tables/manifest.hpp"
@@ -44,13 +45,11 @@ Result<TrainingTargets> fromManifest(const std::string& bytes, const std::string
     if (!manifest) return tl::unexpected(manifest.error());
     TrainingTargets out;
     out.source = file;
-    const auto& built_in = motion::generatorNames();
     std::set<std::tuple<double, double, double>> seen;
     for (const auto& row : manifest->rows) {
         if (!row.target || !seen.emplace(row.target->x, row.target->y, row.target->z).second) continue;
         out.targets.push_back(*row.target);
-        out.synthetic =
-            out.synthetic || std::find(built_in.begin(), built_in.end(), row.system) != built_in.end();
+        out.synthetic = out.synthetic || isSynthetic(row);
     }
     if (out.targets.empty())
         return fail(file, "names no targets", "Training targets need target_x, target_y and target_z");

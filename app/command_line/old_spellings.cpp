@@ -17,6 +17,7 @@ constexpr std::array old_spellings{
     OldSpelling{"simulate", "--db", "--output"},       OldSpelling{"generate", "--out", "--output"},
     OldSpelling{"clips segment", "--out", "--output"}, OldSpelling{"clips retarget", "--out", "--output"},
     OldSpelling{"clips mirror", "--out", "--output"},  OldSpelling{"targets", "--no-picture", ""},
+    OldSpelling{"learn", "--out", "--output"},
 };
 
 }  // namespace

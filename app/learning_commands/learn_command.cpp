@@ -6,12 +6,13 @@
 namespace deixis::app {
 
 void addLearnCommand(Parser cli, Command& chosen) {
-    Parser learn = cli.addCommand("learn", "Prepare demonstrations for learned systems");
+    Parser learn = cli.addCommand("learn", "Prepare demonstrations, and train systems on them");
     learn.requireCommand();
     describe(learn, {.writes = "what -o names.",
                      .example = "deixis learn project clips/manifest.csv -o projected",
                      .page = "docs/learning.md"});
     addLearnProjectCommand(learn, chosen);
+    addLearnTrainCommands(learn, chosen);
 }
 
 }  // namespace deixis::app

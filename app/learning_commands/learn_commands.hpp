@@ -6,5 +6,6 @@
 namespace deixis::app {
 
 void addLearnProjectCommand(Parser learn, Command& chosen);
+void addLearnTrainCommands(Parser learn, Command& chosen);
 
 }  // namespace deixis::app

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "app/clips/clip_files.hpp"
 #include "app/clips/clip_output.hpp"
-#include "app/clips/clip_retargeting.hpp"
 #include "app/clips/study_setup.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
@@ -14,6 +12,7 @@
 #include "assets/joints/bvh.hpp"
 #include "assets/tables/manifest.hpp"
 #include "core/random.hpp"
+#include "demonstrations.hpp"
 #include "learn_commands.hpp"
 #include "physics/projection/projection.hpp"
 
@@ -39,37 +38,6 @@ struct Tracked {
     physics::Tracking plain;
     physics::Projection made;  ///< without its clip
 };
-
-Error inFile(Error error, const std::string& file) {
-    if (error.where.empty()) error.where = file;
-    return error;
-}
-
-Result<assets::Manifest> readDemonstrations(const std::string& file) {
-    auto manifest = assets::readManifest(file);
-    if (!manifest) return manifest;
-    if (manifest->rows.empty()) return fail(file, "lists no clips, expected at least one");
-    for (const assets::ManifestRow& row : manifest->rows)
-        if (!row.target)
-            return fail(fmt::format("{}:{}: target_x", file, row.line),
-                        fmt::format("clip {} has no target, expected one for every clip", row.clip),
-                        "A demonstration shows how to point at its target");
-    return manifest;
-}
-
-/// The row's clip on the avatar; the row then is of that.
-Result<motion::Clip> demonstration(const fs::path& file, const assets::Avatar& avatar,
-                                   assets::ManifestRow& row) {
-    auto imported = assets::importClip(file);
-    if (!imported) return tl::unexpected(imported.error());
-    auto clip = isOnAvatar(imported->clip, avatar)
-                    ? clipOnAvatar(*imported, file.string(), avatar)
-                    : retargetRow(std::move(*imported), file.string(), avatar, {}, row);
-    if (clip && row.phases)
-        if (const auto fits = motion::checkPhases(*row.phases, clip->frameCount()); !fits)
-            return tl::unexpected(inFile(fits.error(), file.string()));
-    return clip;
-}
 
 Result<Tracked> projectRow(physics::Body& body, const motion::Clip& clip, const fs::path& file,
                            const LearnProjectArguments& options, const assets::ManifestRow& row) {
@@ -134,7 +102,7 @@ Result<void> projectAll(const LearnProjectArguments& options) {
     std::vector<assets::ManifestRow> rows = manifest->rows;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const fs::path file = home / rows[i].clip;
-        const auto clip = demonstration(file, *avatar, rows[i]);
+        const auto clip = demonstrationClip(file, *avatar, rows[i]);
         if (!clip) return tl::unexpected(clip.error());
         auto tracked = projectRow(*body, *clip, file, options, rows[i]);
         if (!tracked) return tl::unexpected(tracked.error());

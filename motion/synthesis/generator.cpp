@@ -1,5 +1,8 @@
 #include "motion/synthesis/generator.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 
 #include "systems.hpp"
@@ -17,6 +20,7 @@ constexpr std::array<System, 5> systems{{{"demonstration-nn", makeDemonstrationN
                                          {"stiff", makeStiff},
                                          {"drifting", makeDrifting},
                                          {"gp", makeGp}}};
+constexpr System gt_nn{"gt-nn", makeGtNn};
 
 }  // namespace
 
@@ -29,21 +33,36 @@ const std::vector<std::string>& generatorNames() {
     return names;
 }
 
+const std::vector<std::string>& learnedNames() {
+    static const std::vector<std::string> names{"moglow",     "amp-no-runtime", "amp-base",
+                                                "amp-pfnn-1", "amp-pfnn-3",     "amp-pfnn-8"};
+    return names;
+}
+
+const std::vector<std::string>& systemNames() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> out = generatorNames();
+        out.emplace_back(gt_nn.name);
+        out.insert(out.end(), learnedNames().begin(), learnedNames().end());
+        return out;
+    }();
+    return names;
+}
+
 Result<std::unique_ptr<Generator>> makeGenerator(std::string_view name, const Skeleton& avatar,
                                                  const DemonstrationParameters& parameters) {
-    for (const System& system : systems) {
-        if (system.name != name) continue;
+    const auto is_it = [name](const System& system) { return system.name == name; };
+    const auto* found = is_it(gt_nn) ? &gt_nn : std::ranges::find_if(systems, is_it);
+    if (found != systems.end()) {
         const auto body = makePointingBody(avatar);
         if (!body) return tl::unexpected(body.error());
-        return system.make(*body, parameters);
+        return found->make(*body, parameters);
     }
-    if (name == "moglow")
-        return fail(
-            "", "the system 'moglow' is learned, and no weights of it come with the program",
-            "Train it (docs/systems.md, moglow) and give its file: deixis generate moglow --weights FILE");
-    std::string known;
-    for (const System& system : systems) known += (known.empty() ? "" : ", ") + std::string(system.name);
-    return fail("", "unknown system '" + std::string(name) + "'", "Expected one of: " + known);
+    if (std::ranges::find(learnedNames(), name) != learnedNames().end())
+        return fail("", fmt::format("the system '{}' is learned, and made from its weights alone", name),
+                    "Train it with 'deixis learn' (docs/learning.md)");
+    return fail("", fmt::format("unknown system '{}'", name),
+                fmt::format("Expected one of: {}", fmt::join(systemNames(), ", ")));
 }
 
 }  // namespace deixis::motion

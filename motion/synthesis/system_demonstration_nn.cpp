@@ -13,14 +13,17 @@ namespace {
 
 class DemonstrationNn : public Generator {
   public:
-    DemonstrationNn(PointingBody body, const DemonstrationParameters& parameters)
-        : body_(std::move(body)), parameters_(parameters), plans_(planLibrary(body_, parameters)) {
+    DemonstrationNn(std::string_view name, PointingBody body, const DemonstrationParameters& parameters)
+        : name_(name),
+          body_(std::move(body)),
+          parameters_(parameters),
+          plans_(planLibrary(body_, parameters)) {
         std::vector<Demonstration> library;
         for (const DemonstrationPlan& plan : plans_) library.push_back(played(plan, {}));
         library_ = withMirrored(std::move(library));
     }
 
-    std::string_view name() const override { return "demonstration-nn"; }
+    std::string_view name() const override { return name_; }
 
     GeneratedClip generate(const GenerationRequest& asked) const override {
         const auto distance = [&](const Demonstration& d) { return glm::length(d.target - asked.target); };
@@ -39,6 +42,7 @@ class DemonstrationNn : public Generator {
         return {plan.target, perform(body_, heldAs(plan.motion, settings, body_), parameters_, plan.seed)};
     }
 
+    std::string_view name_;
     PointingBody body_;
     DemonstrationParameters parameters_;
     std::vector<DemonstrationPlan> plans_;
@@ -49,7 +53,11 @@ class DemonstrationNn : public Generator {
 
 std::unique_ptr<Generator> makeDemonstrationNn(const PointingBody& body,
                                                const DemonstrationParameters& parameters) {
-    return std::make_unique<DemonstrationNn>(body, parameters);
+    return std::make_unique<DemonstrationNn>("demonstration-nn", body, parameters);
+}
+
+std::unique_ptr<Generator> makeGtNn(const PointingBody& body, const DemonstrationParameters& parameters) {
+    return std::make_unique<DemonstrationNn>("gt-nn", body, parameters);
 }
 
 }  // namespace deixis::motion

@@ -10,6 +10,9 @@ namespace deixis::motion {
 
 [[nodiscard]] std::unique_ptr<Generator> makeDemonstrationNn(const PointingBody& body,
                                                              const DemonstrationParameters& parameters);
+/// The same under the paper's name.
+[[nodiscard]] std::unique_ptr<Generator> makeGtNn(const PointingBody& body,
+                                                  const DemonstrationParameters& parameters);
 [[nodiscard]] std::unique_ptr<Generator> makeDirect(const PointingBody& body,
                                                     const DemonstrationParameters& parameters);
 [[nodiscard]] std::unique_ptr<Generator> makeStiff(const PointingBody& body,

@@ -46,12 +46,10 @@ std::string syntheticNote(const Evaluation& evaluation) {
     std::string out = "\n<p class=\"synthetic\"><b>Synthetic:</b> ";
     if (!systems.empty())
         out += fmt::format(
-            "{} {} built into this program, made by formulas, not learned from people (marked * below). ",
-            systems, systems.find(", ") == std::string::npos ? "is a system" : "are systems");
-    if (training)
-        out +=
-            "The training targets are those of this program's synthetic demonstrations; no learned system "
-            "was trained on them.";
+            "{} {} made by formulas, or learned from demonstrations that were, not from people (marked * "
+            "below). ",
+            systems, systems.find(", ") == std::string::npos ? "is" : "are");
+    if (training) out += "The training targets are those of this program's synthetic demonstrations.";
     return out + "</p>";
 }
 
@@ -206,8 +204,8 @@ std::string renderEvaluation(const Evaluation& evaluation) {
     out += trainingSection(evaluation, figures, tables);
     if (anySynthetic(evaluation))
         out +=
-            "\n<p class=\"small\">* Built into this program and synthetic, until there are learned "
-            "systems.</p>";
+            "\n<p class=\"small\">* Synthetic: made by formulas, or learned from demonstrations that "
+            "were.</p>";
     return withContents(lead, out + methods(evaluation) + provenance(evaluation)) +
            pageEnd(
                "The tables summarise their numbers; deixis evaluate --csv writes them clip by clip, step by "

@@ -69,9 +69,10 @@ SystemSource readSystem(TomlTable& table, const std::string& name, const fs::pat
     else
         system.manifest = readPath(table, "manifest", folder);
     if (!system.generator.empty()) {
-        const std::vector<std::string>& names = motion::generatorNames();
+        const std::vector<std::string>& names = motion::systemNames();
         table.checkKnown("generator", system.generator,
-                         std::vector<std::string_view>(names.begin(), names.end()), "the built-in systems");
+                         std::vector<std::string_view>(names.begin(), names.end()),
+                         "the systems that come with the program");
     }
     if (!system.manifest.empty())
         for (const std::string_view key : {"hold_s", "unsteadiness_m"})

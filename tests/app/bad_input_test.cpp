@@ -206,8 +206,8 @@ TEST_SUITE("app/bad-input") {
         const Scratch scratch;
         spill(scratch / "t.csv", "target_id,x,y,z\nT001,0.5,1.0,2.0\n");
         CHECK_FAILS_SAYING(
-            program("generate moglow --targets " + (scratch / "t.csv") + " --out " + (scratch / "o")),
-            "moglow", "drifting");
+            program("generate mogul --targets " + (scratch / "t.csv") + " --out " + (scratch / "o")), "mogul",
+            "drifting");
         spill(scratch / "bad.csv", "target_id,x,y,z\nT001,0.5,one,2.0\n");
         CHECK_FAILS_SAYING(
             program("generate direct --targets " + (scratch / "bad.csv") + " --out " + (scratch / "o")),

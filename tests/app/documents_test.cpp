@@ -42,7 +42,7 @@ TEST_SUITE("app/documents") {
             for (std::sregex_iterator at(text.begin(), text.end(), command), end; at != end; ++at) {
                 std::string name = (*at)[1];
                 const std::string rest = (*at)[2];
-                const std::regex what(" ([a-z]+)");
+                const std::regex what(" ([a-z][a-z-]*)");
                 std::smatch one;
                 if ((name == "participants" || name == "clips" || name == "learn") &&
                     std::regex_search(rest, one, what))

@@ -138,7 +138,7 @@ TEST_SUITE("results/evaluation") {
         CHECK(page.count("//*[@class='synthetic']") > 0);
         const std::string text = page.text();
         CHECK(contains(text, "a <&> \"1\""));
-        CHECK(contains(text, "Synthetic: b is a system built into this program"));
+        CHECK(contains(text, "Synthetic: b is made by formulas"));
         CHECK(contains(text, "the training targets are those of this program's synthetic demonstrations") ==
               false);
         CHECK(contains(text, "The training targets are those of this program's synthetic demonstrations"));

@@ -210,7 +210,7 @@ TEST_SUITE("studies/study_problems") {
               "generator = \"dirct\"",
               "dirct",
               "systems.generator",
-              {"the built-in systems", "Did you mean direct?"}},
+              {"the systems that come with the program", "Did you mean direct?"}},
              {"[[distances]]",
               "[[layouts]]\nname = \"across\"\nviewer_m = [1, 1]\nheading_deg = 0\n[[distances]]",
               "name = \"across\"\nviewer_m = [0, 3]",

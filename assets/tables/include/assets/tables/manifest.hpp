@@ -22,6 +22,8 @@ enum class TargetFrame : unsigned char { clip, figure };
 
 /// What was done to clips that are as a simulated body moved (docs/learning.md).
 inline constexpr std::string_view physics_projected = "physics-projected";
+/// Of clips that a system has made which was learned from demonstrations that nobody made.
+inline constexpr std::string_view learned_from_synthetic = "learned-from-synthetic";
 
 /// One clip. Gestures that point at nothing have no target, and none of the phases.
 struct ManifestRow {

@@ -1,5 +1,5 @@
 // Systems that make pointing clips for a target: the interface, and the built-in ones. Each is documented
-// in docs/systems.md. They are synthetic and serve until there are learned systems.
+// in docs/systems.md.
 #pragma once
 
 #include <cstdint>
@@ -45,9 +45,14 @@ class Generator {
 
 /// Names of the built-in systems: "demonstration-nn", "direct", "stiff", "drifting", "gp".
 [[nodiscard]] const std::vector<std::string>& generatorNames();
+/// Names of the learned systems, which are made from weights: "moglow", "amp-no-runtime", "amp-base",
+/// "amp-pfnn-1", "amp-pfnn-3", "amp-pfnn-8".
+[[nodiscard]] const std::vector<std::string>& learnedNames();
+/// Both, and "gt-nn", the paper's name of demonstration-nn.
+[[nodiscard]] const std::vector<std::string>& systemNames();
 
 /// Makes a built-in system for an avatar. Fails on an unknown name, on that of a learned system, which is
-/// made from its weights (motion/learned), or an avatar without the bones of both arms.
+/// made from its weights (motion/learned, physics/policy), or an avatar without the bones of both arms.
 [[nodiscard]] Result<std::unique_ptr<Generator>> makeGenerator(std::string_view name, const Skeleton& avatar,
                                                                const DemonstrationParameters& parameters);
 

@@ -71,7 +71,7 @@ struct InputFile {
 struct EvaluationInput {
     std::vector<MeasuredClip> clips;            ///< systems in the order in which they first stand here
     int without_target = 0;                     ///< rows of the manifests that point at nothing
-    std::set<std::string> synthetic_systems{};  ///< names of built-in systems
+    std::set<std::string> synthetic_systems{};  ///< made by formulas, or learned from such
     motion::AccuracyRule rule{};
     std::vector<Vec3> training;
     std::string training_source;  ///< for people

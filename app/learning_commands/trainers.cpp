@@ -1,0 +1,84 @@
+#include "trainers.hpp"
+
+#include <fmt/format.h>
+
+#include "core/number.hpp"
+#include "demonstrations.hpp"
+#include "learning/amp/training.hpp"
+#include "learning/moglow/training.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+using learning::TrainingOutcome;
+
+Result<TrainingOutcome> trainMoglow(const TrainingRequest& request, const learning::DemonstrationSets& data,
+                                    const learning::TrainingReport& report) {
+    learning::MoglowSettings settings;
+    settings.seed = request.seed;
+    settings.threads = request.threads;
+    settings.updates = request.updates.value_or(settings.updates);
+    settings.validate_every = request.validate_every.value_or(settings.validate_every);
+    return learning::trainMoglow(data, settings, programProvenance(), request.file, report);
+}
+
+Result<learning::AmpClusters> clustersFor(const TrainingRequest& request,
+                                          const learning::DemonstrationSets& data) {
+    std::optional<double> bandwidth_m;
+    if (request.bandwidth == "scott") {
+        const auto scott = learning::scottBandwidth_m(data.targets_m);
+        if (!scott) return tl::unexpected(scott.error());
+        bandwidth_m = *scott;
+    } else if (!request.bandwidth.empty())
+        bandwidth_m = finiteNumber(request.bandwidth);
+    return learning::clustersOf(data, request.clusters, bandwidth_m);
+}
+
+Result<TrainingOutcome> trainAmp(const TrainingRequest& request, const learning::DemonstrationSets& data,
+                                 const std::function<void(const std::string&)>& remark,
+                                 const learning::TrainingReport& report) {
+    learning::AmpTraining training{.system = request.system};
+    const bool phase_functioned = request.system == "amp-pfnn";
+    learning::AmpSettings& settings = training.settings;
+    settings.variant = {.policy_phase = request.system != "amp-no-runtime",
+                        .phase_functioned = phase_functioned};
+    settings.task = request.eye_fingertip ? learning::AmpTask::eye_fingertip : learning::AmpTask::forearm;
+    settings.stance = request.full_body ? physics::Stance::free : physics::Stance::pinned;
+    settings.seed = request.seed;
+    settings.iterations = request.updates.value_or(settings.iterations);
+    settings.validate_every = request.validate_every.value_or(settings.validate_every);
+    const auto clusters = clustersFor(request, data);
+    if (!clusters) return tl::unexpected(clusters.error());
+    training.clusters = *clusters;
+    if (phase_functioned) training.system += fmt::format("-{}", clusters->count);
+    if (clusters->bandwidth_m > 0.0)
+        remark(fmt::format("{} clusters of {} targets by a bandwidth of {:.2f} m", clusters->count,
+                           data.targets_m.size(), clusters->bandwidth_m));
+    if (request.only_cluster && *request.only_cluster >= clusters->count)
+        return fail("--cluster",
+                    fmt::format("found {}, expected 0 to {}", *request.only_cluster, clusters->count - 1));
+    training.only_cluster = request.only_cluster;
+    training.threads = request.threads;
+    training.rank = request.rank;
+    return learning::trainAmp(data, training, programProvenance(), request.file, report);
+}
+
+}  // namespace
+
+bool canTrain() {
+    return true;
+}
+
+Result<TrainingOutcome> train(const TrainingRequest& request, const learning::DemonstrationSets& data,
+                              const std::function<void(const std::string&)>& remark,
+                              const learning::TrainingReport& report) {
+    if (request.system == "moglow") return trainMoglow(request, data, report);
+    return trainAmp(request, data, remark, report);
+}
+
+Result<void> joinTrained(const std::vector<std::filesystem::path>& parts, const std::filesystem::path& file) {
+    return learning::joinAmp(parts, file);
+}
+
+}  // namespace deixis::app

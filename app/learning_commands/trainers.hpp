@@ -1,0 +1,41 @@
+// What trains, or says that this program cannot: built with DEIXIS_LEARNING=ON from trainers.cpp, else from
+// trainers_absent.cpp.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "learning/training/training.hpp"
+
+namespace deixis::app {
+
+struct TrainingRequest {
+    std::string system;  ///< moglow, amp-no-runtime, amp-base or amp-pfnn
+    std::filesystem::path file;
+    std::uint64_t seed = 1;
+    int threads = 1;
+    std::optional<int> updates{};  ///< iterations of a policy; what is not named stays as the trainer has it
+    std::optional<int> validate_every{};
+    std::optional<int> clusters{};  ///< these as clustersOf() takes them
+    std::string bandwidth{};        ///< metres, or "scott"; empty: none named
+    std::optional<int> only_cluster{};
+    bool eye_fingertip = false;
+    bool full_body = false;
+    std::optional<learning::RankPlace> rank{};
+};
+
+[[nodiscard]] bool canTrain();
+/// `remark` is told what is to be known of the training before it begins.
+[[nodiscard]] Result<learning::TrainingOutcome> train(const TrainingRequest& request,
+                                                      const learning::DemonstrationSets& data,
+                                                      const std::function<void(const std::string&)>& remark,
+                                                      const learning::TrainingReport& report);
+[[nodiscard]] Result<void> joinTrained(const std::vector<std::filesystem::path>& parts,
+                                       const std::filesystem::path& file);
+
+}  // namespace deixis::app

@@ -1,0 +1,153 @@
+#include "training_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "core/csv_sheet.hpp"
+#include "core/files.hpp"
+#include "results/page/figure.hpp"
+#include "results/page/page.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is known of some measures: its title, and the words below the figure.
+struct KnownMeasure {
+    const char* name;
+    const char* title;
+    const char* caption;
+};
+constexpr KnownMeasure known_measures[] = {
+    {"task reward", "task reward",
+     "What is rewarded as the task (Eq. 2), mean over the controls; at most 0.632."},
+    {"style reward", "style reward", "The discriminator's reward, mean over the controls."},
+    {"bits a frame", "bits a frame", "Negative log-likelihood of the training frames; less is better."},
+    {"bits a frame held out", "bits a frame, held out", "The same of the held-out demonstrations."},
+    {"held-out Eq. 2", "Eq. 2", "Equation 2 of clips generated for targets that were not trained on."},
+    {"held-out arm error", "arm error, m", "How far elbow and wrist are from the held-out demonstrations'."},
+    {"held-out jerk ratio", "jerk, times the demonstrations'",
+     "Mean jerk of the pointing hand over that of the demonstrations: 1 is as smooth as they are."},
+    {"held-out end height", "end hand height, m",
+     "How much higher than at the begin the pointing hand is at the end: 0 is at rest."},
+    {"held-out at rest", "share at rest", "Share of the clips at whose end both hands are down again."},
+};
+
+std::string idOf(const std::string& name) {
+    std::string out = "curve-";
+    for (const char c : name) out += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+    return out;
+}
+
+results::Figure curve(const std::string& name, const std::string& title, const std::string& caption,
+                      const std::map<std::string, std::map<int, double>>& parts) {
+    using results::FigureJson;
+    constexpr std::size_t most_points = 400;
+    FigureJson values = FigureJson::array();
+    std::size_t index = 0;
+    double first = 0.0, last = 0.0;
+    for (const auto& [part, of_part] : parts) {
+        std::vector<std::pair<int, double>> points(of_part.begin(), of_part.end());
+        for (const std::size_t i : results::evenPicks(points.size(), most_points))
+            values.push_back({{"update", points[i].first},
+                              {"value", results::rounded(points[i].second)},
+                              {"part", part},
+                              {"colour", results::systemColour(index)}});
+        first = points.front().second;
+        last = points.back().second;
+        ++index;
+    }
+    FigureJson x = results::quantity("update");
+    x["title"] = "update";
+    FigureJson y = results::quantity("value");
+    y["title"] = title;
+    y["scale"] = {{"zero", false}};
+    FigureJson encoding{{"x", x}, {"y", y}, {"color", results::ownColour()}};
+    encoding["detail"] = {{"field", "part"}, {"type", "nominal"}};
+    FigureJson spec{{"width", "container"}, {"height", 180}};
+    spec["layer"] = FigureJson::array({results::layerOf(
+        values, {{"type", "line"}, {"point", {{"size", 12}, {"filled", true}}}, {"strokeWidth", 1.5}},
+        encoding)});
+    const std::string label = parts.size() == 1
+                                  ? fmt::format("{}: from {:.3g} to {:.3g}.", title, first, last)
+                                  : fmt::format("{}: {} curves, one a cluster.", title, parts.size());
+    return {idOf(name), caption, label, spec};
+}
+
+}  // namespace
+
+TrainingCurves::TrainingCurves(fs::path weights_file, std::string system)
+    : weights_file_(std::move(weights_file)), system_(std::move(system)) {}
+
+Result<void> TrainingCurves::read() {
+    const fs::path file = weights_file_.string() + ".curves.csv";
+    std::error_code code;
+    if (!fs::exists(file, code)) return {};
+    const auto bytes = readFile(file);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto sheet = parseCsvSheet(*bytes, file.string());
+    if (!sheet) return tl::unexpected(sheet.error());
+    const auto part = sheet->column("part"), update = sheet->column("update"),
+               measure = sheet->column("measure"), value = sheet->column("value");
+    for (const auto* column : {&part, &update, &measure, &value})
+        if (!*column) return tl::unexpected(column->error());
+    for (const CsvRecord& row : sheet->rows) {
+        const auto at = sheet->number(row, *update, "a whole number", 1e9);
+        const auto number = sheet->number(row, *value);
+        for (const auto* read : {&at, &number})
+            if (!*read) return tl::unexpected(read->error());
+        values_[row.fields[*measure]][row.fields[*part]][static_cast<int>(*at)] = *number;
+    }
+    return {};
+}
+
+void TrainingCurves::add(const learning::TrainingProgress& progress) {
+    const auto put = [&](const std::string& name, double value) {
+        values_[name][progress.part][progress.update] = value;
+    };
+    for (const auto& [name, value] : progress.numbers) put(name, value);
+    if (!progress.validation) return;
+    put("held-out Eq. 2", progress.validation->reward);
+    put("held-out arm error", progress.validation->arm_error_m);
+    put("held-out jerk ratio", progress.validation->jerk_ratio);
+    put("held-out end height", progress.validation->end_height_m);
+    put("held-out at rest", progress.validation->at_rest);
+}
+
+Result<void> TrainingCurves::write() const {
+    std::string csv = "part,update,measure,value\n";
+    for (const auto& [measure, parts] : values_)
+        for (const auto& [part, values] : parts)
+            for (const auto& [update, value] : values)
+                csv += fmt::format("{},{},{},{}\n", part, update, measure, value);
+    if (const auto written = writeFile(weights_file_.string() + ".curves.csv", csv); !written) return written;
+    return writeFile(weights_file_.string() + ".curves.html", page());
+}
+
+std::string TrainingCurves::page() const {
+    std::string figures;
+    const auto add = [&](const std::string& name, const std::string& title, const std::string& caption) {
+        if (const auto found = values_.find(name); found != values_.end())
+            figures += results::figureHtml(curve(name, title, caption, found->second));
+    };
+    for (const KnownMeasure& one : known_measures) add(one.name, one.title, one.caption);
+    for (const auto& entry : values_) {
+        const std::string& name = entry.first;
+        if (std::ranges::none_of(known_measures, [&](const KnownMeasure& one) { return name == one.name; }))
+            add(name, name, name + ".");
+    }
+    const std::string title = "Training of " + system_;
+    return results::pageStart(title, title) +
+           "<p class=\"lead\">Held-out numbers are of clips generated for targets that were not trained on: "
+           "the "
+           "weights that are kept are chosen by them. Where there are clusters, each has its curve.</p>" +
+           results::figuresPlaced(figures) +
+           results::pageEnd("The numbers are in the table beside this page, whose name ends in .curves.csv.");
+}
+
+}  // namespace deixis::app
