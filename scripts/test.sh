@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds, runs the tests, and ends with the counts.
 #   scripts/test.sh          style, and every test once, by Clang with address and undefined-behaviour sanitizers
-#   scripts/test.sh all      the same, and: the program by GCC, compared with Clang's byte for byte, without graphics,
-#                            installed, at the desktop in real time, its pages in a browser; lint; what a browser will
-#                            run, by Emscripten; and the program once more on Debian 13, in a headset's runtime (needs root)
+#   scripts/test.sh all      the same, and: the program by GCC, with the trainers, which are tried; compared with Clang's byte
+#                            for byte, without graphics, installed, at the desktop in real time, its pages in a browser;
+#                            lint; what a browser will run, by Emscripten; and the program once more on Debian 13, in a
+#                            headset's runtime (needs root)
 #   scripts/test.sh dev      one preset's tests only
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -52,7 +53,7 @@ count_tests() {
 run_preset() { build "$1" && run_tests "$1"; }
 check_installed() {
     cmake --install build/release --prefix $logs/installed >/dev/null || return 1
-    ! grep -aoE "$PWD/(app|assets|build|core|motion|physics|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
+    ! grep -aoE "$PWD/(app|assets|build|core|learning|motion|physics|renderer|results|studies)[ -~]*" $logs/installed/bin/deixis
 }
 check_browser_code() {
     emcmake cmake -S tests/wasm -B build/wasm -G Ninja >$logs/wasm.log 2>&1 && cmake --build build/wasm >>$logs/wasm.log 2>&1 || {
@@ -64,13 +65,13 @@ check_browser_code() {
 # What somebody scripted does in real time waits for most of its time: it runs beside the rest, and goes first.
 run_in_real_time() {
     local result=0
-    ctest --preset release -R '^(desktop|browser)/' --timeout 1200 >$logs/release.log 2>&1 || result=1
+    ctest --preset release -R '^(desktop|browser|learning)/' --timeout 1200 >$logs/release.log 2>&1 || result=1
     scripts/test_headset.sh --scenarios-only >$logs/headset.log 2>&1 || result=1
     return $result
 }
 run_all() {
     build asan || failed "asan: the build"
-    build release -DDEIXIS_WERROR=ON -- --target deixis || failed "release: the build"
+    build release -DDEIXIS_WERROR=ON -DDEIXIS_LEARNING=ON -- --target deixis learning_tests || failed "release: the build"
     say "desktop, browser and headset begin, beside the rest"
     run_in_real_time &
     local in_real_time=$!

@@ -1,4 +1,4 @@
-// deixis view: a clip on the avatar, in a window or as a picture.
+// deixis view: a clip on the avatar, or a system that points at a ball; in a window or as a picture.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -7,6 +7,7 @@
 #include "app/clip_commands/clip_commands.hpp"
 #include "app/clips/clip_files.hpp"
 #include "app/clips/study_setup.hpp"
+#include "app/clips/systems.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/written_output.hpp"
@@ -14,6 +15,7 @@
 
 #ifdef DEIXIS_IMMERSIVE
 #include "app/viewer/clip_viewer.hpp"
+#include "app/viewer/system_viewer.hpp"
 #endif
 
 namespace deixis::app {
@@ -24,6 +26,9 @@ namespace {
 
 struct ViewArguments {
     std::string file;
+    std::string system;
+    std::string weights;
+    std::vector<double> target_m{0.5, 1.2, 1.6};
     std::string avatar;
     assets::ImportOptions import;
     ViewOptions view;
@@ -31,10 +36,19 @@ struct ViewArguments {
 };
 
 Result<void> view(const ViewArguments& options) {
+    if (options.file.empty() == options.system.empty()) requireUsage("FILE or --system");
     if (auto free = checkFree(options.view.screenshot, options.force); !free) return free;
     const auto avatar = loadAvatarOrShipped(options.avatar);
     if (!avatar) return tl::unexpected(avatar.error());
     for (const std::string& remark : avatar->remarks) fmt::print(stderr, "{}: {}\n", options.avatar, remark);
+    if (!options.system.empty()) {
+        const auto system = makeSystem(options.system, options.weights, avatar->skeleton);
+        if (!system) return tl::unexpected(system.error());
+        const auto& at = options.target_m;
+        return viewSystem(*system->generator, *avatar,
+                          {options.view.size, options.view.screenshot, options.view.times_s,
+                           options.view.from, Vec3(at[0], at[1], at[2])});
+    }
     const auto file = assets::importClip(options.file, options.import);
     if (!file) return tl::unexpected(file.error());
     const auto clip = clipOnAvatar(*file, options.file, *avatar);
@@ -46,12 +60,22 @@ Result<void> view(const ViewArguments& options) {
 
 void addViewCommand(Parser cli, Command& chosen) {
     auto options = std::make_shared<ViewArguments>();
-    Parser command = cli.addCommand("view", "Show a clip on the avatar");
+    Parser command = cli.addCommand("view", "Show a clip on the avatar, or a system at work");
     describe(command, {.writes = "nothing, unless --screenshot names a PNG file.",
                        .example = "deixis view clips/T001.bvh\ndeixis view clips/T001.bvh --time 0.5 1.0 "
-                                  "1.5 --screenshot strip.png",
+                                  "1.5 --screenshot strip.png\ndeixis view --system direct",
                        .page = "docs/clip-format.md"});
-    command.addOption("FILE", options->file, clip_file_kinds).required();
+    command.addOption("FILE", options->file, clip_file_kinds);
+    command.addOption("--system", options->system, "A system that points at a ball which you drag")
+        .valueName("SYSTEM");
+    command
+        .addOption("--weights", options->weights,
+                   "A learned system's weights [those that come with the program]")
+        .valueName("FILE");
+    command.addOption("--target", options->target_m, "Where the ball is at first, in metres")
+        .expected(3)
+        .valueName("X Y Z")
+        .showDefault("0.5 1.2 1.6");
     addImportOptions(command, options->import);
     command.addOption("--avatar", options->avatar, "A humanoid glTF or VRM file [Deixis's own avatar]");
     command.addOption("--size", options->view.size, "Window or picture size").showDefault();

@@ -9,6 +9,7 @@
 #include "core/csv_sheet.hpp"
 #include "core/files.hpp"
 #include "results/page/figure.hpp"
+#include "results/page/number_text.hpp"
 #include "results/page/page.hpp"
 
 namespace deixis::app {
@@ -36,6 +37,11 @@ constexpr KnownMeasure known_measures[] = {
     {"held-out end height", "end hand height, m",
      "How much higher than at the begin the pointing hand is at the end: 0 is at rest."},
     {"held-out at rest", "share at rest", "Share of the clips at whose end both hands are down again."},
+    {"logit of agent", "logit of the agent",
+     "What the discriminator says of the body's movements: below 0 it takes them for no demonstration's."},
+    {"logit of demonstrations", "logit of demonstrations", "What it says of the demonstrations' movements."},
+    {"samples a second", "samples a second", "Controls of bodies that were tried out in a second."},
+    {"seconds an update", "seconds an update", "How long an update takes."},
 };
 
 std::string idOf(const std::string& name) {
@@ -131,9 +137,10 @@ Result<void> TrainingCurves::write() const {
 
 std::string TrainingCurves::page() const {
     std::string figures;
+    results::Numbering numbers("Figure");
     const auto add = [&](const std::string& name, const std::string& title, const std::string& caption) {
         if (const auto found = values_.find(name); found != values_.end())
-            figures += results::figureHtml(curve(name, title, caption, found->second));
+            figures += results::figureHtml(curve(name, title, numbers.next() + " " + caption, found->second));
     };
     for (const KnownMeasure& one : known_measures) add(one.name, one.title, one.caption);
     for (const auto& entry : values_) {

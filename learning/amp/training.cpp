@@ -125,8 +125,8 @@ class Training {
         if (const auto begun = policy.begin(); !begun) return begun;
         keep(policy);
         TrainingProgress progress{.update = policy.iterations()};
-        progress.validation = policy.best().measures;
         progress.best = policy.iterations() == 0;
+        if (progress.best) progress.validation = policy.best().measures;
         (void)tell(policy, progress);
         return {};
     }

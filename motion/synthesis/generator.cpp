@@ -52,13 +52,14 @@ const std::vector<std::string>& systemNames() {
 Result<std::unique_ptr<Generator>> makeGenerator(std::string_view name, const Skeleton& avatar,
                                                  const DemonstrationParameters& parameters) {
     const auto is_it = [name](const System& system) { return system.name == name; };
-    const auto* found = is_it(gt_nn) ? &gt_nn : std::ranges::find_if(systems, is_it);
+    const auto* found = is_it(gt_nn) ? &gt_nn : std::find_if(systems.begin(), systems.end(), is_it);
     if (found != systems.end()) {
         const auto body = makePointingBody(avatar);
         if (!body) return tl::unexpected(body.error());
         return found->make(*body, parameters);
     }
-    if (std::ranges::find(learnedNames(), name) != learnedNames().end())
+    const auto& learned = learnedNames();
+    if (std::find(learned.begin(), learned.end(), name) != learned.end())
         return fail("", fmt::format("the system '{}' is learned, and made from its weights alone", name),
                     "Train it with 'deixis learn' (docs/learning.md)");
     return fail("", fmt::format("unknown system '{}'", name),

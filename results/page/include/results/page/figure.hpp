@@ -14,7 +14,7 @@ using FigureJson = nlohmann::ordered_json;
 struct Figure {
     std::string
         name;  ///< unique on the page, of letters, digits and hyphens; also names the file it is saved as
-    std::string caption;  ///< HTML
+    std::string caption;  ///< HTML; begins with the figure's number (Numbering)
     std::string label;    ///< plain text: one or a few sentences for those who cannot see it
     FigureJson spec;    ///< Vega-Lite, without description, fonts and the colours of axes, which figureHtml()
                         ///< and the script add

@@ -1,0 +1,96 @@
+#include "orbit.hpp"
+
+#include <fmt/format.h>
+#include <imgui/imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "motion/skeleton/kinematics.hpp"
+#include "renderer/drawing/renderer.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+struct NamedView {
+    const char* name;
+    double azimuth_deg;
+};
+constexpr std::array<NamedView, 5> named_views{
+    {{"front", 0.0}, {"left", 90.0}, {"right", -90.0}, {"back", 180.0}, {"three-quarter", 35.0}}};
+
+// Who walks farther than this goes on on the spot: the room is small.
+void keepInRoom(std::vector<Pose>& joints, std::size_t hips) {
+    constexpr double farthest_m = 1.0;
+    const Vec3 away(joints[hips].position.x, 0.0, joints[hips].position.z);
+    const double distance_m = glm::length(away);
+    if (distance_m <= farthest_m) return;
+    for (Pose& joint : joints) joint.position -= away * (1.0 - farthest_m / distance_m);
+}
+
+}  // namespace
+
+Pose Orbit::stageFromEye(const Vec3& hips, double height_m) const {
+    const double size = std::max(1.0, height_m / 1.9);
+    const Vec3 middle(hips.x, 0.83 * size, hips.z);
+    const Quat turn = yawRotation(azimuth_rad) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
+    return {middle + turn * Vec3(0, 0, distance_m * size), turn};
+}
+
+void Orbit::follow(const ImGuiIO& io, bool dragging) {
+    if (dragging) {
+        azimuth_rad -= 0.006 * static_cast<double>(io.MouseDelta.x);
+        elevation_rad = std::clamp(elevation_rad + 0.006 * static_cast<double>(io.MouseDelta.y),
+                                   radiansFromDegrees(-5.0), radiansFromDegrees(85.0));
+    }
+    distance_m = std::clamp(distance_m * std::pow(0.9, static_cast<double>(io.MouseWheel)), 0.4, 7.0);
+}
+
+Result<Orbit> orbitFrom(const std::string& name) {
+    for (const NamedView& view : named_views)
+        if (name == view.name) {
+            Orbit orbit;
+            orbit.azimuth_rad = radiansFromDegrees(view.azimuth_deg);
+            return orbit;
+        }
+    return fail("--from",
+                fmt::format("unknown view '{}'; expected front, left, right, back or three-quarter", name));
+}
+
+renderer::Scene sceneAround(const assets::Avatar& avatar, const motion::LocalPose& pose, const Orbit& orbit) {
+    renderer::Scene scene;
+    std::vector<Pose>& joints = scene.avatars.emplace_back();
+    motion::worldPose(avatar.skeleton, pose, joints);
+    const auto hips = static_cast<std::size_t>(std::max(0, avatar.humanoid[motion::Bone::hips]));
+    keepInRoom(joints, hips);
+    scene.camera.stage_from_eye = orbit.stageFromEye(joints[hips].position, avatar.height_m);
+    scene.camera.vertical_fov_rad = radiansFromDegrees(42.0);
+    return scene;
+}
+
+Result<void> writeStrip(const std::string& file, const assets::Avatar& avatar, WindowSize size,
+                        const std::vector<double>& times_s,
+                        const std::function<renderer::Scene(double)>& scene_at) {
+    auto context = renderer::OffscreenContext::create();
+    if (!context) return tl::unexpected(context.error());
+    auto renderer = renderer::Renderer::create(avatar, {});
+    if (!renderer) return tl::unexpected(renderer.error());
+    renderer::Image strip;
+    strip.width = size.width * static_cast<int>(times_s.size());
+    strip.height = size.height;
+    strip.rgb.resize(static_cast<std::size_t>(strip.width) * static_cast<std::size_t>(strip.height) * 3);
+    for (std::size_t i = 0; i < times_s.size(); ++i) {
+        const renderer::Image one = renderer->capture(scene_at(times_s[i]), size.width, size.height);
+        const auto row = static_cast<std::size_t>(size.width) * 3;
+        for (std::size_t y = 0; y < static_cast<std::size_t>(size.height); ++y)
+            std::copy_n(one.rgb.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                        strip.rgb.begin() + static_cast<std::ptrdiff_t>((y * times_s.size() + i) * row));
+    }
+    return renderer::writePng(file, strip);
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,278 @@
+#include "app/viewer/system_viewer.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "app/window/gl_window.hpp"
+#include "app/window/pressed_keys.hpp"
+#include "app/window/window_gui.hpp"
+#include "core/room.hpp"
+#include "motion/pointing/accuracy.hpp"
+#include "motion/pointing/phases.hpp"
+#include "motion/pointing/rays.hpp"
+#include "orbit.hpp"
+#include "physics/figure/figure.hpp"
+#include "physics/figure/figure_pose.hpp"
+#include "renderer/drawing/renderer.hpp"
+
+namespace deixis::app {
+
+namespace {
+
+constexpr double ball_radius_m = 0.06;
+constexpr double pause_s = 0.7;  ///< between two performances
+
+/// The system's clip for where the ball is.
+class Performance {
+  public:
+    Performance(const motion::Generator& system, std::uint64_t seed, const Vec3& target_m)
+        : system_(system), seed_(seed) {
+        pointAt(target_m);
+    }
+
+    void pointAt(const Vec3& target_m) {
+        target_m_ = target_m;
+        made_ = system_.generate({"", target_m, seed_, {}});
+        const auto map = motion::mapByVrmNames(made_.clip.skeleton);
+        const auto world = motion::worldPoses(made_.clip);
+        const Ray ray =
+            motion::pointingRay(made_.clip.skeleton, map, world[static_cast<std::size_t>(middle())],
+                                made_.hand, motion::PointingRay::forearm);
+        forearm_error_rad_ = motion::angularError(ray, target_m);
+        const auto arm = motion::armTrack(world, map, made_.hand, made_.clip.frame_time_s);
+        const auto accuracy = arm ? motion::pointingAccuracy(*arm, target_m, middle(), {}) : std::nullopt;
+        reward_ = accuracy ? std::optional(accuracy->reward) : std::nullopt;
+    }
+
+    [[nodiscard]] const motion::Clip& clip() const { return made_.clip; }
+    [[nodiscard]] const Vec3& target_m() const { return target_m_; }
+    [[nodiscard]] double holdTime_s() const { return middle() * made_.clip.frame_time_s; }
+    [[nodiscard]] std::string text() const {
+        std::string out =
+            fmt::format("{}   ball at {:.2f} {:.2f} {:.2f} m   forearm {:.0f} degrees off", system_.name(),
+                        target_m_.x, target_m_.y, target_m_.z, degreesFromRadians(forearm_error_rad_));
+        if (reward_) out += fmt::format("   Eq. 2 {:.3f}", *reward_);
+        return out;
+    }
+
+  private:
+    [[nodiscard]] int middle() const { return (made_.peak_frame + made_.hold_frame) / 2; }
+
+    const motion::Generator& system_;
+    std::uint64_t seed_;
+    Vec3 target_m_{0.0};
+    motion::GeneratedClip made_;
+    double forearm_error_rad_ = 0.0;
+    std::optional<double> reward_;
+};
+
+renderer::Scene sceneOf(const Performance& performance, double time_s, const assets::Avatar& avatar,
+                        const Orbit& orbit, motion::LocalPose& pose) {
+    motion::sample(performance.clip(), time_s, pose);
+    renderer::Scene scene = sceneAround(avatar, pose, orbit);
+    scene.balls.push_back({performance.target_m(), ball_radius_m, glm::vec3(0.75F, 0.12F, 0.05F)});
+    return scene;
+}
+
+/// Between the window's points and the stage.
+class Lens {
+  public:
+    Lens(const renderer::Camera& camera, const ImVec2& window)
+        : camera_(camera),
+          middle_(window.x / 2, window.y / 2),
+          per_unit_(window.y / 2 / std::tan(static_cast<float>(camera.vertical_fov_rad) / 2)) {}
+
+    /// None behind the camera.
+    [[nodiscard]] std::optional<ImVec2> seen(const Vec3& place_m) const {
+        const Vec3 there = transformPoint(inverse(camera_.stage_from_eye), place_m);
+        if (there.z > -camera_.near_m) return std::nullopt;
+        return ImVec2(middle_.x + per_unit_ * static_cast<float>(there.x / -there.z),
+                      middle_.y - per_unit_ * static_cast<float>(there.y / -there.z));
+    }
+    [[nodiscard]] float pixels(double size_m, const Vec3& place_m) const {
+        const Vec3 there = transformPoint(inverse(camera_.stage_from_eye), place_m);
+        return per_unit_ * static_cast<float>(size_m / std::max(camera_.near_m, -there.z));
+    }
+    /// Where a point of the window is in the plane through `place_m` that faces the camera.
+    [[nodiscard]] Vec3 beside(const ImVec2& point, const Vec3& place_m) const {
+        Vec3 there = transformPoint(inverse(camera_.stage_from_eye), place_m);
+        there.x = static_cast<double>((point.x - middle_.x) / per_unit_) * -there.z;
+        there.y = static_cast<double>((middle_.y - point.y) / per_unit_) * -there.z;
+        return transformPoint(camera_.stage_from_eye, there);
+    }
+
+  private:
+    const renderer::Camera& camera_;
+    ImVec2 middle_;
+    float per_unit_;
+};
+
+Vec3 keptInRoom(const Vec3& place_m) {
+    const Vec3 margin(ball_radius_m);
+    return glm::clamp(place_m, room_low + margin, room_high - margin);
+}
+
+/// The body's segments over the picture.
+void drawGhost(const physics::Figure& figure, const motion::LocalPose& pose, const Lens& lens) {
+    const auto fit = physics::fitPose(figure, pose);
+    const auto segments = physics::segmentPoses(figure, physics::rootOf(figure, pose), fit.angles_rad);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    constexpr ImU32 inside = IM_COL32(0x56, 0xB4, 0xE9, 110), joint = IM_COL32(0xF4, 0xF1, 0xEA, 220);
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const physics::Shape& shape = figure.segments[i].shape;
+        const Vec3 from = transformPoint(segments[i], shape.from_m),
+                   to = transformPoint(segments[i], shape.to_m);
+        const auto a = lens.seen(from), b = lens.seen(to), at = lens.seen(segments[i].position);
+        if (!a || !b || !at) continue;
+        const double radius_m =
+            shape.radius_m > 0.0 ? shape.radius_m : std::max(shape.half_box_m.x, shape.half_box_m.y);
+        const float radius = lens.pixels(radius_m, 0.5 * (from + to));
+        list.AddLine(*a, *b, inside, 2 * radius);
+        list.AddCircleFilled(*a, radius, inside);
+        list.AddCircleFilled(*b, radius, inside);
+        list.AddCircleFilled(*at, 3.0F, joint);
+    }
+}
+
+class SystemWindow {
+  public:
+    SystemWindow(Performance performance, const assets::Avatar& avatar, const physics::Figure& figure,
+                 Orbit orbit, GLFWwindow* window)
+        : performance_(std::move(performance)),
+          avatar_(avatar),
+          figure_(figure),
+          orbit_(orbit),
+          gui_(window) {}
+
+    /// The scene of this frame: before the window's own part of it.
+    renderer::Scene scene() {
+        const double shown_s =
+            dragged_ ? performance_.holdTime_s() : std::min(time_s_, performance_.clip().duration_s());
+        return sceneOf(performance_, shown_s, avatar_, orbit_, pose_);
+    }
+
+    /// Text, ghost, mouse and keys.
+    void frame(const renderer::Scene& scene, const std::vector<int>& keys) {
+        gui_.beginFrame();
+        const ImGuiIO& io = ImGui::GetIO();
+        for (const int key : keys) {
+            if (key == GLFW_KEY_SPACE) playing_ = !playing_;
+            if (key == GLFW_KEY_G) ghost_ = !ghost_;
+        }
+        if (playing_ && !dragged_)
+            time_s_ = std::fmod(time_s_ + static_cast<double>(io.DeltaTime),
+                                performance_.clip().duration_s() + pause_s);
+        const Lens lens(scene.camera, io.DisplaySize);
+        mouse(io, lens);
+        if (ghost_) drawGhost(figure_, pose_, lens);
+        bar();
+        gui_.endFrame();
+    }
+
+  private:
+    void mouse(const ImGuiIO& io, const Lens& lens) {
+        const Vec3 ball_m = performance_.target_m();
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.WantCaptureMouse)
+            if (const auto at = lens.seen(ball_m)) {
+                const float away = std::hypot(at->x - io.MousePos.x, at->y - io.MousePos.y);
+                dragged_ = away < std::max(12.0F * gui_.scale(), 1.5F * lens.pixels(ball_radius_m, ball_m));
+            }
+        if (dragged_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            dragged_ = false;
+            time_s_ = 0.0;
+        }
+        if (!dragged_) {
+            if (!io.WantCaptureMouse) orbit_.follow(io, ImGui::IsMouseDragging(ImGuiMouseButton_Left, 0.0F));
+            return;
+        }
+        Vec3 wanted_m = lens.beside(io.MousePos, ball_m);
+        // The wheel takes the ball nearer to the camera, or farther.
+        const Vec3 ahead = wanted_m - orbit_.stageFromEye(Vec3(0.0), avatar_.height_m).position;
+        wanted_m -= 0.08 * static_cast<double>(io.MouseWheel) * glm::normalize(ahead);
+        wanted_m = keptInRoom(wanted_m);
+        if (glm::distance(wanted_m, ball_m) > 1e-4) performance_.pointAt(wanted_m);
+    }
+
+    void bar() {
+        const ImVec2 screen = ImGui::GetIO().DisplaySize;
+        const float margin = 16.0F;
+        ImGui::SetNextWindowPos({margin, screen.y - margin}, ImGuiCond_Always, {0.0F, 1.0F});
+        ImGui::SetNextWindowSize({screen.x - 2 * margin, 0.0F});
+        ImGui::SetNextWindowBgAlpha(0.82F);
+        ImGui::Begin("system", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+        ImGui::TextUnformatted(performance_.text().c_str());
+        ImGui::TextDisabled(
+            "Drag the ball: point there   Wheel while dragging: nearer or farther   Drag beside it: turn   "
+            "Wheel: "
+            "zoom   G: the simulated body   Space: play or pause   Esc: close");
+        ImGui::End();
+    }
+
+    Performance performance_;
+    const assets::Avatar& avatar_;
+    const physics::Figure& figure_;
+    Orbit orbit_;
+    WindowGui gui_;
+    motion::LocalPose pose_;
+    bool playing_ = true;
+    bool ghost_ = false;
+    bool dragged_ = false;
+    double time_s_ = 0.0;
+};
+
+Result<void> window(Performance performance, const motion::Generator& system, const assets::Avatar& avatar,
+                    const Orbit& orbit, WindowSize size) {
+    const auto figure = physics::makeFigure(avatar.skeleton, physics::Stance::free);
+    if (!figure) return tl::unexpected(figure.error());
+    PressedKeys keys;
+    auto opened = GlWindow::open(fmt::format("Deixis - {}", system.name()), size, false);
+    if (!opened) return tl::unexpected(opened.error());
+    const GlWindow& gl_window = **opened;
+    auto renderer = renderer::Renderer::create(avatar, {});
+    if (!renderer) return tl::unexpected(renderer.error());
+    keys.connect(gl_window.handle());
+    SystemWindow shown(std::move(performance), avatar, *figure, orbit, gl_window.handle());
+    while (glfwWindowShouldClose(gl_window.handle()) == GLFW_FALSE) {
+        glfwPollEvents();
+        const std::vector<int> pressed = keys.take();
+        if (std::count(pressed.begin(), pressed.end(), GLFW_KEY_ESCAPE) > 0) break;
+        const WindowSize now = gl_window.framebufferSize();
+        if (now.width == 0 || now.height == 0) {
+            glfwWaitEventsTimeout(0.1);
+            continue;
+        }
+        const renderer::Scene scene = shown.scene();
+        renderer->draw(scene, now.width, now.height);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, now.width, now.height);
+        shown.frame(scene, pressed);
+        glfwSwapBuffers(gl_window.handle());
+    }
+    return {};
+}
+
+}  // namespace
+
+Result<void> viewSystem(const motion::Generator& system, const assets::Avatar& avatar,
+                        const SystemViewOptions& options) {
+    const auto size = parseWindowSize(options.size);
+    if (!size) return tl::unexpected(size.error());
+    const auto orbit = orbitFrom(options.from);
+    if (!orbit) return tl::unexpected(orbit.error());
+    Performance performance(system, options.seed, keptInRoom(options.target_m));
+    if (options.screenshot.empty()) return window(std::move(performance), system, avatar, *orbit, *size);
+    motion::LocalPose pose;
+    const std::vector<double> times =
+        options.times_s.empty() ? std::vector<double>{performance.holdTime_s()} : options.times_s;
+    return writeStrip(options.screenshot, avatar, *size, times,
+                      [&](double time_s) { return sceneOf(performance, time_s, avatar, *orbit, pose); });
+}
+
+}  // namespace deixis::app

@@ -1,0 +1,72 @@
+// Systems from weights, where nothing is trained: gt-nn keeps a manifest's demonstrations and plays the
+// nearest.
+#include "assets/tables/manifest.hpp"
+#include "program.hpp"
+#include "text.hpp"
+
+using namespace deixis;
+using namespace deixis::tests;
+
+TEST_SUITE("app/learned_system") {
+    TEST_CASE("gt-nn plays the demonstrations that it was made of") {
+        const Scratch scratch;
+        const std::string targets = scratch / "targets.csv", weights = scratch / "w";
+        spill(targets, "target_id,x,y,z\nA,0.8,1.2,1.7\nB,-0.6,0.5,1.9\n");
+        REQUIRE(program("generate direct --targets " + targets + " -o " + (scratch / "shown")).status == 0);
+        const std::string learn = "learn gt-nn --no-mirror --demonstrations " +
+                                  (scratch / "shown/manifest.csv") + " --out " + weights;
+        const auto done = program(learn);
+        REQUIRE_MESSAGE(done.status == 0, done.err);
+        CHECK(contains(done.out, "2 synthetic demonstrations: " + weights));
+        CHECK_FAILS_SAYING(program(learn), weights, "--force");
+        CHECK(program(learn + " --force").status == 0);
+
+        REQUIRE(program("generate gt-nn --weights " + weights + " --targets " + targets + " -o " +
+                        (scratch / "made"))
+                    .status == 0);
+        const auto shown = assets::readManifest(scratch / "shown/manifest.csv").value(),
+                   made = assets::readManifest(scratch / "made/manifest.csv").value();
+        REQUIRE(made.rows.size() == 2);
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK(made.rows[i].system == "gt-nn");
+            CHECK(made.rows[i].processing == "learned-from-synthetic");
+            CHECK(made.rows[i].phases->peak_frame == shown.rows[i].phases->peak_frame);
+            CHECK(made.rows[i].phases->hold_frame == shown.rows[i].phases->hold_frame);
+        }
+        const std::string page = scratch / "page.html";
+        REQUIRE(program("evaluate " + (scratch / "made") + " -o " + page).status == 0);
+        CHECK(contains(slurp(page), "gt-nn is made by formulas, or learned from demonstrations that were"));
+    }
+
+    TEST_CASE("weights that are no such, damaged, or of another system are refused by name") {
+        const Scratch scratch;
+        const std::string targets = scratch / "targets.csv", weights = scratch / "w";
+        spill(targets, "target_id,x,y,z\nA,0.8,1.2,1.7\n");
+        const auto generate = [&](const std::string& system, const std::string& file) {
+            return program("generate " + system + " --weights " + file + " --targets " + targets + " -o " +
+                           (scratch / "made"));
+        };
+        REQUIRE(program("learn gt-nn -o " + weights).status == 0);
+        CHECK_FAILS_SAYING(generate("moglow", weights), weights, "'gt-nn', expected those of 'moglow'");
+        CHECK_FAILS_SAYING(generate("direct", weights), "--weights", "'direct' has no weights");
+        CHECK_FAILS_SAYING(generate("gt-nn", targets), targets, "weights");
+        CHECK_FAILS_SAYING(generate("gt-nn", scratch / "none"), "none");
+        std::string bytes = slurp(weights);
+        bytes[bytes.size() / 2] ^= 1;
+        spill(weights, bytes);
+        CHECK_FAILS_SAYING(generate("gt-nn", weights), weights, "checksum");
+        CHECK_FALSE(fs::exists(scratch / "made"));
+    }
+
+    TEST_CASE("a program without trainers says how to get them") {
+        const Scratch scratch;
+        const auto done = program("learn amp-pfnn --bandwidth wide -o " + (scratch / "w"));
+        CHECK(done.status == 2);
+        CHECK(contains(done.err, "found 'wide', expected metres above 0, or scott"));
+        CHECK(program("learn amp-pfnn -o " + (scratch / "w")).status == 2);
+#ifndef DEIXIS_LEARNING
+        CHECK_FAILS_SAYING(program("learn moglow -o " + (scratch / "w")), "built without what trains",
+                           "scripts/install.sh learning");
+#endif
+    }
+}
