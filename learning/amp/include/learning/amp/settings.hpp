@@ -51,11 +51,11 @@ struct AmpSettings {
     double first_noise_rad = 0.05;  ///< SD of what is tried out, at the begin and
     double last_noise_rad = 0.03;   ///< at the end; linear between
 
-    double discriminator_rate = 1e-4;
+    double discriminator_rate = 2e-5;
     int discriminator_batch = 512;  ///< of the agent's and as many of the demonstrations' transitions
     int discriminator_updates = 8;  ///< an iteration
     double discriminator_weight = 5.0;
-    double gradient_penalty = 0.2;
+    double gradient_penalty = 5.0;
     double logit_decay = 0.05;
     double weight_decay = 1e-4;
     int remembered = 50'000;                ///< the agent's transitions, at the most
