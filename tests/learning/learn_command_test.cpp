@@ -21,9 +21,9 @@ Finished played(const Scratch& scratch, const std::string& weights) {
                    " -o " + (scratch / "made") + " --force");
 }
 
-/// Until the file is there, or for a minute.
+/// Until the file is there, or for three minutes.
 bool comes(const std::string& file) {
-    for (int i = 0; i < 600 && !fs::exists(file); ++i)
+    for (int i = 0; i < 1800 && !fs::exists(file); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     return fs::exists(file);
 }
