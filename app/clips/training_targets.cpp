@@ -6,37 +6,29 @@
 #include <set>
 #include <tuple>
 
+#include "app/clips/synthetic_demonstrations.hpp"
 #include "app/clips/systems.hpp"
-#include "assets/data/data_paths.hpp"
-#include "assets/data/demonstrations.hpp"
 #include "assets/tables/manifest.hpp"
 #include "assets/tables/target_list.hpp"
 #include "core/csv_sheet.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
-#include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/synthesis/demonstration_library.hpp"
 
 namespace deixis::app {
 
 namespace {
 
 Result<TrainingTargets> syntheticLibrary() {
-    const auto path = assets::dataFile("demonstrations.toml");
-    const auto bytes = readFile(path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto parameters = assets::parseDemonstrationParameters(*bytes, path.string());
-    if (!parameters) return tl::unexpected(parameters.error());
-    const auto library = motion::makeDemonstrations(motion::referenceHumanoid(), *parameters);
+    const auto library = syntheticDemonstrations();
     if (!library) return tl::unexpected(library.error());
     TrainingTargets out;
-    for (const auto& demonstration : *library) out.targets.push_back(demonstration.target);
-    for (const auto& demonstration : *library)
+    for (const auto& demonstration : library->made) out.targets.push_back(demonstration.target);
+    for (const auto& demonstration : library->made)
         out.targets.push_back(demonstration.target * Vec3(-1.0, 1.0, 1.0));
     out.source = "synthetic demonstrations and their mirror images";
     out.synthetic = true;
     // Only the name: where the program is installed says nothing about the numbers.
-    out.file = {path.filename().string(), sha256Hex(*bytes)};
+    out.file = {library->parameters.filename().string(), library->sha256};
     return out;
 }
 

@@ -14,7 +14,6 @@ using studies::PresentedState;
 constexpr double resting_pitch_rad =
     radiansFromDegrees(-6.0);  // a standing person's gaze rests a little down
 constexpr double wide_picture = 16.0 / 9.0;
-constexpr double nearest_m = 1e-6;
 
 // Whether a board stands there to be read first, not one beside a task.
 bool pageOpen(const PresentedFrame& frame) {
@@ -67,20 +66,6 @@ double verticalView_rad(const PresentedFrame& frame, double aspect) {
     const double wide_rad =
         frame.first_look ? frame.first_look->verticalView_rad(wide_picture) : studies::min_view_rad;
     return 2.0 * std::atan(std::tan(0.5 * wide_rad) * std::max(1.0, wide_picture / aspect));
-}
-
-Ray rayThrough(const Pose& stage_from_eye, double vertical_view_rad, double aspect, const PicturePoint& at) {
-    const double half = std::tan(0.5 * vertical_view_rad);
-    const Vec3 direction = stage_from_eye.orientation * Vec3(at.x * half * aspect, at.y * half, -1.0);
-    return {stage_from_eye.position, glm::normalize(direction)};
-}
-
-std::optional<PicturePoint> inPicture(const Pose& stage_from_eye, double vertical_view_rad, double aspect,
-                                      const Vec3& point) {
-    const Vec3 seen = transformPoint(inverse(stage_from_eye), point);
-    if (seen.z > -nearest_m) return std::nullopt;
-    const double half = std::tan(0.5 * vertical_view_rad);
-    return PicturePoint{seen.x / -seen.z / (half * aspect), seen.y / -seen.z / half};
 }
 
 }  // namespace deixis::app

@@ -2,8 +2,7 @@
 // Plain geometry, without a window.
 #pragma once
 
-#include <optional>
-
+#include "app/window/picture_point.hpp"
 #include "core/pose.hpp"
 #include "studies/station/station.hpp"
 
@@ -13,12 +12,6 @@ namespace deixis::app {
 struct Look {
     double yaw_rad = 0.0;  ///< from straight ahead to the left
     double pitch_rad = 0.0;
-};
-
-/// Right and up from the middle of the picture; the picture's edges are at -1 and 1.
-struct PicturePoint {
-    double x = 0.0;
-    double y = 0.0;
 };
 
 /// Whether the view goes back to lookAtTask() with this frame: a page or a trial begins, a pause is over, the
@@ -32,13 +25,5 @@ struct PicturePoint {
 /// The vertical field of view for a picture of this width by height. One that is narrower than 16:9 is wide
 /// enough upwards and downwards to hold all that one of 16:9 shows.
 [[nodiscard]] double verticalView_rad(const studies::PresentedFrame& frame, double aspect);
-
-/// The ray from the eye through a point of the picture.
-[[nodiscard]] Ray rayThrough(const Pose& stage_from_eye, double vertical_view_rad, double aspect,
-                             const PicturePoint& at);
-
-/// Where a point of the stage is in the picture; none: behind the eye.
-[[nodiscard]] std::optional<PicturePoint> inPicture(const Pose& stage_from_eye, double vertical_view_rad,
-                                                    double aspect, const Vec3& point);
 
 }  // namespace deixis::app

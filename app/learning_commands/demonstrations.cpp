@@ -4,13 +4,11 @@
 
 #include "app/clips/clip_files.hpp"
 #include "app/clips/clip_retargeting.hpp"
+#include "app/clips/synthetic_demonstrations.hpp"
 #include "app/clips/systems.hpp"
 #include "app/program/version.hpp"
-#include "assets/data/data_paths.hpp"
-#include "assets/data/demonstrations.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
-#include "motion/humanoid/reference_humanoid.hpp"
 #include "motion/pointing/phases.hpp"
 #include "motion/synthesis/demonstration_library.hpp"
 
@@ -21,15 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 Result<learning::DemonstrationSets> synthetic(bool mirrored) {
-    const fs::path path = assets::dataFile("demonstrations.toml");
-    const auto bytes = readFile(path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto parameters = assets::parseDemonstrationParameters(*bytes, path.string());
-    if (!parameters) return tl::unexpected(parameters.error());
-    auto made = motion::makeDemonstrations(motion::referenceHumanoid(), *parameters);
-    if (!made) return tl::unexpected(made.error());
-    auto out = learning::splitDemonstrations(std::move(*made), mirrored);
-    out.sha256 = sha256Hex(*bytes);
+    auto library = syntheticDemonstrations();
+    if (!library) return tl::unexpected(library.error());
+    auto out = learning::splitDemonstrations(std::move(library->made), mirrored);
+    out.sha256 = library->sha256;
     return out;
 }
 

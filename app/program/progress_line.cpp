@@ -11,16 +11,11 @@
 
 namespace deixis::app {
 
-namespace {
-
-/// "0:07", "12:30", "3:05:00".
 std::string clockText(double time_s) {
     const auto seconds = static_cast<long long>(std::llround(std::fmin(time_s, 1e9)));
     if (seconds < 3600) return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
     return fmt::format("{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);
 }
-
-}  // namespace
 
 std::string progressLine(std::string_view what, std::size_t done, std::size_t all, double elapsed_s) {
     constexpr std::size_t width = 24;
@@ -47,6 +42,18 @@ Progress progressOnTerminal(std::string what) {
         std::fflush(stderr);
         if (done == all) *begin = now;
     };
+}
+
+StatusLine::StatusLine() : terminal_(::isatty(STDERR_FILENO) != 0) {}
+
+void StatusLine::show(const std::string& text) {
+    if (!terminal_) return;
+    fmt::print(stderr, "\r{}\x1b[K", text);
+    std::fflush(stderr);
+}
+
+void StatusLine::clear() {
+    show("");
 }
 
 std::string elapsedLine(std::string_view what, double elapsed_s) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/clips/study_setup.hpp"
+#include "app/clips/synthetic_demonstrations.hpp"
 #include "app/clips/training_targets.hpp"
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
@@ -11,11 +12,7 @@
 #include "app/study/angles_text.hpp"
 #include "app/study/visibility_text.hpp"
 #include "app/study_commands/study_commands.hpp"
-#include "assets/data/data_paths.hpp"
-#include "assets/data/demonstrations.hpp"
 #include "core/files.hpp"
-#include "motion/humanoid/reference_humanoid.hpp"
-#include "motion/synthesis/demonstration_library.hpp"
 #include "studies/design/target_grid.hpp"
 #include "studies/design/targets.hpp"
 
@@ -45,13 +42,11 @@ Result<void> printTargets(const TargetsArguments& options) {
     const auto setup = loadStudySetup(options.study);
     if (!setup) return tl::unexpected(setup.error());
     if (!options.picture.empty()) {
-        const auto parameters = assets::loadDemonstrationParameters(assets::dataFile("demonstrations.toml"));
-        if (!parameters) return tl::unexpected(parameters.error());
         // The picture sets the targets against what the built-in systems were made from, as the paper's does.
-        const auto library = motion::makeDemonstrations(motion::referenceHumanoid(), *parameters);
+        const auto library = syntheticDemonstrations();
         if (!library) return tl::unexpected(library.error());
         std::vector<Vec3> demonstrations;
-        for (const auto& demonstration : *library) demonstrations.push_back(demonstration.target);
+        for (const auto& demonstration : library->made) demonstrations.push_back(demonstration.target);
         const std::string svg = studies::targetsSvg(setup->study.targets, setup->targets, demonstrations);
         if (auto written = writeFile(options.picture, svg); !written) return written;
         fmt::print(stderr, "picture: {}\n", options.picture);

@@ -1,5 +1,8 @@
 #include "orbit.hpp"
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <imgui/imgui.h>
 
@@ -7,8 +10,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <vector>
 
+#include "app/window/pressed_keys.hpp"
+#include "core/room.hpp"
 #include "motion/skeleton/kinematics.hpp"
 #include "renderer/drawing/renderer.hpp"
 
@@ -32,13 +38,25 @@ void keepInRoom(std::vector<Pose>& joints, std::size_t hips) {
     for (Pose& joint : joints) joint.position -= away * (1.0 - farthest_m / distance_m);
 }
 
+/// How far from a place in the room one can go before a wall, the floor or the ceiling is near.
+double withinRoom_m(const Vec3& from, const Vec3& direction) {
+    constexpr double margin_m = 0.15;
+    double out = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double wall = direction[axis] > 0.0 ? room_high[axis] - margin_m : room_low[axis] + margin_m;
+        if (direction[axis] != 0.0) out = std::min(out, (wall - from[axis]) / direction[axis]);
+    }
+    return std::max(0.0, out);
+}
+
 }  // namespace
 
 Pose Orbit::stageFromEye(const Vec3& hips, double height_m) const {
     const double size = std::max(1.0, height_m / 1.9);
     const Vec3 middle(hips.x, 0.83 * size, hips.z);
     const Quat turn = yawRotation(azimuth_rad) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
-    return {middle + turn * Vec3(0, 0, distance_m * size), turn};
+    const Vec3 back = turn * Vec3(0, 0, 1);
+    return {middle + std::min(distance_m * size, withinRoom_m(middle, back)) * back, turn};
 }
 
 void Orbit::follow(const ImGuiIO& io, bool dragging) {
@@ -91,6 +109,35 @@ Result<void> writeStrip(const std::string& file, const assets::Avatar& avatar, W
                         strip.rgb.begin() + static_cast<std::ptrdiff_t>((y * times_s.size() + i) * row));
     }
     return renderer::writePng(file, strip);
+}
+
+Result<void> showInWindow(const std::string& title, WindowSize size, const assets::Avatar& avatar,
+                          const std::function<std::unique_ptr<Shown>(GLFWwindow*)>& make) {
+    PressedKeys keys;
+    auto opened = GlWindow::open(title, size, false);
+    if (!opened) return tl::unexpected(opened.error());
+    const GlWindow& window = **opened;
+    auto renderer = renderer::Renderer::create(avatar, {});
+    if (!renderer) return tl::unexpected(renderer.error());
+    keys.connect(window.handle());
+    const auto shown = make(window.handle());
+    while (glfwWindowShouldClose(window.handle()) == GLFW_FALSE) {
+        glfwPollEvents();
+        const std::vector<int> pressed = keys.take();
+        if (std::count(pressed.begin(), pressed.end(), GLFW_KEY_ESCAPE) > 0) break;
+        const WindowSize now = window.framebufferSize();
+        if (now.width == 0 || now.height == 0) {
+            glfwWaitEventsTimeout(0.1);
+            continue;
+        }
+        const renderer::Scene scene = shown->scene();
+        renderer->draw(scene, now.width, now.height);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glViewport(0, 0, now.width, now.height);
+        shown->frame(scene, pressed);
+        glfwSwapBuffers(window.handle());
+    }
+    return {};
 }
 
 }  // namespace deixis::app

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct Orbit {
     double elevation_rad = radiansFromDegrees(8.0);
     double distance_m = 3.4;
 
-    /// From farther away where the figure is taller than people are.
+    /// From farther away where the figure is taller than people are, and never from outside the room.
     [[nodiscard]] Pose stageFromEye(const Vec3& hips, double height_m) const;
     /// Turned where the mouse drags, nearer or farther by the wheel.
     void follow(const ImGuiIO& io, bool dragging);
@@ -32,6 +33,20 @@ struct Orbit {
 /// The avatar in a pose, which walks on the spot where it would leave the room, and the camera.
 [[nodiscard]] renderer::Scene sceneAround(const assets::Avatar& avatar, const motion::LocalPose& pose,
                                           const Orbit& orbit);
+
+/// What a viewer's window shows, frame by frame.
+class Shown {
+  public:
+    virtual ~Shown() = default;
+    [[nodiscard]] virtual renderer::Scene scene() = 0;
+    /// What stands over the picture of that scene; mouse and keys.
+    virtual void frame(const renderer::Scene& scene, const std::vector<int>& keys) = 0;
+};
+
+/// Opens a window and shows what `make` makes for it, until it is closed or Escape pressed.
+[[nodiscard]] Result<void> showInWindow(const std::string& title, WindowSize size,
+                                        const assets::Avatar& avatar,
+                                        const std::function<std::unique_ptr<Shown>(GLFWwindow*)>& make);
 
 /// Pictures at several times, side by side, as a PNG file; no window is opened.
 [[nodiscard]] Result<void> writeStrip(const std::string& file, const assets::Avatar& avatar, WindowSize size,

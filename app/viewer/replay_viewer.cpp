@@ -2,7 +2,6 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,10 +12,10 @@
 #include <vector>
 
 #include "app/window/gl_window.hpp"
-#include "app/window/pressed_keys.hpp"
 #include "app/window/window_gui.hpp"
 #include "core/staging.hpp"
 #include "motion/humanoid/reference_humanoid.hpp"
+#include "orbit.hpp"
 #include "renderer/drawing/renderer.hpp"
 #include "replay_scene.hpp"
 
@@ -145,12 +144,13 @@ Result<void> writeFilm(const Show& show, const assets::Avatar& avatar, const Rep
 }
 
 // The window's controls.
-class Controls {
+class Controls : public Shown {
   public:
-    Controls(GLFWwindow* window, const ReplayOptions& options)
+    Controls(GLFWwindow* window, const Show& show, const ReplayOptions& options)
         : from_outside(options.view == "third"),
           speed(static_cast<float>(options.speed)),
           trail_s(static_cast<float>(options.trail_s)),
+          show_(show),
           gui_(window) {}
 
     std::size_t trial = 0;
@@ -160,10 +160,15 @@ class Controls {
     float speed;
     float trail_s;
     OutsideView view{};
-    bool close = false;
+
+    renderer::Scene scene() override {
+        return show_.scene(trial, static_cast<double>(time_s), from_outside, view,
+                           static_cast<double>(trail_s));
+    }
 
     /// Advances, and draws the bar over the picture.
-    void frame(const Show& show, const std::vector<int>& keys) {
+    void frame(const renderer::Scene& /*scene*/, const std::vector<int>& keys) override {
+        const Show& show = show_;
         gui_.beginFrame();
         for (const int key : keys) obey(key, show);
         const ImGuiIO& io = ImGui::GetIO();
@@ -182,6 +187,7 @@ class Controls {
     }
 
   private:
+    const Show& show_;
     WindowGui gui_;
 
     void go(std::size_t to) {
@@ -192,7 +198,6 @@ class Controls {
     void obey(int key, const Show& show) {
         constexpr float step_s = 1.0F / 30.0F;
         if (key == GLFW_KEY_SPACE) playing = !playing;
-        if (key == GLFW_KEY_ESCAPE) close = true;
         if (key == GLFW_KEY_V) from_outside = !from_outside;
         if (key == GLFW_KEY_LEFT || key == GLFW_KEY_RIGHT) {
             playing = false;
@@ -260,35 +265,6 @@ class Controls {
     }
 };
 
-Result<void> window(const results::Recording& recording, const Show& show, const assets::Avatar& avatar,
-                    WindowSize size, const ReplayOptions& options) {
-    PressedKeys keys;
-    auto opened = GlWindow::open(
-        fmt::format("Deixis replay - {} - {}", recording.study_title, recording.participant), size, false);
-    if (!opened) return tl::unexpected(opened.error());
-    const GlWindow& gl_window = **opened;
-    auto renderer = renderer::Renderer::create(avatar, {});
-    if (!renderer) return tl::unexpected(renderer.error());
-    keys.connect(gl_window.handle());
-    Controls controls(gl_window.handle(), options);
-    while (glfwWindowShouldClose(gl_window.handle()) == GLFW_FALSE && !controls.close) {
-        glfwPollEvents();
-        const WindowSize now = gl_window.framebufferSize();
-        if (now.width == 0 || now.height == 0) {
-            glfwWaitEventsTimeout(0.1);
-            continue;
-        }
-        renderer->draw(show.scene(controls.trial, static_cast<double>(controls.time_s), controls.from_outside,
-                                  controls.view, static_cast<double>(controls.trail_s)),
-                       now.width, now.height);
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, now.width, now.height);
-        controls.frame(show, keys.take());
-        glfwSwapBuffers(gl_window.handle());
-    }
-    return {};
-}
-
 }  // namespace
 
 Result<void> showReplay(const results::Recording& recording, const studies::ClipSource& clips,
@@ -301,7 +277,11 @@ Result<void> showReplay(const results::Recording& recording, const studies::Clip
     if (!options.mp4_file.empty())
         if (auto written = writeFilm(show, avatar, options, *size); !written) return written;
     if (!options.png_folder.empty() || !options.mp4_file.empty()) return {};
-    return window(recording, show, avatar, *size, options);
+    const std::string title =
+        fmt::format("Deixis replay - {} - {}", recording.study_title, recording.participant);
+    return showInWindow(title, *size, avatar, [&](GLFWwindow* window) {
+        return std::make_unique<Controls>(window, show, options);
+    });
 }
 
 }  // namespace deixis::app

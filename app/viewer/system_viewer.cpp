@@ -2,7 +2,6 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <epoxy/gl.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "app/window/gl_window.hpp"
-#include "app/window/pressed_keys.hpp"
+#include "app/window/picture_point.hpp"
 #include "app/window/window_gui.hpp"
 #include "core/room.hpp"
 #include "motion/pointing/accuracy.hpp"
@@ -85,33 +83,38 @@ renderer::Scene sceneOf(const Performance& performance, double time_s, const ass
 class Lens {
   public:
     Lens(const renderer::Camera& camera, const ImVec2& window)
-        : camera_(camera),
-          middle_(window.x / 2, window.y / 2),
-          per_unit_(window.y / 2 / std::tan(static_cast<float>(camera.vertical_fov_rad) / 2)) {}
+        : camera_(camera), window_(window), aspect_(static_cast<double>(window.x / window.y)) {}
 
     /// None behind the camera.
     [[nodiscard]] std::optional<ImVec2> seen(const Vec3& place_m) const {
-        const Vec3 there = transformPoint(inverse(camera_.stage_from_eye), place_m);
-        if (there.z > -camera_.near_m) return std::nullopt;
-        return ImVec2(middle_.x + per_unit_ * static_cast<float>(there.x / -there.z),
-                      middle_.y - per_unit_ * static_cast<float>(there.y / -there.z));
+        const auto at = inPicture(camera_.stage_from_eye, camera_.vertical_fov_rad, aspect_, place_m);
+        if (!at) return std::nullopt;
+        return ImVec2(0.5F * window_.x * static_cast<float>(1.0 + at->x),
+                      0.5F * window_.y * static_cast<float>(1.0 - at->y));
     }
+    /// Of a size at a place.
     [[nodiscard]] float pixels(double size_m, const Vec3& place_m) const {
-        const Vec3 there = transformPoint(inverse(camera_.stage_from_eye), place_m);
-        return per_unit_ * static_cast<float>(size_m / std::max(camera_.near_m, -there.z));
+        const double half =
+            std::tan(0.5 * camera_.vertical_fov_rad) * std::max(camera_.near_m, ahead_m(place_m));
+        return 0.5F * window_.y * static_cast<float>(size_m / half);
     }
     /// Where a point of the window is in the plane through `place_m` that faces the camera.
     [[nodiscard]] Vec3 beside(const ImVec2& point, const Vec3& place_m) const {
-        Vec3 there = transformPoint(inverse(camera_.stage_from_eye), place_m);
-        there.x = static_cast<double>((point.x - middle_.x) / per_unit_) * -there.z;
-        there.y = static_cast<double>((middle_.y - point.y) / per_unit_) * -there.z;
-        return transformPoint(camera_.stage_from_eye, there);
+        const PicturePoint at{2.0 * static_cast<double>(point.x / window_.x) - 1.0,
+                              1.0 - 2.0 * static_cast<double>(point.y / window_.y)};
+        const Ray ray = rayThrough(camera_.stage_from_eye, camera_.vertical_fov_rad, aspect_, at);
+        const double forwards = ahead_m(ray.origin + ray.direction);
+        return ray.origin + ray.direction * (ahead_m(place_m) / forwards);
     }
 
   private:
+    [[nodiscard]] double ahead_m(const Vec3& place_m) const {
+        return -transformPoint(inverse(camera_.stage_from_eye), place_m).z;
+    }
+
     const renderer::Camera& camera_;
-    ImVec2 middle_;
-    float per_unit_;
+    ImVec2 window_;
+    double aspect_;
 };
 
 Vec3 keptInRoom(const Vec3& place_m) {
@@ -141,7 +144,7 @@ void drawGhost(const physics::Figure& figure, const motion::LocalPose& pose, con
     }
 }
 
-class SystemWindow {
+class SystemWindow : public Shown {
   public:
     SystemWindow(Performance performance, const assets::Avatar& avatar, const physics::Figure& figure,
                  Orbit orbit, GLFWwindow* window)
@@ -152,14 +155,14 @@ class SystemWindow {
           gui_(window) {}
 
     /// The scene of this frame: before the window's own part of it.
-    renderer::Scene scene() {
+    renderer::Scene scene() override {
         const double shown_s =
             dragged_ ? performance_.holdTime_s() : std::min(time_s_, performance_.clip().duration_s());
         return sceneOf(performance_, shown_s, avatar_, orbit_, pose_);
     }
 
     /// Text, ghost, mouse and keys.
-    void frame(const renderer::Scene& scene, const std::vector<int>& keys) {
+    void frame(const renderer::Scene& scene, const std::vector<int>& keys) override {
         gui_.beginFrame();
         const ImGuiIO& io = ImGui::GetIO();
         for (const int key : keys) {
@@ -231,31 +234,9 @@ Result<void> window(Performance performance, const motion::Generator& system, co
                     const Orbit& orbit, WindowSize size) {
     const auto figure = physics::makeFigure(avatar.skeleton, physics::Stance::free);
     if (!figure) return tl::unexpected(figure.error());
-    PressedKeys keys;
-    auto opened = GlWindow::open(fmt::format("Deixis - {}", system.name()), size, false);
-    if (!opened) return tl::unexpected(opened.error());
-    const GlWindow& gl_window = **opened;
-    auto renderer = renderer::Renderer::create(avatar, {});
-    if (!renderer) return tl::unexpected(renderer.error());
-    keys.connect(gl_window.handle());
-    SystemWindow shown(std::move(performance), avatar, *figure, orbit, gl_window.handle());
-    while (glfwWindowShouldClose(gl_window.handle()) == GLFW_FALSE) {
-        glfwPollEvents();
-        const std::vector<int> pressed = keys.take();
-        if (std::count(pressed.begin(), pressed.end(), GLFW_KEY_ESCAPE) > 0) break;
-        const WindowSize now = gl_window.framebufferSize();
-        if (now.width == 0 || now.height == 0) {
-            glfwWaitEventsTimeout(0.1);
-            continue;
-        }
-        const renderer::Scene scene = shown.scene();
-        renderer->draw(scene, now.width, now.height);
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glViewport(0, 0, now.width, now.height);
-        shown.frame(scene, pressed);
-        glfwSwapBuffers(gl_window.handle());
-    }
-    return {};
+    return showInWindow(fmt::format("Deixis - {}", system.name()), size, avatar, [&](GLFWwindow* window) {
+        return std::make_unique<SystemWindow>(std::move(performance), avatar, *figure, orbit, window);
+    });
 }
 
 }  // namespace

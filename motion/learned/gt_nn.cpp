@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "motion/skeleton/clip_edit.hpp"
+#include "motion/synthesis/phase_trajectory.hpp"
 
 namespace deixis::motion {
 
@@ -80,18 +81,15 @@ Result<Demonstration> demonstrationFrom(const NetworkWeights& weights, std::size
 
 /// The gesture with a hold of that many frames.
 GeneratedClip heldFor(const GeneratedClip& gesture, int frames) {
-    const int own = gesture.hold_frame - gesture.peak_frame, more = frames - own;
+    const Clip& clip = gesture.clip;
+    const PhaseDurations own = durationsOf(gesture, clip.frameCount(), clip.frame_time_s);
+    PhaseDurations durations = own;
+    durations[2] = frames * clip.frame_time_s;
+    const int more = frames - (gesture.hold_frame - gesture.peak_frame);
     GeneratedClip out = gesture;
     out.clip.frames.clear();
-    const Clip& clip = gesture.clip;
-    for (int f = 0; f < clip.frameCount() + more; ++f) {
-        double at = f;
-        if (f > gesture.peak_frame + frames)
-            at = f - more;
-        else if (f > gesture.peak_frame)
-            at = gesture.peak_frame + static_cast<double>(f - gesture.peak_frame) * own / frames;
-        out.clip.frames.push_back(sample(clip, at * clip.frame_time_s));
-    }
+    for (int f = 0; f < clip.frameCount() + more; ++f)
+        out.clip.frames.push_back(sample(clip, withHold(f * clip.frame_time_s, durations, own[2])));
     out.hold_frame += more;
     out.end_frame += more;
     return out;

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
+
+#include "motion/networks/taking.hpp"
 
 namespace deixis::motion {
 
@@ -13,19 +14,13 @@ namespace {
 
 Result<MoglowShape> shapeOf(const NetworkWeights& weights) {
     MoglowShape shape;
-    std::optional<Error> problem;
-    const auto take = [&problem](auto& out, const auto& read) {
-        if (read)
-            out = *read;
-        else if (!problem)
-            problem = read.error();
-    };
+    Taking take;
     take(shape.steps, weights.count("steps", 1, 256));
     take(shape.hidden, weights.count("hidden", 1, 4096));
     take(shape.past_frames, weights.count("past_frames", 1, 1000));
     take(shape.look_ahead, weights.count("look_ahead", 0, 1000));
     take(shape.frame_time_s, weights.number("frame_time_s"));
-    if (problem) return tl::unexpected(*problem);
+    if (take.problem()) return tl::unexpected(*take.problem());
     if (!(shape.frame_time_s >= 0.001 && shape.frame_time_s <= 1.0))
         return fail(weights.file + ": settings.frame_time_s",
                     fmt::format("found {}, expected 0.001 to 1 s", shape.frame_time_s));
@@ -67,23 +62,11 @@ Result<Moglow> Moglow::of(const NetworkWeights& weights, const PoseFeatures& fea
                                               weights.architecture, moglow_architecture));
     const auto shape = shapeOf(weights);
     if (!shape) return tl::unexpected(shape.error());
-    const auto names = weights.text("features");
-    if (!names) return tl::unexpected(names.error());
-    if (*names != features.names())
-        return fail(weights.file + ": settings.features",
-                    "the weights move other joints than this avatar has: found " + *names + ", expected " +
-                        features.names(),
-                    "Train for this avatar");
+    if (const auto same = weights.checkFeatures(features.names()); !same) return tl::unexpected(same.error());
     const int size = static_cast<int>(features.size());
     Moglow out;
     out.shape_ = *shape;
-    std::optional<Error> problem;
-    const auto take = [&problem](auto& to, auto read) {
-        if (read)
-            to = std::move(*read);
-        else if (!problem)
-            problem = read.error();
-    };
+    Taking take;
     take(out.raise_s_, seconds(weights, "raise_s"));
     take(out.hold_s_, seconds(weights, "hold_s"));
     take(out.temperature_, weights.number("temperature"));
@@ -91,7 +74,7 @@ Result<Moglow> Moglow::of(const NetworkWeights& weights, const PoseFeatures& fea
     take(out.sd_, readVector(weights, "feature_sd", size));
     take(out.encoder_, Linear::read(weights, "encoder", shape->conditionSize(size), shape->hidden));
     take(out.flow_, ConditionalFlow::read(weights, {size, shape->hidden, shape->steps, shape->hidden}));
-    if (problem) return tl::unexpected(*problem);
+    if (take.problem()) return tl::unexpected(*take.problem());
     if (!(out.sd_.array() > 0.0F).all())
         return fail(weights.file + ": feature_sd", "found a standard deviation of 0 or less");
     out.at_ease_ = out.standardised(std::vector<double>(features.size(), 0.0));

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
+
+#include "motion/networks/taking.hpp"
 
 namespace deixis::motion {
 
@@ -100,13 +101,7 @@ VectorXf AffineCoupling::inverse(const VectorXf& y, const VectorXf& condition, S
 Result<ConditionalFlow::Step> ConditionalFlow::readStep(const NetworkWeights& weights,
                                                         const std::string& name, const FlowShape& shape) {
     Step step;
-    std::optional<Error> problem;
-    const auto take = [&problem](auto& out, auto read) {
-        if (read)
-            out = std::move(*read);
-        else if (!problem)
-            problem = read.error();
-    };
+    Taking take;
     take(step.actnorm.bias, readVector(weights, name + ".actnorm.bias", shape.size));
     take(step.actnorm.log_scale, readVector(weights, name + ".actnorm.log_scale", shape.size));
     take(step.linear.permutation, readPermutation(weights, name + ".linear.permutation", shape.size));
@@ -120,7 +115,7 @@ Result<ConditionalFlow::Step> ConditionalFlow::readStep(const NetworkWeights& we
          LstmCell::read(weights, name + ".coupling.second", shape.hidden, shape.hidden));
     take(step.coupling.output,
          Linear::read(weights, name + ".coupling.output", shape.hidden, 2 * shape.changed()));
-    if (problem) return tl::unexpected(*problem);
+    if (take.problem()) return tl::unexpected(*take.problem());
     return step;
 }
 

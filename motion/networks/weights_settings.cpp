@@ -43,6 +43,16 @@ Result<std::string> NetworkWeights::text(const std::string& key) const {
     return std::get<std::string>(*setting);
 }
 
+Result<void> NetworkWeights::checkFeatures(const std::string& of_avatar) const {
+    const auto names = text("features");
+    if (!names) return tl::unexpected(names.error());
+    if (*names == of_avatar) return {};
+    return fail(
+        file + ": settings.features",
+        "the weights move other joints than this avatar has: found " + *names + ", expected " + of_avatar,
+        "Train for this avatar");
+}
+
 Result<int> NetworkWeights::count(const std::string& key, int low, int high) const {
     const auto value = number(key);
     if (!value) return tl::unexpected(value.error());

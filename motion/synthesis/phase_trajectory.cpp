@@ -10,7 +10,7 @@ namespace deixis::motion {
 namespace {
 
 constexpr std::array<double, 5> intervals{3.0, 8.0, 6.0, 8.0, 3.0};
-constexpr double whole = 28.0;
+constexpr double whole = PhaseTrajectory::whole;
 /// Splines that reach over an end, left out: those of which the value and two derivatives there are made.
 constexpr std::size_t left_out = 3;
 static_assert(PhaseTrajectory::coefficient_count == static_cast<std::size_t>(whole) + 3 - 2 * left_out);
@@ -32,6 +32,13 @@ PhaseDurations durationsOf(const GesturePhases& phases, int frame_count, double 
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = frame_time_s * std::max(1, borders[i + 1] - borders[i]);
     return out;
+}
+
+double withHold(double time_s, const PhaseDurations& durations, double hold_s) {
+    const double begin_s = durations[0] + durations[1];
+    if (time_s <= begin_s) return time_s;
+    if (time_s >= begin_s + durations[2]) return time_s - durations[2] + hold_s;
+    return begin_s + (time_s - begin_s) * hold_s / durations[2];
 }
 
 double PhaseTrajectory::aligned(double time_s, const PhaseDurations& durations) {
@@ -70,7 +77,7 @@ std::vector<double> fitTrajectory(const std::vector<std::vector<double>>& frames
     return {fitted.data(), fitted.data() + fitted.size()};  // column by column
 }
 
-std::vector<double> trajectoryAt(const std::vector<double>& coefficients, double aligned_time) {
+std::vector<double> trajectoryAt(std::span<const double> coefficients, double aligned_time) {
     constexpr std::size_t n = PhaseTrajectory::coefficient_count;
     const auto basis = PhaseTrajectory::basis(aligned_time);
     std::vector<double> out(coefficients.size() / n, 0.0);

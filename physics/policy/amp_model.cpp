@@ -4,6 +4,7 @@
 #include <optional>
 #include <sstream>
 
+#include "motion/networks/taking.hpp"
 #include "physics/policy/amp_system.hpp"
 
 namespace deixis::physics {
@@ -96,13 +97,7 @@ Result<AmpModel> readModel(const NetworkWeights& weights) {
         return fail(weights.file, "these are weights of one cluster alone",
                     "'deixis learn join' puts them together");
     AmpModel out;
-    std::optional<Error> problem;
-    const auto take = [&problem](auto& to, auto read) {
-        if (read)
-            to = std::move(*read);
-        else if (!problem)
-            problem = read.error();
-    };
+    motion::Taking take;
     std::string stance, hidden;
     int phase = 0, count = 0;
     take(out.system, weights.text("system"));
@@ -112,7 +107,7 @@ Result<AmpModel> readModel(const NetworkWeights& weights) {
     take(hidden, weights.text("hidden"));
     take(count, weights.count("demonstrations", 1, most));
     take(out.features, weights.text("features"));
-    if (problem) return tl::unexpected(*problem);
+    if (take.problem()) return tl::unexpected(*take.problem());
     if (stance != "pinned" && stance != "free")
         return fail(weights.file + ": settings.stance",
                     fmt::format("found '{}', expected pinned or free", stance));

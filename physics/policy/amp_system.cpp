@@ -30,14 +30,6 @@ double whole_s(const PhaseDurations& durations) {
     return std::accumulate(durations.begin(), durations.end(), 0.0);
 }
 
-/// A time of a gesture as the time of the same gesture whose hold lasts `hold_s`.
-double withHold(double time_s, const PhaseDurations& durations, double hold_s) {
-    const double begin_s = durations[0] + durations[1];
-    if (time_s <= begin_s) return time_s;
-    if (time_s >= begin_s + durations[2]) return time_s - durations[2] + hold_s;
-    return begin_s + (time_s - begin_s) * hold_s / durations[2];
-}
-
 class Amp : public motion::Generator {
   public:
     Amp(AmpModel model, Body body, motion::PoseFeatures features, std::vector<Policy> policies)
@@ -50,9 +42,7 @@ class Amp : public motion::Generator {
     std::string_view name() const override { return model_.system; }
 
     GeneratedClip generate(const GenerationRequest& asked) const override {
-        const AmpTarget& nearest = *std::ranges::min_element(model_.targets, {}, [&](const AmpTarget& one) {
-            return glm::distance(one.target_m, asked.target);
-        });
+        const AmpTarget& nearest = nearestTarget(model_.targets, asked.target);
         const PhaseDurations& own = nearest.durations_s;
         PhaseDurations durations = own;
         durations[2] = asked.settings.hold_s.value_or(own[2]);
@@ -73,7 +63,7 @@ class Amp : public motion::Generator {
         std::vector<float> seen(observer_.stateSize() + BodyObserver::goalSize(model_.with_phase));
         std::vector<double> targets(figure.hinges.size());
         for (int f = 0; f < frames; ++f) {
-            const double own_s = withHold(f * control_s, durations, own[2]);
+            const double own_s = motion::withHold(f * control_s, durations, own[2]);
             motion::LocalPose pose = base_.pose(nearest.hand, own_s, own);
             const RootState root = body.root();
             applyRoot(figure, root.pose, pose);
@@ -123,17 +113,19 @@ class Amp : public motion::Generator {
 
 }  // namespace
 
+const AmpTarget& nearestTarget(const std::vector<AmpTarget>& targets, const Vec3& place_m) {
+    return *std::ranges::min_element(
+        targets, {}, [&](const AmpTarget& one) { return glm::distance(one.target_m, place_m); });
+}
+
 Result<std::unique_ptr<motion::Generator>> makeAmp(const motion::NetworkWeights& weights,
                                                    const motion::Skeleton& avatar) {
     auto model = readModel(weights);
     if (!model) return tl::unexpected(model.error());
     auto features = motion::PoseFeatures::of(avatar);
     if (!features) return tl::unexpected(features.error());
-    if (model->features != features->names())
-        return fail(weights.file + ": settings.features",
-                    "the weights move other joints than this avatar has: found " + model->features +
-                        ", expected " + features->names(),
-                    "Train for this avatar");
+    if (const auto same = weights.checkFeatures(features->names()); !same)
+        return tl::unexpected(same.error());
     if (model->base.size() != features->size() * motion::PhaseTrajectory::coefficient_count)
         return fail(weights.file + ": base",
                     fmt::format("found {} numbers, expected {}", model->base.size(),

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <utility>
+
+#include "motion/networks/taking.hpp"
 
 namespace deixis::physics {
 
@@ -12,13 +13,7 @@ using motion::VectorXf;
 Result<Policy> Policy::read(const motion::NetworkWeights& weights, const std::string& name, int inputs,
                             std::span<const int> hidden, int outputs) {
     Policy out;
-    std::optional<Error> problem;
-    const auto take = [&problem](auto& to, auto read) {
-        if (read)
-            to = std::move(*read);
-        else if (!problem)
-            problem = read.error();
-    };
+    motion::Taking take;
     take(out.input_mean_, motion::readVector(weights, name + ".input_mean", inputs));
     take(out.input_sd_, motion::readVector(weights, name + ".input_sd", inputs));
     take(out.output_mean_, motion::readVector(weights, name + ".output_mean", outputs));
@@ -30,7 +25,7 @@ Result<Policy> Policy::read(const motion::NetworkWeights& weights, const std::st
              motion::Linear::read(weights, fmt::format("{}.layer{}", name, i), from, to));
         from = to;
     }
-    if (problem) return tl::unexpected(*problem);
+    if (take.problem()) return tl::unexpected(*take.problem());
     if (!(out.input_sd_.array() > 0.0F).all() || !(out.output_sd_.array() > 0.0F).all())
         return fail(weights.file + ": " + name, "found a standard deviation of 0 or less");
     return out;

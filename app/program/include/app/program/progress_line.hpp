@@ -11,6 +11,9 @@
 
 namespace deixis::app {
 
+/// "0:07", "12:30", "3:05:00".
+[[nodiscard]] std::string clockText(double time_s);
+
 /// "clips  45 % [#####......]  450 of 1000, 0:12 elapsed, 0:15 left". The time left is that of the work so
 /// far, in proportion; "--" until there is something to tell it from. `all` is at least 1; `elapsed_s` is not
 /// negative.
@@ -23,6 +26,21 @@ using Progress = std::function<void(std::size_t done, std::size_t all)>;
 /// Writes that line to stderr, over the one before. Nothing where stderr is not a terminal: it would fill a
 /// log.
 [[nodiscard]] Progress progressOnTerminal(std::string what);
+
+/// A line on stderr that the next one replaces. Nothing where stderr is not a terminal.
+class StatusLine {
+  public:
+    StatusLine();
+    ~StatusLine() { clear(); }
+    StatusLine(const StatusLine&) = delete;
+    StatusLine& operator=(const StatusLine&) = delete;
+    void show(const std::string& text);
+    /// Before something else is printed.
+    void clear();
+
+  private:
+    bool terminal_;
+};
 
 /// "checking study.sqlite, 0:07 elapsed", for work whose end is not known.
 [[nodiscard]] std::string elapsedLine(std::string_view what, double elapsed_s);

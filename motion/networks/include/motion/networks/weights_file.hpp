@@ -41,6 +41,9 @@ struct NetworkWeights {
     /// A setting that is a number, or a text. Fails, naming the file and the key, where there is none such.
     [[nodiscard]] Result<double> number(const std::string& key) const;
     [[nodiscard]] Result<std::string> text(const std::string& key) const;
+    /// Fails where the setting "features" names others than those of an avatar's poses: the weights were
+    /// trained for another avatar.
+    [[nodiscard]] Result<void> checkFeatures(const std::string& of_avatar) const;
     /// A whole number in [low, high].
     [[nodiscard]] Result<int> count(const std::string& key, int low, int high) const;
     /// Fails, naming the file and the array, where there is none or its shape is another.

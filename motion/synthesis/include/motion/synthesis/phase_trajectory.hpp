@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "motion/skeleton/gesture_phases.hpp"
@@ -14,6 +15,10 @@ using PhaseDurations = std::array<double, 5>;
 
 [[nodiscard]] PhaseDurations durationsOf(const GesturePhases& phases, int frame_count, double frame_time_s);
 
+/// A time of a gesture as the time of the same gesture whose hold lasts `hold_s`: the hold played slower or
+/// faster.
+[[nodiscard]] double withHold(double time_s, const PhaseDurations& durations, double hold_s);
+
 /// Uniform cubic B-splines over the aligned time, in which each phase has its own number of intervals. What
 /// they describe is zero at both ends, with its first two derivatives.
 class PhaseTrajectory {
@@ -21,6 +26,9 @@ class PhaseTrajectory {
     /// Of each dimension.
     static constexpr std::size_t coefficient_count = 25;
     using Coefficients = std::array<double, coefficient_count>;
+
+    /// Aligned times are from 0 to this.
+    static constexpr double whole = 28.0;
 
     /// Aligned time of a time, seconds from the begin of the gesture's clip.
     [[nodiscard]] static double aligned(double time_s, const PhaseDurations& durations);
@@ -33,6 +41,6 @@ class PhaseTrajectory {
 [[nodiscard]] std::vector<double> fitTrajectory(const std::vector<std::vector<double>>& frames,
                                                 double frame_time_s, const PhaseDurations& durations);
 /// The dimensions at an aligned time.
-[[nodiscard]] std::vector<double> trajectoryAt(const std::vector<double>& coefficients, double aligned_time);
+[[nodiscard]] std::vector<double> trajectoryAt(std::span<const double> coefficients, double aligned_time);
 
 }  // namespace deixis::motion

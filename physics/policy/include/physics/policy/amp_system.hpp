@@ -26,6 +26,9 @@ struct AmpTarget {
     int cluster = 0;
 };
 
+/// The one that a place is pointed at as. `targets` are not empty.
+[[nodiscard]] const AmpTarget& nearestTarget(const std::vector<AmpTarget>& targets, const Vec3& place_m);
+
 /// What a file of weights of this architecture is made of, apart from the policies' arrays: policy0, policy1,
 /// ..., one a cluster (policy.hpp).
 struct AmpModel {
