@@ -8,6 +8,7 @@
 #include "assets/data/data_paths.hpp"
 #include "assets/data/demonstrations.hpp"
 #include "core/files.hpp"
+#include "motion/learned/flow_matching.hpp"
 #include "motion/learned/gt_nn.hpp"
 #include "motion/learned/moglow.hpp"
 #include "physics/policy/amp_system.hpp"
@@ -48,6 +49,8 @@ Result<System> fromWeights(const std::string& name, const fs::path& file, const 
         system = motion::makeMoglow(*weights, avatar);
     else if (weights->architecture == motion::gt_nn_architecture)
         system = motion::makeGtNn(*weights, avatar);
+    else if (weights->architecture == motion::flow_architecture)
+        system = motion::makeFlow(*weights, avatar);
     else if (weights->architecture == physics::amp_architecture)
         system = physics::makeAmp(*weights, avatar);
     else

@@ -11,6 +11,7 @@
 #include "app/program/command_help.hpp"
 #include "app/program/command_options.hpp"
 #include "app/program/progress_line.hpp"
+#include "app/program/written_output.hpp"
 #include "core/number.hpp"
 #include "demonstrations.hpp"
 #include "learn_commands.hpp"
@@ -75,12 +76,6 @@ std::string measuresText(const learning::ClipMeasures& measures) {
     return out;
 }
 
-std::string timeText(double seconds) {
-    const auto minutes = static_cast<long>(std::lround(seconds / 60.0));
-    return minutes < 60 ? fmt::format("{} min", minutes)
-                        : fmt::format("{} h {} min", minutes / 60, minutes % 60);
-}
-
 /// Prints a line for each try-out with the time left, and keeps the curves.
 class Teller {
   public:
@@ -89,18 +84,20 @@ class Teller {
     bool operator()(const TrainingProgress& progress) {
         curves_.add(progress);
         if (first_done_ < 0.0) first_done_ = progress.done;
-        line_(static_cast<std::size_t>(1000.0 * progress.done), 1000);
+        std::string text = progress.part.empty() ? "" : progress.part + ": ";
+        text += fmt::format("{:5} of {}", progress.update, progress.updates);
+        const auto left_s = left(progress.done);
+        const std::string left_text = left_s ? fmt::format("; {} left", clockText(*left_s)) : "";
         if (progress.validation) {
             if (const auto written = curves_.write(); !written) problem_ = written.error();
-            std::string text = progress.part.empty() ? "" : progress.part + ": ";
-            text += fmt::format("{:5} of {}: {}", progress.update, progress.updates,
-                                measuresText(*progress.validation));
-            if (progress.best) text += "; the best yet";
-            if (const auto left_s = left(progress.done)) text += fmt::format("; {} left", timeText(*left_s));
-            fmt::print("{}\n", text);
+            status_.clear();
+            fmt::print("{}: {}{}{}\n", text, measuresText(*progress.validation),
+                       progress.best ? "; the best yet" : "", left_text);
             std::fflush(stdout);
+        } else {
+            status_.show(text + left_text);
         }
-        return interrupted == 0;
+        return interrupted == 0 && !problem_;
     }
     [[nodiscard]] const std::optional<Error>& problem() const { return problem_; }
 
@@ -114,7 +111,7 @@ class Teller {
 
     using Clock = std::chrono::steady_clock;
     TrainingCurves& curves_;
-    Progress line_ = progressOnTerminal("training");
+    StatusLine status_;
     Clock::time_point since_ = Clock::now();
     double first_done_ = -1.0;
     std::optional<Error> problem_;
@@ -142,8 +139,8 @@ Result<void> runTraining(const LearnTrainArguments& options) {
     std::error_code code;
     const fs::path state(options.out + ".training");
     const bool goes_on = fs::exists(state, code);
-    if (tells && fs::exists(request.file, code) && !goes_on && !options.force)
-        return fail(options.out, "is there already", "--force replaces it");
+    if (tells)
+        if (const auto free = checkFree(options.out, options.force || goes_on); !free) return free;
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
     const auto data = demonstrationSets(options.demonstrations, *avatar, !options.no_mirror);
@@ -165,6 +162,7 @@ Result<void> runTraining(const LearnTrainArguments& options) {
     });
     (void)std::signal(SIGINT, SIG_DFL);
     if (!outcome) return tl::unexpected(outcome.error());
+    if (tell.problem()) return tl::unexpected(*tell.problem());
     if (!tells) return {};
     if (const auto written = curves.write(); !written) return written;
     fmt::print("{}\n", outcomeText(*outcome, options));
@@ -173,9 +171,7 @@ Result<void> runTraining(const LearnTrainArguments& options) {
 
 /// Nothing is trained: the demonstrations are the system.
 Result<void> keepDemonstrations(const LearnTrainArguments& options) {
-    std::error_code code;
-    if (fs::exists(options.out, code) && !options.force)
-        return fail(options.out, "is there already", "--force replaces it");
+    if (const auto free = checkFree(options.out, options.force); !free) return free;
     const auto avatar = loadShippedAvatar();
     if (!avatar) return tl::unexpected(avatar.error());
     auto data = demonstrationSets(options.demonstrations, *avatar, !options.no_mirror);
@@ -266,6 +262,8 @@ void addAmp(Parser learn, const char* system, const char* what, Command& chosen)
                     "Reward the line from the eyes through the fingertip, not the forearm's");
     command.addFlag("--full-body", options->request.full_body,
                     "The body stands on its feet; else its pelvis is held");
+    command.addOption("--set", options->request.settings, "A setting of the training (docs/learning.md)")
+        .valueName("NAME=VALUE");
 }
 
 struct LearnJoinArguments {
@@ -275,9 +273,7 @@ struct LearnJoinArguments {
 };
 
 Result<void> join(const LearnJoinArguments& options) {
-    std::error_code code;
-    if (fs::exists(options.out, code) && !options.force)
-        return fail(options.out, "is there already", "--force replaces it");
+    if (const auto free = checkFree(options.out, options.force); !free) return free;
     const auto joined = joinTrained({options.parts.begin(), options.parts.end()}, options.out);
     if (joined) fmt::print("{} clusters: {}\n", options.parts.size(), options.out);
     return joined;
@@ -300,6 +296,8 @@ void addJoin(Parser learn, Command& chosen) {
 void addLearnTrainCommands(Parser learn, Command& chosen) {
     addGtNn(learn, chosen);
     addTraining(learn, "moglow", "Train MoGlow, a conditional normalising flow", chosen,
+                std::make_shared<LearnTrainArguments>());
+    addTraining(learn, "flow", "Train flow, conditional flow matching on whole gestures", chosen,
                 std::make_shared<LearnTrainArguments>());
     addAmp(learn, "amp-no-runtime", "Train a policy that does not know the time", chosen);
     addAmp(learn, "amp-base", "Train a policy that knows the time", chosen);

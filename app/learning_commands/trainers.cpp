@@ -5,6 +5,7 @@
 #include "core/number.hpp"
 #include "demonstrations.hpp"
 #include "learning/amp/training.hpp"
+#include "learning/flow/training.hpp"
 #include "learning/moglow/training.hpp"
 
 namespace deixis::app {
@@ -21,6 +22,15 @@ Result<TrainingOutcome> trainMoglow(const TrainingRequest& request, const learni
     settings.updates = request.updates.value_or(settings.updates);
     settings.validate_every = request.validate_every.value_or(settings.validate_every);
     return learning::trainMoglow(data, settings, programProvenance(), request.file, report);
+}
+
+Result<TrainingOutcome> trainFlow(const TrainingRequest& request, const learning::DemonstrationSets& data,
+                                  const learning::TrainingReport& report) {
+    learning::FlowSettings settings;
+    settings.seed = request.seed;
+    settings.updates = request.updates.value_or(settings.updates);
+    settings.validate_every = request.validate_every.value_or(settings.validate_every);
+    return learning::trainFlow(data, settings, programProvenance(), request.file, report);
 }
 
 Result<learning::AmpClusters> clustersFor(const TrainingRequest& request,
@@ -48,6 +58,12 @@ Result<TrainingOutcome> trainAmp(const TrainingRequest& request, const learning:
     settings.seed = request.seed;
     settings.iterations = request.updates.value_or(settings.iterations);
     settings.validate_every = request.validate_every.value_or(settings.validate_every);
+    for (const std::string& one : request.settings) {
+        const auto equals = one.find('=');
+        const std::string value = equals == std::string::npos ? "" : one.substr(equals + 1);
+        if (const auto changed = learning::changeSetting(settings, one.substr(0, equals), value); !changed)
+            return tl::unexpected(changed.error());
+    }
     const auto clusters = clustersFor(request, data);
     if (!clusters) return tl::unexpected(clusters.error());
     training.clusters = *clusters;
@@ -74,6 +90,7 @@ Result<TrainingOutcome> train(const TrainingRequest& request, const learning::De
                               const std::function<void(const std::string&)>& remark,
                               const learning::TrainingReport& report) {
     if (request.system == "moglow") return trainMoglow(request, data, report);
+    if (request.system == "flow") return trainFlow(request, data, report);
     return trainAmp(request, data, remark, report);
 }
 

@@ -26,6 +26,7 @@ struct TrainingRequest {
     std::optional<int> only_cluster{};
     bool eye_fingertip = false;
     bool full_body = false;
+    std::vector<std::string> settings{};  ///< NAME=VALUE of AmpSettings
     std::optional<learning::RankPlace> rank{};
 };
 

@@ -46,6 +46,7 @@ void Environments::begin(std::size_t body) {
     Play& play = plays_[body];
     play.reference = &references_[random_.below(references_.size())];
     play.control = random_.below(play.reference->controls());
+    if (settings_.from_begin > 0.0 && random_.uniform() < settings_.from_begin) play.control = 0;
     play.target_m = play.reference->target_m;
     for (int axis = 0; axis < 3; ++axis)
         play.target_m[axis] += random_.uniform(-settings_.target_spread_m, settings_.target_spread_m);

@@ -3,24 +3,11 @@
 
 #include <torch/torch.h>
 
-#include <string>
 #include <vector>
 
-#include "motion/networks/weights_file.hpp"
+#include "learning/networks/mlp.hpp"
 
 namespace deixis::learning {
-
-/// Fully connected layers with rectified units between them.
-class Mlp : public torch::nn::Module {
-  public:
-    Mlp(int inputs, const std::vector<int>& hidden, int outputs, double last_scale);
-
-    [[nodiscard]] torch::Tensor forward(torch::Tensor x);
-    void append(const std::string& name, std::vector<motion::NamedArray>& out) const;
-
-  private:
-    std::vector<torch::nn::Linear> layers_;
-};
 
 /// How much each of four sets of weights counts at a phase in [0, 1]: the cubic of Catmull & Rom through
 /// them on a circle (Holden, Komura & Saito 2017, Eq. 7). N -> N x 4.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <sstream>
 
 #include "core/files.hpp"
@@ -24,9 +23,9 @@ using motion::WeightsPrecision;
 
 constexpr int report_every = 10;
 
-std::vector<Demonstration> inCluster(const std::vector<Demonstration>& all, const std::vector<int>& clusters,
-                                     int cluster) {
-    std::vector<Demonstration> out;
+template <typename One>
+std::vector<One> inCluster(const std::vector<One>& all, const std::vector<int>& clusters, int cluster) {
+    std::vector<One> out;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (clusters[i] == cluster) out.push_back(all[i]);
     return out;
@@ -45,9 +44,7 @@ std::vector<Vec3> drawnTargets_m(const physics::AmpModel& model, int cluster, in
     for (int tries = 0; tries < 10'000 && static_cast<int>(out.size()) < count; ++tries) {
         Vec3 target_m;
         for (int axis = 0; axis < 3; ++axis) target_m[axis] = random.uniform(low[axis], high[axis]);
-        const auto nearest = std::ranges::min_element(
-            model.targets, {}, [&](const auto& one) { return glm::distance(one.target_m, target_m); });
-        if (nearest->cluster == cluster) out.push_back(target_m);
+        if (physics::nearestTarget(model.targets, target_m).cluster == cluster) out.push_back(target_m);
     }
     return out;
 }
@@ -71,11 +68,12 @@ PolicyTraining::PolicyTraining(const AmpCommon& common, int cluster)
       cluster_(cluster),
       seed_(deriveSeed(common.training.settings.seed, fmt::format("cluster {}", cluster))),
       state_(common.folder / fmt::format("cluster-{}", cluster)),
-      training_(inCluster(common.data.training, common.training.clusters.training, cluster)),
       validation_(inCluster(common.data.validation, common.training.clusters.validation, cluster)),
       validation_targets_m_(
           drawnTargets_m(common.model, cluster, common.training.settings.validation_targets, seed_)),
-      demonstrated_jerk_(meanJerk(training_)) {
+      demonstrated_jerk_(
+          meanJerk(inCluster(common.data.training, common.training.clusters.training, cluster))),
+      references_(inCluster(common.references, common.training.clusters.training, cluster)) {
     for (const Demonstration& one : validation_) validation_targets_m_.push_back(one.target);
 }
 
@@ -91,10 +89,7 @@ std::string PolicyTraining::identity() const {
 
 Result<void> PolicyTraining::begin() {
     const AmpSettings& settings = common_.training.settings;
-    auto references = makeReferences(common_.body, common_.base, training_, settings);
-    if (!references) return tl::unexpected(references.error());
-    references_ = std::move(*references);
-    trainer_.emplace(common_.body, references_, settings, seed_, common_.ranks);
+    trainer_.emplace(common_.body, common_.references, references_, settings, seed_, common_.ranks);
     const auto resumed = resume();
     if (!resumed) return tl::unexpected(resumed.error());
     if (!*resumed) {

@@ -20,7 +20,8 @@ struct AmpCommon {
     const physics::Body& body;
     const physics::BaseMotion& base;
     const motion::Skeleton& avatar;
-    physics::AmpModel model;  ///< with all targets
+    physics::AmpModel model;                  ///< with all targets
+    std::vector<ReferenceMotion> references;  ///< one for each of the data's training set
     Ranks& ranks;
     std::filesystem::path folder;  ///< FILE.training
 };
@@ -59,7 +60,6 @@ class PolicyTraining {
     int cluster_;
     std::uint64_t seed_;
     std::filesystem::path state_;
-    std::vector<motion::Demonstration> training_;
     std::vector<motion::Demonstration> validation_;
     std::vector<Vec3> validation_targets_m_;
     double demonstrated_jerk_ = 0.0;

@@ -1,46 +1,99 @@
 #include "learning/amp/settings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <variant>
+
+#include "core/number.hpp"
 
 namespace deixis::learning {
 
-std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& s) {
-    const auto number = [](auto value) { return motion::NetworkSetting(static_cast<double>(value)); };
-    return {
-        {"phase_functioned", number(s.variant.phase_functioned)},
-        {"task", std::string(s.task == AmpTask::forearm ? "forearm" : "eye-fingertip")},
-        {"style_weight", number(s.style_weight)},
-        {"task_weight", number(s.task_weight)},
-        {"task_in_hold_only", number(s.task_in_hold_only)},
-        {"target_spread_m", number(s.target_spread_m)},
-        {"environments", number(s.environments)},
-        {"horizon", number(s.horizon)},
-        {"discount", number(s.discount)},
-        {"trace", number(s.trace)},
-        {"clip", number(s.clip)},
-        {"epochs", number(s.epochs)},
-        {"minibatch", number(s.minibatch)},
-        {"actor_rate", number(s.actor_rate)},
-        {"critic_rate", number(s.critic_rate)},
-        {"first_noise_rad", number(s.first_noise_rad)},
-        {"last_noise_rad", number(s.last_noise_rad)},
-        {"discriminator_rate", number(s.discriminator_rate)},
-        {"discriminator_batch", number(s.discriminator_batch)},
-        {"discriminator_updates", number(s.discriminator_updates)},
-        {"discriminator_weight", number(s.discriminator_weight)},
-        {"gradient_penalty", number(s.gradient_penalty)},
-        {"logit_decay", number(s.logit_decay)},
-        {"weight_decay", number(s.weight_decay)},
-        {"remembered", number(s.remembered)},
-        {"remembered_each", number(s.remembered_each)},
-        {"demonstration_noise_rad", number(s.demonstration_noise_rad)},
-        {"demonstration_repeats", number(s.demonstration_repeats)},
-        {"cloning_updates", number(s.cloning_updates)},
-        {"frozen_iterations", number(s.frozen_iterations)},
-        {"iterations", number(s.iterations)},
-        {"validate_every", number(s.validate_every)},
-        {"validation_targets", number(s.validation_targets)},
-    };
+namespace {
+
+using Member = std::variant<bool AmpSettings::*, int AmpSettings::*, double AmpSettings::*>;
+
+/// A setting that has a name, and what it may be.
+struct Named {
+    const char* name;
+    Member member;
+    double low;
+    double high;
+};
+
+constexpr double many = 10'000'000;
+
+constexpr std::array named{
+    Named{"style_weight", &AmpSettings::style_weight, 0.0, 100.0},
+    Named{"task_weight", &AmpSettings::task_weight, 0.0, 100.0},
+    Named{"task_in_hold_only", &AmpSettings::task_in_hold_only, 0.0, 1.0},
+    Named{"target_spread_m", &AmpSettings::target_spread_m, 0.0, 10.0},
+    Named{"environments", &AmpSettings::environments, 1, 65'536},
+    Named{"horizon", &AmpSettings::horizon, 2, 1024},
+    Named{"discount", &AmpSettings::discount, 0.0, 0.9999},
+    Named{"trace", &AmpSettings::trace, 0.0, 1.0},
+    Named{"clip", &AmpSettings::clip, 0.001, 1.0},
+    Named{"epochs", &AmpSettings::epochs, 1, 100},
+    Named{"minibatch", &AmpSettings::minibatch, 1, many},
+    Named{"actor_rate", &AmpSettings::actor_rate, 0.0, 1.0},
+    Named{"critic_rate", &AmpSettings::critic_rate, 0.0, 1.0},
+    Named{"first_noise_rad", &AmpSettings::first_noise_rad, 0.0001, 1.0},
+    Named{"last_noise_rad", &AmpSettings::last_noise_rad, 0.0001, 1.0},
+    Named{"discriminator_rate", &AmpSettings::discriminator_rate, 0.0, 1.0},
+    Named{"discriminator_batch", &AmpSettings::discriminator_batch, 2, many},
+    Named{"discriminator_updates", &AmpSettings::discriminator_updates, 0, 10'000},
+    Named{"discriminator_weight", &AmpSettings::discriminator_weight, 0.0, 1000.0},
+    Named{"gradient_penalty", &AmpSettings::gradient_penalty, 0.0, 1000.0},
+    Named{"logit_decay", &AmpSettings::logit_decay, 0.0, 1000.0},
+    Named{"weight_decay", &AmpSettings::weight_decay, 0.0, 1.0},
+    Named{"remembered", &AmpSettings::remembered, 1, many},
+    Named{"remembered_each", &AmpSettings::remembered_each, 1, many},
+    Named{"demonstration_noise_rad", &AmpSettings::demonstration_noise_rad, 0.0, 1.0},
+    Named{"demonstration_repeats", &AmpSettings::demonstration_repeats, 1, 100},
+    Named{"from_begin", &AmpSettings::from_begin, 0.0, 1.0},
+    Named{"lipschitz_penalty", &AmpSettings::lipschitz_penalty, 0.0, 100.0},
+    Named{"cloning_updates", &AmpSettings::cloning_updates, 0, many},
+    Named{"frozen_iterations", &AmpSettings::frozen_iterations, 0, many},
+    Named{"iterations", &AmpSettings::iterations, 1, many},
+    Named{"validate_every", &AmpSettings::validate_every, 1, many},
+    Named{"validation_targets", &AmpSettings::validation_targets, 1, 10'000},
+};
+
+double valueOf(const AmpSettings& settings, const Member& member) {
+    return std::visit([&](auto one) { return static_cast<double>(settings.*one); }, member);
+}
+
+}  // namespace
+
+std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& settings) {
+    std::map<std::string, motion::NetworkSetting> out{
+        {"phase_functioned", static_cast<double>(settings.variant.phase_functioned)},
+        {"task", std::string(settings.task == AmpTask::forearm ? "forearm" : "eye-fingertip")}};
+    for (const Named& one : named) out.emplace(one.name, valueOf(settings, one.member));
+    return out;
+}
+
+Result<void> changeSetting(AmpSettings& settings, std::string_view name, std::string_view value) {
+    for (const Named& one : named) {
+        if (one.name != name) continue;
+        const auto number = finiteNumber(value);
+        const bool whole = !std::holds_alternative<double AmpSettings::*>(one.member);
+        if (!number || *number < one.low || *number > one.high || (whole && !wholeNumber(value)))
+            return fail(std::string(name),
+                        fmt::format("found '{}', expected {} from {} to {}", value,
+                                    whole ? "a whole number" : "a number", one.low, one.high));
+        std::visit(
+            [&](auto member) {
+                using Value = std::remove_reference_t<decltype(settings.*member)>;
+                settings.*member = static_cast<Value>(*number);
+            },
+            one.member);
+        return {};
+    }
+    std::vector<std::string> names;
+    for (const Named& one : named) names.emplace_back(one.name);
+    return fail(std::string(name), fmt::format("is no setting; they are {}", fmt::join(names, ", ")));
 }
 
 }  // namespace deixis::learning

@@ -43,8 +43,9 @@ bool AmpIteration::finite() const {
     return std::isfinite(task_reward + style_reward + agent_logit + demonstration_logit + value_error);
 }
 
-AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMotion>& references,
-                       const AmpSettings& settings, std::uint64_t seed, Ranks& ranks)
+AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMotion>& all,
+                       const std::vector<ReferenceMotion>& references, const AmpSettings& settings,
+                       std::uint64_t seed, Ranks& ranks)
     : settings_(settings),
       ranks_(ranks),
       seed_(seed),
@@ -52,32 +53,18 @@ AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMot
       random_(seed, "cloning"),
       state_size_(static_cast<std::int64_t>(environments_.stateSize())),
       actions_(static_cast<std::int64_t>(body.figure().hinges.size())) {
-    const bool phase = settings.variant.policy_phase;
     const auto seen_size = static_cast<std::int64_t>(environments_.seenSize());
-    const physics::BodyObserver observer(body.figure());
-    std::vector<float> seen, action, pair, phases;
+    setCloned(body, all);
+    std::vector<float> pair, phases;
     for (const ReferenceMotion& one : references)
         for (const auto& states : one.seen)
             for (std::size_t i = 0; i < one.controls(); ++i) {
-                std::vector<float> goal(physics::BodyObserver::goalSize(phase));
-                physics::PolicyGoal asked{one.target_m, one.hand, {}};
-                if (phase) asked.phase = one.phase(i);
-                observer.writeGoal(one.states[i].root, states[i], asked, goal);
-                seen.insert(seen.end(), states[i].begin(), states[i].end());
-                seen.insert(seen.end(), goal.begin(), goal.end());
-                for (const double target : one.targets_rad[i]) action.push_back(static_cast<float>(target));
                 pair.insert(pair.end(), states[i].begin(), states[i].end());
                 pair.insert(pair.end(), states[i + 1].begin(), states[i + 1].end());
                 phases.push_back(static_cast<float>(one.phase(i)));
             }
-    clone_seen_ = tensorOf(std::move(seen), seen_size);
-    clone_action_ = tensorOf(std::move(action), actions_);
-    seen_mean_ = clone_seen_.mean(0);
-    seen_sd_ = clone_seen_.std(0).clamp_min(least_sd);
-    action_mean_ = clone_action_.mean(0);
-    action_sd_ = clone_action_.std(0).clamp_min(least_sd);
-    const Tensor all = tensorOf(std::move(pair), 2 * state_size_);
-    demonstrated_pairs_ = pairs(all.narrow(1, 0, state_size_), all.narrow(1, state_size_, state_size_));
+    const Tensor both = tensorOf(std::move(pair), 2 * state_size_);
+    demonstrated_pairs_ = pairs(both.narrow(1, 0, state_size_), both.narrow(1, state_size_, state_size_));
     demonstrated_phases_ = torch::tensor(phases);
     remembered_pairs_ = torch::zeros({settings.remembered, 2 * state_size_});
     remembered_phases_ = torch::zeros({settings.remembered});
@@ -97,6 +84,29 @@ AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMot
     for (const torch::nn::Module* network :
          std::initializer_list<const torch::nn::Module*>{actor_.get(), critic_.get(), discriminator_.get()})
         ranks.takeFirst(network->parameters());
+}
+
+void AmpTrainer::setCloned(const physics::Body& body, const std::vector<ReferenceMotion>& all) {
+    const bool phase = settings_.variant.policy_phase;
+    const physics::BodyObserver observer(body.figure());
+    std::vector<float> seen, action;
+    for (const ReferenceMotion& one : all)
+        for (const auto& states : one.seen)
+            for (std::size_t i = 0; i < one.controls(); ++i) {
+                std::vector<float> goal(physics::BodyObserver::goalSize(phase));
+                physics::PolicyGoal asked{one.target_m, one.hand, {}};
+                if (phase) asked.phase = one.phase(i);
+                observer.writeGoal(one.states[i].root, states[i], asked, goal);
+                seen.insert(seen.end(), states[i].begin(), states[i].end());
+                seen.insert(seen.end(), goal.begin(), goal.end());
+                for (const double target : one.targets_rad[i]) action.push_back(static_cast<float>(target));
+            }
+    clone_seen_ = tensorOf(std::move(seen), static_cast<std::int64_t>(environments_.seenSize()));
+    clone_action_ = tensorOf(std::move(action), actions_);
+    seen_mean_ = clone_seen_.mean(0);
+    seen_sd_ = clone_seen_.std(0).clamp_min(least_sd);
+    action_mean_ = clone_action_.mean(0);
+    action_sd_ = clone_action_.std(0).clamp_min(least_sd);
 }
 
 void AmpTrainer::restart(int iterations) {
@@ -251,7 +261,9 @@ void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool acto
             error += critic_loss.item<double>();
             updates += 1.0;
             if (!actor_too) continue;
-            const Tensor mean = action_mean_ + action_sd_ * actor_->forward(some);
+            const bool smooth = settings_.lipschitz_penalty > 0.0;
+            const Tensor sensed = smooth ? some.detach().requires_grad_() : some;
+            const Tensor mean = action_mean_ + action_sd_ * actor_->forward(sensed);
             const Tensor action = rollout.action.index_select(0, batch);
             const Tensor old = rollout.mean.index_select(0, batch);
             const Tensor log_ratio =
@@ -259,8 +271,15 @@ void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool acto
             const Tensor ratio = log_ratio.exp();
             const Tensor advantage = rollout.advantage.index_select(0, batch);
             const Tensor kept = ratio.clamp(1.0 - settings_.clip, 1.0 + settings_.clip);
-            update(*actor_optimiser_, actor_->parameters(),
-                   -torch::min(ratio * advantage, kept * advantage).mean());
+            Tensor loss = -torch::min(ratio * advantage, kept * advantage).mean();
+            if (smooth) {
+                const Tensor slope =
+                    torch::autograd::grad({-(action - mean).square().sum() / (2.0 * noise_rad * noise_rad)},
+                                          {sensed}, {}, true, true)
+                        .front();
+                loss = loss + settings_.lipschitz_penalty * slope.square().sum(1).mean();
+            }
+            update(*actor_optimiser_, actor_->parameters(), loss);
             clipped += ((ratio - 1.0).abs() > settings_.clip).to(torch::kFloat32).mean().item<double>();
         }
     }
@@ -343,32 +362,30 @@ bool AmpTrainer::sound() const {
            fitFloat16(discriminator_->parameters());
 }
 
+template <typename Do>
+void AmpTrainer::eachPart(const Do& with) const {
+    with("actor", *actor_);
+    with("critic", *critic_);
+    with("discriminator", *discriminator_);
+    with("actor_optimiser", *actor_optimiser_);
+    with("critic_optimiser", *critic_optimiser_);
+    with("discriminator_optimiser", *discriminator_optimiser_);
+}
+
 void AmpTrainer::save(torch::serialize::OutputArchive& archive) const {
-    const auto part = [&archive](const char* name, const auto& what) {
+    eachPart([&archive](const char* name, const auto& part) {
         torch::serialize::OutputArchive one;
-        what->save(one);
+        part.save(one);
         archive.write(name, one);
-    };
-    part("actor", actor_);
-    part("critic", critic_);
-    part("discriminator", discriminator_);
-    part("actor_optimiser", actor_optimiser_);
-    part("critic_optimiser", critic_optimiser_);
-    part("discriminator_optimiser", discriminator_optimiser_);
+    });
 }
 
 void AmpTrainer::load(torch::serialize::InputArchive& archive) {
-    const auto part = [&archive](const char* name, const auto& what) {
+    eachPart([&archive](const char* name, auto& part) {
         torch::serialize::InputArchive one;
         archive.read(name, one);
-        what->load(one);
-    };
-    part("actor", actor_);
-    part("critic", critic_);
-    part("discriminator", discriminator_);
-    part("actor_optimiser", actor_optimiser_);
-    part("critic_optimiser", critic_optimiser_);
-    part("discriminator_optimiser", discriminator_optimiser_);
+        part.load(one);
+    });
 }
 
 }  // namespace deixis::learning

@@ -25,9 +25,12 @@ struct AmpIteration {
 
 class AmpTrainer {
   public:
-    /// `references` stay where they are. One after another is made, even in several threads.
-    AmpTrainer(const physics::Body& body, const std::vector<ReferenceMotion>& references,
-               const AmpSettings& settings, std::uint64_t seed, Ranks& ranks);
+    /// Of `all`, the actor learns by cloning, and what networks see is standardised by them; all else is
+    /// learned of `references`, which stay where they are. One after another is made, even in several
+    /// threads.
+    AmpTrainer(const physics::Body& body, const std::vector<ReferenceMotion>& all,
+               const std::vector<ReferenceMotion>& references, const AmpSettings& settings,
+               std::uint64_t seed, Ranks& ranks);
 
     /// The actor learns the demonstrations' own targets. The mean squared error at the end, as a share of
     /// their variance.
@@ -53,6 +56,10 @@ class AmpTrainer {
         torch::Tensor ended, fallen;
         torch::Tensor advantage, returned;
     };
+    /// with(name, part) for the networks and their optimisers.
+    template <typename Do>
+    void eachPart(const Do& with) const;
+    void setCloned(const physics::Body& body, const std::vector<ReferenceMotion>& all);
     [[nodiscard]] torch::Tensor standardised(const torch::Tensor& seen) const;
     [[nodiscard]] torch::Tensor pairs(const torch::Tensor& before, const torch::Tensor& after) const;
     [[nodiscard]] torch::Tensor actionOf(const torch::Tensor& seen);

@@ -222,10 +222,17 @@ Result<TrainingOutcome> trainAmp(const DemonstrationSets& data, const AmpTrainin
     if (!ranks) return tl::unexpected(ranks.error());
     torch::set_num_threads(1);
     const auto base = physics::BaseMotion::meanOf(*features, data.training);
-    const AmpCommon common{data,    training,
-                           *body,   base,
-                           avatar,  modelOf(data, training, *features, base),
-                           **ranks, fs::path(file.string() + ".training")};
+    auto references = makeReferences(*body, base, data.training, training.settings);
+    if (!references) return tl::unexpected(references.error());
+    const AmpCommon common{data,
+                           training,
+                           *body,
+                           base,
+                           avatar,
+                           modelOf(data, training, *features, base),
+                           std::move(*references),
+                           **ranks,
+                           fs::path(file.string() + ".training")};
     if (common.ranks.rank() == 0) {
         std::error_code problem;
         fs::create_directories(common.folder, problem);

@@ -79,6 +79,14 @@ std::vector<double> GaussianProcess::predict(std::span<const double> input) cons
     return {mean.begin(), mean.end()};
 }
 
+std::vector<std::vector<double>> GaussianProcess::leftOutErrors() const {
+    const MatrixXd inverse = factor_.solve(MatrixXd::Identity(outputs_.rows(), outputs_.rows()));
+    const MatrixXd errors = inverse.diagonal().cwiseInverse().asDiagonal() * (inverse * outputs_);
+    std::vector<std::vector<double>> out;
+    for (const auto& row : errors.rowwise()) out.emplace_back(row.begin(), row.end());
+    return out;
+}
+
 double GaussianProcess::logMarginalLikelihood() const {
     const double squares = outputs_.cwiseProduct(factor_.solve(outputs_)).sum();
     const auto count = static_cast<double>(outputs_.size());

@@ -34,8 +34,8 @@ const std::vector<std::string>& generatorNames() {
 }
 
 const std::vector<std::string>& learnedNames() {
-    static const std::vector<std::string> names{"moglow",     "amp-no-runtime", "amp-base",
-                                                "amp-pfnn-1", "amp-pfnn-3",     "amp-pfnn-8"};
+    static const std::vector<std::string> names{"moglow",     "amp-no-runtime", "amp-base", "amp-pfnn-1",
+                                                "amp-pfnn-3", "amp-pfnn-8",     "flow"};
     return names;
 }
 

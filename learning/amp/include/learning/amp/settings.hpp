@@ -5,10 +5,11 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/error.hpp"
 #include "motion/networks/weights_file.hpp"
-
 #include "physics/figure/figure.hpp"
 
 namespace deixis::learning {
@@ -46,7 +47,7 @@ struct AmpSettings {
     double clip = 0.2;
     int epochs = 4;
     int minibatch = 2048;
-    double actor_rate = 1e-4;
+    double actor_rate = 3e-4;
     double critic_rate = 1e-3;
     double first_noise_rad = 0.05;  ///< SD of what is tried out, at the begin and
     double last_noise_rad = 0.03;   ///< at the end; linear between
@@ -63,9 +64,15 @@ struct AmpSettings {
     double demonstration_noise_rad = 0.04;  ///< SD of noise on the actuators' targets of demonstrations
     int demonstration_repeats = 4;          ///< times that each is followed, with other noise
 
+    // Not of the paper, and off ("AMP+", docs/learning.md):
+    double from_begin = 0.0;  ///< share of plays that start where their demonstration does; others within it
+    /// Of the square of the slope of an action's log-probability over what the policy sees, standardised
+    /// (Chen, He, Wang, Liao, Ze, Li, Sastry, Wu, Sreenath, Gupta & Peng 2025).
+    double lipschitz_penalty = 0.0;
+
     int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
     int frozen_iterations = 20;  ///< in which critic and discriminator learn alone
-    int iterations = 200;
+    int iterations = 400;
     /// Every so many iterations the policy is tried out, and all but the networks begins anew: the bodies,
     /// the random numbers and the remembered transitions. So a training goes on from there as if it had not
     /// stopped.
@@ -76,5 +83,10 @@ struct AmpSettings {
 
 /// All of them by name, for a file's header.
 [[nodiscard]] std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& settings);
+
+/// Sets one of them that is a number, by its name, to what was written; true and false are 1 and 0. Error: no
+/// such name, or no such value.
+[[nodiscard]] Result<void> changeSetting(AmpSettings& settings, std::string_view name,
+                                         std::string_view value);
 
 }  // namespace deixis::learning

@@ -46,7 +46,7 @@ class Generator {
 /// Names of the built-in systems: "demonstration-nn", "direct", "stiff", "drifting", "gp".
 [[nodiscard]] const std::vector<std::string>& generatorNames();
 /// Names of the learned systems, which are made from weights: "moglow", "amp-no-runtime", "amp-base",
-/// "amp-pfnn-1", "amp-pfnn-3", "amp-pfnn-8".
+/// "amp-pfnn-1", "amp-pfnn-3", "amp-pfnn-8", "flow".
 [[nodiscard]] const std::vector<std::string>& learnedNames();
 /// Both, and "gt-nn", the paper's name of demonstration-nn.
 [[nodiscard]] const std::vector<std::string>& systemNames();
