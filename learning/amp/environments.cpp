@@ -67,7 +67,6 @@ void Environments::see(std::span<float> out) {
 }
 
 double Environments::reward(const physics::Body& body, const Play& play) {
-    if (settings_.task_in_hold_only && !play.reference->holding(play.control)) return 0.0;
     const physics::Figure& figure = body.figure();
     pose_ = play.reference->base[play.control];
     physics::applyRoot(figure, body.root().pose, pose_);
@@ -94,7 +93,8 @@ Environments::Step Environments::step(std::size_t index, std::span<const double>
     body.step(targets_rad, physics::steps_per_control);
     ++play.control;
     out.fallen = body.root().pose.position.y < reference.states[play.control].root.pose.position.y - fallen_m;
-    out.task_reward = reward(body, play);
+    out.task_reward =
+        reward(body, play) * (reference.holdIsOver(play.control) ? settings_.task_after_hold : 1.0);
     out.ended = out.fallen || play.control == reference.controls();
     seeOne(index, after);
     if (out.ended) begin(index);

@@ -23,10 +23,9 @@ std::vector<physics::BodyState> atControls(const physics::Followed& followed) {
 
 }  // namespace
 
-bool ReferenceMotion::holding(std::size_t control) const {
-    const double time_s = static_cast<double>(control) * physics::control_s;
-    const double begin_s = durations_s[0] + durations_s[1];
-    return time_s >= begin_s && time_s <= begin_s + durations_s[2];
+bool ReferenceMotion::holdIsOver(std::size_t control) const {
+    return static_cast<double>(control) * physics::control_s >
+           durations_s[0] + durations_s[1] + durations_s[2];
 }
 
 Result<std::vector<ReferenceMotion>> makeReferences(const physics::Body& body,

@@ -67,6 +67,26 @@ TEST_SUITE("motion/gaussian_process") {
         CHECK(process.kernel().noise == 1e-2);
     }
 
+    TEST_CASE("what is left out is predicted as by a process that was never told of it") {
+        Random random(5);
+        std::vector<std::vector<double>> inputs, outputs;
+        for (int i = 0; i < 7; ++i) {
+            inputs.push_back({random.normal(), random.normal()});
+            outputs.push_back({random.normal(), 3.0 + random.normal()});
+        }
+        const Kernel kernel{2.0, 0.5, 0.8, 0.05};
+        const auto errors = GaussianProcess(inputs, outputs, kernel).leftOutErrors();
+        REQUIRE(errors.size() == inputs.size());
+        for (std::size_t left_out = 0; left_out < inputs.size(); ++left_out) {
+            auto others = inputs, their_outputs = outputs;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+            their_outputs.erase(their_outputs.begin() + static_cast<std::ptrdiff_t>(left_out));
+            const auto predicted = GaussianProcess(others, their_outputs, kernel).predict(inputs[left_out]);
+            for (std::size_t d = 0; d < 2; ++d)
+                CHECK(errors[left_out][d] == Approx(outputs[left_out][d] - predicted[d]));
+        }
+    }
+
     TEST_CASE("what has no positive definite covariance is a broken invariant") {
         const std::vector<std::vector<double>> twice{{0.5}, {0.5}};
         CHECK_THROWS(GaussianProcess(twice, {{1.0}, {2.0}}, Kernel{0.0, 0.0, 1.0, 0.0}));

@@ -37,8 +37,10 @@ struct AmpSettings {
     std::vector<int> hidden{256, 128};  ///< units of each network
     double style_weight = 0.5;          ///< Eq. 1
     double task_weight = 0.5;
-    bool task_in_hold_only = false;  ///< else in every frame, as in the paper
-    double target_spread_m = 0.1;    ///< a target is drawn within this of the demonstration's, on each axis
+    /// Share of the task's reward that counts once the demonstration's hold is over. The paper's is 1, for
+    /// which some policies keep pointing.
+    double task_after_hold = 0.0;
+    double target_spread_m = 0.1;  ///< a target is drawn within this of the demonstration's, on each axis
 
     int environments = 256;
     int horizon = 32;  ///< controls an iteration of each

@@ -19,10 +19,10 @@ struct MoglowSettings {
     double window_step_s = 0.5;
     double rest_before_s = 2.5;  ///< added at ease before each demonstration, the pointing bit off
     double rest_after_s = 3.5;
-    int updates = 4000;
-    int batch = 8;                ///< windows an update
+    int updates = 2500;
+    int batch = 16;               ///< windows an update
     double learning_rate = 1e-3;  ///< Adam's, at the end of the warm-up
-    int warm_up = 1000;  ///< updates in which it rises; then it falls with the root of their number (Noam)
+    int warm_up = 500;  ///< updates in which it rises; then it falls with the root of their number (Noam)
     double max_gradient = 5.0;
     double max_gradient_norm = 100.0;
     double dropout = 0.5;      ///< share of the past poses that are blanked, whole ones, without rescaling
