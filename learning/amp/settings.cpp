@@ -37,6 +37,7 @@ constexpr std::array named{
     Named{"epochs", &AmpSettings::epochs, 1, 100},
     Named{"minibatch", &AmpSettings::minibatch, 1, many},
     Named{"actor_rate", &AmpSettings::actor_rate, 0.0, 1.0},
+    Named{"last_actor_rate", &AmpSettings::last_actor_rate, 0.0, 1.0},
     Named{"critic_rate", &AmpSettings::critic_rate, 0.0, 1.0},
     Named{"first_noise_rad", &AmpSettings::first_noise_rad, 0.0001, 1.0},
     Named{"last_noise_rad", &AmpSettings::last_noise_rad, 0.0001, 1.0},

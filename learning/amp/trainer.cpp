@@ -335,9 +335,11 @@ void AmpTrainer::remember(const Rollout& rollout) {
 
 AmpIteration AmpTrainer::iterate(int number) {
     AmpIteration out;
-    const double share = static_cast<double>(number) / settings_.iterations;
-    const double noise_rad = settings_.first_noise_rad +
-                             std::min(1.0, share) * (settings_.last_noise_rad - settings_.first_noise_rad);
+    const double share = std::min(1.0, static_cast<double>(number) / settings_.iterations);
+    const double noise_rad = std::lerp(settings_.first_noise_rad, settings_.last_noise_rad, share);
+    for (auto& group : actor_optimiser_->param_groups())
+        static_cast<torch::optim::AdamOptions&>(group.options())
+            .lr(std::lerp(settings_.actor_rate, settings_.last_actor_rate, share));
     Rollout rollout = rollOut(noise_rad);
     setStyle(rollout);
     setAdvantages(rollout);

@@ -49,10 +49,11 @@ struct AmpSettings {
     double clip = 0.2;
     int epochs = 4;
     int minibatch = 2048;
-    double actor_rate = 3e-4;
+    double actor_rate = 3e-4;  ///< at the begin
+    double last_actor_rate = 3e-5;
     double critic_rate = 1e-3;
     double first_noise_rad = 0.05;  ///< SD of what is tried out, at the begin and
-    double last_noise_rad = 0.03;   ///< at the end; linear between
+    double last_noise_rad = 0.02;   ///< at the end; linear between, as the actor's rate
 
     double discriminator_rate = 2e-5;
     int discriminator_batch = 512;  ///< of the agent's and as many of the demonstrations' transitions
@@ -74,7 +75,7 @@ struct AmpSettings {
 
     int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
     int frozen_iterations = 20;  ///< in which critic and discriminator learn alone
-    int iterations = 400;
+    int iterations = 200;
     /// Every so many iterations the policy is tried out, and all but the networks begins anew: the bodies,
     /// the random numbers and the remembered transitions. So a training goes on from there as if it had not
     /// stopped.
