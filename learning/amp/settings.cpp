@@ -29,6 +29,7 @@ constexpr std::array named{
     Named{"task_weight", &AmpSettings::task_weight, 0.0, 100.0},
     Named{"task_after_hold", &AmpSettings::task_after_hold, 0.0, 1.0},
     Named{"target_spread_m", &AmpSettings::target_spread_m, 0.0, 10.0},
+    Named{"cell_share", &AmpSettings::cell_share, 0.0, 1.0},
     Named{"environments", &AmpSettings::environments, 1, 65'536},
     Named{"horizon", &AmpSettings::horizon, 2, 1024},
     Named{"discount", &AmpSettings::discount, 0.0, 0.9999},
