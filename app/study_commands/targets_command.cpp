@@ -25,13 +25,16 @@ struct TargetsArguments {
     std::string picture;
     bool force = false;
     int grid = 0;
+    bool spherical = false;
     std::string training;
 };
 
 Result<void> printGrid(const TargetsArguments& options) {
     const auto training = loadTrainingTargets(options.training);
     if (!training) return tl::unexpected(training.error());
-    const auto grid = studies::targetGrid(training->targets, options.grid);
+    const auto grid =
+        studies::targetGrid(training->targets, options.grid,
+                            options.spherical ? studies::GridShape::spherical : studies::GridShape::box);
     if (!grid) return fail("--grid", grid.error().message, grid.error().hint);
     fmt::print("{}", studies::targetsCsv(*grid, {}));
     return {};
@@ -78,6 +81,8 @@ void addTargetsCommand(Parser cli, Command& chosen) {
                                         "the paper) within the limits of the training targets")
                              .expected(0, 1)
                              .showDefault("1000");
+    command.addFlag("--spherical", options->spherical,
+                    "A grid even in azimuth, elevation and distance, not along x, y and z");
     command.addOption("--training", options->training,
                       "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
     command.callback([options, grid_option, &chosen] {
@@ -85,6 +90,7 @@ void addTargetsCommand(Parser cli, Command& chosen) {
         if (grid != options->study.empty()) rejectUsage("targets", "Give either STUDY or --grid");
         if (!grid && !options->training.empty())
             rejectUsage("--training", "Only with --grid: a study has its own targets");
+        if (!grid && options->spherical) rejectUsage("--spherical", "Only with --grid");
         chosen = [options, grid] { return grid ? printGrid(*options) : printTargets(*options); };
     });
 }

@@ -59,4 +59,23 @@ TEST_SUITE("app/documents") {
         for (const std::string name : {"run", "simulate", "report", "plan", "targets", "generate", "view"})
             CHECK(seen.count(name) == 1);
     }
+
+    TEST_CASE(
+        "the page on one's own generator does what it says: its script, and its commands in their order") {
+        const Scratch scratch;
+        const std::string page = slurp(sourceDir() / "docs/own-generator.md");
+        const auto block = [&page](const std::string& begin) {
+            const auto from = page.find(begin) + begin.size();
+            return page.substr(from, page.find("```", from) - from);
+        };
+        spill(scratch / "own_generator.py", block("```python\n"));
+        std::string commands = block("```\ndeixis targets");
+        commands = "deixis targets" + commands;
+        const auto done = shell("cd " + scratch.path().string() + " && set -e; deixis() { " + programFile() +
+                                " \"$@\"; }; " + commands);
+        CHECK_MESSAGE(done.status == 0, done.err);
+        CHECK(contains(done.out, "T100.bvh: no problem found"));
+        const std::string evaluation = slurp(scratch / "evaluation.html");
+        CHECK(contains(evaluation, "own"));
+    }
 }

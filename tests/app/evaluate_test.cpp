@@ -382,6 +382,10 @@ TEST_SUITE("app/evaluate") {
         CHECK(stands(paper.out, "G0002", "-0.6667", "0.5000", "0.5000"));  // a ninth of 3 m on
         CHECK(stands(paper.out, "G1000", "2.0000", "1.5000", "2.0000"));
         CHECK(program("targets --training " + (scratch / "training.csv") + " --grid").out == paper.out);
+        const auto round = program("targets --grid 8 --spherical --training " + (scratch / "training.csv"));
+        CHECK(round.status == 0);
+        CHECK(round.out != grid.out);
+        CHECK(program("targets pointing2023 --spherical").status == 2);
         CHECK_FAILS_SAYING(program("targets --grid 10"), "--grid", "8 or 27");
         CHECK(program("targets").status == 2);
         CHECK(program("targets pointing2023 --grid 8").status == 2);
