@@ -128,6 +128,7 @@ Result<ResponseTable> joinTables(std::vector<ResponseTable> tables) {
                 fmt::format("\"{}\" has another kind of answers than in {}", other->name, out.database),
                 "Give the two measures different names");
         addOnce(out.systems, next.systems);
+        addOnce(out.built_in_systems, next.built_in_systems);
         addOnce(out.layouts, next.layouts);
         addOnce(out.distances, next.distances);
         joinFactors(out.between, next.between);

@@ -35,10 +35,11 @@ void readGroups(SQLite::Database& database, ResponseTable& table) {
 /// Factors nested in the systems, which are within participants where these meet several systems.
 void readSystemFactors(SQLite::Database& database, ResponseTable& table) {
     std::map<std::string, std::map<std::string, std::string>> of_system;
-    Statement systems(database, "SELECT name, levels FROM systems ORDER BY position");
+    Statement systems(database, "SELECT name, levels, generator IS NOT NULL FROM systems ORDER BY position");
     while (systems.executeStep()) {
         const std::string name = systems.getColumn(0).getString();
         if (std::find(table.systems.begin(), table.systems.end(), name) == table.systems.end()) continue;
+        if (systems.getColumn(2).getInt() != 0) table.built_in_systems.push_back(name);
         const json levels = json::parse(systems.getColumn(1).getString());
         for (const auto& [factor, level] : levels.items()) {
             of_system[name][factor] = level.get<std::string>();

@@ -46,6 +46,15 @@ std::vector<std::string> limitations(const AnalysisResult& result) {
         out.emplace_back(
             "Answers come from simulated participants: they show that the pipeline works and what a study of "
             "this size could find, but nothing about people.");
+    if (const auto count = table.built_in_systems.size(); count > 0) {
+        std::vector<std::string> names;
+        for (const std::string& one : table.built_in_systems) names.push_back(escapeHtml(one));
+        out.push_back(fmt::format(
+            "The motion of {} is synthetic: this program made it, by formulas or by what was learned "
+            "from demonstrations that follow them. Answers about it say nothing about recorded "
+            "motion, or about a method that was trained on it.",
+            inSentence(names)));
+    }
     if (!result.by_study.empty())
         out.emplace_back(
             "Participants were not assigned to the studies by this program: a difference between studies may "

@@ -47,6 +47,7 @@ TEST_SUITE("app/simulate") {
             program("report " + db + " -o " + (scratch / "r.html") + " --json " + (scratch / "r.json"));
         INFO(report.err);
         REQUIRE(report.status == 0);
+        CHECK(contains(slurp(scratch / "r.html"), "is synthetic: this program made it"));
         // Counted by SQLite.
         const std::string who =
             shell("sqlite3 -readonly " + db +

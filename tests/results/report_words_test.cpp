@@ -67,6 +67,15 @@ TEST_SUITE("results/report_words") {
         }
     }
 
+    TEST_CASE(
+        "Motion that the program made is called synthetic, by the systems' names; a lab's clips are not") {
+        ResponseTable table = preferencesOf(9);
+        CHECK_FALSE(contains(renderReport(analyse(table)), "is synthetic"));
+        table.built_in_systems = {"a", "c"};
+        CHECK(contains(renderReport(analyse(table)),
+                       "The motion of a and c is synthetic: this program made it"));
+    }
+
     TEST_CASE("Preferences alone have no words on means, boxes or bootstraps, and every pair its numbers") {
         const AnalysisResult result = analyse(preferencesOf(9));
         const std::string page = renderReport(result);

@@ -148,7 +148,9 @@ struct ResponseTable {
     std::string study_title;
     std::string study_hash;  ///< empty if the answers come without a study file
     double alpha = 0.01;
-    std::vector<std::string> systems{};    ///< in the study file's order
+    std::vector<std::string> systems{};  ///< in the study file's order
+    /// Of them those whose clips the program made by a generator of its own: all synthetic.
+    std::vector<std::string> built_in_systems{};
     std::vector<std::string> layouts{};    ///< of scored trials, likewise
     std::vector<std::string> distances{};  ///< likewise
     std::vector<Factor> within{};          ///< further within-participants factors
