@@ -48,7 +48,7 @@ void Environments::begin(std::size_t body) {
     play.control = random_.below(play.reference->controls());
     if (settings_.from_begin > 0.0 && random_.uniform() < settings_.from_begin) play.control = 0;
     const std::vector<Vec3>& cell_m = play.reference->cell_m;
-    if (!cell_m.empty() && random_.uniform() < settings_.cell_share) {
+    if (settings_.cell_share > 0.0 && !cell_m.empty() && random_.uniform() < settings_.cell_share) {
         play.target_m = cell_m[random_.below(cell_m.size())];
     } else {
         play.target_m = play.reference->target_m;
