@@ -53,10 +53,8 @@ double error_rad(const motion::GeneratedClip& made, const Vec3& target_m) {
 }
 
 bool alike(const motion::Clip& a, const motion::Clip& b) {
-    const auto places = [](const motion::Clip& clip) { return motion::worldPoses(clip); };
-    const auto of_a = places(a), of_b = places(b);
-    return std::ranges::equal(of_a, of_b, [](const auto& one, const auto& other) {
-        return std::ranges::equal(one, other, [](const Pose& p, const Pose& q) {
+    return std::ranges::equal(a.frames, b.frames, [](const auto& one, const auto& other) {
+        return std::ranges::equal(one.joints, other.joints, [](const Pose& p, const Pose& q) {
             return p.position == q.position && p.orientation == q.orientation;
         });
     });
