@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <thread>
+#include <tuple>
+#include <variant>
 
 #include "core/files.hpp"
 #include "learning/amp/training.hpp"
@@ -79,12 +81,33 @@ TEST_SUITE("learning/amp_training") {
         CHECK(weights->commit == "abc");
         CHECK(weights->synthetic);
         CHECK(weights->training_data_sha256 == "few");
-        CHECK(weights->number("actor_rate").value() == doctest::Approx(1e-4));
+        CHECK(weights->number("actor_rate").value() == smallAmp().settings.actor_rate);
         CHECK(weights->metrics.at("validation_reward") == doctest::Approx(outcome->best.reward));
         const auto system = physics::makeAmp(*weights, motion::referenceHumanoid());
         REQUIRE(system.has_value());
         CHECK((*system)->name() == "amp-base");
         CHECK((*system)->generate({"", Vec3(0.3, 1.2, 2.0), 1, {}}).clip.frameCount() > 30);
+    }
+
+    TEST_CASE("settings are changed by name, stand in the file, and are refused where they are none") {
+        AmpSettings settings;
+        REQUIRE(changeSetting(settings, "task_after_hold", "0.25").has_value());
+        REQUIRE(changeSetting(settings, "epochs", "7").has_value());
+        CHECK(settings.task_after_hold == 0.25);
+        CHECK(settings.epochs == 7);
+        const auto named = namedSettings(settings);
+        CHECK(std::get<double>(named.at("task_after_hold")) == 0.25);
+        CHECK(std::get<double>(named.at("epochs")) == 7.0);
+        for (const auto& [name, value, said] :
+             {std::tuple{"epochs", "7.5", "found '7.5', expected a whole number from 1 to 100"},
+              {"discount", "1", "found '1', expected a number from 0 to 0.9999"},
+              {"discount", "", "found ''"},
+              {"style", "1", "is no setting; they are style_weight, task_weight, "}}) {
+            const auto changed = changeSetting(settings, name, value);
+            REQUIRE_FALSE(changed.has_value());
+            CHECK(changed.error().where == name);
+            CHECK_MESSAGE(changed.error().message.find(said) != std::string::npos, changed.error().message);
+        }
     }
 
     TEST_CASE("a training that was stopped goes on to the very same weights") {
