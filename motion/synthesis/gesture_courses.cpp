@@ -153,8 +153,9 @@ GeneratedClip GestureCourses::rightHanded(const std::vector<double>& course, con
 }
 
 std::vector<double> asNearAs(const GaussianProcess& process, std::vector<double> seen) {
-    const auto [farthest, nearest] = std::ranges::minmax_element(
-        process.inputs(), {}, [](const std::vector<double>& one) { return one.back(); });
+    const auto [farthest, nearest] =
+        std::minmax_element(process.inputs().begin(), process.inputs().end(),
+                            [](const auto& one, const auto& other) { return one.back() < other.back(); });
     seen.back() = std::clamp(seen.back(), farthest->back(), nearest->back());
     return seen;
 }
