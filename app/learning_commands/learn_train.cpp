@@ -192,6 +192,9 @@ void addDemonstrations(Parser command, LearnTrainArguments& options) {
                    "Manifest of the demonstrations, each with a target [synthetic ones]")
         .valueName("MANIFEST");
     addOutput(command, options.out, "File for the weights").required();
+}
+
+void addNoMirror(Parser command, LearnTrainArguments& options) {
     command.addFlag("--no-mirror", options.no_mirror, "Without the demonstrations' mirror images");
 }
 
@@ -202,6 +205,7 @@ void addGtNn(Parser learn, Command& chosen) {
                        .example = "deixis learn gt-nn --demonstrations clips/manifest.csv -o gt-nn.weights",
                        .page = "docs/learning.md"});
     addDemonstrations(command, *options);
+    addNoMirror(command, *options);
     addForce(command, options->force);
     command.callback([options, &chosen] { chosen = [options] { return keepDemonstrations(*options); }; });
 }
@@ -212,18 +216,24 @@ Parser addTraining(Parser learn, const char* system, const char* what, Command& 
     Parser command = learn.addCommand(system, what);
     const std::string pfnn = options->request.system == "amp-pfnn" ? " --clusters 8" : "";
     const std::string example = fmt::format("deixis learn {}{} -o {}.weights", system, pfnn, system);
-    describe(command,
-             {.writes = "the weights to FILE, FILE.curves.csv and FILE.curves.html; while it trains also "
-                        "FILE.training, from which the same command goes on. Prints how well targets are "
-                        "pointed at that were not trained on.",
-              .example = example.c_str(),
-              .page = "docs/learning.md"});
+    // A training of seconds, on the demonstrations of one hand, goes on from nothing and needs no threads.
+    const bool quick = options->request.system == "flow";
+    const std::string state =
+        quick ? "" : "; while it trains also FILE.training, from which the same command goes on";
+    const std::string writes = "the weights to FILE, FILE.curves.csv and FILE.curves.html" + state +
+                               ". Prints how well targets are pointed at that were not trained on.";
+    describe(command, {.writes = writes.c_str(), .example = example.c_str(), .page = "docs/learning.md"});
     addDemonstrations(command, *options);
     addForce(command, options->force, "what of an ended training is");
     addSeed(command, options->request.seed, "the training");
-    command.addOption("--threads", options->request.threads, "Threads at the same time")
-        .showDefault()
-        .check(Range(1, 256));
+    if (quick) {
+        options->no_mirror = true;
+    } else {
+        addNoMirror(command, *options);
+        command.addOption("--threads", options->request.threads, "Threads at the same time")
+            .showDefault()
+            .check(Range(1, 256));
+    }
     command.addOption("--updates", options->request.updates, "How long to train [as docs/learning.md says]")
         .check(Range(1, 10'000'000));
     command

@@ -46,15 +46,9 @@ void Environments::begin(std::size_t body) {
     Play& play = plays_[body];
     play.reference = &references_[random_.below(references_.size())];
     play.control = random_.below(play.reference->controls());
-    if (settings_.from_begin > 0.0 && random_.uniform() < settings_.from_begin) play.control = 0;
-    const std::vector<Vec3>& cell_m = play.reference->cell_m;
-    if (settings_.cell_share > 0.0 && !cell_m.empty() && random_.uniform() < settings_.cell_share) {
-        play.target_m = cell_m[random_.below(cell_m.size())];
-    } else {
-        play.target_m = play.reference->target_m;
-        for (int axis = 0; axis < 3; ++axis)
-            play.target_m[axis] += random_.uniform(-settings_.target_spread_m, settings_.target_spread_m);
-    }
+    play.target_m = play.reference->target_m;
+    for (int axis = 0; axis < 3; ++axis)
+        play.target_m[axis] += random_.uniform(-settings_.target_spread_m, settings_.target_spread_m);
     bodies_[body].setState(play.reference->states[play.control]);
 }
 

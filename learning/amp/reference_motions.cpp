@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-
 #include "core/random.hpp"
 #include "physics/figure/figure_pose.hpp"
 #include "physics/figure/mjcf.hpp"
@@ -23,24 +19,6 @@ std::vector<physics::BodyState> atControls(const physics::Followed& followed) {
     for (std::size_t i = 0; i < followed.states.size(); i += steps_per_control)
         out.push_back(followed.states[i]);
     return out;
-}
-
-/// Draws from the box, each for the nearest target.
-void setCells(std::vector<ReferenceMotion>& references, std::uint64_t seed) {
-    constexpr std::size_t draws_each = 200;
-    Vec3 low = references.front().target_m, high = low;
-    for (const auto& one : references) {
-        low = glm::min(low, one.target_m);
-        high = glm::max(high, one.target_m);
-    }
-    Random random(seed, "cells of targets");
-    for (std::size_t i = 0; i < draws_each * references.size(); ++i) {
-        Vec3 place_m;
-        for (int axis = 0; axis < 3; ++axis) place_m[axis] = random.uniform(low[axis], high[axis]);
-        std::ranges::min_element(references, {}, [&](const auto& one) {
-            return glm::distance(one.target_m, place_m);
-        })->cell_m.push_back(place_m);
-    }
 }
 
 }  // namespace
@@ -93,7 +71,6 @@ Result<std::vector<ReferenceMotion>> makeReferences(const physics::Body& body,
         }
         out.push_back(std::move(reference));
     }
-    setCells(out, settings.seed);
     return out;
 }
 

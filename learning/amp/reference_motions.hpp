@@ -23,9 +23,6 @@ struct ReferenceMotion {
     /// What the body looked like under noise: repeats x states x the observer's numbers.
     std::vector<std::vector<std::vector<float>>> seen;
 
-    /// Places in the box of all demonstrations' targets to which this one's is the nearest; may be none.
-    std::vector<Vec3> cell_m;
-
     [[nodiscard]] std::size_t controls() const { return targets_rad.size(); }
     /// Share of the running time.
     [[nodiscard]] double phase(std::size_t control) const {

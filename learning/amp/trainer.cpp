@@ -7,6 +7,7 @@
 #include <mutex>
 #include <numeric>
 
+#include "learning/networks/optimising.hpp"
 #include "learning/networks/tensors.hpp"
 #include "physics/policy/policy.hpp"
 
@@ -24,11 +25,11 @@ Tensor tensorOf(std::vector<float> values, std::int64_t columns) {
     return torch::tensor(values).reshape({-1, columns});
 }
 
-/// LibTorch has one generator for all threads.
+/// Of several trainings one at a time, until the lock is gone.
 std::unique_lock<std::mutex> seeded(std::uint64_t seed) {
     static std::mutex mutex;
     std::unique_lock lock(mutex);
-    torch::manual_seed(seed >> 1U);
+    seedTorch(seed, "networks");
     return lock;
 }
 
@@ -71,7 +72,7 @@ AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMot
 
     const int inputs = static_cast<int>(seen_size);
     {
-        const auto lock = seeded(deriveSeed(seed, "networks"));
+        const auto lock = seeded(seed);
         actor_ = std::make_shared<Mlp>(inputs, settings.hidden, static_cast<int>(actions_), 0.1);
         critic_ = std::make_shared<Mlp>(inputs, settings.hidden, 1, 0.1);
         discriminator_ = std::make_shared<Discriminator>(static_cast<int>(2 * state_size_), settings.hidden,
@@ -145,13 +146,6 @@ Tensor AmpTrainer::valueOf(const Tensor& seen) {
     return critic_->forward(standardised(seen)).squeeze(1) / (1.0 - settings_.discount);
 }
 
-Tensor AmpTrainer::indices(std::int64_t below, std::int64_t count) {
-    std::vector<std::int64_t> out;
-    for (std::int64_t i = 0; i < count; ++i)
-        out.push_back(static_cast<std::int64_t>(random_.below(static_cast<std::uint64_t>(below))));
-    return torch::tensor(out);
-}
-
 Tensor AmpTrainer::permutation(std::int64_t count) {
     std::vector<std::int64_t> out(static_cast<std::size_t>(count));
     std::iota(out.begin(), out.end(), 0);
@@ -165,10 +159,8 @@ double AmpTrainer::clone() {
     const Tensor seen = standardised(clone_seen_);
     double error = 0.0;
     for (int i = 0; i < settings_.cloning_updates; ++i) {
-        for (auto& group : optimiser.param_groups())
-            static_cast<torch::optim::AdamOptions&>(group.options())
-                .lr(1e-3 * (1.0 - 0.9 * i / settings_.cloning_updates));
-        const Tensor batch = indices(seen.size(0), 256);
+        setRate(optimiser, 1e-3 * (1.0 - 0.9 * i / settings_.cloning_updates));
+        const Tensor batch = drawnIndices(random_, seen.size(0), 256);
         const Tensor loss =
             torch::mse_loss(actor_->forward(seen.index_select(0, batch)), wanted.index_select(0, batch));
         update(optimiser, actor_->parameters(), loss);
@@ -294,11 +286,11 @@ void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
     const std::int64_t past = std::min<std::int64_t>(remembered_, settings_.remembered);
     const std::int64_t from_past = past > 0 ? size / 2 : 0;
     for (int i = 0; i < settings_.discriminator_updates; ++i) {
-        const Tensor fresh = indices(now.size(0), size - from_past);
-        const Tensor shown = indices(demonstrated_pairs_.size(0), size);
+        const Tensor fresh = drawnIndices(random_, now.size(0), size - from_past);
+        const Tensor shown = drawnIndices(random_, demonstrated_pairs_.size(0), size);
         std::vector<Tensor> x{now.index_select(0, fresh)}, phase{rollout.phase.index_select(0, fresh)};
         if (from_past > 0) {
-            const Tensor old = indices(past, from_past);
+            const Tensor old = drawnIndices(random_, past, from_past);
             x.push_back(remembered_pairs_.index_select(0, old));
             phase.push_back(remembered_phases_.index_select(0, old));
         }
@@ -325,7 +317,7 @@ void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
 
 void AmpTrainer::remember(const Rollout& rollout) {
     const Tensor now = pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_));
-    const Tensor some = indices(now.size(0), settings_.remembered_each);
+    const Tensor some = drawnIndices(random_, now.size(0), settings_.remembered_each);
     const Tensor places = torch::remainder(
         torch::arange(remembered_, remembered_ + settings_.remembered_each), settings_.remembered);
     remembered_pairs_.index_copy_(0, places, now.index_select(0, some));
@@ -337,9 +329,7 @@ AmpIteration AmpTrainer::iterate(int number) {
     AmpIteration out;
     const double share = std::min(1.0, static_cast<double>(number) / settings_.iterations);
     const double noise_rad = std::lerp(settings_.first_noise_rad, settings_.last_noise_rad, share);
-    for (auto& group : actor_optimiser_->param_groups())
-        static_cast<torch::optim::AdamOptions&>(group.options())
-            .lr(std::lerp(settings_.actor_rate, settings_.last_actor_rate, share));
+    setRate(*actor_optimiser_, std::lerp(settings_.actor_rate, settings_.last_actor_rate, share));
     Rollout rollout = rollOut(noise_rad);
     setStyle(rollout);
     setAdvantages(rollout);

@@ -64,7 +64,6 @@ class AmpTrainer {
     [[nodiscard]] torch::Tensor pairs(const torch::Tensor& before, const torch::Tensor& after) const;
     [[nodiscard]] torch::Tensor actionOf(const torch::Tensor& seen);
     [[nodiscard]] torch::Tensor valueOf(const torch::Tensor& seen);
-    [[nodiscard]] torch::Tensor indices(std::int64_t below, std::int64_t count);
     [[nodiscard]] torch::Tensor permutation(std::int64_t count);
     [[nodiscard]] Rollout rollOut(double noise_rad);
     void setStyle(Rollout& rollout);

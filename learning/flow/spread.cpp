@@ -52,7 +52,8 @@ Spread flowSpread(const motion::FlowMatching& model, const std::vector<motion::D
     for (std::size_t i = 0; i < demonstrations.size(); ++i) {
         const auto observation = courses.observe(demonstrations[i]);
         std::vector<double> predicted = observation.course;
-        for (std::size_t d = 0; d < predicted.size(); ++d) predicted[d] -= errors[i][d];
+        for (std::size_t d = 0; d < predicted.size(); ++d)
+            predicted[d] -= errors(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d));
         demonstrated += squares(armOf(courses, observation.course), armOf(courses, predicted));
         for (const bool guided : {true, false}) {
             std::vector<std::vector<Vec3>> arms;

@@ -10,6 +10,8 @@
 
 #include "core/random.hpp"
 #include "learning/networks/mlp.hpp"
+#include "learning/networks/optimising.hpp"
+#include "learning/networks/tensors.hpp"
 
 namespace deixis::learning {
 
@@ -54,7 +56,7 @@ Courses coursesOf(const GestureCourses& of, const std::vector<Demonstration>& de
     for (const Demonstration& one : demonstrations) out.observations.push_back(of.observe(one));
     const auto process = motion::courseRegression(out.observations);
     out.kernel = process.kernel();
-    const Eigen::BDCSVD<Eigen::MatrixXd> parts(matrixOf(process.leftOutErrors()),
+    const Eigen::BDCSVD<Eigen::MatrixXd> parts(process.leftOutErrors(),
                                                Eigen::ComputeThinU | Eigen::ComputeThinV);
     const auto count = std::min<Eigen::Index>(directions, parts.singularValues().size());
     const double root = std::sqrt(static_cast<double>(demonstrations.size()));
@@ -74,7 +76,7 @@ class FlowTrainer {
               const Eigen::VectorXd row = courses.weights.row(static_cast<Eigen::Index>(i));
               return std::vector<double>(row.begin(), row.end());
           })) {
-        torch::manual_seed(deriveSeed(settings.seed, "flow networks") >> 1U);
+        seedTorch(settings.seed, "flow networks");
         const auto directions = static_cast<int>(ends_.size(1));
         motion::FlowMatchingShape shape = settings.shape;
         shape.directions = directions;
@@ -89,13 +91,9 @@ class FlowTrainer {
         const double share = static_cast<double>(number) / settings_.updates;
         const double rate = settings_.learning_rate *
                             (0.01 + 0.99 * 0.5 * (1.0 + std::cos(std::numbers::pi * std::min(1.0, share))));
-        for (auto& group : optimiser_->param_groups())
-            static_cast<torch::optim::AdamOptions&>(group.options()).lr(rate);
+        setRate(*optimiser_, rate);
         const std::int64_t batch = settings_.batch;
-        std::vector<std::int64_t> which(static_cast<std::size_t>(batch));
-        for (auto& one : which)
-            one = static_cast<std::int64_t>(random_.below(static_cast<std::uint64_t>(ends_.size(0))));
-        const Tensor chosen = torch::tensor(which);
+        const Tensor chosen = drawnIndices(random_, ends_.size(0), batch);
         // Variance stays: a kernel estimate of their density (Silverman 1986, section 6.4).
         const Tensor end =
             std::sqrt(1.0 - settings_.smoothing * settings_.smoothing) * ends_.index_select(0, chosen) +
@@ -113,10 +111,7 @@ class FlowTrainer {
         return loss.item<double>();
     }
 
-    [[nodiscard]] bool sound() const {
-        return std::ranges::all_of(network_->parameters(),
-                                   [](const Tensor& one) { return one.isfinite().all().item<bool>(); });
-    }
+    [[nodiscard]] bool sound() const { return fitFloat16(network_->parameters()); }
     void append(std::vector<NamedArray>& out) const { network_->append("network", out); }
 
   private:
@@ -168,14 +163,6 @@ NetworkWeights weightsOf(const Courses& courses, const GestureCourses& of, const
     return out;
 }
 
-/// Those that are not another's mirror image.
-std::vector<Demonstration> asGiven(const std::vector<Demonstration>& set, const std::vector<Vec3>& given_m) {
-    std::vector<Demonstration> out;
-    for (const Demonstration& one : set)
-        if (std::ranges::find(given_m, one.target) != given_m.end()) out.push_back(one);
-    return out;
-}
-
 /// Begins draws with so much noise that they spread as the demonstrations do; their spread then.
 Result<Spread> setNoise(NetworkWeights& weights, const GestureCourses& courses,
                         const std::vector<Demonstration>& demonstrations, std::uint64_t seed) {
@@ -198,7 +185,7 @@ Result<TrainingOutcome> trainFlow(const DemonstrationSets& data, const FlowSetti
                                   const Provenance& provenance, const fs::path& file,
                                   const TrainingReport& report) {
     constexpr std::size_t fewest = 8;
-    const std::vector<Demonstration> training = asGiven(data.training, data.targets_m);
+    const std::vector<Demonstration>& training = data.training;
     if (training.size() < fewest || data.validation.empty())
         return fail(
             file.string(),
@@ -241,8 +228,8 @@ Result<TrainingOutcome> trainFlow(const DemonstrationSets& data, const FlowSetti
             progress.best = true;  // the rate falls: the last is the best
             out.best = tried;
             out.best_update = number;
-            progress.numbers.emplace_back("spread of demonstrations, cm", 100.0 * spread->demonstrated_m);
-            progress.numbers.emplace_back("spread drawn, cm", 100.0 * spread->drawn_m);
+            progress.numbers.emplace_back("spread of demonstrations in cm", 100.0 * spread->demonstrated_m);
+            progress.numbers.emplace_back("spread drawn in cm", 100.0 * spread->drawn_m);
             weights.metrics = {{"spread_demonstrated_m", spread->demonstrated_m},
                                {"spread_drawn_m", spread->drawn_m},
                                {"spread_unguided_m", spread->unguided_m},

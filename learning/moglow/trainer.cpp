@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/random.hpp"
+#include "learning/networks/optimising.hpp"
 #include "learning/networks/tensors.hpp"
 
 namespace deixis::learning {
@@ -13,10 +14,6 @@ namespace deixis::learning {
 namespace {
 
 using motion::ControlledFrames;
-
-void seedTorch(std::uint64_t seed, const std::string& label) {
-    torch::manual_seed(deriveSeed(seed, label) >> 1U);
-}
 
 Sequences asSequence(const ControlledFrames& frames, const std::vector<double>& at_ease,
                      const motion::MoglowShape& shape) {
@@ -124,9 +121,7 @@ Sequences MoglowTrainer::batch(int number) const {
 
 double MoglowTrainer::update(int number) {
     const Sequences sequences = batch(number);
-    for (auto& group : optimiser_->param_groups())
-        static_cast<torch::optim::AdamOptions&>(group.options())
-            .lr(settings_.learning_rate * noam(number, settings_.warm_up));
+    setRate(*optimiser_, settings_.learning_rate * noam(number, settings_.warm_up));
     optimiser_->zero_grad();
     const torch::Tensor loss = model_->bits(sequences.x, sequences.condition).mean();
     const auto bits = loss.item<double>();

@@ -79,12 +79,9 @@ std::vector<double> GaussianProcess::predict(std::span<const double> input) cons
     return {mean.begin(), mean.end()};
 }
 
-std::vector<std::vector<double>> GaussianProcess::leftOutErrors() const {
+MatrixXd GaussianProcess::leftOutErrors() const {
     const MatrixXd inverse = factor_.solve(MatrixXd::Identity(outputs_.rows(), outputs_.rows()));
-    const MatrixXd errors = inverse.diagonal().cwiseInverse().asDiagonal() * (inverse * outputs_);
-    std::vector<std::vector<double>> out;
-    for (const auto& row : errors.rowwise()) out.emplace_back(row.begin(), row.end());
-    return out;
+    return inverse.diagonal().cwiseInverse().asDiagonal() * (inverse * outputs_);
 }
 
 double GaussianProcess::logMarginalLikelihood() const {

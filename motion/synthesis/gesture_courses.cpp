@@ -105,12 +105,10 @@ std::array<Vec3, 3> GestureCourses::arm_m(std::span<const double> course, double
             fingertipPosition(body_->skeleton, body_->map, world, Side::right)};
 }
 
-bool GestureCourses::pointsLeft(const Vec3& target_m) {
-    return handFor(target_m) == Side::left;
-}
-
-Vec3 GestureCourses::inMirror(const Vec3& target_m) {
-    return mirrored(target_m);
+GeneratedClip GestureCourses::perform(const GenerationRequest& asked, std::string_view stream,
+                                      const std::function<std::vector<double>(const Vec3&)>& courseTo) const {
+    if (handFor(asked.target) == Side::right) return rightHanded(courseTo(asked.target), asked, stream);
+    return mirrored({asked.target, rightHanded(courseTo(mirrored(asked.target)), asked, stream)}).gesture;
 }
 
 GeneratedClip GestureCourses::rightHanded(const std::vector<double>& course, const GenerationRequest& asked,

@@ -20,18 +20,16 @@ using tests::TrainingFolder;
 
 namespace {
 
-DemonstrationSets thirteenOf(bool mirrored) {
-    motion::DemonstrationParameters parameters;
-    parameters.left_count = 0;
-    parameters.right_count = 13;
-    auto out = splitDemonstrations(
-        motion::makeDemonstrations(motion::referenceHumanoid(), parameters).value(), mirrored);
-    out.sha256 = "thirteen";
-    return out;
-}
-
 const DemonstrationSets& thirteen() {
-    static const DemonstrationSets data = thirteenOf(true);
+    static const DemonstrationSets data = [] {
+        motion::DemonstrationParameters parameters;
+        parameters.left_count = 0;
+        parameters.right_count = 13;
+        auto out = splitDemonstrations(
+            motion::makeDemonstrations(motion::referenceHumanoid(), parameters).value(), false);
+        out.sha256 = "thirteen";
+        return out;
+    }();
     return data;
 }
 
@@ -72,7 +70,6 @@ TEST_SUITE("learning/flow_training") {
         const auto weights = motion::readWeights(file, "flow");
         REQUIRE(weights.has_value());
         CHECK(weights->commit == "abc");
-        // Mirror images teach nothing more.
         CHECK(weights->number("demonstrations").value() == 12.0);
         const auto system = motion::makeFlow(*weights, motion::referenceHumanoid());
         REQUIRE(system.has_value());
@@ -104,7 +101,7 @@ TEST_SUITE("learning/flow_training") {
         const auto model = motion::FlowMatching::of(
             *weights, motion::GestureCourses::of(motion::referenceHumanoid(), eye_limit_rad).value());
         REQUIRE(model.has_value());
-        const Spread other_draws = flowSpread(*model, thirteenOf(false).training, 99);
+        const Spread other_draws = flowSpread(*model, thirteen().training, 99);
         CHECK(std::abs(other_draws.drawn_m / demonstrated - 1.0) < 0.3);
         CHECK(std::abs(other_draws.demonstrated_m - demonstrated) < 1e-6);
     }

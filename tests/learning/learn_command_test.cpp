@@ -68,6 +68,21 @@ TEST_SUITE("learning/command") {
         CHECK_FAILS_SAYING(played(scratch, weights), weights, "checksum");
     }
 
+    TEST_CASE("flow learns of each demonstration once, in seconds, and what it has made points") {
+        const Scratch scratch;
+        const std::string weights = scratch / "w";
+        const auto done = program("learn flow --updates 500 --validate-every 500 -o " + weights);
+        CHECK_MESSAGE(done.status == 0, done.err);
+        CHECK(contains(done.out, "48 synthetic demonstrations to train on, 4 held out"));
+        CHECK_FALSE(fs::exists(weights + ".training"));
+        CHECK(contains(slurp(weights + ".curves.csv"), "\n,500,spread drawn in cm,"));
+        spill(scratch / "targets.csv", "target_id,x,y,z\nA,0.8,1.2,1.7\n");
+        CHECK(program("generate flow --weights " + weights + " --targets " + (scratch / "targets.csv") +
+                      " -o " + (scratch / "made"))
+                  .status == 0);
+        CHECK(program("learn flow --no-mirror -o " + weights).status == 2);
+    }
+
     TEST_CASE(
         "two processes on the loopback share a training, and a rank without its place says what is missing") {
         const Scratch scratch;

@@ -76,14 +76,15 @@ TEST_SUITE("motion/gaussian_process") {
         }
         const Kernel kernel{2.0, 0.5, 0.8, 0.05};
         const auto errors = GaussianProcess(inputs, outputs, kernel).leftOutErrors();
-        REQUIRE(errors.size() == inputs.size());
+        REQUIRE(errors.rows() == static_cast<Eigen::Index>(inputs.size()));
         for (std::size_t left_out = 0; left_out < inputs.size(); ++left_out) {
             auto others = inputs, their_outputs = outputs;
             others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
             their_outputs.erase(their_outputs.begin() + static_cast<std::ptrdiff_t>(left_out));
             const auto predicted = GaussianProcess(others, their_outputs, kernel).predict(inputs[left_out]);
             for (std::size_t d = 0; d < 2; ++d)
-                CHECK(errors[left_out][d] == Approx(outputs[left_out][d] - predicted[d]));
+                CHECK(errors(static_cast<Eigen::Index>(left_out), static_cast<Eigen::Index>(d)) ==
+                      Approx(outputs[left_out][d] - predicted[d]));
         }
     }
 

@@ -41,9 +41,6 @@ struct AmpSettings {
     /// which some policies keep pointing.
     double task_after_hold = 0.0;
     double target_spread_m = 0.1;  ///< a target is drawn within this of the demonstration's, on each axis
-    /// But for this share of the plays it is drawn from the whole box of the training targets, where the
-    /// demonstration's is the nearest. Not of the paper. With .5 a policy came out less exact, near and far.
-    double cell_share = 0.0;
 
     int environments = 256;
     int horizon = 32;  ///< controls an iteration of each
@@ -71,7 +68,6 @@ struct AmpSettings {
     int demonstration_repeats = 4;          ///< times that each is followed, with other noise
 
     // Not of the paper, and off ("AMP+", docs/learning.md):
-    double from_begin = 0.0;  ///< share of plays that start where their demonstration does; others within it
     /// Of the square of the slope of an action's log-probability over what the policy sees, standardised
     /// (Chen, He, Wang, Liao, Ze, Li, Sastry, Wu, Sreenath, Gupta & Peng 2025).
     double lipschitz_penalty = 0.0;

@@ -27,10 +27,11 @@ struct FlowSettings {
     std::uint64_t seed = 1;
 };
 
-/// Trains, and writes the weights to `file` in float32 whenever they are better. Mirror images of
-/// demonstrations are left: the left hand is learned from its own mirrored. Fails with fewer than eight
-/// demonstrations to train on or none held out, and where the training diverges. Reports "squared error", as
-/// a share of the variance of what is predicted, and where the model was tried out its measures.
+/// Trains, and writes the weights to `file` in float32 whenever they are better. `data` is without
+/// mirror images, which would be its demonstrations twice: the left hand is learned mirrored. Fails with
+/// fewer than eight demonstrations to train on or none held out, and where the training diverges. Reports
+/// "squared error", as a share of the variance of what is predicted, and where the model was tried out its
+/// measures.
 [[nodiscard]] Result<TrainingOutcome> trainFlow(const DemonstrationSets& data, const FlowSettings& settings,
                                                 const Provenance& provenance,
                                                 const std::filesystem::path& file,

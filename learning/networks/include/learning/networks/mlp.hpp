@@ -1,3 +1,4 @@
+// A plain network, in LibTorch.
 #pragma once
 
 #include <torch/torch.h>

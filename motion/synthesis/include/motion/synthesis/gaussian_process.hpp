@@ -37,9 +37,9 @@ class GaussianProcess {
     [[nodiscard]] const std::vector<std::vector<double>>& inputs() const { return inputs_; }
     /// The posterior's mean.
     [[nodiscard]] std::vector<double> predict(std::span<const double> input) const;
-    /// By how much each observation is off what the others alone predict for its input, output after output
+    /// By how much each observation is off what the others alone predict for its input, a row for each
     /// (Rasmussen & Williams 2006, Eq. 5.12, with this kernel).
-    [[nodiscard]] std::vector<std::vector<double>> leftOutErrors() const;
+    [[nodiscard]] Eigen::MatrixXd leftOutErrors() const;
     /// Of the outputs together, the variance that they share being the most likely one.
     [[nodiscard]] double logMarginalLikelihood() const;
 

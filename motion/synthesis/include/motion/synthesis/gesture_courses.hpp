@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -55,18 +56,11 @@ class GestureCourses {
     /// The clip of the course that `courseTo` gives for a target on the right hand's side, held as asked for;
     /// a target of the left hand's is pointed at in the mirror. `stream` names the random numbers of what
     /// makes a hold unsteady.
-    template <typename CourseTo>
-    [[nodiscard]] GeneratedClip perform(const GenerationRequest& asked, std::string_view stream,
-                                        const CourseTo& courseTo) const {
-        if (!pointsLeft(asked.target)) return rightHanded(courseTo(asked.target), asked, stream);
-        const Vec3 seen_in_mirror = inMirror(asked.target);
-        const Demonstration there{asked.target, rightHanded(courseTo(seen_in_mirror), asked, stream)};
-        return mirrored(there).gesture;
-    }
+    [[nodiscard]] GeneratedClip perform(
+        const GenerationRequest& asked, std::string_view stream,
+        const std::function<std::vector<double>(const Vec3&)>& courseTo) const;
 
   private:
-    [[nodiscard]] static bool pointsLeft(const Vec3& target_m);
-    [[nodiscard]] static Vec3 inMirror(const Vec3& target_m);
     [[nodiscard]] LocalPose poseAt(std::span<const double> course, double aligned_time) const;
     [[nodiscard]] GeneratedClip rightHanded(const std::vector<double>& course, const GenerationRequest& asked,
                                             std::string_view stream) const;
