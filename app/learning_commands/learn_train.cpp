@@ -12,6 +12,7 @@
 #include "app/program/command_options.hpp"
 #include "app/program/progress_line.hpp"
 #include "app/program/written_output.hpp"
+#include "blas_kernels.hpp"
 #include "core/number.hpp"
 #include "demonstrations.hpp"
 #include "learn_commands.hpp"
@@ -135,6 +136,7 @@ Result<void> runTraining(const LearnTrainArguments& options) {
         requireUsage("--clusters or --bandwidth");
     const bool tells = !request.rank || request.rank->rank == 0;
     if (!canTrain()) return tl::unexpected(train(request, {}, {}, {}).error());
+    restartWithFastBlas();
 
     std::error_code code;
     const fs::path state(options.out + ".training");

@@ -122,7 +122,7 @@ void AmpTrainer::restart(int iterations) {
 void AmpTrainer::update(torch::optim::Adam& optimiser, const std::vector<Tensor>& parameters,
                         const Tensor& loss) {
     optimiser.zero_grad();
-    loss.backward();
+    loss.backward({}, {}, false, parameters);
     ranks_.averageGradients(parameters);
     torch::nn::utils::clip_grad_norm_(parameters, max_gradient_norm);
     optimiser.step();
@@ -211,10 +211,16 @@ AmpTrainer::Rollout AmpTrainer::rollOut(double noise_rad) {
 
 void AmpTrainer::setStyle(Rollout& rollout) {
     torch::NoGradGuard no_gradient;
-    const Tensor logits = discriminator_->forward(
-        pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_)),
-        rollout.phase);
-    rollout.style = 2.0 * torch::softplus(logits).clamp_max(largest_style);  // -2 ln(1 - sigmoid)
+    rollout.pairs = pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_));
+    std::vector<Tensor> logits;
+    // All at once would not fit into a processor's cache.
+    constexpr std::int64_t portion = 512;
+    for (std::int64_t begin = 0; begin < rollout.pairs.size(0); begin += portion) {
+        const std::int64_t count = std::min(portion, rollout.pairs.size(0) - begin);
+        logits.push_back(discriminator_->forward(rollout.pairs.narrow(0, begin, count),
+                                                 rollout.phase.narrow(0, begin, count)));
+    }
+    rollout.style = 2.0 * torch::softplus(torch::cat(logits)).clamp_max(largest_style);  // -2 ln(1 - sigmoid)
 }
 
 void AmpTrainer::setAdvantages(Rollout& rollout) {
@@ -282,7 +288,7 @@ void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool acto
 
 void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
     const std::int64_t size = settings_.discriminator_batch;
-    const Tensor now = pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_));
+    const Tensor& now = rollout.pairs;
     const std::int64_t past = std::min<std::int64_t>(remembered_, settings_.remembered);
     const std::int64_t from_past = past > 0 ? size / 2 : 0;
     for (int i = 0; i < settings_.discriminator_updates; ++i) {
@@ -307,7 +313,7 @@ void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
                             (told_apart + settings_.gradient_penalty * slope.square().sum(1).mean() +
                              settings_.logit_decay * discriminator_->lastWeight().square().sum());
         discriminator_optimiser_->zero_grad();
-        loss.backward();
+        loss.backward({}, {}, false, discriminator_->parameters());  // none for the input
         ranks_.averageGradients(discriminator_->parameters());
         discriminator_optimiser_->step();
         out.agent_logit += agent.mean().item<double>() / settings_.discriminator_updates;
@@ -316,7 +322,7 @@ void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
 }
 
 void AmpTrainer::remember(const Rollout& rollout) {
-    const Tensor now = pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_));
+    const Tensor& now = rollout.pairs;
     const Tensor some = drawnIndices(random_, now.size(0), settings_.remembered_each);
     const Tensor places = torch::remainder(
         torch::arange(remembered_, remembered_ + settings_.remembered_each), settings_.remembered);

@@ -52,6 +52,7 @@ class AmpTrainer {
     /// The controls of an iteration, environment after environment within each time, flattened.
     struct Rollout {
         torch::Tensor seen, after, action, mean;
+        torch::Tensor pairs;  ///< what the discriminator is shown
         torch::Tensor phase, task, style;
         torch::Tensor ended, fallen;
         torch::Tensor advantage, returned;

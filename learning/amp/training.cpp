@@ -10,6 +10,7 @@
 #include <mutex>
 #include <thread>
 
+#include "learning/networks/optimising.hpp"
 #include "motion/skeleton/gesture_phases.hpp"
 #include "physics/figure/figure.hpp"
 #include "policy_training.hpp"
@@ -220,7 +221,7 @@ Result<TrainingOutcome> trainAmp(const DemonstrationSets& data, const AmpTrainin
     if (!body) return tl::unexpected(body.error());
     const auto ranks = Ranks::join(training.rank);
     if (!ranks) return tl::unexpected(ranks.error());
-    torch::set_num_threads(1);
+    setUpTorch(1);
     const auto base = physics::BaseMotion::meanOf(*features, data.training);
     auto references = makeReferences(*body, base, data.training, training.settings);
     if (!references) return tl::unexpected(references.error());

@@ -194,7 +194,7 @@ Result<TrainingOutcome> trainFlow(const DemonstrationSets& data, const FlowSetti
     const motion::Skeleton& avatar = training.front().gesture.clip.skeleton;
     const auto of = GestureCourses::of(avatar, settings.eye_limit_rad);
     if (!of) return tl::unexpected(of.error());
-    torch::set_num_threads(1);
+    setUpTorch(1);
     const Courses courses = coursesOf(*of, training, settings.shape.directions);
     FlowTrainer trainer(courses, settings);
     TrainingOutcome out;

@@ -60,7 +60,7 @@ MoglowTrainer::MoglowTrainer(const DemonstrationSets& data, const motion::PoseFe
       scale_(scaleOf(data.training, features)),
       raise_s_(meanRaise_s(data.training)),
       hold_s_(meanHold_s(data.training)) {
-    torch::set_num_threads(settings.threads);
+    setUpTorch(settings.threads);
     const std::vector<double> at_ease = scale_.standardised(std::vector<double>(features.size(), 0.0));
     const auto sequenceOf = [&](const motion::Demonstration& one) {
         return asSequence(framesOf(one, features, scale_, settings), at_ease, settings.shape);

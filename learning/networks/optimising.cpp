@@ -1,8 +1,20 @@
 #include "learning/networks/optimising.hpp"
 
+#include <malloc.h>
+
+#include <limits>
 #include <vector>
 
 namespace deixis::learning {
+
+void setUpTorch(int threads) {
+    torch::set_num_threads(threads);
+#ifdef M_MMAP_THRESHOLD  // the GNU library's
+    constexpr int largest_threshold = 32 << 20;
+    mallopt(M_MMAP_THRESHOLD, largest_threshold);
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+#endif
+}
 
 void seedTorch(std::uint64_t seed, const std::string& label) {
     torch::manual_seed(deriveSeed(seed, label) >> 1U);

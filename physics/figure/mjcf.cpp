@@ -22,9 +22,10 @@ class Writer {
             "<mujoco model=\"deixis\">\n"
             "  <compiler angle=\"radian\"/>\n"
             "  <option timestep=\"{}\" gravity=\"0 -9.81 0\" integrator=\"Euler\">{}</option>\n"
+            "  <size nconmax=\"{}\" njmax=\"{}\"/>\n"
             "  <default><geom contype=\"0\" conaffinity=\"{}\" friction=\"1 0.005 0.0001\"/></default>\n"
             "  <worldbody>\n",
-            step_s, pinned ? "<flag contact=\"disable\"/>" : "", pinned ? 0 : 1);
+            step_s, pinned ? "<flag contact=\"disable\"/>" : "", contacts(), constraints(), pinned ? 0 : 1);
         if (!pinned)
             out_ +=
                 "    <geom name=\"floor\" type=\"plane\" size=\"10 10 1\" zaxis=\"0 1 0\" contype=\"1\" "
@@ -40,6 +41,21 @@ class Writer {
     }
 
   private:
+    /// The most points at which the segments touch the floor. MuJoCo's own guess at this and at the
+    /// constraints takes megabytes a body, which a reset clears.
+    [[nodiscard]] std::size_t contacts() const {
+        constexpr std::size_t of_box = 8, of_capsule = 2;
+        std::size_t out = 1;
+        if (figure_.stance == Stance::free)
+            for (const Segment& one : figure_.segments) out += isBox(one.shape) ? of_box : of_capsule;
+        return out;
+    }
+    [[nodiscard]] std::size_t constraints() const {
+        constexpr std::size_t edges = 4;  // of the pyramid that stands for a point's friction cone
+        return figure_.hinges.size() + edges * contacts();
+    }
+    [[nodiscard]] static bool isBox(const Shape& shape) { return shape.half_box_m != Vec3(0.0); }
+
     void body(std::size_t index) {
         const Segment& segment = figure_.segments[index];
         const bool root = segment.parent < 0;
@@ -67,12 +83,12 @@ class Writer {
     }
 
     void shape(const Shape& shape) {
-        if (shape.half_box_m == Vec3(0.0))
-            out_ += fmt::format("<geom type=\"capsule\" fromto=\"{} {}\" size=\"{}\"/>\n",
-                                numbers(shape.from_m), numbers(shape.to_m), shape.radius_m);
-        else
+        if (isBox(shape))
             out_ += fmt::format("<geom type=\"box\" pos=\"{}\" size=\"{}\"/>\n",
                                 numbers(0.5 * (shape.from_m + shape.to_m)), numbers(shape.half_box_m));
+        else
+            out_ += fmt::format("<geom type=\"capsule\" fromto=\"{} {}\" size=\"{}\"/>\n",
+                                numbers(shape.from_m), numbers(shape.to_m), shape.radius_m);
     }
 
     const Figure& figure_;
