@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <system_error>
 #include <thread>
 
@@ -93,16 +95,21 @@ bool isLocked(const SQLite::Exception& problem) {
 
 Result<SQLite::Database> openToWrite(const fs::path& path, Missing missing,
                                      std::chrono::milliseconds patience) {
+    using Clock = std::chrono::steady_clock;
     // SQLite does not wait for every lock: where two might wait for each other, one is rejected at once.
-    const auto until = std::chrono::steady_clock::now() + patience;
+    constexpr std::chrono::milliseconds between{20};
+    // A machine that was stopped meanwhile (a laptop's lid, a virtual machine) has not waited all that long.
+    constexpr std::chrono::nanoseconds longest_try = std::chrono::seconds(2);
+    std::chrono::nanoseconds waited{0};
     for (;;) {
+        const auto begin = Clock::now();
         try {
             return openOnce(path, missing);
         } catch (const SQLite::Exception& problem) {
-            if (!isLocked(problem) || std::chrono::steady_clock::now() >= until) throw;
+            if (!isLocked(problem) || waited >= patience) throw;
         }
-        constexpr std::chrono::milliseconds between{20};
         std::this_thread::sleep_for(between);
+        waited += std::min<std::chrono::nanoseconds>(Clock::now() - begin, longest_try);
     }
 }
 

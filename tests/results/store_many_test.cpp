@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "fixtures.hpp"
@@ -121,6 +123,30 @@ TEST_SUITE("results/store many") {
         CHECK(failed == 0);
         CHECK(SQLite::Database(path.string()).execAndGet("SELECT count(*) FROM responses").getInt() ==
               stations);
+    }
+
+    TEST_CASE("Whoever waits while the machine stands still waits on when it goes on") {
+        const fixtures::Folder folder;
+        const auto path = folder / "a.sqlite";
+        const auto study = fixtures::study({"direct"});
+        { const Store made = fixtures::open(path, Durability::each_answer); }
+        SQLite::Database other(path.string(), SQLite::OPEN_READWRITE);
+        other.exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE");
+        constexpr std::chrono::milliseconds before{300}, stopped{3000}, after{1500}, patience{2600};
+        const pid_t child = ::fork();
+        REQUIRE(child >= 0);
+        if (child == 0) ::_exit(Store::open(path, Durability::each_answer, patience) ? 0 : 1);
+        std::this_thread::sleep_for(before);
+        ::kill(child, SIGSTOP);  // to the child it is as if the machine stood still
+        std::this_thread::sleep_for(stopped);
+        ::kill(child, SIGCONT);
+        std::this_thread::sleep_for(after);
+        other.exec("COMMIT; PRAGMA locking_mode = NORMAL");
+        (void)other.execAndGet("SELECT count(*) FROM participants").getInt();  // lets go of the lock
+        int status = 0;
+        REQUIRE(::waitpid(child, &status, 0) == child);
+        CHECK(WIFEXITED(status));
+        CHECK(WEXITSTATUS(status) == 0);
     }
 
     TEST_CASE("What a further participant costs does not grow with those who are there") {

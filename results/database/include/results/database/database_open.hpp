@@ -28,7 +28,7 @@ enum class Missing : unsigned char {
 /// newest version. Foreign keys are enforced, the
 /// journal is a write-ahead log, and each transaction waits for the disk. Nothing is opened or made beside
 /// the log or journal of a database that is not there. Failing SQLite calls throw; a lock does only after
-/// `patience`.
+/// `patience`, in which a time that the machine stood still does not count.
 [[nodiscard]] Result<SQLite::Database> openToWrite(const std::filesystem::path& path, Missing missing,
                                                    std::chrono::milliseconds patience = opening_patience);
 
