@@ -41,9 +41,9 @@ if has chromium "report.png, evaluation.png"; then
     "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
     page_picture "$scratch/report.html" 990 report.png
     "$program" targets --grid >"$scratch/grid.csv"
-    for system in demonstration-nn direct stiff drifting; do
+    for system in gt-nn moglow amp-base amp-pfnn-8; do
         "$program" generate "$system" --targets "$scratch/grid.csv" -o "$scratch/$system" >/dev/null
     done
-    "$program" evaluate "$scratch"/{demonstration-nn,direct,stiff,drifting} -o "$scratch/evaluation.html"
+    "$program" evaluate "$scratch"/{gt-nn,moglow,amp-base,amp-pfnn-8} -o "$scratch/evaluation.html"
     page_picture "$scratch/evaluation.html" 1000 evaluation.png
 fi

@@ -16,7 +16,8 @@ std::string studyWithManifest() {
 void copySimulated(const std::string& database) {
     static const Scratch lab{WithSharedStimuli{}};
     if (!fs::exists(lab / "study.sqlite"))
-        REQUIRE(program("simulate pointing2023 --participants 1 --db " + (lab / "study.sqlite")).status == 0);
+        REQUIRE(program("simulate pointing2023-stand-ins --participants 1 --db " + (lab / "study.sqlite"))
+                    .status == 0);
     const fs::path to = fs::path(database).parent_path();
     fs::copy(lab / "study.sqlite", database);
     fs::copy(lab / "study.locked", to / "study.locked", fs::copy_options::recursive);
@@ -48,7 +49,7 @@ TEST_SUITE("app/bad-input") {
     TEST_CASE("wrong usage ends with status 2 and says what was expected") {
         for (const std::string arguments :
              {"", "no-such-command", "run", "targets", "generate direct", "plan pointing2023", "report",
-              "simulate pointing2023 --db x -n 3"}) {
+              "simulate pointing2023-stand-ins --db x -n 3"}) {
             INFO(arguments);
             const auto finished = program(arguments);
             CHECK(finished.status == 2);
@@ -193,7 +194,7 @@ TEST_SUITE("app/bad-input") {
     TEST_CASE("a report is never written over a database") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
-        REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
+        REQUIRE(program("simulate pointing2023-stand-ins --participants 1 --db " + database).status == 0);
         const std::string before = slurp(database);
         CHECK_FAILS_SAYING(program("report " + database + " -o " + database), "study.sqlite", "database");
         CHECK_FAILS_SAYING(
@@ -223,7 +224,8 @@ TEST_SUITE("app/bad-input") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         const auto run = [&] {
-            return program("run pointing2023 --station simulated --participant P01 --db " + database);
+            return program("run pointing2023-stand-ins --station simulated --participant P01 --db " +
+                           database);
         };
         SUBCASE("not a database") {
             spill(database,
@@ -247,9 +249,9 @@ TEST_SUITE("app/bad-input") {
             CHECK_FAILS_SAYING(run(), "study.sqlite", "lock");
         }
         SUBCASE("in a folder that cannot be written") {
-            CHECK_FAILS_SAYING(
-                program("run pointing2023 --station simulated --participant P01 --db /proc/study.sqlite"),
-                "/proc/study.sqlite");
+            CHECK_FAILS_SAYING(program("run pointing2023-stand-ins --station simulated --participant P01 "
+                                       "--db /proc/study.sqlite"),
+                               "/proc/study.sqlite");
         }
         SUBCASE("of another study") {
             copySimulated(database);

@@ -271,12 +271,12 @@ TEST_SUITE("app/command_convention") {
         spill(scratch / "clip.png", "mine");
         CHECK_FAILS_SAYING(programIn(scratch, "view clip.bvh --screenshot clip.png"), "clip.png", "--force");
         CHECK_FAILS_SAYING(
-            programIn(scratch, "run pointing2023 --station simulated --screenshot rating=clip.png"),
+            programIn(scratch, "run pointing2023-stand-ins --station simulated --screenshot rating=clip.png"),
             "clip.png", "--force");
         CHECK_FAILS_SAYING(programIn(scratch, "replay s.sqlite --participant P01 --mp4 clip.png"), "clip.png",
                            "--force");
         CHECK(filesBelow(scratch.path()) > 3);
-        CHECK_FALSE(fs::exists(scratch / "pointing2023.sqlite"));
+        CHECK_FALSE(fs::exists(scratch / "pointing2023-stand-ins.sqlite"));
     }
 
     TEST_CASE("Spellings of earlier versions go on working") {

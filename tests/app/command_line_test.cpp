@@ -106,7 +106,7 @@ TEST_SUITE("app/command_line") {
         for (const Case& one :
              {Case{"chek pointing2023", "deixis: there is no command chek. Did you mean check?"},
               Case{"clips chek x.bvh", "deixis clips: there is no command chek. Did you mean check?"},
-              Case{"run pointing2023 --partcipant P01",
+              Case{"run pointing2023-stand-ins --partcipant P01",
                    "deixis run: there is no option --partcipant. Did you mean --participant?"},
               Case{"report --jsno=x y.sqlite",
                    "deixis report: there is no option --jsno. Did you mean --json?"},

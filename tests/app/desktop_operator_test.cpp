@@ -48,8 +48,8 @@ TEST_SUITE("app/desktop_operator") {
         const Display display;
         const std::string database = scratch / "study.sqlite";
         Background session(Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1 " + programFile() +
-                           " run pointing2023 --participant P01 --operator --size 480x320 --db " + database +
-                           " >" + (scratch / "out") + " 2>&1");
+                           " run pointing2023-stand-ins --participant P01 --operator --size 480x320 --db " +
+                           database + " >" + (scratch / "out") + " 2>&1");
         const bool opened = eventually(120.0, [&] {
             return Display::xdotool("search --onlyvisible --name experimenter").status == 0 ||
                    !session.running();
@@ -157,11 +157,12 @@ TEST_SUITE("app/desktop_operator") {
         const Scratch scratch;
         const Display display;
         CHECK_FAILS_SAYING(
-            program("run pointing2023 --operator --size 1280x700 --db " + (scratch / "s.sqlite"),
+            program("run pointing2023-stand-ins --operator --size 1280x700 --db " + (scratch / "s.sqlite"),
                     Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1"),
             "--operator", "second monitor");
-        CHECK_FAILS_SAYING(program("run pointing2023 --operator --fullscreen --db " + (scratch / "s.sqlite"),
-                                   Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1"),
-                           "--operator", "--fullscreen");
+        CHECK_FAILS_SAYING(
+            program("run pointing2023-stand-ins --operator --fullscreen --db " + (scratch / "s.sqlite"),
+                    Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1"),
+            "--operator", "--fullscreen");
     }
 }

@@ -12,8 +12,8 @@ TEST_SUITE("app/desktop") {
         const Display display;
         const std::string database = scratch / "study.sqlite";
         Background session(Display::environment() + " LIBGL_ALWAYS_SOFTWARE=1 " + programFile() +
-                           " run pointing2023 --participant P01 --size 480x320 --db " + database + " >" +
-                           (scratch / "out") + " 2>&1");
+                           " run pointing2023-stand-ins --participant P01 --size 480x320 --db " + database +
+                           " >" + (scratch / "out") + " 2>&1");
         const std::string window = Display::environment() + " xdotool search --onlyvisible --name P01";
         const bool opened =
             eventually(120.0, [&] { return shell(window).status == 0 || !session.running(); });
@@ -46,22 +46,23 @@ TEST_SUITE("app/desktop") {
 
     TEST_CASE("without a display the desktop station says so and starts nothing else") {
         const Scratch scratch;
-        CHECK_FAILS_SAYING(
-            program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
-                    "env -u DISPLAY -u WAYLAND_DISPLAY"),
-            "display", "simulated");
+        CHECK_FAILS_SAYING(program("run pointing2023-stand-ins --station desktop --participant P01 --db " +
+                                       (scratch / "s.sqlite"),
+                                   "env -u DISPLAY -u WAYLAND_DISPLAY"),
+                           "display", "simulated");
     }
 
     TEST_CASE("a driver without OpenGL 4.5 is named with the version that it has") {
         const Scratch scratch;
         CHECK_FAILS_SAYING(
-            program("run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite") +
-                        " --screenshot rating=" + (scratch / "rating.png"),
+            program("run pointing2023-stand-ins --station simulated --participant P01 --db " +
+                        (scratch / "s.sqlite") + " --screenshot rating=" + (scratch / "rating.png"),
                     "env MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
             "4.5");
         const Display display;
         CHECK_FAILS_SAYING(
-            program("run pointing2023 --station desktop --participant P01 --db " + (scratch / "s.sqlite"),
+            program("run pointing2023-stand-ins --station desktop --participant P01 --db " +
+                        (scratch / "s.sqlite"),
                     Display::environment() + " MESA_GL_VERSION_OVERRIDE=3.3 LIBGL_ALWAYS_SOFTWARE=1"),
             "4.5");
     }

@@ -13,8 +13,8 @@ TEST_SUITE("app/fit") {
                                          "noise_between = 0.25", "noise_between = 0.0"),
                                 "lapse_rate = 0.02", "lapse_rate = 0.1"),
                        "eye_line_share = 0.5", "eye_line_share = 0.7"));
-        REQUIRE(program("simulate pointing2023 --participants 12 --db " + (scratch / "study.sqlite") +
-                        " --parameters " + (scratch / "known.toml"))
+        REQUIRE(program("simulate pointing2023-stand-ins --participants 12 --db " +
+                        (scratch / "study.sqlite") + " --parameters " + (scratch / "known.toml"))
                     .status == 0);
         const auto fit = program("fit " + (scratch / "study.sqlite") + " -o " + (scratch / "observer.toml") +
                                  " --json " + (scratch / "fit.json") + " --level 0.99");
@@ -47,7 +47,7 @@ TEST_SUITE("app/fit") {
                       (scratch / "arm.json"))
                   .status == 0);
         CHECK(json::parse(slurp(scratch / "arm.json"))["pooled"]["aic"] > fitted["pooled"]["aic"]);
-        CHECK(program("simulate pointing2023 --participants 1 --db " + (scratch / "again.sqlite") +
+        CHECK(program("simulate pointing2023-stand-ins --participants 1 --db " + (scratch / "again.sqlite") +
                       " --parameters " + (scratch / "observer.toml"))
                   .status == 0);
     }

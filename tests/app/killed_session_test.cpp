@@ -44,7 +44,7 @@ class Life {
   public:
     explicit Life(std::string database)
         : database_(std::move(database)),
-          setup_(app::loadStudySetup("pointing2023")),
+          setup_(app::loadStudySetup("pointing2023-stand-ins")),
           avatar_(app::loadShippedAvatar()),
           parameters_(studies::loadSimulatedParameters(assets::dataFile("simulated_participant.toml"))) {
         REQUIRE(setup_);

@@ -1,5 +1,7 @@
 // Systems from weights, where nothing is trained: gt-nn keeps a manifest's demonstrations and plays the
 // nearest.
+#include <SQLiteCpp/SQLiteCpp.h>
+
 #include <algorithm>
 
 #include "assets/tables/manifest.hpp"
@@ -96,6 +98,32 @@ TEST_SUITE("app/learned_system") {
             CHECK((*found)["accuracy"]["mean"].get<double>() > one.least_reward);
             CHECK(contains(slurp(scratch / one.name + "/manifest.csv"), "learned-from-synthetic"));
         }
+    }
+
+    // A few of the study's hundred targets: what the sanitizers watch takes long.
+    TEST_CASE(
+        "the paper's study plays the paper's systems, and its report says what they have learned from") {
+        const Scratch scratch;
+        std::string study = slurp(sourceDir() / "assets/data/studies/pointing2023.toml");
+        study = replaced(study, "count = 100 ", "count = 9 ");
+        study = replaced(study, "items = 5 ", "items = 2 ");
+        study = replaced(study, "items = 10 ", "items = 2 ");
+        spill(scratch / "study.toml", study);
+        const std::string database = scratch / "s.sqlite";
+        const auto done =
+            program("simulate " + (scratch / "study.toml") + " --participants 2 --db " + database);
+        REQUIRE_MESSAGE(done.status == 0, done.err);
+        SQLite::Database stored(database);
+        for (const char* name : {"gt-nn", "moglow", "amp-base", "amp-pfnn-8"}) {
+            CAPTURE(name);
+            SQLite::Statement shown(stored, "SELECT count(*) FROM trial_stimuli WHERE system = ?");
+            shown.bind(1, name);
+            REQUIRE(shown.executeStep());
+            CHECK(shown.getColumn(0).getInt() >= 2 * (2 + 2));  // and those of practice
+        }
+        const auto report = program("report " + database + " --resamples 200 -o " + (scratch / "r.html"));
+        REQUIRE_MESSAGE(report.status == 0, report.err);
+        CHECK(contains(slurp(scratch / "r.html"), "synthetic"));
     }
 
     TEST_CASE("a program without trainers says how to get them") {

@@ -44,8 +44,8 @@ TEST_SUITE("app/power") {
                 CHECK(at["lower"] <= at["estimate"]);
                 CHECK(at["upper"] >= at["estimate"]);
             }
-            const bool plain =
-                contrast["measure"] == "accuracy" && contrast["a"] == "direct" && contrast["b"] == "drifting";
+            const bool plain = contrast["measure"] == "accuracy" && contrast["a"] == "moglow" &&
+                               contrast["b"] == "amp-pfnn-8";
             if (plain) CHECK(contrast["participants_for_goal"] == 24);
             // Layouts are assumed not to differ.
             if (!contrast["system"].is_null()) CHECK(contrast["participants_for_goal"].is_null());
@@ -76,10 +76,8 @@ TEST_SUITE("app/power") {
         INFO(done.err);
         REQUIRE(done.status == 0);
         const std::map<std::string, std::map<std::string, double>> printed{
-            {"accuracy",
-             {{"demonstration-nn", 0.856}, {"direct", 0.955}, {"stiff", 0.830}, {"drifting", 0.459}}},
-            {"naturalness",
-             {{"demonstration-nn", 4.01}, {"direct", 3.57}, {"stiff", 2.93}, {"drifting", 2.61}}}};
+            {"accuracy", {{"gt-nn", 0.856}, {"amp-pfnn-8", 0.955}, {"amp-base", 0.830}, {"moglow", 0.459}}},
+            {"naturalness", {{"gt-nn", 4.01}, {"amp-pfnn-8", 3.57}, {"amp-base", 2.93}, {"moglow", 2.61}}}};
         const json power = json::parse(slurp(scratch / "power.json"));
         int pairs = 0;
         for (const auto& contrast : power["contrasts"]) {
@@ -92,8 +90,7 @@ TEST_SUITE("app/power") {
             ++pairs;
             const auto& means = printed.at(contrast["measure"]);
             const bool a_higher = means.at(contrast["a"]) > means.at(contrast["b"]);
-            if (contrast["measure"] == "accuracy" && contrast["a"] == "demonstration-nn" &&
-                contrast["b"] == "stiff")
+            if (contrast["measure"] == "accuracy" && contrast["a"] == "gt-nn" && contrast["b"] == "amp-base")
                 CHECK(found["studies"] < 50);
             else
                 CHECK(found[a_higher ? "a_higher" : "b_higher"] >= 80);
@@ -104,17 +101,17 @@ TEST_SUITE("app/power") {
     TEST_CASE("Effects estimated from a database are written to a file that gives the same power.") {
         const Scratch scratch{WithSharedStimuli{}};
         REQUIRE(
-            program("simulate pointing2023 --participants 12 --db " + (scratch / "pilot.sqlite")).status ==
-            0);
+            program("simulate pointing2023-stand-ins --participants 12 --db " + (scratch / "pilot.sqlite"))
+                .status == 0);
         const std::string rest = " --participants 12 --studies 40 --json ";
-        const auto from = program("power pointing2023 --from " + (scratch / "pilot.sqlite") + rest +
+        const auto from = program("power pointing2023-stand-ins --from " + (scratch / "pilot.sqlite") + rest +
                                   (scratch / "from.json") + " --save-effects " + (scratch / "effects.toml"));
         INFO(from.err);
         REQUIRE(from.status == 0);
         CHECK(from.out.find("estimated from 12 participants") != std::string::npos);
         CHECK(from.out.find("simulated participants are among them") != std::string::npos);
-        const auto again = program("power pointing2023 --effect " + (scratch / "effects.toml") + rest +
-                                   (scratch / "again.json"));
+        const auto again = program("power pointing2023-stand-ins --effect " + (scratch / "effects.toml") +
+                                   rest + (scratch / "again.json"));
         INFO(again.err);
         REQUIRE(again.status == 0);
         CHECK(slurp(scratch / "from.json") == slurp(scratch / "again.json"));
@@ -161,9 +158,9 @@ TEST_SUITE("app/power") {
     TEST_CASE("What is wrong with the effects or the options is told in one line.") {
         const Scratch scratch;
         spill(scratch / "effects.toml",
-              replaced(slurp(shipped_effect_file), "stiff = 0.830", "stif = 0.830"));
+              replaced(slurp(shipped_effect_file), "amp-base = 0.830", "amp-bas = 0.830"));
         CHECK_FAILS_SAYING(program("power pointing2023 --effect " + (scratch / "effects.toml")),
-                           "effects.toml:16: accuracy.systems.stif", "Did you mean stiff?");
+                           "effects.toml:16: accuracy.systems.amp-bas", "Did you mean amp-base?");
         CHECK_FAILS_SAYING(program("power pointing2023 --effect nosuch"), "effects/nosuch.toml");
         CHECK_FAILS_SAYING(program("power pointing2023 --from " + (scratch / "nosuch.sqlite")),
                            "nosuch.sqlite");

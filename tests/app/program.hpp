@@ -163,7 +163,7 @@ inline std::string replaced(std::string text, const std::string& from, const std
 }
 
 inline std::string shippedStudy() {
-    return slurp(sourceDir() / "assets/data/studies/pointing2023.toml");
+    return slurp(sourceDir() / "assets/data/studies/pointing2023-stand-ins.toml");
 }
 
 }  // namespace deixis::tests

@@ -48,17 +48,18 @@ TEST_SUITE("app/push server") {
         const std::string url = server->url(name);
         const std::string report = "report '" + url + "' --resamples 200 -o " + (scratch / "r.html");
         CHECK_FAILS_SAYING(program(report), "there is no study yet");
-        spill(scratch / "other.toml", replaced(shippedStudy(), "pointing2023", "another"));
+        spill(scratch / "other.toml",
+              replaced(shippedStudy(), "name = \"pointing2023-stand-ins\"", "name = \"another\""));
         REQUIRE(program("simulate " + (scratch / "other.toml") + " --participants 2 --db " +
                         (scratch / "o.sqlite"))
                     .status == 0);
         pushed(stations().a, url);
         CHECK(program(report).status == 0);
         pushed(scratch / "o.sqlite", url);
-        CHECK_FAILS_SAYING(program(report), "several studies are there", "pointing2023 (", "another (",
-                           "--study");
-        CHECK_FAILS_SAYING(program(report + " --study nothing"), "no study 'nothing'", "pointing2023 (",
-                           "another (");
+        CHECK_FAILS_SAYING(program(report), "several studies are there", "pointing2023-stand-ins (",
+                           "another (", "--study");
+        CHECK_FAILS_SAYING(program(report + " --study nothing"), "no study 'nothing'",
+                           "pointing2023-stand-ins (", "another (");
         REQUIRE(program(report + " --study another").status == 0);
         CHECK(slurp(scratch / "r.html").find("another") != std::string::npos);
         CHECK_FAILS_SAYING(program("report " + stations().a + " --study another"), "--study");

@@ -45,7 +45,7 @@ struct Stations {
     std::string both = folder / "both.sqlite";
 
     Stations() {
-        const auto made = program("simulate pointing2023 --participants 6 --db " + a);
+        const auto made = program("simulate pointing2023-stand-ins --participants 6 --db " + a);
         REQUIRE_MESSAGE(made.status == 0, made.err);
         const std::string rest = folder / "rest.sqlite";
         fs::copy_file(a, rest);

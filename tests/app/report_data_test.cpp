@@ -184,7 +184,7 @@ TEST_SUITE("app/report_data") {
 
     TEST_CASE("what export writes, and the report's own table of answers, give the database's numbers") {
         const Scratch scratch;
-        for (const std::string study : {"genea-pairwise", "pointing2023"}) {
+        for (const std::string study : {"genea-pairwise", "pointing2023-stand-ins"}) {
             const std::string database = scratch / (study + ".sqlite");
             REQUIRE(program("simulate " + study + " --participants 3 --db " + database + " --stimuli " +
                             sharedStimuli())

@@ -10,7 +10,8 @@ using nlohmann::json;
 TEST_SUITE("app/report_observers") {
     TEST_CASE("A simulated study's page leads with the spread of observers; drift stands with the choices") {
         const Scratch scratch{WithSharedStimuli{}};
-        REQUIRE(program("simulate pointing2023 --participants 4 --db " + (scratch / "s.sqlite")).status == 0);
+        REQUIRE(program("simulate pointing2023-stand-ins --participants 4 --db " + (scratch / "s.sqlite"))
+                    .status == 0);
         const auto done = program("report " + (scratch / "s.sqlite") + " -o " + (scratch / "r.html") +
                                   " --json " + (scratch / "r.json") + " --csv " + (scratch / "tables"));
         REQUIRE_MESSAGE(done.status == 0, done.err);

@@ -33,8 +33,8 @@ TEST_SUITE("app/session") {
     TEST_CASE("a session killed at any moment goes on with no answered trial lost or asked twice") {
         const Scratch scratch;
         const std::string database = scratch / "study.sqlite";
-        const std::string command =
-            "run pointing2023 --station simulated --participant P07 --db " + database + " >/dev/null 2>&1";
+        const std::string command = "run pointing2023-stand-ins --station simulated --participant P07 --db " +
+                                    database + " >/dev/null 2>&1";
         std::string before;
         int kills = 0;
         // Three kills in the midst of answering, each from where the last left off.
@@ -58,7 +58,8 @@ TEST_SUITE("app/session") {
         CHECK(kills == 3);
         const int kept = answerCount(database);
         CHECK(kept >= 40);
-        const auto last = program("run pointing2023 --station simulated --participant P07 --db " + database);
+        const auto last =
+            program("run pointing2023-stand-ins --station simulated --participant P07 --db " + database);
         INFO(last.err);
         REQUIRE(last.status == 0);
         CHECK(answerCount(database) == 60);
@@ -73,7 +74,7 @@ TEST_SUITE("app/session") {
     TEST_CASE("a participant who has finished is not asked again") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string run =
-            "run pointing2023 --station simulated --participant P01 --db " + (scratch / "s.sqlite");
+            "run pointing2023-stand-ins --station simulated --participant P01 --db " + (scratch / "s.sqlite");
         const auto first = program(run);
         INFO(first.err);
         REQUIRE(first.status == 0);
@@ -89,9 +90,9 @@ TEST_SUITE("app/session") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
         // Long, so that the first is still under way when the second comes.
-        std::string study = replaced(shippedStudy(), "count = 100 ", "count = 140 ");
-        study = replaced(study, "items = 5 ", "items = 60 ");
-        study = replaced(study, "items = 10 ", "items = 60 ");
+        std::string study = replaced(shippedStudy(), "count = 100\n", "count = 140\n");
+        study = replaced(study, "items = 5\n", "items = 60\n");
+        study = replaced(study, "items = 10\n", "items = 60\n");
         spill(scratch / "study.toml", study);
         const std::string run =
             "run " + (scratch / "study.toml") + " --station simulated --db " + database + " --participant ";
@@ -104,7 +105,7 @@ TEST_SUITE("app/session") {
     TEST_CASE("a simulated participant does not go on with a person's session") {
         const Scratch scratch{WithSharedStimuli{}};
         const std::string database = scratch / "study.sqlite";
-        REQUIRE(program("simulate pointing2023 --participants 1 --db " + database).status == 0);
+        REQUIRE(program("simulate pointing2023-stand-ins --participants 1 --db " + database).status == 0);
         REQUIRE(
             shell(
                 "sqlite3 " + database +
@@ -117,18 +118,18 @@ TEST_SUITE("app/session") {
                 .status == 0);
         const int before = answerCount(database);
         CHECK_FAILS_SAYING(
-            program("run pointing2023 --station simulated --participant S001 --db " + database), "S001",
-            "person", "not mixed");
+            program("run pointing2023-stand-ins --station simulated --participant S001 --db " + database),
+            "S001", "person", "not mixed");
         CHECK(answerCount(database) == before);
     }
 
     TEST_CASE("the simulated participant answers the same drawn or not, here or in a whole study") {
         const Scratch scratch{WithSharedStimuli{}};
-        REQUIRE(program("run pointing2023 --station simulated --participant S002 --db " +
+        REQUIRE(program("run pointing2023-stand-ins --station simulated --participant S002 --db " +
                         (scratch / "one.sqlite"))
                     .status == 0);
-        REQUIRE(program("simulate pointing2023 --participants 2 --db " + (scratch / "many.sqlite")).status ==
-                0);
+        REQUIRE(program("simulate pointing2023-stand-ins --participants 2 --db " + (scratch / "many.sqlite"))
+                    .status == 0);
         const std::string query =
             "select trial_index, value, chosen_place from responses_flat where participant = 'S002' order by "
             "1";

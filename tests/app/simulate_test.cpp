@@ -88,7 +88,7 @@ TEST_SUITE("app/simulate") {
         "made") {
         const Scratch scratch;
         const auto run =
-            program("simulate pointing2023 --participants 39 --db " + (scratch / "study.sqlite"));
+            program("simulate pointing2023-stand-ins --participants 39 --db " + (scratch / "study.sqlite"));
         INFO(run.err);
         REQUIRE(run.status == 0);
         CHECK(run.out.find("2574 trials and pages answered") != std::string::npos);  // 39 x 66
@@ -163,9 +163,9 @@ TEST_SUITE("app/simulate") {
     TEST_CASE("the same study gives the same answers, report and numbers again") {
         const Scratch scratch;
         for (const std::string name : {"a", "b"}) {
-            REQUIRE(
-                program("simulate pointing2023 --participants 3 --db " + (scratch / (name + "/study.sqlite")))
-                    .status == 0);
+            REQUIRE(program("simulate pointing2023-stand-ins --participants 3 --db " +
+                            (scratch / (name + "/study.sqlite")))
+                        .status == 0);
             REQUIRE(program("report " + (scratch / (name + "/study.sqlite")) + " -o " +
                             (scratch / (name + "/report.html")) + " --json " +
                             (scratch / (name + "/analysis.json")))
@@ -182,7 +182,7 @@ TEST_SUITE("app/simulate") {
         const Scratch scratch;
         spill(scratch / "study.sqlite", "precious");
         CHECK_FAILS_SAYING(
-            program("simulate pointing2023 --participants 1 --db " + (scratch / "study.sqlite")),
+            program("simulate pointing2023-stand-ins --participants 1 --db " + (scratch / "study.sqlite")),
             "study.sqlite", "exists already");
         CHECK(slurp(scratch / "study.sqlite") == "precious");
     }

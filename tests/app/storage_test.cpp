@@ -26,8 +26,8 @@ std::uintmax_t sizeOf(const fs::path& file) {
 
 /// A simulated participant's session in the background, its output in files beside the database.
 std::string sessionOf(const Scratch& scratch, const std::string& more) {
-    return programFile() + " run pointing2023 --station simulated --db " + (scratch / "study.sqlite") + " " +
-           more;
+    return programFile() + " run pointing2023-stand-ins --station simulated --db " +
+           (scratch / "study.sqlite") + " " + more;
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ TEST_SUITE("app/storage") {
             // As the message says: under its old name the copy goes on.
             fs::rename(copy, database);
             const auto again =
-                program("run pointing2023 --station simulated --participant P01 --db " + database);
+                program("run pointing2023-stand-ins --station simulated --participant P01 --db " + database);
             INFO(again.err);
             CHECK(again.status == 0);
             CHECK(again.out.find(std::to_string(kept) + " trials and pages answered before") !=
@@ -84,14 +84,15 @@ TEST_SUITE("app/storage") {
         REQUIRE(log.size() > 32);
         fs::rename(database, scratch / "moved.sqlite");
         for (const std::string& arguments :
-             {"run pointing2023 --station simulated --db " + database, "report " + database,
+             {"run pointing2023-stand-ins --station simulated --db " + database, "report " + database,
               "participants list " + database, "export " + database + " -o " + (scratch / "out"),
               "participants exclude " + database + " P01 --reason x"})
             CHECK_FAILS_SAYING(program(arguments), "study.sqlite-wal", "back its name");
         CHECK_FALSE(fs::exists(database));
         CHECK(slurp(database + "-wal") == log);
         fs::rename(scratch / "moved.sqlite", database);
-        const auto again = program("run pointing2023 --station simulated --participant P01 --db " + database);
+        const auto again =
+            program("run pointing2023-stand-ins --station simulated --participant P01 --db " + database);
         INFO(again.err);
         CHECK(again.status == 0);
     }
@@ -101,13 +102,13 @@ TEST_SUITE("app/storage") {
         const std::string database = scratch / "study.sqlite";
         const std::string open = "umask 000; ";
         for (const std::string& arguments :
-             {"run pointing2023 --station simulated --participant P01 --db " + database + " --trace " +
-                  (scratch / "trace.jsonl"),
+             {"run pointing2023-stand-ins --station simulated --participant P01 --db " + database +
+                  " --trace " + (scratch / "trace.jsonl"),
               "report " + database + " -o " + (scratch / "new/report.html") + " --json " +
                   (scratch / "new/analysis.json") + " --csv " + (scratch / "tables") + " --r " +
                   (scratch / "r"),
               "export " + database + " -o " + (scratch / "export"),
-              "simulate pointing2023 --participants 1 --db " + (scratch / "simulated.sqlite"),
+              "simulate pointing2023-stand-ins --participants 1 --db " + (scratch / "simulated.sqlite"),
               "merge " + database + " " + database + " -o " + (scratch / "merged.sqlite"),
               "evaluate " + (scratch / "stimuli") + "/direct-*/manifest.csv -o " +
                   (scratch / "evaluation.html") + " --csv " + (scratch / "evaluation")}) {
@@ -126,7 +127,8 @@ TEST_SUITE("app/storage") {
 
     TEST_CASE("a mistyped participant leaves nothing behind, and a session no lock") {
         const Scratch scratch;
-        const std::string run = "run pointing2023 --station simulated --db " + (scratch / "study.sqlite");
+        const std::string run =
+            "run pointing2023-stand-ins --station simulated --db " + (scratch / "study.sqlite");
         CHECK_FAILS_SAYING(program(run + " --participant 'Anna B.'"), "Anna B.", "P01");
         CHECK(fs::is_empty(scratch.path()));
         REQUIRE(program(run + " --participant P01").status == 0);
@@ -151,7 +153,7 @@ TEST_SUITE("app/storage") {
         const std::string latin = "\"$(printf 'Z\\374rich')\"";
         for (const std::string& arguments :
              {"participants exclude " + (scratch / "study.sqlite") + " P01 --reason " + latin,
-              "run pointing2023 --participant " + latin, "report " + latin}) {
+              "run pointing2023-stand-ins --participant " + latin, "report " + latin}) {
             const auto rejected = program(arguments);
             CHECK(rejected.status == 2);
             CHECK(rejected.err.find("UTF-8") != std::string::npos);
@@ -174,7 +176,7 @@ TEST_SUITE("app/storage") {
              {std::string("report /dev/zero -o r.html"), std::string("check /dev/zero"),
               std::string("stats wilcoxon /dev/zero --a x --b y"), std::string("clips info /dev/zero"),
               std::string("evaluate /dev/zero -o e.html"), std::string("replay /dev/zero --participant P01"),
-              std::string("run pointing2023 --station simulated --db /dev/zero"),
+              std::string("run pointing2023-stand-ins --station simulated --db /dev/zero"),
               std::string("fit /dev/zero"), std::string("generate direct --targets /dev/zero --out x")}) {
             const auto rejected = program(arguments, "cd " + scratch.path().string() + "; " + limit);
             INFO(arguments << ": " << rejected.err);

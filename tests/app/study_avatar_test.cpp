@@ -54,8 +54,8 @@ TEST_SUITE("app/study_avatar") {
                                  (scratch / "s.sqlite") + " --stimuli " + stimuli);
         REQUIRE_MESSAGE(ran.status == 0, ran.err);
         CHECK(avatarHashes(scratch / "s.sqlite") == deixis::sha256Hex(bytes));
-        const auto plain = program("simulate pointing2023 --participants 1 --db " + (scratch / "p.sqlite") +
-                                   " --stimuli " + stimuli);
+        const auto plain = program("simulate pointing2023-stand-ins --participants 1 --db " +
+                                   (scratch / "p.sqlite") + " --stimuli " + stimuli);
         REQUIRE_MESSAGE(plain.status == 0, plain.err);
         CHECK(avatarHashes(scratch / "p.sqlite") == deixis::sha256Hex(slurp(own)));
         const auto clips = [](const std::string& database) {

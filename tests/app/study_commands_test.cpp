@@ -35,7 +35,7 @@ int count(const std::string& database, const std::string& query) {
 
 TEST_SUITE("app/study_commands") {
     TEST_CASE("Every study that ships is checked without a problem, and its plan is printed the same twice") {
-        CHECK(shippedStudies().size() == 7);
+        CHECK(shippedStudies().size() == 8);
         for (const std::string& study : shippedStudies()) {
             CAPTURE(study);
             const auto checked = program("check " + study);
@@ -190,7 +190,7 @@ TEST_SUITE("app/study_commands") {
     TEST_CASE("Tables are written with their codebook, and stations' databases joined") {
         const Scratch scratch;
         const std::string database = scratch / "study.sqlite";
-        REQUIRE(simulated("pointing2023", 2, database).status == 0);
+        REQUIRE(simulated("pointing2023-stand-ins", 2, database).status == 0);
         const auto written = program("export " + database + " --format csv -o " + (scratch / "csv"));
         REQUIRE_MESSAGE(written.status == 0, written.err);
         for (const char* file :
@@ -214,7 +214,7 @@ TEST_SUITE("app/study_commands") {
     TEST_CASE("The trials of a recorded session are listed, and its choices follow from the recorded rays") {
         const Scratch scratch;
         const std::string database = scratch / "study.sqlite";
-        REQUIRE(simulated("pointing2023", 1, database).status == 0);
+        REQUIRE(simulated("pointing2023-stand-ins", 1, database).status == 0);
         const auto listed = program("replay " + database + " --participant S001 --list");
         CHECK(listed.status == 0);
         CHECK(contains(listed.out, "chose ball"));

@@ -54,8 +54,8 @@ TEST_SUITE("app/trace") {
         const std::string database = scratch / "s.sqlite";
         spill(trace, "{\"earlier\": true}\n");
         const auto run =
-            program("run pointing2023 --station simulated --participant P01 --db " + database + " --trace " +
-                    trace + " --size 320x180 --screenshot break=" + (scratch / "break.png") +
+            program("run pointing2023-stand-ins --station simulated --participant P01 --db " + database +
+                    " --trace " + trace + " --size 320x180 --screenshot break=" + (scratch / "break.png") +
                     " over=" + (scratch / "over.png"));
         INFO(run.err);
         REQUIRE(run.status == 0);
@@ -138,7 +138,7 @@ TEST_SUITE("app/trace") {
     TEST_CASE("a trace that cannot be written is rejected before anything is kept") {
         const Scratch scratch;
         const std::string file = scratch / "nowhere/trace.jsonl";
-        CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --participant P01 --db " +
+        CHECK_FAILS_SAYING(program("run pointing2023-stand-ins --station simulated --participant P01 --db " +
                                    (scratch / "s.sqlite") + " --trace " + file),
                            "trace.jsonl", "cannot be opened");
         SQLite::Database db(scratch / "s.sqlite", SQLite::OPEN_READONLY);
@@ -148,8 +148,9 @@ TEST_SUITE("app/trace") {
     TEST_CASE("a storage delay that is no number is rejected") {
         const Scratch scratch;
         for (const char* bad : {"slow", "-1", "0.2s", "nan"})
-            CHECK_FAILS_SAYING(program("run pointing2023 --station simulated --db " + (scratch / "s.sqlite"),
-                                       std::string("env DEIXIS_STORAGE_DELAY_S=") + bad),
-                               "DEIXIS_STORAGE_DELAY_S", bad);
+            CHECK_FAILS_SAYING(
+                program("run pointing2023-stand-ins --station simulated --db " + (scratch / "s.sqlite"),
+                        std::string("env DEIXIS_STORAGE_DELAY_S=") + bad),
+                "DEIXIS_STORAGE_DELAY_S", bad);
     }
 }

@@ -148,10 +148,11 @@ TEST_SUITE("studies/shipped_studies") {
     }
 
     TEST_CASE(
-        "Every example but the paper's own asks for consent before anything else, then about the "
+        "Every example but the paper's own, and it with other systems, asks for consent before anything "
+        "else, then about the "
         "participant.") {
         for (const fs::path& file : shippedFiles()) {
-            if (file.stem() == "pointing2023") continue;
+            if (file.stem().string().starts_with("pointing2023")) continue;
             const Study study = load(file);
             CAPTURE(study.name);
             REQUIRE(study.stages.size() > 2);
@@ -160,6 +161,33 @@ TEST_SUITE("studies/shipped_studies") {
             CHECK(study.stages[1].about_participant);
             for (const char* id : {"age", "gender", "handedness", "vision", "vr_experience"}) {
                 CHECK(study.stages[1].questionnaire.find(id) != nullptr);
+            }
+        }
+    }
+
+    TEST_CASE("The paper's study and its stand-ins' have the same trials, system for system") {
+        const Study paper = shipped("pointing2023"), stand_ins = shipped("pointing2023-stand-ins");
+        std::map<std::string, std::string> in_place_of;
+        REQUIRE(paper.systems.size() == stand_ins.systems.size());
+        for (std::size_t i = 0; i < paper.systems.size(); ++i)
+            in_place_of[paper.systems[i].name] = stand_ins.systems[i].name;
+        const auto targets = targetsOf(paper), same_targets = targetsOf(stand_ins);
+        REQUIRE(targets.size() == 100);
+        for (std::size_t i = 0; i < targets.size(); ++i) CHECK(targets[i].target == same_targets[i].target);
+        for (const int number : {1, 2, 39}) {
+            const auto trials = planOf(paper, targets, number, {}).trials,
+                       same_trials = planOf(stand_ins, same_targets, number, {}).trials;
+            REQUIRE(trials.size() == same_trials.size());
+            for (std::size_t i = 0; i < trials.size(); ++i) {
+                const Trial &one = trials[i], &same = same_trials[i];
+                REQUIRE(one.stimuli.size() == same.stimuli.size());
+                for (std::size_t k = 0; k < one.stimuli.size(); ++k) {
+                    CHECK(one.stimuli[k].item == same.stimuli[k].item);
+                    CHECK(in_place_of.at(one.stimuli[k].system) == same.stimuli[k].system);
+                }
+                CHECK(one.layout == same.layout);
+                CHECK(one.distractors == same.distractors);
+                CHECK(one.ball_order == same.ball_order);
             }
         }
     }
