@@ -12,6 +12,7 @@
 
 #include "app/clips/clip_files.hpp"
 #include "app/clips/clip_retargeting.hpp"
+#include "app/program/progress_line.hpp"
 #include "assets/joints/bvh.hpp"
 #include "assets/joints/clip_import.hpp"
 #include "assets/tables/humanoid_file.hpp"
@@ -329,6 +330,7 @@ std::vector<Error> readStudyClips(const ClipSources& sources, const ClipTaker& t
         own = std::move(*loaded);
         maker = &*own;
     }
+    const ElapsedOnTerminal told("making and reading the study's clips");
     // Systems do not depend on each other, and making and reading their clips is most of a start's work.
     std::vector<std::future<std::vector<Error>>> parts;
     for (const auto& system : systems)

@@ -35,7 +35,7 @@ struct GeneratedClip : GesturePhases {
     Clip clip{};
 };
 
-/// A system: the same request gives the same clip, bit for bit. Safe to use from one thread at a time.
+/// A system: the same request gives the same clip, bit for bit. Several threads may call generate() at once.
 class Generator {
   public:
     virtual ~Generator() = default;
