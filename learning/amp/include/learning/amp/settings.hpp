@@ -40,6 +40,8 @@ struct AmpSettings {
     /// Share of the task's reward that counts once the demonstration's hold is over. The paper's is 1, for
     /// which some policies keep pointing.
     double task_after_hold = 0.0;
+    /// Share of the actuators' last targets that stays when the policy asks for others.
+    double smoothing = 0.5;
     double target_spread_m = 0.1;  ///< a target is drawn within this of the demonstration's, on each axis
 
     int environments = 256;
