@@ -277,8 +277,14 @@ Result<void> writeReport(const std::vector<std::string>& data, const ReportFiles
                      [](const results::Measure& one) { return one.kind == results::MeasureKind::rating; }))
         return fail("--unit", "found \"ratings\", but the data have none",
                     "Leave it out: choices and preferences are tested by participants");
-    const ElapsedOnTerminal working("analysing");
     results::AnalysisOptions named = options;
+    if (!choice.evaluation.empty()) {
+        auto objective = results::readObjectiveAccuracy(choice.evaluation);
+        if (!objective) return tl::unexpected(objective.error());
+        if (auto same = results::checkSameClips(*objective, *table); !same) return same;
+        named.objective = std::move(*objective);
+    }
+    const ElapsedOnTerminal working("analysing");
     named.program = programVersion();
     named.build = buildProperties();
     return writeByStation(std::move(*table), files, named, choice.stations);
@@ -321,6 +327,12 @@ void addReportCommand(Parser cli, Command& chosen) {
     command.addOption("--latex", options->files.latex, "Folder to write every table to, as LaTeX (booktabs)");
     command.addOption("--r", options->files.r,
                       "Folder for the tables and analysis.R, which recomputes them and adds mixed models");
+    command
+        .addOption(
+            "--evaluation", options->choice.evaluation,
+            "JSON of the objective evaluation of the same clips (deixis evaluate): adds how answers and "
+            "Equation 2 go together, by system and by target")
+        .valueName("FILE");
     command.addOption("--stimuli", options->choice.stimuli,
                       "Folder of the clips that the databases' sessions showed [where they were]");
     command.addFlag("--without-clips", options->choice.without_clips,

@@ -1,9 +1,11 @@
 // The evaluation's numbers: JSON, and CSV tables.
-#include "tables.hpp"
+#include <map>
+
 #include "results/evaluation/evaluation.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/outputs/observers_json.hpp"
 #include "results/statistics/descriptive.hpp"
+#include "tables.hpp"
 
 namespace deixis::results {
 
@@ -287,6 +289,24 @@ Table raysTable(const Evaluation& evaluation) {
         rows);
 }
 
+namespace {
+
+/// With each system's accuracy there, the mean where it has several clips.
+Json targetsJson(const Evaluation& evaluation) {
+    std::map<std::string, std::map<std::string, std::vector<double>>> accuracies;
+    for (const MeasuredClip& clip : evaluation.input.clips)
+        if (clip.accuracy) accuracies[clip.target_id][clip.system].push_back(clip.accuracy->reward);
+    Json out = tableJson(targetsTable(evaluation));
+    for (std::size_t i = 0; i < evaluation.points.size(); ++i) {
+        out[i]["accuracy"] = Json::object();
+        for (const auto& [system, values] : accuracies[evaluation.points[i].target_id])
+            out[i]["accuracy"][system] = mean(values);
+    }
+    return out;
+}
+
+}  // namespace
+
 std::string evaluationJson(const Evaluation& evaluation) {
     const EvaluationInput& input = evaluation.input;
     Json out;
@@ -311,7 +331,7 @@ std::string evaluationJson(const Evaluation& evaluation) {
     for (const SystemEvaluation& system : evaluation.systems) systems.push_back(systemJson(system));
     out["systems"] = std::move(systems);
     out["comparisons"] = tableJson(comparisonsTable(evaluation));
-    out["targets"] = tableJson(targetsTable(evaluation));
+    out["targets"] = targetsJson(evaluation);
     if (evaluation.nearest)
         out["observers"] = {{"study", input.study->name},
                             {"readings", readingsJson(evaluation.observers)},

@@ -133,6 +133,9 @@ void addAnswers(Json& out, const AnalysisResult& result) {
     out["accuracy_by_angle"] = tableJson(tables::angles(result));
     out["observers"] = readingsJson(result.observers);
     out["drift"] = tableJson(tables::drift(result));
+    out["objective"] = {{"file", result.options.objective ? Json(result.options.objective->file) : Json()},
+                        {"means", tableJson(tables::objectiveMeans(result))},
+                        {"correlations", tableJson(tables::objectiveCorrelations(result))}};
     out["target_space"] = tableJson(tables::targetSpace(result));
     out["pooled_ratings"] = tableJson(tables::pooledRatings(result));
 }

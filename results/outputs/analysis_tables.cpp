@@ -73,7 +73,8 @@ std::vector<std::pair<std::string, std::string>> analysisTables(const AnalysisRe
     std::vector<Table> all{tables::means(result), tables::levels(result)};
     append(all, tablesOfOneStudy(result));
     append(all, {tables::observers(result.observers), tables::angles(result), tables::targetSpace(result),
-                 tables::measuredSpace(result), tables::pooledRatings(result), tables::scores(result),
+                 tables::measuredSpace(result), tables::objectiveMeans(result),
+                 tables::objectiveCorrelations(result), tables::pooledRatings(result), tables::scores(result),
                  tables::reliability(result)});
     if (!result.by_study.empty())
         for (Table& table : all)

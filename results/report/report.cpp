@@ -229,6 +229,7 @@ std::string renderReport(const AnalysisResult& result) {
     out += "\n" + betweenHtml(result, numbering);
     out += "\n" + choicesHtml(result, figures, numbering);
     out += "\n" + measuredHtml(result, figures, numbering);
+    out += "\n" + objectiveHtml(result, numbering);
     out += "\n" + descriptivesHtml(result, numbering);
     out += "\n" + scoresHtml(result, numbering);
     out += "\n" + qualityHtml(result, numbering);

@@ -26,6 +26,7 @@ struct DataChoice {
     std::string study{};              ///< of a server's, its name or how its hash begins; empty: its only one
     results::LongTableOptions csv{};  ///< how long tables are read
     std::string stimuli{};  ///< folder of the clips that databases' sessions showed; empty: where they were
+    std::string evaluation{};    ///< file of an objective evaluation; empty: none
     bool without_clips = false;  ///< they are not looked at
     /// "apart", "together" or one kind of station; empty: as the study says, apart where it does not.
     std::string stations{};

@@ -40,8 +40,6 @@ struct AmpSettings {
     /// Share of the task's reward that counts once the demonstration's hold is over. The paper's is 1, for
     /// which some policies keep pointing.
     double task_after_hold = 0.0;
-    /// Share of the actuators' last targets that stays when the policy asks for others.
-    double smoothing = 0.5;
     double target_spread_m = 0.1;  ///< a target is drawn within this of the demonstration's, on each axis
 
     int environments = 256;
@@ -73,6 +71,8 @@ struct AmpSettings {
     /// Of the square of the slope of an action's log-probability over what the policy sees, standardised
     /// (Chen, He, Wang, Liao, Ze, Li, Sastry, Wu, Sreenath, Gupta & Peng 2025).
     double lipschitz_penalty = 0.0;
+    /// Share of the actuators' last targets that stays when the policy asks for others, below 1.
+    double smoothing = 0.0;
 
     int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
     int frozen_iterations = 20;  ///< in which critic and discriminator learn alone

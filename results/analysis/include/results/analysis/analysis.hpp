@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "results/analysis/bradley_terry.hpp"
+#include "results/analysis/objective.hpp"
 #include "results/answers/data_quality.hpp"
 #include "results/answers/response_table.hpp"
 #include "results/statistics/bootstrap.hpp"
@@ -21,13 +22,14 @@
 namespace deixis::results {
 
 struct AnalysisOptions {
-    std::optional<double> alpha{};                ///< in (0, 1); none: the study's
-    std::optional<double> level{};                ///< of intervals, in (0, 1); none: 1 - alpha
-    std::map<std::string, double> equivalence{};  ///< bounds by measure, before those of the study
-    std::optional<bool> by_ratings{};             ///< single ratings are tested, too; none: the study's
-    int resamples = 10000;                        ///< of bootstraps, at least 1
-    std::uint64_t seed = 1;                       ///< of bootstraps
-    std::string program{};                        ///< that analyses, and its version; for provenance
+    std::optional<double> alpha{};                 ///< in (0, 1); none: the study's
+    std::optional<double> level{};                 ///< of intervals, in (0, 1); none: 1 - alpha
+    std::map<std::string, double> equivalence{};   ///< bounds by measure, before those of the study
+    std::optional<bool> by_ratings{};              ///< single ratings are tested, too; none: the study's
+    int resamples = 10000;                         ///< of bootstraps, at least 1
+    std::uint64_t seed = 1;                        ///< of bootstraps
+    std::optional<ObjectiveAccuracy> objective{};  ///< of the clips that were answered about
+    std::string program{};                         ///< that analyses, and its version; for provenance
     std::vector<std::pair<std::string, std::string>> build{};  ///< of the program: name, value; likewise
 };
 
@@ -403,12 +405,13 @@ struct AnalysisResult {
     std::vector<UnansweredResult> unanswered;  ///< by system; empty where every choice was made
     std::vector<BetweenResult> between;
     std::vector<PreferenceBetweenResult> preferences_between;
-    std::vector<ConfusionResult> confusion;  ///< where the balls' positions are known
-    std::vector<TargetPlace> target_space;   ///< likewise; of each system by target
-    std::vector<ObserverReading> observers;  ///< where the choices' clips are available
-    std::vector<DriftResult> drift;          ///< likewise
-    std::vector<PooledResult> pooled;        ///< of ratings
-    std::vector<ChanceResult> chance;        ///< where there is a game
+    std::vector<ConfusionResult> confusion;       ///< where the balls' positions are known
+    std::vector<TargetPlace> target_space;        ///< likewise; of each system by target
+    std::vector<ObserverReading> observers;       ///< where the choices' clips are available
+    std::vector<DriftResult> drift;               ///< likewise
+    std::vector<ObjectiveCorrelation> objective;  ///< empty without options.objective
+    std::vector<PooledResult> pooled;             ///< of ratings
+    std::vector<ChanceResult> chance;             ///< where there is a game
     std::vector<TimeResult> times;
     std::vector<OrderResult> order;  ///< where the answers' order is known
     std::vector<ItemResult> items;   ///< by measure, lowest mean first

@@ -68,6 +68,10 @@ namespace tables {
 [[nodiscard]] Table targetSpace(const AnalysisResult& result);
 [[nodiscard]] Table measuredSpace(const AnalysisResult& result);
 
+// The objective evaluation of the clips.
+[[nodiscard]] Table objectiveMeans(const AnalysisResult& result);  ///< each system and measure
+[[nodiscard]] Table objectiveCorrelations(const AnalysisResult& result);
+
 // People: what they told, how carefully they answered, who is left out.
 [[nodiscard]] Table scores(const AnalysisResult& result);
 [[nodiscard]] Table scoreChanges(const AnalysisResult& result);
