@@ -181,7 +181,7 @@ TEST_SUITE("app/install") {
         CHECK(offered("run --station s") == Words{"simulated"});
         CHECK(offered("run --station = d") == Words{"desktop"});
         CHECK(offered("run --station =") == Words{"desktop", "headset", "simulated"});
-        CHECK(offered("simulate pointing2") == Words{"pointing2023"});
+        CHECK(offered("simulate pointing2") == Words{"pointing2023", "pointing2023-stand-ins"});
         CHECK(offered("simulate --participants 2 genea") == Words{"genea-pairwise"});
         CHECK(offered("simulate --participants \"\"").empty());
         CHECK(offered("run --language s") == Words{"sv"});
