@@ -39,11 +39,11 @@ page_picture() {
 if has chromium "report.png, evaluation.png"; then
     "$program" simulate pointing2023 --participants 39 -o "$scratch/study.sqlite"
     "$program" report "$scratch/study.sqlite" -o "$scratch/report.html"
-    page_picture "$scratch/report.html" 990 report.png
+    page_picture "$scratch/report.html" 1600 report.png
     "$program" targets --grid >"$scratch/grid.csv"
     for system in gt-nn moglow amp-base amp-pfnn-8; do
         "$program" generate "$system" --targets "$scratch/grid.csv" -o "$scratch/$system" >/dev/null
     done
     "$program" evaluate "$scratch"/{gt-nn,moglow,amp-base,amp-pfnn-8} -o "$scratch/evaluation.html"
-    page_picture "$scratch/evaluation.html" 1000 evaluation.png
+    page_picture "$scratch/evaluation.html" 1600 evaluation.png
 fi
