@@ -330,7 +330,8 @@ std::vector<Error> readStudyClips(const ClipSources& sources, const ClipTaker& t
         own = std::move(*loaded);
         maker = &*own;
     }
-    const ElapsedOnTerminal told("making and reading the study's clips");
+    const ElapsedOnTerminal told(sources.made.empty() ? "reading the study's clips"
+                                                      : "making and reading the study's clips");
     // Systems do not depend on each other, and making and reading their clips is most of a start's work.
     std::vector<std::future<std::vector<Error>>> parts;
     for (const auto& system : systems)

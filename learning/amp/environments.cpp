@@ -28,7 +28,7 @@ Environments::Environments(const physics::Body& body, const std::vector<Referenc
       settings_(settings),
       observer_(body.figure()),
       bodies_(static_cast<std::size_t>(settings.environments), body),
-      plays_(bodies_.size(), Play{.targets = physics::SmoothedTargets(settings.smoothing)}),
+      plays_(bodies_.size()),
       random_(seed, "environments") {
     restart(seed);
 }
@@ -49,8 +49,6 @@ void Environments::begin(std::size_t body) {
     play.target_m = play.reference->target_m;
     for (int axis = 0; axis < 3; ++axis)
         play.target_m[axis] += random_.uniform(-settings_.target_spread_m, settings_.target_spread_m);
-    play.targets.begin(play.control > 0 ? play.reference->targets_rad[play.control - 1]
-                                        : std::vector<double>());
     bodies_[body].setState(play.reference->states[play.control]);
 }
 
@@ -84,14 +82,14 @@ double Environments::reward(const physics::Body& body, const Play& play) {
     return rewardOf(hand - elbow, play.target_m - hand);
 }
 
-Environments::Step Environments::step(std::size_t index, std::span<const double> asked_rad,
+Environments::Step Environments::step(std::size_t index, std::span<const double> targets_rad,
                                       std::span<float> after) {
     Play& play = plays_[index];
     physics::Body& body = bodies_[index];
     const ReferenceMotion& reference = *play.reference;
     Step out;
     out.phase = reference.phase(play.control);
-    body.step(play.targets.next(asked_rad), physics::steps_per_control);
+    body.step(targets_rad, physics::steps_per_control);
     ++play.control;
     out.fallen = body.root().pose.position.y < reference.states[play.control].root.pose.position.y - fallen_m;
     out.task_reward =

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "physics/policy/smoothed_targets.hpp"
 #include "reference_motions.hpp"
 
 namespace deixis::learning {
@@ -32,16 +31,14 @@ class Environments {
         bool ended = false;        ///< time is over, or the body has fallen
         bool fallen = false;
     };
-    /// One control of one body, for which `asked_rad` is asked; `after`: what the policy sees then, before a
-    /// new begin where it has ended.
-    [[nodiscard]] Step step(std::size_t body, std::span<const double> asked_rad, std::span<float> after);
+    /// One control of one body; `after`: what the policy sees then, before a new begin where it has ended.
+    [[nodiscard]] Step step(std::size_t body, std::span<const double> targets_rad, std::span<float> after);
 
   private:
     struct Play {
         const ReferenceMotion* reference = nullptr;
         std::size_t control = 0;
         Vec3 target_m{0.0};
-        physics::SmoothedTargets targets{0.0};
     };
     void begin(std::size_t body);
     void seeOne(std::size_t body, std::span<float> out);

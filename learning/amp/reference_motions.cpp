@@ -57,9 +57,8 @@ Result<std::vector<ReferenceMotion>> makeReferences(const physics::Body& body,
         for (int repeat = 0; repeat < settings.demonstration_repeats; ++repeat) {
             const auto noisy = physics::follow(
                 follower, clip,
-                {.noise_rad = settings.demonstration_noise_rad,
-                 .noise_kept = settings.smoothing,
-                 .seed = deriveSeed(settings.seed, fmt::format("demonstration {} {}", out.size(), repeat))});
+                {true, settings.demonstration_noise_rad,
+                 deriveSeed(settings.seed, fmt::format("demonstration {} {}", out.size(), repeat))});
             if (!noisy) return tl::unexpected(noisy.error());
             auto& seen = reference.seen.emplace_back();
             const auto states = atControls(*noisy);

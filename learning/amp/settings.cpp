@@ -28,7 +28,6 @@ constexpr std::array named{
     Named{"style_weight", &AmpSettings::style_weight, 0.0, 100.0},
     Named{"task_weight", &AmpSettings::task_weight, 0.0, 100.0},
     Named{"task_after_hold", &AmpSettings::task_after_hold, 0.0, 1.0},
-    Named{"smoothing", &AmpSettings::smoothing, 0.0, 0.99},
     Named{"target_spread_m", &AmpSettings::target_spread_m, 0.0, 10.0},
     Named{"environments", &AmpSettings::environments, 1, 65'536},
     Named{"horizon", &AmpSettings::horizon, 2, 1024},

@@ -100,13 +100,7 @@ void AmpTrainer::setCloned(const physics::Body& body, const std::vector<Referenc
                 observer.writeGoal(one.states[i].root, states[i], asked, goal);
                 seen.insert(seen.end(), states[i].begin(), states[i].end());
                 seen.insert(seen.end(), goal.begin(), goal.end());
-                // What is to be asked for so that, smoothed, it is what the demonstration's actuators were
-                // told.
-                const auto& told = one.targets_rad[i];
-                const auto& last = one.targets_rad[i > 0 ? i - 1 : 0];
-                for (std::size_t d = 0; d < told.size(); ++d)
-                    action.push_back(static_cast<float>((told[d] - settings_.smoothing * last[d]) /
-                                                        (1.0 - settings_.smoothing)));
+                for (const double target : one.targets_rad[i]) action.push_back(static_cast<float>(target));
             }
     clone_seen_ = tensorOf(std::move(seen), static_cast<std::int64_t>(environments_.seenSize()));
     clone_action_ = tensorOf(std::move(action), actions_);

@@ -30,7 +30,6 @@ physics::AmpModel modelOf(const DemonstrationSets& data, const AmpTraining& trai
                           .with_phase = training.settings.variant.policy_phase,
                           .clusters = training.clusters.count,
                           .hidden = training.settings.hidden,
-                          .smoothing = training.settings.smoothing,
                           .base = base.coefficients(),
                           .features = features.names()};
     for (std::size_t i = 0; i < data.training.size(); ++i) {

@@ -69,7 +69,6 @@ void writeModel(const AmpModel& model, NetworkWeights& weights) {
     weights.settings["stance"] = std::string(model.stance == Stance::pinned ? "pinned" : "free");
     weights.settings["with_phase"] = model.with_phase ? 1.0 : 0.0;
     weights.settings["clusters"] = static_cast<double>(model.clusters);
-    weights.settings["smoothing"] = model.smoothing;
     weights.settings["hidden"] = fmt::format("{}", fmt::join(model.hidden, " "));
     weights.settings["demonstrations"] = static_cast<double>(model.targets.size());
     weights.settings["features"] = model.features;
@@ -107,16 +106,11 @@ Result<AmpModel> readModel(const NetworkWeights& weights) {
     take(out.clusters, weights.count("clusters", 1, most));
     take(hidden, weights.text("hidden"));
     take(count, weights.count("demonstrations", 1, most));
-    // Files of earlier versions have none.
-    if (weights.settings.contains("smoothing")) take(out.smoothing, weights.number("smoothing"));
     take(out.features, weights.text("features"));
     if (take.problem()) return tl::unexpected(*take.problem());
     if (stance != "pinned" && stance != "free")
         return fail(weights.file + ": settings.stance",
                     fmt::format("found '{}', expected pinned or free", stance));
-    if (!(out.smoothing >= 0.0 && out.smoothing < 1.0))
-        return fail(weights.file + ": settings.smoothing",
-                    fmt::format("found {}, expected 0 or more and less than 1", out.smoothing));
     out.stance = stance == "pinned" ? Stance::pinned : Stance::free;
     out.with_phase = phase == 1;
     const auto units = naturals(hidden);

@@ -16,7 +16,6 @@
 #include "physics/policy/base_motion.hpp"
 #include "physics/policy/observation.hpp"
 #include "physics/policy/policy.hpp"
-#include "physics/policy/smoothed_targets.hpp"
 
 namespace deixis::physics {
 
@@ -63,7 +62,6 @@ class Amp : public motion::Generator {
         const auto frames = static_cast<int>(std::lround(whole_s(durations) / control_s)) + 1;
         std::vector<float> seen(observer_.stateSize() + BodyObserver::goalSize(model_.with_phase));
         std::vector<double> targets(figure.hinges.size());
-        SmoothedTargets smoothed(model_.smoothing);
         for (int f = 0; f < frames; ++f) {
             const double own_s = motion::withHold(f * control_s, durations, own[2]);
             motion::LocalPose pose = base_.pose(nearest.hand, own_s, own);
@@ -78,7 +76,7 @@ class Amp : public motion::Generator {
             observer_.writeState(body, seen_state);
             observer_.writeGoal(root, seen_state, goal, numbers.subspan(seen_state.size()));
             policies_[static_cast<std::size_t>(nearest.cluster)].act(seen, targets);
-            body.step(smoothed.next(targets), steps_per_control);
+            body.step(targets, steps_per_control);
         }
         motion::makeContinuous(out.clip.frames);
         setPhases(out, nearest.hand, durations);

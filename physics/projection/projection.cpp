@@ -126,14 +126,8 @@ class Follower {
                     (hinge.damping_nms_rad * middle.speeds_rad_s[i] + bias[i]) / hinge.stiffness_nm_rad;
             }
         }
-        if (settings_.noise_rad > 0.0) {
-            added_rad_.resize(targets.size(), 0.0);
-            for (std::size_t i = 0; i < targets.size(); ++i) {
-                added_rad_[i] = settings_.noise_kept * added_rad_[i] +
-                                (1.0 - settings_.noise_kept) * noise_.normal(0.0, settings_.noise_rad);
-                targets[i] += added_rad_[i];
-            }
-        }
+        if (settings_.noise_rad > 0.0)
+            for (double& target : targets) target += noise_.normal(0.0, settings_.noise_rad);
         return targets;
     }
 
@@ -142,8 +136,7 @@ class Follower {
     const Reference& reference_;
     const ProjectionSettings& settings_;
     Random noise_;
-    std::vector<double> added_rad_{};  ///< noise of the last targets
-    std::optional<Body> ahead_{};      ///< where the body should be
+    std::optional<Body> ahead_{};  ///< where the body should be
 };
 
 /// The first frame in which the pelvis is much lower than the clip's.

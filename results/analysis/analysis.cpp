@@ -217,7 +217,7 @@ AnalysisResult analyse(ResponseTable table, const AnalysisOptions& options) {
     summariseScores(result);
     describeParticipants(result);
     describeChoices(result);
-    if (options.objective) result.objective = correlate(*options.objective, result.table);
+    compareWithObjective(result);
     for (const std::string& study : studiesIn(result.table))
         result.by_study.push_back(analyseStudy(result, study));
     if (!result.by_study.empty()) {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/files.hpp"
+#include "results/analysis/analysis_steps.hpp"
+#include "results/statistics/descriptive.hpp"
 
 namespace deixis::results {
 
@@ -15,17 +17,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Sum {
-    double sum = 0.0;
-    int n = 0;
-    void add(double value) {
-        sum += value;
-        ++n;
-    }
-    [[nodiscard]] double mean() const { return sum / n; }
-};
+using NumberPairs = std::vector<std::pair<double, double>>;  ///< Equation 2 and mean answers
 
-SpearmanTest test(const std::vector<std::pair<double, double>>& pairs) {
+SpearmanTest rankTest(const NumberPairs& pairs) {
     std::vector<double> x, y;
     for (const auto& [objective, answered] : pairs) {
         x.push_back(objective);
@@ -51,7 +45,9 @@ Result<ObjectiveAccuracy> readObjectiveAccuracy(const std::filesystem::path& fil
         for (const Json& target : json.at("targets")) {
             const std::string id = target.at("target_id");
             const Json& at = target.at("target");
-            out.positions_m[id] = {at.at(0), at.at(1), at.at(2)};
+            if (!out.positions_m.emplace(id, Vec3(at.at(0), at.at(1), at.at(2))).second)
+                return fail(file.string(), fmt::format("has two targets named {}", id),
+                            "Evaluate the clips of one study alone");
             if (!target.contains("accuracy"))
                 return fail(file.string(), "was written by an earlier program: it has no accuracy by target",
                             "Evaluate the clips again");
@@ -95,33 +91,33 @@ Result<void> checkSameClips(const ObjectiveAccuracy& objective, const ResponseTa
     return {};
 }
 
-std::vector<ObjectiveCorrelation> correlate(const ObjectiveAccuracy& objective, const ResponseTable& table) {
-    std::vector<ObjectiveCorrelation> out;
-    for (const Measure& measure : table.measures) {
-        if (measure.kind == MeasureKind::preference) continue;
-        std::map<std::string, Sum> systems;
-        std::map<std::string, std::map<std::string, Sum>> targets;
-        for (const ResponseRow& row : table.rows) {
-            if (row.measure != measure.name) continue;
-            systems[row.system].add(row.value);
-            targets[row.system][row.target_id].add(row.value);
+void compareWithObjective(AnalysisResult& result) {
+    if (!result.options.objective) return;
+    const ObjectiveAccuracy& objective = *result.options.objective;
+    auto& [all_means, correlations] = result.objective;
+    for (std::size_t m = 0; m < result.measures.size(); ++m) {
+        const std::string& measure = result.measures[m].name;
+        NumberPairs means;
+        for (const SystemResult& system : result.systems) {
+            const auto found = objective.systems.find(system.system);
+            if (found == objective.systems.end() || system.measures[m].n == 0) continue;
+            all_means.push_back({measure, system.system, found->second, system.measures[m].mean});
+            means.emplace_back(found->second, system.measures[m].mean);
         }
-        std::vector<std::pair<double, double>> means;
-        for (const auto& [system, answers] : systems)
-            if (const auto found = objective.systems.find(system); found != objective.systems.end())
-                means.emplace_back(found->second, answers.mean());
-        out.push_back({measure.name, "systems", "", test(means)});
-        for (const std::string& system : table.systems) {
+        correlations.push_back({measure, "systems", "", rankTest(means)});
+        std::map<std::string, std::map<std::string, std::vector<double>>> answers;  // by system and target
+        for (const ResponseRow& row : result.table.rows)
+            if (row.measure == measure) answers[row.system][row.target_id].push_back(row.value);
+        for (const std::string& system : result.table.systems) {
             const auto evaluated = objective.targets.find(system);
             if (evaluated == objective.targets.end()) continue;
-            std::vector<std::pair<double, double>> pairs;
-            for (const auto& [target, answers] : targets[system])
+            NumberPairs pairs;
+            for (const auto& [target, values] : answers[system])
                 if (const auto found = evaluated->second.find(target); found != evaluated->second.end())
-                    pairs.emplace_back(found->second, answers.mean());
-            out.push_back({measure.name, "targets", system, test(pairs)});
+                    pairs.emplace_back(found->second, mean(values));
+            correlations.push_back({measure, "targets", system, rankTest(pairs)});
         }
     }
-    return out;
 }
 
 }  // namespace deixis::results

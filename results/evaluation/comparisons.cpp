@@ -3,24 +3,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
-#include <tuple>
 #include <utility>
 
 #include "results/statistics/descriptive.hpp"
 #include "results/statistics/holm.hpp"
 
 namespace deixis::results {
-
-namespace {
-
-struct AtTarget {
-    std::vector<double> accuracy;
-    std::vector<double> error_deg;
-};
-
-/// By the target's place: manifests may name one place differently.
-using ByTarget = std::map<std::tuple<double, double, double>, AtTarget>;
 
 ByTarget byTarget(const SystemEvaluation& system) {
     ByTarget out;
@@ -32,6 +20,8 @@ ByTarget byTarget(const SystemEvaluation& system) {
     }
     return out;
 }
+
+namespace {
 
 SystemComparison compared(const ByTarget& a, const ByTarget& b) {
     constexpr std::int64_t parts = 1'000'000'000;

@@ -1,11 +1,10 @@
 // The evaluation's numbers: JSON, and CSV tables.
-#include <map>
-
+#include "tables.hpp"
+#include "comparisons.hpp"
 #include "results/evaluation/evaluation.hpp"
 #include "results/outputs/analysis_tables.hpp"
 #include "results/outputs/observers_json.hpp"
 #include "results/statistics/descriptive.hpp"
-#include "tables.hpp"
 
 namespace deixis::results {
 
@@ -293,14 +292,15 @@ namespace {
 
 /// With each system's accuracy there, the mean where it has several clips.
 Json targetsJson(const Evaluation& evaluation) {
-    std::map<std::string, std::map<std::string, std::vector<double>>> accuracies;
-    for (const MeasuredClip& clip : evaluation.input.clips)
-        if (clip.accuracy) accuracies[clip.target_id][clip.system].push_back(clip.accuracy->reward);
     Json out = tableJson(targetsTable(evaluation));
-    for (std::size_t i = 0; i < evaluation.points.size(); ++i) {
-        out[i]["accuracy"] = Json::object();
-        for (const auto& [system, values] : accuracies[evaluation.points[i].target_id])
-            out[i]["accuracy"][system] = mean(values);
+    for (Json& target : out) target["accuracy"] = Json::object();
+    for (const SystemEvaluation& system : evaluation.systems) {
+        const ByTarget targets = byTarget(system);
+        for (std::size_t i = 0; i < evaluation.points.size(); ++i) {
+            const Vec3& at = evaluation.points[i].target;
+            if (const auto found = targets.find({at.x, at.y, at.z}); found != targets.end())
+                out[i]["accuracy"][system.system] = mean(found->second.accuracy);
+        }
     }
     return out;
 }

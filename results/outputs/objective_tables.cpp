@@ -1,42 +1,19 @@
 // Tables of answers beside the objective evaluation.
-#include <map>
-
 #include "results/outputs/analysis_tables.hpp"
 #include "test_fields.hpp"
 
 namespace deixis::results::tables {
 
-namespace {
-
-struct SystemMeans {
-    std::string measure;
-    std::string system;
-    double objective = 0.0;
-    double answers = 0.0;
-};
-
-}  // namespace
-
 Table objectiveMeans(const AnalysisResult& result) {
-    std::vector<SystemMeans> rows;
-    if (result.options.objective)
-        for (std::size_t m = 0; m < result.measures.size(); ++m)
-            for (const SystemResult& system : result.systems) {
-                const auto& evaluated = result.options.objective->systems;
-                const auto found = evaluated.find(system.system);
-                if (found != evaluated.end() && system.measures[m].n > 0)
-                    rows.push_back(
-                        {result.measures[m].name, system.system, found->second, system.measures[m].mean});
-            }
+    using Row = ObjectiveMean;
     return withScales(
-        tableOf<SystemMeans>("objective_means", units::means, "Systems by Equation 2 and by answers",
-                             {{"measure", &SystemMeans::measure, {.heading = true}},
-                              {"system", &SystemMeans::system},
-                              {"equation_2",
-                               &SystemMeans::objective,
-                               {.label = "Equation 2", .format = Format::three_decimals}},
-                              {"mean", &SystemMeans::answers, {.label = "Mean answer"}}},
-                             rows),
+        tableOf<Row>(
+            "objective_means", units::means, "Systems by Equation 2 and by answers",
+            {{"measure", &Row::measure, {.heading = true}},
+             {"system", &Row::system},
+             {"equation_2", &Row::equation_2, {.label = "Equation 2", .format = Format::three_decimals}},
+             {"mean", &Row::answers, {.label = "Mean answer"}}},
+            result.objective.means),
         result);
 }
 
@@ -55,7 +32,7 @@ Table objectiveCorrelations(const AnalysisResult& result) {
          {"rho", defined([](auto& test) { return test.rho; }), {.label = "\u03c1", .latex = "$\\rho$"}},
          {"p", defined([](auto& test) { return test.p; })},
          {"method", [](auto& one) { return one.test.method; }}},
-        result.objective);
+        result.objective.correlations);
 }
 
 }  // namespace deixis::results::tables

@@ -26,7 +26,7 @@ std::string order(const Table& means, const char* by) {
 }  // namespace
 
 std::string objectiveHtml(const AnalysisResult& result, Numbering& numbering) {
-    if (result.objective.empty()) return "";
+    if (result.objective.correlations.empty()) return "";
     const Table means = tables::objectiveMeans(result);
     std::vector<std::string> orders;
     for (const Measure& measure : result.measures) {

@@ -29,9 +29,10 @@ namespace deixis::results {
 [[nodiscard]] std::string pooledHtml(const AnalysisResult& result, Numbering& numbering);
 
 /// Confusion and the accuracy over target space; empty where the balls' positions are not known.
+[[nodiscard]] std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering);
+
 /// Answers beside the objective evaluation; empty without one.
 [[nodiscard]] std::string objectiveHtml(const AnalysisResult& result, Numbering& numbering);
-[[nodiscard]] std::string choicesHtml(const AnalysisResult& result, Numbering& figures, Numbering& numbering);
 
 /// What was measured in a unit, over the targets' places; empty where nothing was.
 [[nodiscard]] std::string measuredHtml(const AnalysisResult& result, Numbering& figures,

@@ -167,6 +167,8 @@ TEST_SUITE("results/evaluation") {
         CHECK(json["settings"]["bandwidth_rule"] == "normal-reference");
         CHECK(json["training"]["targets"].size() == 4);
         CHECK(json["targets"].size() == 4);
+        CHECK(json["targets"][1]["accuracy"]["b"].get<double>() == doctest::Approx(0.59));
+        CHECK(json["targets"][2]["accuracy"].size() == 1);  // "b" has none there
         const auto tables = evaluationTables(evaluation);
         REQUIRE(tables.size() == 7);
         const std::vector<std::size_t> rows{9, 3, 2, 13, 5, 3, 1};  // with the header
@@ -184,6 +186,19 @@ TEST_SUITE("results/evaluation") {
         CHECK(clips[1].fields[0] == "a <&> \"1\"");
         CHECK(clips[7].fields[10].empty());
         CHECK(clips[6].fields[10] == "0.59");
+    }
+
+    TEST_CASE(
+        "A target's accuracies go by its place, whatever manifests call it, and are means of its clips") {
+        EvaluationInput input = small();
+        input.clips[5].target_id = "elsewhere";  // of "b", at the second place
+        MeasuredClip again = clipOf("b", 5, input.clips[5].target, 0.49);
+        again.target_id = "G1";  // the first place's name
+        input.clips.push_back(again);
+        const auto targets = nlohmann::json::parse(evaluationJson(evaluated(input)))["targets"];
+        REQUIRE(targets.size() == 4);
+        CHECK(targets[0]["accuracy"]["b"].get<double>() == doctest::Approx(0.6));
+        CHECK(targets[1]["accuracy"]["b"].get<double>() == doctest::Approx(0.5 * (0.59 + 0.49)));
     }
 
     TEST_CASE("A system whose every clip is missing has no numbers, and the page still stands") {

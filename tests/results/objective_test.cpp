@@ -87,9 +87,12 @@ TEST_SUITE("results/objective") {
         REQUIRE(objective);
         CHECK(objective->systems.size() == 3);
         CHECK(objective->positions_m.at("T3").x == 0.3);
-        const ResponseTable table = answers();
-        REQUIRE(checkSameClips(*objective, table));
-        const auto found = correlate(*objective, table);
+        REQUIRE(checkSameClips(*objective, answers()));
+        AnalysisOptions options;
+        options.resamples = 100;
+        options.objective = *objective;
+        const AnalysisResult result = analyse(answers(), options);
+        const auto& found = result.objective.correlations;
         REQUIRE(found.size() == 3);  // "middle" has no targets with an accuracy
         // Means 3.5, 3 and 1.75 beside .6, .5 and .3. Of 3! orders two are as far from none as this.
         CHECK(found[0].over == "systems");
@@ -134,6 +137,9 @@ TEST_SUITE("results/objective") {
         json earlier = evaluation();
         earlier["targets"][0].erase("accuracy");
         CHECK(contains(refusal(earlier.dump()), "written by an earlier program"));
+        json twice = evaluation();
+        twice["targets"][1]["target_id"] = "T1";
+        CHECK(contains(refusal(twice.dump()), "has two targets named T1"));
         json damaged = evaluation();
         damaged["targets"][1]["target"] = "here";
         CHECK(contains(refusal(damaged.dump()), "is damaged"));

@@ -8,10 +8,12 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "fixtures.hpp"
@@ -71,6 +73,40 @@ void takePart(Store& store, const studies::Study& study, int number) {
     (void)store.resume(plan.participant, 2e9);
 }
 
+/// Child processes that wait until it is opened.
+class Gate {
+  public:
+    Gate() { REQUIRE(::pipe(ends_) == 0); }
+    ~Gate() { open(); }
+    Gate(const Gate&) = delete;
+    Gate& operator=(const Gate&) = delete;
+
+    /// A process that then does the work, and ends with whether it did (succeeded()).
+    pid_t behind(const std::function<bool()>& work) {
+        const pid_t child = ::fork();
+        REQUIRE(child >= 0);
+        if (child != 0) return child;
+        ::close(ends_[1]);
+        char byte = 0;
+        (void)!::read(ends_[0], &byte, 1);  // ends when the parent closes its end
+        ::_exit(work() ? 0 : 1);
+    }
+    void open() {
+        for (int& end : ends_)
+            if (end >= 0) ::close(std::exchange(end, -1));
+    }
+
+  private:
+    int ends_[2]{-1, -1};
+};
+
+/// Waits for a process; whether it ended with success.
+bool succeeded(pid_t child) {
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 /// A station's part of a hundred that start at once; says why where it cannot. Whoever is refused is refused
 /// at once, or waits without end: how long a slow disk makes all hundred wait is no matter here (the program
 /// waits for 30 s, which a disk that takes 0.1 s for each transaction exceeds).
@@ -99,28 +135,13 @@ TEST_SUITE("results/store many") {
         const auto path = folder / "a.sqlite";
         const auto study = fixtures::study({"direct"});
         constexpr int stations = 100;
-        int gate[2];
-        REQUIRE(::pipe(gate) == 0);
+        Gate gate;
         std::vector<pid_t> children;
-        for (int i = 1; i <= stations; ++i) {
-            const pid_t child = ::fork();
-            REQUIRE(child >= 0);
-            if (child == 0) {
-                ::close(gate[1]);
-                char byte = 0;
-                (void)!::read(gate[0], &byte, 1);  // ends when the parent closes its end
-                ::_exit(begins(path, study, fmt::format("P{:03}", i)) ? 0 : 1);
-            }
-            children.push_back(child);
-        }
-        ::close(gate[0]);
-        ::close(gate[1]);
+        for (int i = 1; i <= stations; ++i)
+            children.push_back(gate.behind([&] { return begins(path, study, fmt::format("P{:03}", i)); }));
+        gate.open();
         int failed = 0;
-        for (const pid_t child : children) {
-            int status = 0;
-            REQUIRE(::waitpid(child, &status, 0) == child);
-            failed += !WIFEXITED(status) || WEXITSTATUS(status) != 0;
-        }
+        for (const pid_t child : children) failed += succeeded(child) ? 0 : 1;
         CHECK(failed == 0);
         CHECK(SQLite::Database(path.string()).execAndGet("SELECT count(*) FROM responses").getInt() ==
               stations);
@@ -130,34 +151,24 @@ TEST_SUITE("results/store many") {
         const fixtures::Folder folder;
         const auto path = folder / "a.sqlite";
         constexpr std::chrono::milliseconds before{300}, stopped{3000}, after{1500}, patience{2600};
-        int gate[2];
-        REQUIRE(::pipe(gate) == 0);
+        Gate gate;
         // Before this process opens the database: locks are a process's own, and SQLite remembers them.
-        const pid_t child = ::fork();
-        REQUIRE(child >= 0);
-        if (child == 0) {
-            ::close(gate[1]);
-            char byte = 0;
-            (void)!::read(gate[0], &byte, 1);  // ends when the parent closes its end
+        const pid_t child = gate.behind([&] {
             const auto opened = Store::open(path, Durability::each_answer, patience);
             if (!opened) fmt::print(stderr, "{}\n", opened.error().text());
-            ::_exit(opened ? 0 : 1);
-        }
-        ::close(gate[0]);
+            return opened.has_value();
+        });
         { const Store made = fixtures::open(path, Durability::each_answer); }
         std::optional<SQLite::Database> other(std::in_place, path.string(), SQLite::OPEN_READWRITE);
         other->exec("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE");
-        ::close(gate[1]);
+        gate.open();
         std::this_thread::sleep_for(before);
         ::kill(child, SIGSTOP);  // to the child it is as if the machine stood still
         std::this_thread::sleep_for(stopped);
         ::kill(child, SIGCONT);
         std::this_thread::sleep_for(after);
         other.reset();
-        int status = 0;
-        REQUIRE(::waitpid(child, &status, 0) == child);
-        CHECK(WIFEXITED(status));
-        CHECK(WEXITSTATUS(status) == 0);
+        CHECK(succeeded(child));
     }
 
     TEST_CASE("What a further participant costs does not grow with those who are there") {

@@ -71,8 +71,6 @@ struct AmpSettings {
     /// Of the square of the slope of an action's log-probability over what the policy sees, standardised
     /// (Chen, He, Wang, Liao, Ze, Li, Sastry, Wu, Sreenath, Gupta & Peng 2025).
     double lipschitz_penalty = 0.0;
-    /// Share of the actuators' last targets that stays when the policy asks for others, below 1.
-    double smoothing = 0.0;
 
     int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
     int frozen_iterations = 20;  ///< in which critic and discriminator learn alone

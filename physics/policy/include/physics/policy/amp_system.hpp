@@ -37,7 +37,6 @@ struct AmpModel {
     bool with_phase = true;
     int clusters = 1;
     std::vector<int> hidden;
-    double smoothing = 0.0;  ///< share of the last targets that stays (SmoothedTargets)
     std::vector<AmpTarget> targets{};
     std::vector<double> base;  ///< coefficients of the BaseMotion
     std::string features;      ///< PoseFeatures::names(), which they are of

@@ -20,9 +20,7 @@ namespace deixis::physics {
 
 struct ProjectionSettings {
     bool feed_forward = true;
-    double noise_rad = 0.0;  ///< SD of what is added to every target, drawn each time that it is set
-    double noise_kept =
-        0.0;                 ///< share of the noise before that stays, as in SmoothedTargets (physics/policy)
+    double noise_rad = 0.0;  ///< SD of what is added to every target, each time that it is set
     std::uint64_t seed = 0;  ///< of that noise
 };
 

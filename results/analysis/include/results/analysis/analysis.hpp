@@ -405,13 +405,13 @@ struct AnalysisResult {
     std::vector<UnansweredResult> unanswered;  ///< by system; empty where every choice was made
     std::vector<BetweenResult> between;
     std::vector<PreferenceBetweenResult> preferences_between;
-    std::vector<ConfusionResult> confusion;       ///< where the balls' positions are known
-    std::vector<TargetPlace> target_space;        ///< likewise; of each system by target
-    std::vector<ObserverReading> observers;       ///< where the choices' clips are available
-    std::vector<DriftResult> drift;               ///< likewise
-    std::vector<ObjectiveCorrelation> objective;  ///< empty without options.objective
-    std::vector<PooledResult> pooled;             ///< of ratings
-    std::vector<ChanceResult> chance;             ///< where there is a game
+    std::vector<ConfusionResult> confusion;  ///< where the balls' positions are known
+    std::vector<TargetPlace> target_space;   ///< likewise; of each system by target
+    std::vector<ObserverReading> observers;  ///< where the choices' clips are available
+    std::vector<DriftResult> drift;          ///< likewise
+    ObjectiveComparison objective;           ///< empty without options.objective
+    std::vector<PooledResult> pooled;        ///< of ratings
+    std::vector<ChanceResult> chance;        ///< where there is a game
     std::vector<TimeResult> times;
     std::vector<OrderResult> order;  ///< where the answers' order is known
     std::vector<ItemResult> items;   ///< by measure, lowest mean first

@@ -52,6 +52,9 @@ void describeAnswers(AnalysisResult& result);
 /// Confusion and target space.
 void describeChoices(AnalysisResult& result);
 
+/// Answers beside the options' objective evaluation, if there is one. Needs systems.
+void compareWithObjective(AnalysisResult& result);
+
 /// The systems by their medians, in each of several studies and pooled. Needs systems and by_study.
 void orderMedians(AnalysisResult& result);
 

@@ -31,6 +31,14 @@ struct ObjectiveAccuracy {
 /// or a target lies elsewhere than in the study.
 [[nodiscard]] Result<void> checkSameClips(const ObjectiveAccuracy& objective, const ResponseTable& table);
 
+/// A system that has both.
+struct ObjectiveMean {
+    std::string measure;
+    std::string system;
+    double equation_2 = 0.0;  ///< mean over its clips
+    double answers = 0.0;     ///< mean over participants
+};
+
 /// Of the mean answers in one measure and Equation 2.
 struct ObjectiveCorrelation {
     std::string measure;
@@ -39,9 +47,11 @@ struct ObjectiveCorrelation {
     SpearmanTest test{};
 };
 
-/// Over the systems' means, and for each system over its targets; measures but preferences. Systems and
-/// targets count where both have numbers.
-[[nodiscard]] std::vector<ObjectiveCorrelation> correlate(const ObjectiveAccuracy& objective,
-                                                          const ResponseTable& table);
+/// Of measures but preferences; systems and targets count where both have numbers.
+struct ObjectiveComparison {
+    std::vector<ObjectiveMean> means{};  ///< by measure
+    /// Over the systems' means, and for each system over its targets.
+    std::vector<ObjectiveCorrelation> correlations{};
+};
 
 }  // namespace deixis::results
