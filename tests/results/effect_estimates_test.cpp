@@ -57,11 +57,11 @@ TEST_SUITE("results/effect_estimates") {
         effects.accuracy.emplace();
         effects.accuracy->groups["training"] = {{"none", -0.4}, {"long", 0.4}};
         effects.accuracy->systems = {
-            {"gt-nn", 0.85}, {"amp-pfnn-8", 0.95}, {"amp-base", 0.8}, {"moglow", 0.45}};
+            {"demonstration-nn", 0.85}, {"direct", 0.95}, {"stiff", 0.8}, {"drifting", 0.45}};
         effects.accuracy->spread = {0.7, 0.6, 0.5};
         effects.accuracy->layouts = {{"across", 0.25}, {"side-by-side", -0.25}};
         effects.ratings["naturalness"].systems = {
-            {"gt-nn", 4.1}, {"amp-pfnn-8", 3.6}, {"amp-base", 2.9}, {"moglow", 2.4}};
+            {"demonstration-nn", 4.1}, {"direct", 3.6}, {"stiff", 2.9}, {"drifting", 2.4}};
         effects.ratings["naturalness"].spread = {0.6, 0.5, 0.3};
         effects.ratings["naturalness"].noise_sd = 0.8;
         effects.ratings["naturalness"].groups["training"] = {{"none", 0.3}, {"long", -0.3}};
@@ -119,11 +119,11 @@ TEST_SUITE("results/effect_estimates") {
         ResponseTable table = drawn(study, effects, 10);
         ResponseTable alike = table;
         for (ResponseRow& row : alike.rows)
-            if (row.system == "amp-base") row.value = 1.0;
+            if (row.system == "stiff") row.value = 1.0;
         const auto at_end = estimateEffects(alike, study);
         REQUIRE_FALSE(at_end.has_value());
         CHECK(at_end.error().text().find("\"stiff\" are 1") != std::string::npos);
-        std::erase_if(table.rows, [](const ResponseRow& row) { return row.system == "amp-pfnn-8"; });
+        std::erase_if(table.rows, [](const ResponseRow& row) { return row.system == "direct"; });
         const auto lacking = estimateEffects(table, study);
         REQUIRE_FALSE(lacking.has_value());
         CHECK(lacking.error().text().find(

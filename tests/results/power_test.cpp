@@ -128,9 +128,9 @@ TEST_SUITE("results/power") {
                 CHECK(*none.share(any.second).lower <= study.alpha);
             }
         effects.accuracy->systems = {
-            {"gt-nn", 0.95}, {"amp-pfnn-8", 0.8}, {"amp-base", 0.6}, {"moglow", 0.35}};
+            {"demonstration-nn", 0.95}, {"direct", 0.8}, {"stiff", 0.6}, {"drifting", 0.35}};
         effects.ratings["naturalness"].systems = {
-            {"gt-nn", 4.6}, {"amp-pfnn-8", 3.5}, {"amp-base", 2.4}, {"moglow", 1.4}};
+            {"demonstration-nn", 4.6}, {"direct", 3.5}, {"stiff", 2.4}, {"drifting", 1.4}};
         const PowerResult large = powerOf(study, effects, {40}, manyStudies(100, 5));
         CHECK(large.families[0].all.at(40) > 50);
         CHECK(large.families[1].all.at(40) > 95);

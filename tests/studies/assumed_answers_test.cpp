@@ -20,6 +20,19 @@ namespace {
 const std::filesystem::path shipped_effects =
     deixis::tests::sourceDir() / "assets/data/effects/pointing2023.toml";
 
+/// With the systems of the shipped study.
+Study paperStudy() {
+    Study study = plan_fixture::pointing();
+    const std::map<std::string, std::string> names{{"demonstration-nn", "gt-nn"},
+                                                   {"direct", "amp-pfnn-8"},
+                                                   {"stiff", "amp-base"},
+                                                   {"drifting", "moglow"}};
+    for (SystemSource& system : study.systems) system.name = names.at(system.name);
+    for (Stage& stage : study.stages)
+        for (std::string& system : stage.design.systems) system = names.at(system);
+    return study;
+}
+
 /// The error of the shipped file with one thing changed.
 std::string changedEffects(const std::string& from, const std::string& to) {
     auto text = readFile(shipped_effects);
@@ -28,7 +41,7 @@ std::string changedEffects(const std::string& from, const std::string& to) {
     text->replace(text->find(from), from.size(), to);
     const auto path = std::filesystem::temp_directory_path() / "deixis_assumed_effects.toml";
     REQUIRE(writeFile(path, *text).has_value());
-    const auto read = loadAssumedEffects(path, plan_fixture::pointing());
+    const auto read = loadAssumedEffects(path, paperStudy());
     REQUIRE_FALSE(read.has_value());
     return read.error().text();
 }
@@ -50,7 +63,7 @@ std::vector<StudyPlan> plansOf(const Study& study, int participants) {
 
 TEST_SUITE("studies/assumed_answers") {
     TEST_CASE("The file that ships reads, and what is written of it reads back as the same.") {
-        const Study study = plan_fixture::pointing();
+        const Study study = paperStudy();
         const auto read = loadAssumedEffects(shipped_effects, study);
         REQUIRE_MESSAGE(read.has_value(), (read ? "" : read.error().text()));
         CHECK(read->accuracy->systems.at("amp-pfnn-8") == 0.955);
@@ -79,7 +92,7 @@ TEST_SUITE("studies/assumed_answers") {
     }
 
     TEST_CASE("The mean answers of many studies are those assumed, at either end of the scale too.") {
-        const Study study = plan_fixture::pointing();
+        const Study study = paperStudy();
         auto effects = loadAssumedEffects(shipped_effects, study).value();
         effects.ratings["naturalness"].systems["amp-pfnn-8"] = 4.8;
         effects.accuracy->layouts = {{"across", 0.4}, {"side-by-side", -0.6}};
@@ -117,7 +130,7 @@ TEST_SUITE("studies/assumed_answers") {
     }
 
     TEST_CASE("A smaller study is the beginning of a larger one of the same seed.") {
-        const Study study = plan_fixture::pointing();
+        const Study study = paperStudy();
         const auto effects = loadAssumedEffects(shipped_effects, study).value();
         const auto few = plansOf(study, 3);
         const auto many = plansOf(study, 6);

@@ -79,13 +79,13 @@ TEST_SUITE("studies/plan_balance") {
             }
             wrong += rated.size() != 4 || played.size() != 4 || scored.size() != 15 || practised.size() != 4;
             for (const auto& entry : rated)
-                wrong += entry.second.size() != 5 || entry.second != rated["amp-base"];
+                wrong += entry.second.size() != 5 || entry.second != rated["stiff"];
             for (const auto& entry : played)
-                wrong += entry.second.size() != 10 || entry.second != played["amp-base"];
+                wrong += entry.second.size() != 10 || entry.second != played["stiff"];
             for (const auto& entry : across)
-                wrong += entry.second.size() != 5 || entry.second != across["amp-base"];
+                wrong += entry.second.size() != 5 || entry.second != across["stiff"];
             for (const auto& entry : beside)
-                wrong += entry.second.size() != 5 || entry.second != beside["amp-base"];
+                wrong += entry.second.size() != 5 || entry.second != beside["stiff"];
             for (const std::string& item : practised) wrong += static_cast<int>(scored.count(item));
         }
         CHECK(wrong == 0);
@@ -402,7 +402,7 @@ TEST_SUITE("studies/plan_balance") {
             for (const Trial& trial : planOf(study, targets, number).trials) {
                 if (trial.kind != StageKind::game) continue;
                 ++places[trial.targetPlace()];
-                if (!trial.practice && trial.stimuli[0].system == "amp-pfnn-8") ++used[trial.stimuli[0].item];
+                if (!trial.practice && trial.stimuli[0].system == "direct") ++used[trial.stimuli[0].item];
             }
         double sum = 0.0;
         for (const int count : places)

@@ -92,9 +92,9 @@ inline AttentionChecks check(CheckKind kind, int count) {
     return out;
 }
 
-/// As the study of Deichler et al. (2023) that ships: 2 + 20 ratings, then 2 + 40 games.
+/// As the study of Deichler et al. (2023) that ships with stand-ins: 2 + 20 ratings, then 2 + 40 games.
 inline Study pointing() {
-    Study study = studyOf({"gt-nn", "amp-pfnn-8", "amp-base", "moglow"});
+    Study study = studyOf({"demonstration-nn", "direct", "stiff", "drifting"});
     study.name = "pointing2023";
     study.distances.resize(1);
     const Stage rating = trials(study, "naturalness", StageKind::rating, 5);

@@ -398,7 +398,7 @@ TEST_SUITE("studies/plan") {
         CHECK(rejected([](Stage& stage) { stage.design.items = 0; }).find("stages.game.items") == 0);
         CHECK(rejected([](Stage& stage) {
                   stage.kind = StageKind::pairwise;
-                  stage.design.systems = {"amp-pfnn-8"};
+                  stage.design.systems = {"direct"};
               }).find("stages.game.systems: found 1, expected at least 2") == 0);
         CHECK(rejected([](Stage& stage) {
                   stage.kind = StageKind::parallel_rating;
