@@ -71,8 +71,8 @@ Result<std::optional<learning::RankPlace>> rankFromEnvironment() {
 }
 
 std::string measuresText(const learning::ClipMeasures& measures) {
-    std::string out = fmt::format("Eq. 2 {:.3f}, at rest {:.0f} %, jerk x {:.2f}", measures.reward,
-                                  100.0 * measures.at_rest, measures.jerk_ratio);
+    std::string out = fmt::format("{} {:.3f}, at rest {:.0f} %, jerk x {:.2f}", measures.reward_name,
+                                  measures.reward, 100.0 * measures.at_rest, measures.jerk_ratio);
     if (measures.arm_error_m > 0.0) out += fmt::format(", arm {:.1f} cm", 100.0 * measures.arm_error_m);
     return out;
 }
@@ -270,8 +270,12 @@ void addAmp(Parser learn, const char* system, const char* what, Command& chosen)
                        "Train this one alone, from 0; 'deixis learn join' puts them together")
             .check(Range(0, 999));
     }
-    command.addFlag("--eye-fingertip", options->request.eye_fingertip,
-                    "Reward the line from the eyes through the fingertip, not the forearm's");
+    command
+        .addOption("--reward", options->request.reward,
+                   "The task: the line of the forearm, that from the eyes through the fingertip, or an "
+                   "observer's choice")
+        .showDefault()
+        .check(OneOf{{"forearm", "eye-fingertip", "observer"}});
     command.addFlag("--full-body", options->request.full_body,
                     "The body stands on its feet; else its pelvis is held");
     command.addOption("--set", options->request.settings, "A setting of the training (docs/learning.md)")

@@ -24,7 +24,7 @@ struct TrainingRequest {
     std::optional<int> clusters{};  ///< these as clustersOf() takes them
     std::string bandwidth{};        ///< metres, or "scott"; empty: none named
     std::optional<int> only_cluster{};
-    bool eye_fingertip = false;
+    std::string reward = "forearm";  ///< or "eye-fingertip", "observer": the task that AMP rewards
     bool full_body = false;
     std::vector<std::string> settings{};  ///< NAME=VALUE of AmpSettings
     std::optional<learning::RankPlace> rank{};

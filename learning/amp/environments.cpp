@@ -1,22 +1,13 @@
 #include "environments.hpp"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "motion/pointing/rays.hpp"
 #include "motion/skeleton/kinematics.hpp"
 #include "physics/figure/figure_pose.hpp"
 #include "physics/figure/mjcf.hpp"
+#include "task_reward.hpp"
 
 namespace deixis::learning {
 
 namespace {
-
-/// Equation 2 of a line through a point.
-double rewardOf(const Vec3& direction, const Vec3& to_target) {
-    const double cosine = glm::dot(direction, to_target) / (glm::length(direction) * glm::length(to_target));
-    return (std::exp(1.0 - std::acos(std::clamp(cosine, -1.0, 1.0)) / pi) - 1.0) / std::exp(1.0);
-}
 
 constexpr double fallen_m = 0.25;  ///< below where the pelvis should be
 
@@ -46,9 +37,10 @@ void Environments::begin(std::size_t body) {
     Play& play = plays_[body];
     play.reference = &references_[random_.below(references_.size())];
     play.control = random_.below(play.reference->controls());
-    play.target_m = play.reference->target_m;
+    Vec3 target_m = play.reference->target_m;
     for (int axis = 0; axis < 3; ++axis)
-        play.target_m[axis] += random_.uniform(-settings_.target_spread_m, settings_.target_spread_m);
+        target_m[axis] += random_.uniform(-settings_.target_spread_m, settings_.target_spread_m);
+    play.balls_m = ballsAround(settings_.task, target_m, random_);
     bodies_[body].setState(play.reference->states[play.control]);
 }
 
@@ -56,7 +48,7 @@ void Environments::seeOne(std::size_t body, std::span<float> out) {
     const Play& play = plays_[body];
     const std::span<float> state = out.first(observer_.stateSize());
     observer_.writeState(bodies_[body], state);
-    physics::PolicyGoal goal{play.target_m, play.reference->hand, {}};
+    physics::PolicyGoal goal{play.balls_m.front(), play.reference->hand, {}};
     if (settings_.variant.policy_phase) goal.phase = play.reference->phase(play.control);
     observer_.writeGoal(bodies_[body].root(), state, goal, out.subspan(observer_.stateSize()));
 }
@@ -71,15 +63,7 @@ double Environments::reward(const physics::Body& body, const Play& play) {
     physics::applyRoot(figure, body.root().pose, pose_);
     physics::applyAngles(figure, body.angles_rad(), pose_);
     const auto world = motion::worldPose(figure.skeleton, pose_);
-    const auto& bones = motion::armBones(play.reference->hand);
-    if (settings_.task == AmpTask::eye_fingertip) {
-        const Ray ray = motion::pointingRay(figure.skeleton, figure.map, world, play.reference->hand,
-                                            motion::PointingRay::eye_fingertip);
-        return rewardOf(ray.direction, play.target_m - ray.origin);
-    }
-    const Vec3& elbow = world[static_cast<std::size_t>(figure.map[bones.lower_arm])].position;
-    const Vec3& hand = world[static_cast<std::size_t>(figure.map[bones.hand])].position;
-    return rewardOf(hand - elbow, play.target_m - hand);
+    return taskReward(settings_.task, figure.skeleton, figure.map, world, play.reference->hand, play.balls_m);
 }
 
 Environments::Step Environments::step(std::size_t index, std::span<const double> targets_rad,
@@ -92,8 +76,11 @@ Environments::Step Environments::step(std::size_t index, std::span<const double>
     body.step(targets_rad, physics::steps_per_control);
     ++play.control;
     out.fallen = body.root().pose.position.y < reference.states[play.control].root.pose.position.y - fallen_m;
-    out.task_reward =
-        reward(body, play) * (reference.holdIsOver(play.control) ? settings_.task_after_hold : 1.0);
+    const double share = reference.holdIsOver(play.control)     ? settings_.task_after_hold
+                         : reference.holdHasBegun(play.control) ? 1.0
+                                                                : settings_.task_before_hold;
+    out.task_reward = share * reward(body, play);
+    out.task_at_best = share * best_reward;
     out.ended = out.fallen || play.control == reference.controls();
     seeOne(index, after);
     if (out.ended) begin(index);

@@ -26,9 +26,10 @@ class Environments {
     void see(std::span<float> out);
 
     struct Step {
-        double task_reward = 0.0;  ///< in [0, 0.632]
-        double phase = 0.0;        ///< of the state before the step
-        bool ended = false;        ///< time is over, or the body has fallen
+        double task_reward = 0.0;   ///< in [0, 0.632]
+        double task_at_best = 0.0;  ///< what it would have been without an error
+        double phase = 0.0;         ///< of the state before the step
+        bool ended = false;         ///< time is over, or the body has fallen
         bool fallen = false;
     };
     /// One control of one body; `after`: what the policy sees then, before a new begin where it has ended.
@@ -38,7 +39,7 @@ class Environments {
     struct Play {
         const ReferenceMotion* reference = nullptr;
         std::size_t control = 0;
-        Vec3 target_m{0.0};
+        std::vector<Vec3> balls_m;  ///< the target first
     };
     void begin(std::size_t body);
     void seeOne(std::size_t body, std::span<float> out);

@@ -10,6 +10,7 @@
 #include "core/files.hpp"
 #include "core/hash.hpp"
 #include "learning/networks/tensors.hpp"
+#include "task_reward.hpp"
 
 namespace deixis::learning {
 
@@ -31,12 +32,14 @@ std::vector<One> inCluster(const std::vector<One>& all, const std::vector<int>& 
     return out;
 }
 
-/// Drawn from the box around the demonstrations' targets, where the nearest of them is the cluster's.
-std::vector<Vec3> drawnTargets_m(const physics::AmpModel& model, int cluster, int count, std::uint64_t seed) {
-    Vec3 low = model.targets.front().target_m, high = low;
-    for (const auto& one : model.targets) {
-        low = glm::min(low, one.target_m);
-        high = glm::max(high, one.target_m);
+/// Drawn from the box around the demonstrations' targets, where the nearest that the model knows is the
+/// cluster's.
+std::vector<Vec3> drawnTargets_m(const std::vector<Demonstration>& demonstrations,
+                                 const physics::AmpModel& model, int cluster, int count, std::uint64_t seed) {
+    Vec3 low = demonstrations.front().target, high = low;
+    for (const Demonstration& one : demonstrations) {
+        low = glm::min(low, one.target);
+        high = glm::max(high, one.target);
     }
     Random random(seed, "validation targets");
     std::vector<Vec3> out;
@@ -69,8 +72,8 @@ PolicyTraining::PolicyTraining(const AmpCommon& common, int cluster)
       seed_(deriveSeed(common.training.settings.seed, fmt::format("cluster {}", cluster))),
       state_(common.folder / fmt::format("cluster-{}", cluster)),
       validation_(inCluster(common.data.validation, common.training.clusters.validation, cluster)),
-      validation_targets_m_(
-          drawnTargets_m(common.model, cluster, common.training.settings.validation_targets, seed_)),
+      validation_targets_m_(drawnTargets_m(common.data.training, common.model, cluster,
+                                           common.training.settings.validation_targets, seed_)),
       demonstrated_jerk_(
           meanJerk(inCluster(common.data.training, common.training.clusters.training, cluster))),
       references_(inCluster(common.references, common.training.clusters.training, cluster)) {
@@ -126,7 +129,8 @@ Result<bool> PolicyTraining::resume() {
         best_.iteration = static_cast<int>(value.toInt());
         archive.read("best_measures", value);
         const auto m = value.toDoubleVector();
-        best_.measures = {m.at(0), m.at(1), m.at(2), m.at(3), m.at(4), m.at(5)};
+        best_.measures = {
+            m.at(0), rewardName(common_.training.settings.task), m.at(1), m.at(2), m.at(3), m.at(4), m.at(5)};
         archive.read("best_policy", value);
         const auto policy = motion::decodeWeights(value.toStringRef(), state_.string());
         if (!policy) return tl::unexpected(policy.error());
@@ -164,7 +168,16 @@ Result<ClipMeasures> PolicyTraining::tryOut(const std::vector<NamedArray>& polic
     if (!held) return tl::unexpected(held.error());
     const auto system = physics::makeAmp(*held, common_.avatar);
     if (!system) return tl::unexpected(system.error());
-    ClipMeasures out = measureAtTargets(**system, validation_targets_m_, demonstrated_jerk_, seed_);
+    const AmpTask task = common_.training.settings.task;
+    PoseReward reward;
+    if (task != AmpTask::forearm)
+        reward = [task, balls = Random(seed_, "validation balls")](
+                     const motion::Skeleton& skeleton, const motion::HumanoidMap& map,
+                     const std::vector<Pose>& world, motion::Side hand, const Vec3& target_m) mutable {
+            return taskReward(task, skeleton, map, world, hand, ballsAround(task, target_m, balls));
+        };
+    ClipMeasures out = measureAtTargets(**system, validation_targets_m_, demonstrated_jerk_, seed_, reward);
+    out.reward_name = rewardName(task);
     if (!validation_.empty()) out.arm_error_m = measureGenerated(**system, validation_, seed_).arm_error_m;
     return out;
 }
@@ -199,6 +212,8 @@ Result<void> PolicyTraining::continueToTryOut(const std::function<bool(TrainingP
         const double seconds = std::chrono::duration<double>(Clock::now() - since).count();
         TrainingProgress progress{.update = number, .updates = settings.iterations};
         progress.numbers = {{"task reward", made.task_reward},
+                            {"task reward missed", made.task_missed},
+                            {"value error", made.value_error},
                             {"style reward", made.style_reward},
                             {"logit of agent", made.agent_logit},
                             {"logit of demonstrations", made.demonstration_logit},

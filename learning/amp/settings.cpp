@@ -28,7 +28,9 @@ constexpr std::array named{
     Named{"style_weight", &AmpSettings::style_weight, 0.0, 100.0},
     Named{"task_weight", &AmpSettings::task_weight, 0.0, 100.0},
     Named{"task_after_hold", &AmpSettings::task_after_hold, 0.0, 1.0},
+    Named{"task_before_hold", &AmpSettings::task_before_hold, 0.0, 1.0},
     Named{"target_spread_m", &AmpSettings::target_spread_m, 0.0, 10.0},
+    Named{"hindsight_targets", &AmpSettings::hindsight_targets, 0, 1},
     Named{"environments", &AmpSettings::environments, 1, 65'536},
     Named{"horizon", &AmpSettings::horizon, 2, 1024},
     Named{"discount", &AmpSettings::discount, 0.0, 0.9999},
@@ -66,10 +68,15 @@ double valueOf(const AmpSettings& settings, const Member& member) {
 
 }  // namespace
 
+std::string_view taskName(AmpTask task) {
+    constexpr std::array<std::string_view, 3> names{"forearm", "eye-fingertip", "observer"};
+    return names[static_cast<std::size_t>(task)];
+}
+
 std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& settings) {
     std::map<std::string, motion::NetworkSetting> out{
         {"phase_functioned", static_cast<double>(settings.variant.phase_functioned)},
-        {"task", std::string(settings.task == AmpTask::forearm ? "forearm" : "eye-fingertip")}};
+        {"task", std::string(taskName(settings.task))}};
     for (const Named& one : named) out.emplace(one.name, valueOf(settings, one.member));
     return out;
 }

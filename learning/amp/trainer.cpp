@@ -18,6 +18,7 @@ namespace {
 using torch::Tensor;
 
 constexpr double least_sd = 0.05;
+constexpr double least_change_sd = 0.003;
 constexpr double largest_style = 9.21;  ///< -ln 1e-4
 constexpr double max_gradient_norm = 1.0;
 
@@ -65,7 +66,9 @@ AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMot
                 phases.push_back(static_cast<float>(one.phase(i)));
             }
     const Tensor both = tensorOf(std::move(pair), 2 * state_size_);
-    demonstrated_pairs_ = pairs(both.narrow(1, 0, state_size_), both.narrow(1, state_size_, state_size_));
+    const Tensor before = both.narrow(1, 0, state_size_), after = both.narrow(1, state_size_, state_size_);
+    change_sd_ = (after - before).std(0).clamp_min(least_change_sd);
+    demonstrated_pairs_ = pairs(before, after);
     demonstrated_phases_ = torch::tensor(phases);
     remembered_pairs_ = torch::zeros({settings.remembered, 2 * state_size_});
     remembered_phases_ = torch::zeros({settings.remembered});
@@ -134,7 +137,7 @@ Tensor AmpTrainer::standardised(const Tensor& seen) const {
 
 Tensor AmpTrainer::pairs(const Tensor& before, const Tensor& after) const {
     const Tensor mean = seen_mean_.narrow(0, 0, state_size_), sd = seen_sd_.narrow(0, 0, state_size_);
-    return torch::cat({(before - mean) / sd, (after - mean) / sd}, 1)
+    return torch::cat({(before - mean) / sd, (after - before) / change_sd_}, 1)
         .clamp(-physics::largest_input, physics::largest_input);
 }
 
@@ -143,7 +146,7 @@ Tensor AmpTrainer::actionOf(const Tensor& seen) {
 }
 
 Tensor AmpTrainer::valueOf(const Tensor& seen) {
-    return critic_->forward(standardised(seen)).squeeze(1) / (1.0 - settings_.discount);
+    return critic_->forward(standardised(seen)).squeeze(1) * valueScale();
 }
 
 Tensor AmpTrainer::permutation(std::int64_t count) {
@@ -181,6 +184,7 @@ AmpTrainer::Rollout AmpTrainer::rollOut(double noise_rad) {
     out.action = torch::empty({size, actions_});
     out.phase = torch::empty({size});
     out.task = torch::empty({size});
+    out.task_at_best = torch::empty({size});
     out.ended = torch::empty({size});
     out.fallen = torch::empty({size});
     const auto row = [](const Tensor& tensor, std::int64_t at) {
@@ -202,6 +206,7 @@ AmpTrainer::Rollout AmpTrainer::rollOut(double noise_rad) {
             const auto step = environments_.step(static_cast<std::size_t>(i), targets, row(out.after, at));
             out.phase.data_ptr<float>()[at] = static_cast<float>(step.phase);
             out.task.data_ptr<float>()[at] = static_cast<float>(step.task_reward);
+            out.task_at_best.data_ptr<float>()[at] = static_cast<float>(step.task_at_best);
             out.ended.data_ptr<float>()[at] = step.ended ? 1.0F : 0.0F;
             out.fallen.data_ptr<float>()[at] = step.fallen ? 1.0F : 0.0F;
         }
@@ -226,10 +231,18 @@ void AmpTrainer::setStyle(Rollout& rollout) {
 void AmpTrainer::setAdvantages(Rollout& rollout) {
     torch::NoGradGuard no_gradient;
     const Tensor value = valueOf(rollout.seen);
-    const Tensor reward = settings_.style_weight * rollout.style + settings_.task_weight * rollout.task;
-    // A body that has fallen gets no more; where time is over, the end is not the policy's doing.
-    const Tensor delta =
-        reward + settings_.discount * valueOf(rollout.after) * (1.0 - rollout.fallen) - value;
+    // What a control cannot change is taken off: what the task rewards at best, and the style on average. It
+    // depends on the time alone, and the critic would have to know it a hundred times better than what
+    // a degree is worth. A body that has fallen gets nothing more, which is as much less; at the end of time
+    // nothing is left to gain.
+    const double mean_style = rollout.style.mean().item<double>();
+    const Tensor reward = settings_.style_weight * (rollout.style - mean_style) +
+                          settings_.task_weight * (rollout.task - rollout.task_at_best);
+    const double without = settings_.style_weight * mean_style +
+                           settings_.task_weight * rollout.task_at_best.mean().item<double>();
+    const Tensor later = valueOf(rollout.after) * (1.0 - rollout.ended) -
+                         without / (1.0 - settings_.discount) * rollout.fallen;
+    const Tensor delta = reward + settings_.discount * later - value;
     const Tensor goes_on = settings_.discount * settings_.trace * (1.0 - rollout.ended);
     rollout.advantage = torch::empty_like(delta);
     const auto n = static_cast<std::int64_t>(environments_.count());
@@ -245,7 +258,7 @@ void AmpTrainer::setAdvantages(Rollout& rollout) {
 
 void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool actor_too, AmpIteration& out) {
     const std::int64_t size = rollout.seen.size(0);
-    const double scale = 1.0 - settings_.discount;
+    const double scale = 1.0 / valueScale();
     const Tensor seen = standardised(rollout.seen);
     double error = 0.0, clipped = 0.0, updates = 0.0;
     for (int epoch = 0; epoch < settings_.epochs; ++epoch) {
@@ -343,6 +356,7 @@ AmpIteration AmpTrainer::iterate(int number) {
     learnStyle(rollout, out);
     remember(rollout);
     out.task_reward = rollout.task.mean().item<double>();
+    out.task_missed = 1.0 - out.task_reward / std::max(1e-9, rollout.task_at_best.mean().item<double>());
     out.style_reward = rollout.style.mean().item<double>();
     return out;
 }

@@ -18,12 +18,15 @@ struct AmpIteration {
     double style_reward = 0.0;
     double agent_logit = 0.0;  ///< the discriminator's of the agent's transitions
     double demonstration_logit = 0.0;
+    double task_missed = 0.0;    ///< share of the task's reward that a policy without an error would have
     double value_error = 0.0;    ///< share of the returns' variance that the critic does not explain
     double policy_change = 0.0;  ///< share of controls whose probability ratio was clipped
     [[nodiscard]] bool finite() const;
 };
 
 class AmpTrainer {
+    static constexpr double usual_reward = 0.1;  ///< how far a control's is from what is taken off it
+
   public:
     /// Of `all`, the actor learns by cloning, and what networks see is standardised by them; all else is
     /// learned of `references`, which stay where they are. One after another is made, even in several
@@ -53,7 +56,7 @@ class AmpTrainer {
     struct Rollout {
         torch::Tensor seen, after, action, mean;
         torch::Tensor pairs;  ///< what the discriminator is shown
-        torch::Tensor phase, task, style;
+        torch::Tensor phase, task, task_at_best, style;
         torch::Tensor ended, fallen;
         torch::Tensor advantage, returned;
     };
@@ -65,6 +68,7 @@ class AmpTrainer {
     [[nodiscard]] torch::Tensor pairs(const torch::Tensor& before, const torch::Tensor& after) const;
     [[nodiscard]] torch::Tensor actionOf(const torch::Tensor& seen);
     [[nodiscard]] torch::Tensor valueOf(const torch::Tensor& seen);
+    [[nodiscard]] double valueScale() const { return usual_reward / (1.0 - settings_.discount); }
     [[nodiscard]] torch::Tensor permutation(std::int64_t count);
     [[nodiscard]] Rollout rollOut(double noise_rad);
     void setStyle(Rollout& rollout);
@@ -82,7 +86,7 @@ class AmpTrainer {
     Random random_;
     std::int64_t state_size_;
     std::int64_t actions_;
-    torch::Tensor seen_mean_, seen_sd_, action_mean_, action_sd_;
+    torch::Tensor seen_mean_, seen_sd_, change_sd_, action_mean_, action_sd_;
     torch::Tensor clone_seen_, clone_action_;
     torch::Tensor demonstrated_pairs_, demonstrated_phases_;
     torch::Tensor remembered_pairs_, remembered_phases_;

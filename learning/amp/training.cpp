@@ -10,10 +10,12 @@
 #include <mutex>
 #include <thread>
 
+#include "hindsight_targets.hpp"
 #include "learning/networks/optimising.hpp"
 #include "motion/skeleton/gesture_phases.hpp"
 #include "physics/figure/figure.hpp"
 #include "policy_training.hpp"
+#include "task_reward.hpp"
 
 namespace deixis::learning {
 
@@ -23,7 +25,7 @@ namespace fs = std::filesystem;
 using motion::Demonstration;
 using motion::NetworkWeights;
 
-physics::AmpModel modelOf(const DemonstrationSets& data, const AmpTraining& training,
+physics::AmpModel modelOf(const std::vector<Demonstration>& demonstrations, const AmpTraining& training,
                           const motion::PoseFeatures& features, const physics::BaseMotion& base) {
     physics::AmpModel out{.system = training.system,
                           .stance = training.settings.stance,
@@ -32,8 +34,8 @@ physics::AmpModel modelOf(const DemonstrationSets& data, const AmpTraining& trai
                           .hidden = training.settings.hidden,
                           .base = base.coefficients(),
                           .features = features.names()};
-    for (std::size_t i = 0; i < data.training.size(); ++i) {
-        const Demonstration& one = data.training[i];
+    for (std::size_t i = 0; i < demonstrations.size(); ++i) {
+        const Demonstration& one = demonstrations[i];
         const motion::Clip& clip = one.gesture.clip;
         out.targets.push_back({one.target, one.gesture.hand,
                                motion::durationsOf(one.gesture, clip.frameCount(), clip.frame_time_s),
@@ -174,6 +176,7 @@ class Training {
     [[nodiscard]] TrainingOutcome outcome() const {
         TrainingOutcome out;
         out.stopped = stopped_;
+        out.best.reward_name = rewardName(common_.training.settings.task);
         const double n = static_cast<double>(kept_.size());
         double with_demonstrations = 0.0;
         for (const auto& [cluster, iterations] : iterations_) out.updates += iterations;
@@ -223,14 +226,17 @@ Result<TrainingOutcome> trainAmp(const DemonstrationSets& data, const AmpTrainin
     if (!ranks) return tl::unexpected(ranks.error());
     setUpTorch(1);
     const auto base = physics::BaseMotion::meanOf(*features, data.training);
-    auto references = makeReferences(*body, base, data.training, training.settings);
+    const auto demonstrations = training.settings.hindsight_targets
+                                    ? withHindsightTargets(data.training, training.settings.task)
+                                    : data.training;
+    auto references = makeReferences(*body, base, demonstrations, training.settings);
     if (!references) return tl::unexpected(references.error());
     const AmpCommon common{data,
                            training,
                            *body,
                            base,
                            avatar,
-                           modelOf(data, training, *features, base),
+                           modelOf(demonstrations, training, *features, base),
                            std::move(*references),
                            **ranks,
                            fs::path(file.string() + ".training")};

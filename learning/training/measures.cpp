@@ -60,12 +60,17 @@ double armError_m(const Played& made, const Played& demonstrated) {
 /// Sums over clips.
 class Sums {
   public:
+    explicit Sums(const PoseReward& reward) : reward_(reward) {}
+
     void add(const Played& clip, const Vec3& target_m) {
         const auto& made = clip.made;
+        const int peak = made.peak_frame;
+        if (reward_)
+            sum_.reward += reward_(made.clip.skeleton, clip.map, clip.world[static_cast<std::size_t>(peak)],
+                                   made.hand, target_m);
         if (const auto arm = motion::armTrack(clip.world, clip.map, made.hand, made.clip.frame_time_s))
-            if (const auto accuracy =
-                    motion::pointingAccuracy(*arm, target_m, (made.peak_frame + made.hold_frame) / 2, {})) {
-                sum_.reward += accuracy->reward;
+            if (const auto accuracy = motion::pointingAccuracy(*arm, target_m, peak, {})) {
+                if (!reward_) sum_.reward += accuracy->reward;
                 sum_.error_rad += accuracy->error_rad;
                 ++pointing_;
             }
@@ -87,6 +92,7 @@ class Sums {
     }
 
   private:
+    const PoseReward& reward_;
     ClipMeasures sum_;
     double clips_ = 0.0;
     double pointing_ = 0.0;
@@ -99,8 +105,9 @@ double ClipMeasures::score() const {
 }
 
 ClipMeasures measureGenerated(const motion::Generator& system,
-                              const std::vector<Demonstration>& demonstrations, std::uint64_t seed) {
-    Sums sums;
+                              const std::vector<Demonstration>& demonstrations, std::uint64_t seed,
+                              const PoseReward& reward) {
+    Sums sums(reward);
     for (const Demonstration& one : demonstrations) {
         const GeneratedClip made = system.generate({"", one.target, seed++, {}});
         const Played played(made);
@@ -111,8 +118,8 @@ ClipMeasures measureGenerated(const motion::Generator& system,
 }
 
 ClipMeasures measureAtTargets(const motion::Generator& system, const std::vector<Vec3>& targets_m,
-                              double demonstrated_jerk, std::uint64_t seed) {
-    Sums sums;
+                              double demonstrated_jerk, std::uint64_t seed, const PoseReward& reward) {
+    Sums sums(reward);
     for (const Vec3& target_m : targets_m) {
         const GeneratedClip made = system.generate({"", target_m, seed++, {}});
         sums.add(Played(made), target_m);

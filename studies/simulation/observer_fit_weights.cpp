@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "observer_cues.hpp"
 #include "profile_likelihood.hpp"
+#include "studies/observers/observer_cues.hpp"
 #include "studies/simulation/observer_fit.hpp"
 
 namespace deixis::studies {

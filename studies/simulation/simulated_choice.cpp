@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "motion/pointing/rays.hpp"
-#include "observer_cues.hpp"
+#include "studies/observers/observer_cues.hpp"
 
 namespace deixis::studies {
 

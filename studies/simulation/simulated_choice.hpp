@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/random.hpp"
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 #include "studies/station/station.hpp"
 
 namespace deixis::studies {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "motion/pointing/rays.hpp"
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 
 namespace deixis::studies {
 

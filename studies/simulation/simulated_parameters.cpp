@@ -1,7 +1,7 @@
 #include <array>
 #include <string_view>
 
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 #include "studies/simulation/simulated_participant.hpp"
 #include "studies/texts/study_texts.hpp"
 #include "studies/texts/toml_table.hpp"

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "observer_cues.hpp"
+#include "studies/observers/observer_cues.hpp"
 
 namespace deixis::studies {
 

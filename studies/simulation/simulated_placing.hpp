@@ -6,7 +6,7 @@
 
 #include "core/random.hpp"
 #include "simulated_hand.hpp"
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 #include "studies/station/station.hpp"
 
 namespace deixis::studies {

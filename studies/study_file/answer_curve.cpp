@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/normal_probability.hpp"
 #include "core/pose.hpp"
-#include "studies/study_file/normal_probability.hpp"
 
 namespace deixis::studies {
 

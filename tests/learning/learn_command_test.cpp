@@ -68,6 +68,23 @@ TEST_SUITE("learning/command") {
         CHECK_FAILS_SAYING(played(scratch, weights), weights, "checksum");
     }
 
+    TEST_CASE("an observer or the line of eye and fingertip is rewarded where it is asked for") {
+        const Scratch scratch;
+        const std::string data = demonstrations(scratch);
+        for (const std::string reward : {"eye-fingertip", "observer"}) {
+            const std::string weights = scratch / reward;
+            const auto done = program("learn amp-base" + data + " --reward " + reward + " -o " + weights +
+                                      " --updates 2 --validate-every 2 --set cloning_updates=50");
+            CHECK_MESSAGE(done.status == 0, done.err);
+            const std::string name = reward == "observer" ? reward : "Eq. 2 by " + reward;
+            CHECK(contains(done.out, "    2 of 2: " + name + " 0."));
+            CHECK(contains(slurp(weights + ".curves.csv"), "\n,2,held-out " + name + ","));
+            CHECK(contains(slurp(weights), "\"task\": \"" + reward + "\""));
+            CHECK(played(scratch, weights).status == 0);
+        }
+        CHECK(program("learn amp-base --reward nose -o " + (scratch / "w")).status == 2);
+    }
+
     TEST_CASE("flow learns of each demonstration once, in seconds, and what it has made points") {
         const Scratch scratch;
         const std::string weights = scratch / "w";

@@ -1,5 +1,5 @@
 // How an observer reads a pointing arm: the model of docs/simulated-participant.md.
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 
 #include <doctest/doctest.h>
 

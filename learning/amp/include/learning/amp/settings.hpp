@@ -25,9 +25,12 @@ struct AmpVariant {
 
 /// What is rewarded as the task, beside the style (Eq. 1).
 enum class AmpTask : unsigned char {
-    forearm,       ///< Eq. 2: the forearm's line
-    eye_fingertip  ///< the same of the line from the eyes through the index fingertip
+    forearm,        ///< Eq. 2: the forearm's line
+    eye_fingertip,  ///< the same of the line from the eyes through the index fingertip
+    /// How surely an observer picks the target among balls, who reads both lines (section 4 proposes one).
+    observer
 };
+[[nodiscard]] std::string_view taskName(AmpTask task);  ///< "forearm", "eye-fingertip", "observer"
 
 /// Sizes and rates that are not the paper's, which does not state them, were found by trial.
 struct AmpSettings {
@@ -40,7 +43,12 @@ struct AmpSettings {
     /// Share of the task's reward that counts once the demonstration's hold is over. The paper's is 1, for
     /// which some policies keep pointing.
     double task_after_hold = 0.0;
-    double target_spread_m = 0.1;  ///< a target is drawn within this of the demonstration's, on each axis
+    double task_before_hold = 1.0;  ///< the same before it begins
+    double target_spread_m = 0.1;   ///< a target is drawn within this of the demonstration's, on each axis
+    /// Whether a demonstration counts as one for what the line of its task points at in the middle of its
+    /// hold, and not for its own target (hindsight: Andrychowicz et al. 2017). People point by eye and
+    /// fingertip, and so their forearms elsewhere. No matter for an observer.
+    bool hindsight_targets = true;
 
     int environments = 256;
     int horizon = 32;  ///< controls an iteration of each
@@ -49,17 +57,17 @@ struct AmpSettings {
     double clip = 0.2;
     int epochs = 4;
     int minibatch = 2048;
-    double actor_rate = 3e-4;  ///< at the begin
-    double last_actor_rate = 3e-5;
+    double actor_rate = 1e-4;  ///< at the begin
+    double last_actor_rate = 1e-5;
     double critic_rate = 1e-3;
-    double first_noise_rad = 0.05;  ///< SD of what is tried out, at the begin and
-    double last_noise_rad = 0.02;   ///< at the end; linear between, as the actor's rate
+    double first_noise_rad = 0.04;  ///< SD of what is tried out, at the begin and
+    double last_noise_rad = 0.04;   ///< at the end; linear between, as the actor's rate
 
-    double discriminator_rate = 2e-5;
+    double discriminator_rate = 2e-4;
     int discriminator_batch = 512;  ///< of the agent's and as many of the demonstrations' transitions
     int discriminator_updates = 8;  ///< an iteration
     double discriminator_weight = 5.0;
-    double gradient_penalty = 5.0;
+    double gradient_penalty = 1.0;
     double logit_decay = 0.05;
     double weight_decay = 1e-4;
     int remembered = 50'000;                ///< the agent's transitions, at the most
@@ -74,11 +82,11 @@ struct AmpSettings {
 
     int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
     int frozen_iterations = 20;  ///< in which critic and discriminator learn alone
-    int iterations = 200;
+    int iterations = 900;
     /// Every so many iterations the policy is tried out, and all but the networks begins anew: the bodies,
     /// the random numbers and the remembered transitions. So a training goes on from there as if it had not
     /// stopped.
-    int validate_every = 25;
+    int validate_every = 50;
     int validation_targets = 24;  ///< drawn for each cluster, beside those of held-out demonstrations
     std::uint64_t seed = 1;
 };

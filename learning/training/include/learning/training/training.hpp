@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "motion/networks/weights_file.hpp"
+#include "motion/skeleton/humanoid.hpp"
 #include "motion/synthesis/demonstration_library.hpp"
 
 namespace deixis::learning {
@@ -49,10 +50,17 @@ struct RankPlace {
     std::uint16_t port = 0;
 };
 
+/// How well a pose points at a target, higher is better. The map is of the skeleton.
+using PoseReward = std::function<double(const motion::Skeleton&, const motion::HumanoidMap&,
+                                        const std::vector<Pose>& world, motion::Side, const Vec3& target_m)>;
+
 /// Of clips that are generated for some targets.
 struct ClipMeasures {
-    double reward = 0.0;  ///< Equation 2 as pointingAccuracy() has it, mean; 0 where the hand is never slow
-    double error_rad = 0.0;  ///< of the forearm's line, mean over the clips in which it points
+    /// Equation 2 as pointingAccuracy() has it, mean; 0 where the hand is never slow. Or what a PoseReward
+    /// says of the first posture of the hold.
+    double reward = 0.0;
+    std::string reward_name = "Eq. 2";  ///< what the reward is
+    double error_rad = 0.0;             ///< of the forearm's line, mean over the clips in which it points
     /// Share of clips at whose end both hands are within 3 cm of the height they began at.
     double at_rest = 0.0;
     double end_height_m = 0.0;  ///< of the pointing hand at the end above where it began, mean
@@ -66,11 +74,11 @@ struct ClipMeasures {
 /// Clips for the demonstrations' own targets.
 [[nodiscard]] ClipMeasures measureGenerated(const motion::Generator& system,
                                             const std::vector<motion::Demonstration>& demonstrations,
-                                            std::uint64_t seed);
+                                            std::uint64_t seed, const PoseReward& reward = {});
 /// Clips for targets without demonstrations. `demonstrated_jerk`: meanJerk() of demonstrations.
 [[nodiscard]] ClipMeasures measureAtTargets(const motion::Generator& system,
                                             const std::vector<Vec3>& targets_m, double demonstrated_jerk,
-                                            std::uint64_t seed);
+                                            std::uint64_t seed, const PoseReward& reward = {});
 /// Of the pointing hands, m/s^3.
 [[nodiscard]] double meanJerk(const std::vector<motion::Demonstration>& demonstrations);
 

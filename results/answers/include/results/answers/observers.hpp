@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/pose.hpp"
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 
 namespace deixis::results {
 

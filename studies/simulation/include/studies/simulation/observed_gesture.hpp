@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "motion/skeleton/clip.hpp"
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 
 namespace deixis::studies {
 

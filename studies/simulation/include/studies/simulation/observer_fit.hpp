@@ -9,8 +9,8 @@
 
 #include "core/pose.hpp"
 #include "motion/skeleton/skeleton.hpp"
+#include "studies/observers/observer.hpp"
 #include "studies/session/replay.hpp"
-#include "studies/simulation/observer.hpp"
 
 namespace deixis::studies {
 

@@ -12,7 +12,7 @@
 
 #include "core/error.hpp"
 #include "motion/skeleton/skeleton.hpp"
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 #include "studies/station/station.hpp"
 
 namespace deixis::studies {

@@ -1,13 +1,13 @@
-// The normal distribution's probabilities; private to studies.
+// Probabilities of the normal distribution.
 #pragma once
 
 #include <cmath>
 
-namespace deixis::studies {
+namespace deixis {
 
 /// Of a standard normal number below z.
 [[nodiscard]] inline double normalBelow(double z) {
     return 0.5 * std::erfc(-z / std::sqrt(2.0));
 }
 
-}  // namespace deixis::studies
+}  // namespace deixis

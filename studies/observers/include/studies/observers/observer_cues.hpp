@@ -1,12 +1,11 @@
-// The two cues before they are weighed: what does not change while weights and noise are fitted; private to
-// studies.
+// The two cues before they are weighed: what does not change while weights and noise are fitted.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 
 namespace deixis::studies {
 

@@ -1,4 +1,4 @@
-#include "studies/simulation/observer.hpp"
+#include "studies/observers/observer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "observer_cues.hpp"
-#include "studies/study_file/normal_probability.hpp"
+#include "core/normal_probability.hpp"
+#include "studies/observers/observer_cues.hpp"
 
 namespace deixis::studies {
 
