@@ -53,9 +53,9 @@ Result<TrainingOutcome> trainAmp(const TrainingRequest& request, const learning:
     learning::AmpSettings& settings = training.settings;
     settings.variant = {.policy_phase = request.system != "amp-no-runtime",
                         .phase_functioned = phase_functioned};
-    for (const auto task :
-         {learning::AmpTask::forearm, learning::AmpTask::eye_fingertip, learning::AmpTask::observer})
-        if (learning::taskName(task) == request.reward) settings.task = task;
+    const auto task = learning::taskFromName(request.reward);
+    if (!task) return tl::unexpected(task.error());
+    settings.task = *task;
     settings.stance = request.full_body ? physics::Stance::free : physics::Stance::pinned;
     settings.seed = request.seed;
     settings.iterations = request.updates.value_or(settings.iterations);

@@ -25,8 +25,7 @@ struct KnownMeasure {
     const char* caption;
 };
 constexpr KnownMeasure known_measures[] = {
-    {"task reward", "task reward",
-     "What is rewarded as the task (Eq. 2), mean over the controls; at most 0.632."},
+    {"task reward", "task reward", "What is rewarded as the task, mean over the controls; at most 0.632."},
     {"task reward missed", "task reward missed",
      "Share of the task's reward that is missed by errors of pointing: 0.1 is about 12 degrees."},
     {"value error", "value error", "Share of the returns' variance that the critic does not explain."},

@@ -76,11 +76,9 @@ Environments::Step Environments::step(std::size_t index, std::span<const double>
     body.step(targets_rad, physics::steps_per_control);
     ++play.control;
     out.fallen = body.root().pose.position.y < reference.states[play.control].root.pose.position.y - fallen_m;
-    const double share = reference.holdIsOver(play.control)     ? settings_.task_after_hold
-                         : reference.holdHasBegun(play.control) ? 1.0
-                                                                : settings_.task_before_hold;
+    const double share = reference.holdIsOver(play.control) ? settings_.task_after_hold : 1.0;
     out.task_reward = share * reward(body, play);
-    out.task_at_best = share * best_reward;
+    out.task_at_best = share * motion::highest_pointing_reward;
     out.ended = out.fallen || play.control == reference.controls();
     seeOne(index, after);
     if (out.ended) begin(index);

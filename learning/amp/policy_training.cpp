@@ -188,7 +188,10 @@ Result<bool> PolicyTraining::tryOutNow(ClipMeasures& measures) {
     const auto tried = tryOut(policy);
     if (!tried) return tl::unexpected(tried.error());
     measures = *tried;
-    const bool best = best_.policy.empty() || tried->score() > best_.measures.score();
+    // What only learned what the demonstrations do is no policy of this training, however well it points.
+    const int frozen = common_.training.settings.frozen_iterations;
+    const bool first = best_.policy.empty() || (best_.iteration <= frozen && iterations_ > frozen);
+    const bool best = first || tried->score() > best_.measures.score();
     if (best) best_ = {std::move(policy), *tried, iterations_};
     if (const auto saved = save(); !saved) return tl::unexpected(saved.error());
     return best;

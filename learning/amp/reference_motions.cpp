@@ -23,10 +23,6 @@ std::vector<physics::BodyState> atControls(const physics::Followed& followed) {
 
 }  // namespace
 
-bool ReferenceMotion::holdHasBegun(std::size_t control) const {
-    return static_cast<double>(control) * physics::control_s > durations_s[0] + durations_s[1];
-}
-
 bool ReferenceMotion::holdIsOver(std::size_t control) const {
     return static_cast<double>(control) * physics::control_s >
            durations_s[0] + durations_s[1] + durations_s[2];

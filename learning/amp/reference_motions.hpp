@@ -28,7 +28,6 @@ struct ReferenceMotion {
     [[nodiscard]] double phase(std::size_t control) const {
         return static_cast<double>(control) / static_cast<double>(controls());
     }
-    [[nodiscard]] bool holdHasBegun(std::size_t control) const;
     [[nodiscard]] bool holdIsOver(std::size_t control) const;
 };
 

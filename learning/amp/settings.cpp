@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <variant>
 
@@ -22,13 +23,14 @@ struct Named {
     double high;
 };
 
+constexpr std::array<std::string_view, 3> task_names{"forearm", "eye-fingertip", "observer"};
+
 constexpr double many = 10'000'000;
 
 constexpr std::array named{
     Named{"style_weight", &AmpSettings::style_weight, 0.0, 100.0},
     Named{"task_weight", &AmpSettings::task_weight, 0.0, 100.0},
     Named{"task_after_hold", &AmpSettings::task_after_hold, 0.0, 1.0},
-    Named{"task_before_hold", &AmpSettings::task_before_hold, 0.0, 1.0},
     Named{"target_spread_m", &AmpSettings::target_spread_m, 0.0, 10.0},
     Named{"hindsight_targets", &AmpSettings::hindsight_targets, 0, 1},
     Named{"environments", &AmpSettings::environments, 1, 65'536},
@@ -69,8 +71,15 @@ double valueOf(const AmpSettings& settings, const Member& member) {
 }  // namespace
 
 std::string_view taskName(AmpTask task) {
-    constexpr std::array<std::string_view, 3> names{"forearm", "eye-fingertip", "observer"};
-    return names[static_cast<std::size_t>(task)];
+    return task_names[static_cast<std::size_t>(task)];
+}
+
+Result<AmpTask> taskFromName(std::string_view name) {
+    const auto* const found = std::ranges::find(task_names, name);
+    if (found == task_names.end())
+        return fail("reward",
+                    fmt::format("found '{}', expected one of {}", name, fmt::join(task_names, ", ")));
+    return static_cast<AmpTask>(found - task_names.begin());
 }
 
 std::map<std::string, motion::NetworkSetting> namedSettings(const AmpSettings& settings) {

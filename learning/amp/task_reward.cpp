@@ -11,11 +11,6 @@ namespace deixis::learning {
 
 namespace {
 
-/// Equation 2 of any line.
-double rewardOf(const Ray& line, const Vec3& target_m) {
-    return (std::exp(1.0 - motion::angularError(line, target_m) / pi) - 1.0) / std::exp(1.0);
-}
-
 /// The layouts "across" and "side-by-side" of pointing2023, and a standing participant's eyes.
 constexpr std::array observers_m{Vec3(0.0, 1.65, 3.4), Vec3(-1.2, 1.65, 0.0)};
 
@@ -31,8 +26,9 @@ std::optional<motion::PointingRay> rayOf(AmpTask task) {
 }
 
 std::string rewardName(AmpTask task) {
-    if (task == AmpTask::observer) return "observer";
-    return task == AmpTask::forearm ? "Eq. 2" : "Eq. 2 by eye-fingertip";
+    const std::string name(taskName(task));
+    if (task == AmpTask::forearm) return "Eq. 2";
+    return rayOf(task) ? "Eq. 2 by " + name : name;
 }
 
 std::vector<Vec3> ballsAround(AmpTask task, const Vec3& target_m, Random& random) {
@@ -50,7 +46,7 @@ std::vector<Vec3> ballsAround(AmpTask task, const Vec3& target_m, Random& random
 double taskReward(AmpTask task, const motion::Skeleton& skeleton, const motion::HumanoidMap& map,
                   const std::vector<Pose>& world, motion::Side hand, const std::vector<Vec3>& balls_m) {
     if (const auto ray = rayOf(task))
-        return rewardOf(motion::pointingRay(skeleton, map, world, hand, *ray), balls_m.front());
+        return motion::pointingReward(motion::pointingRay(skeleton, map, world, hand, *ray), balls_m.front());
     const studies::ObserverModel two_cues;
     studies::SeenArm seen{studies::armLines(skeleton, map, world, hand, two_cues.reading), {}};
     double chance = 0.0;
@@ -58,7 +54,7 @@ double taskReward(AmpTask task, const motion::Skeleton& skeleton, const motion::
         seen.observer_eye = eye_m;
         chance += studies::ballChance(two_cues, seen, balls_m, 0) / observers_m.size();
     }
-    return best_reward * chance;
+    return motion::highest_pointing_reward * chance;
 }
 
 }  // namespace deixis::learning

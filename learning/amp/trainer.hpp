@@ -25,8 +25,6 @@ struct AmpIteration {
 };
 
 class AmpTrainer {
-    static constexpr double usual_reward = 0.1;  ///< how far a control's is from what is taken off it
-
   public:
     /// Of `all`, the actor learns by cloning, and what networks see is standardised by them; all else is
     /// learned of `references`, which stay where they are. One after another is made, even in several
@@ -68,6 +66,7 @@ class AmpTrainer {
     [[nodiscard]] torch::Tensor pairs(const torch::Tensor& before, const torch::Tensor& after) const;
     [[nodiscard]] torch::Tensor actionOf(const torch::Tensor& seen);
     [[nodiscard]] torch::Tensor valueOf(const torch::Tensor& seen);
+    static constexpr double usual_reward = 0.1;  ///< how far a control's is from what is taken off it
     [[nodiscard]] double valueScale() const { return usual_reward / (1.0 - settings_.discount); }
     [[nodiscard]] torch::Tensor permutation(std::int64_t count);
     [[nodiscard]] Rollout rollOut(double noise_rad);

@@ -137,8 +137,12 @@ double angularError(const Ray& ray, const Vec3& target) {
 }
 
 double pointingReward(const Vec3& elbow, const Vec3& hand, const Vec3& target) {
+    return pointingReward(Ray{hand, hand - elbow}, target);
+}
+
+double pointingReward(const Ray& line, const Vec3& target) {
     const double e = std::exp(1.0);
-    const double theta = 1.0 - angleBetween(target - hand, hand - elbow) / pi;
+    const double theta = 1.0 - angleBetween(target - line.origin, line.direction) / pi;
     return (std::exp(theta) - 1.0) / e;
 }
 

@@ -219,7 +219,7 @@ Figure profileFigure(const Evaluation& evaluation, std::size_t index, ProfileKin
     layers.push_back({{"data", {{"values", {FigureJson::object()}}}},
                       {"mark", {{"type", "rule"}, {"color", soft_colour}}},
                       {"encoding", {{"x", {{"datum", 0}}}}}});
-    const double limit = reward ? reward_ceiling : evaluation.input.rule.slower_than_m_s;
+    const double limit = reward ? motion::highest_pointing_reward : evaluation.input.rule.slower_than_m_s;
     if (limit < scale.high) layers.push_back(dashedLine("y", limit));
     layers.push_back({{"mark",
                        {{"type", "line"},
@@ -323,7 +323,7 @@ Figure densityScatter(const Evaluation& evaluation, std::size_t index, Numbering
                               {"opacity", 0.45},
                               {"color", systemColour(index)}},
                              at));
-    layers.push_back(dashedLine("y", reward_ceiling));
+    layers.push_back(dashedLine("y", motion::highest_pointing_reward));
     const FigureJson tenths = tenthsOf(system, order);
     if (!tenths.empty()) {
         layers.push_back(

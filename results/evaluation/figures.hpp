@@ -7,9 +7,6 @@
 
 namespace deixis::results {
 
-/// The largest value of Equation 2: (e - 1)/e.
-inline constexpr double reward_ceiling = 0.63212055882855767;
-
 /// "Scott's rule ... [0.80, 0.36, 0.35] m", HTML.
 [[nodiscard]] std::string bandwidthWords(const Evaluation& evaluation);
 

@@ -151,7 +151,7 @@ Figure accuracyMaps(const Evaluation& evaluation, Numbering& figures) {
             if (clip->accuracy) made.add(clip->target, clip->accuracy->reward);
         made.widen(range);
     }
-    if (range.first > range.second) range = {0.0, reward_ceiling};
+    if (range.first > range.second) range = {0.0, motion::highest_pointing_reward};
     SpacePlot plot(names, maps.front().space());
     for (std::size_t row = 0; row < maps.size(); ++row)
         drawMaps(plot, row, maps[row], names[row] + ": ", "clip");

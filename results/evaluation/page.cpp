@@ -67,7 +67,8 @@ std::string findings(const Evaluation& evaluation) {
     std::string means = measured.size() == 1 ? "Mean accuracy of " + named(measured.front()) + "."
                                              : named(measured.front()) + " has the highest mean accuracy, " +
                                                    named(measured.back()) + " the lowest.";
-    means += fmt::format(" That is the forearm's, Equation&#160;2, whose ceiling is {:.3f}.", reward_ceiling);
+    means += fmt::format(" That is the forearm's, Equation&#160;2, whose ceiling is {:.3f}.",
+                         motion::highest_pointing_reward);
     // None is picked out: the strongest of several is no finding.
     std::string correlations;
     for (const auto& system : evaluation.systems)

@@ -58,7 +58,7 @@ TEST_SUITE("learning/amp_task") {
             const Vec3 beside = line.origin + 2.0 * (std::cos(0.5) * line.direction + std::sin(0.5) * across);
             CHECK(held.reward(AmpTask::eye_fingertip, {beside}) == doctest::Approx(0.484985).epsilon(1e-5));
             CHECK(held.reward(AmpTask::eye_fingertip, {line.origin + line.direction}) ==
-                  doctest::Approx(best_reward).epsilon(1e-6));
+                  doctest::Approx(motion::highest_pointing_reward).epsilon(1e-6));
         }
     }
 
@@ -74,10 +74,10 @@ TEST_SUITE("learning/amp_task") {
                          unsure = held.reward(AmpTask::observer, beside);
             CHECK(sure > unsure);
             CHECK(unsure >= 0.0);
-            CHECK(sure <= best_reward);
+            CHECK(sure <= motion::highest_pointing_reward);
             // From both places: the chances of the three balls are all there is.
             CHECK(sure + unsure + held.reward(AmpTask::observer, {at[2], at[0], at[1]}) ==
-                  doctest::Approx(best_reward).epsilon(1e-6));
+                  doctest::Approx(motion::highest_pointing_reward).epsilon(1e-6));
         }
     }
 
@@ -104,7 +104,8 @@ TEST_SUITE("learning/amp_task") {
             REQUIRE(changed.size() == given.size());
             for (std::size_t i = 0; i < given.size(); ++i) {
                 const Held held(changed[i]);
-                CHECK(held.reward(task, {changed[i].target}) == doctest::Approx(best_reward).epsilon(1e-6));
+                CHECK(held.reward(task, {changed[i].target}) ==
+                      doctest::Approx(motion::highest_pointing_reward).epsilon(1e-6));
                 const Vec3 end_m = held.ray(*rayOf(task)).origin;
                 CHECK(glm::distance(changed[i].target, end_m) ==
                       doctest::Approx(glm::distance(given[i].target, end_m)));

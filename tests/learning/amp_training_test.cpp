@@ -82,6 +82,8 @@ TEST_SUITE("learning/amp_training") {
         CHECK(weights->synthetic);
         CHECK(weights->training_data_sha256 == "few");
         CHECK(weights->number("actor_rate").value() == smallAmp().settings.actor_rate);
+        // Not the clone, which has tried out nothing.
+        CHECK(weights->metrics.at("best_iteration") > smallAmp().settings.frozen_iterations);
         CHECK(weights->metrics.at("validation_reward") == doctest::Approx(outcome->best.reward));
         const auto system = physics::makeAmp(*weights, motion::referenceHumanoid());
         REQUIRE(system.has_value());

@@ -31,6 +31,7 @@ enum class AmpTask : unsigned char {
     observer
 };
 [[nodiscard]] std::string_view taskName(AmpTask task);  ///< "forearm", "eye-fingertip", "observer"
+[[nodiscard]] Result<AmpTask> taskFromName(std::string_view name);
 
 /// Sizes and rates that are not the paper's, which does not state them, were found by trial.
 struct AmpSettings {
@@ -43,8 +44,7 @@ struct AmpSettings {
     /// Share of the task's reward that counts once the demonstration's hold is over. The paper's is 1, for
     /// which some policies keep pointing.
     double task_after_hold = 0.0;
-    double task_before_hold = 1.0;  ///< the same before it begins
-    double target_spread_m = 0.1;   ///< a target is drawn within this of the demonstration's, on each axis
+    double target_spread_m = 0.1;  ///< a target is drawn within this of the demonstration's, on each axis
     /// Whether a demonstration counts as one for what the line of its task points at in the middle of its
     /// hold, and not for its own target (hindsight: Andrychowicz et al. 2017). People point by eye and
     /// fingertip, and so their forearms elsewhere. No matter for an observer.

@@ -70,7 +70,11 @@ struct BallChoice {
 [[nodiscard]] std::optional<BallChoice> chosenBall(const Ray& ray, const std::vector<Vec3>& balls);
 
 /// Equation 2 of Deichler et al. (2023): theta = 1 - angle(hand->target, elbow->hand)/pi; (e^theta - 1)/e. In
-/// [0, 0.632].
+/// [0, highest_pointing_reward].
 [[nodiscard]] double pointingReward(const Vec3& elbow, const Vec3& hand, const Vec3& target);
+/// The same of any line, in the forearm's place.
+[[nodiscard]] double pointingReward(const Ray& line, const Vec3& target);
+/// Without an error: (e - 1)/e.
+constexpr double highest_pointing_reward = 0.63212055882855768;
 
 }  // namespace deixis::motion
