@@ -27,7 +27,7 @@ struct KnownMeasure {
 constexpr KnownMeasure known_measures[] = {
     {"task reward", "task reward", "What is rewarded as the task, mean over the controls; at most 0.632."},
     {"task reward missed", "task reward missed",
-     "Share of the task's reward that is missed by errors of pointing: 0.1 is about 12 degrees."},
+     "Share of the task's reward that is missed; of a line, 0.1 is about 12 degrees beside."},
     {"value error", "value error", "Share of the returns' variance that the critic does not explain."},
     {"style reward", "style reward", "The discriminator's reward, mean over the controls."},
     {"bits a frame", "bits a frame", "Negative log-likelihood of the training frames; less is better."},
