@@ -58,6 +58,7 @@ constexpr std::array named{
     Named{"demonstration_repeats", &AmpSettings::demonstration_repeats, 1, 100},
     Named{"lipschitz_penalty", &AmpSettings::lipschitz_penalty, 0.0, 100.0},
     Named{"cloning_updates", &AmpSettings::cloning_updates, 0, many},
+    Named{"averaged_iterations", &AmpSettings::averaged_iterations, 1, many},
     Named{"frozen_iterations", &AmpSettings::frozen_iterations, 0, many},
     Named{"iterations", &AmpSettings::iterations, 1, many},
     Named{"validate_every", &AmpSettings::validate_every, 1, many},

@@ -77,6 +77,7 @@ AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMot
     {
         const auto lock = seeded(seed);
         actor_ = std::make_shared<Mlp>(inputs, settings.hidden, static_cast<int>(actions_), 0.1);
+        averaged_ = std::make_shared<Mlp>(inputs, settings.hidden, static_cast<int>(actions_), 0.1);
         critic_ = std::make_shared<Mlp>(inputs, settings.hidden, 1, 0.1);
         discriminator_ = std::make_shared<Discriminator>(static_cast<int>(2 * state_size_), settings.hidden,
                                                          settings.variant.phase_functioned);
@@ -111,6 +112,13 @@ void AmpTrainer::setCloned(const physics::Body& body, const std::vector<Referenc
     seen_sd_ = clone_seen_.std(0).clamp_min(least_sd);
     action_mean_ = clone_action_.mean(0);
     action_sd_ = clone_action_.std(0).clamp_min(least_sd);
+}
+
+void AmpTrainer::average(double share) {
+    torch::NoGradGuard no_gradient;
+    const auto now = actor_->parameters();
+    auto averaged = averaged_->parameters();
+    for (std::size_t i = 0; i < now.size(); ++i) averaged[i].lerp_(now[i], share);
 }
 
 void AmpTrainer::restart(int iterations) {
@@ -169,6 +177,7 @@ double AmpTrainer::clone() {
         update(optimiser, actor_->parameters(), loss);
         error += 0.01 * (loss.item<double>() - error);
     }
+    average(1.0);
     return error;
 }
 
@@ -353,6 +362,9 @@ AmpIteration AmpTrainer::iterate(int number) {
     setStyle(rollout);
     setAdvantages(rollout);
     learnPolicy(rollout, noise_rad, number > settings_.frozen_iterations, out);
+    // None of what was before it tried anything out.
+    const int tried = std::max(1, number - settings_.frozen_iterations);
+    average(1.0 / std::min(settings_.averaged_iterations, tried));
     learnStyle(rollout, out);
     remember(rollout);
     out.task_reward = rollout.task.mean().item<double>();
@@ -366,7 +378,7 @@ void AmpTrainer::appendPolicy(const std::string& name, std::vector<motion::Named
     out.push_back(arrayOf(name + ".input_sd", seen_sd_));
     out.push_back(arrayOf(name + ".output_mean", action_mean_));
     out.push_back(arrayOf(name + ".output_sd", action_sd_));
-    actor_->append(name, out);
+    averaged_->append(name, out);
 }
 
 bool AmpTrainer::sound() const {
@@ -377,6 +389,7 @@ bool AmpTrainer::sound() const {
 template <typename Do>
 void AmpTrainer::eachPart(const Do& with) const {
     with("actor", *actor_);
+    with("averaged", *averaged_);
     with("critic", *critic_);
     with("discriminator", *discriminator_);
     with("actor_optimiser", *actor_optimiser_);

@@ -74,6 +74,8 @@ class AmpTrainer {
     void setAdvantages(Rollout& rollout);
     void update(torch::optim::Adam& optimiser, const std::vector<torch::Tensor>& parameters,
                 const torch::Tensor& loss);
+    /// Brings the policy this share nearer to the actor.
+    void average(double share);
     void learnPolicy(const Rollout& rollout, double noise_rad, bool actor_too, AmpIteration& out);
     void learnStyle(const Rollout& rollout, AmpIteration& out);
     void remember(const Rollout& rollout);
@@ -91,6 +93,7 @@ class AmpTrainer {
     torch::Tensor remembered_pairs_, remembered_phases_;
     std::int64_t remembered_ = 0;  ///< so many since the last restart
     std::shared_ptr<Mlp> actor_, critic_;
+    std::shared_ptr<Mlp> averaged_;  ///< the actor of the last iterations, the policy
     std::shared_ptr<Discriminator> discriminator_;
     std::unique_ptr<torch::optim::Adam> actor_optimiser_, critic_optimiser_, discriminator_optimiser_;
 };

@@ -57,9 +57,13 @@ struct AmpSettings {
     double clip = 0.2;
     int epochs = 4;
     int minibatch = 2048;
-    double actor_rate = 1e-4;  ///< at the begin
+    double actor_rate = 5e-5;  ///< at the begin
     double last_actor_rate = 1e-5;
     double critic_rate = 1e-3;
+    /// The policy is the actor's weights, averaged over about so many iterations (exponentially: Polyak &
+    /// Juditsky 1992), since a single iteration's points beside its targets, each time elsewhere. 1: the
+    /// last.
+    int averaged_iterations = 50;
     double first_noise_rad = 0.04;  ///< SD of what is tried out, at the begin and
     double last_noise_rad = 0.04;   ///< at the end; linear between, as the actor's rate
 
@@ -81,13 +85,13 @@ struct AmpSettings {
     double lipschitz_penalty = 0.0;
 
     int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
-    int frozen_iterations = 20;  ///< in which critic and discriminator learn alone
+    int frozen_iterations = 60;  ///< in which critic and discriminator learn alone
     int iterations = 900;
     /// Every so many iterations the policy is tried out, and all but the networks begins anew: the bodies,
     /// the random numbers and the remembered transitions. So a training goes on from there as if it had not
     /// stopped.
     int validate_every = 50;
-    int validation_targets = 24;  ///< drawn for each cluster, beside those of held-out demonstrations
+    int validation_targets = 48;  ///< drawn for each cluster, beside those of held-out demonstrations
     std::uint64_t seed = 1;
 };
 
