@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/clips/systems.hpp"
 #include "inputs.hpp"
 #include "motion/retarget/retarget.hpp"
 
@@ -59,8 +60,7 @@ BENCHMARK(retargetLong)->Name("retarget/10000_frames")->Unit(benchmark::kMillise
 
 /// `playing_s` is how long the clips take to watch.
 void generate(benchmark::State& state, const std::string& system) {
-    const auto generator = bench::valueOf(
-        motion::makeGenerator(system, motion::referenceHumanoid(), motion::DemonstrationParameters{}));
+    const auto generator = bench::valueOf(app::makeSystem(system, "", motion::referenceHumanoid())).generator;
     std::uint64_t seed = 0;
     double playing_s = 0.0;
     for (auto _ : state) {
@@ -80,5 +80,12 @@ BENCHMARK_CAPTURE(generate, nn, "demonstration-nn")
 BENCHMARK_CAPTURE(generate, direct, "direct")->Name("generate/direct")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(generate, stiff, "stiff")->Name("generate/stiff")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(generate, drifting, "drifting")->Name("generate/drifting")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, gp, "gp")->Name("generate/gp")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, flow, "flow")->Name("generate/flow")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, moglow, "moglow")->Name("generate/moglow")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, amp_base, "amp-base")->Name("generate/amp-base")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(generate, amp_pfnn, "amp-pfnn-8")
+    ->Name("generate/amp-pfnn-8")
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

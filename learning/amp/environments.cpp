@@ -1,5 +1,8 @@
 #include "environments.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "motion/skeleton/kinematics.hpp"
 #include "physics/figure/figure_pose.hpp"
 #include "physics/figure/mjcf.hpp"
@@ -41,7 +44,13 @@ void Environments::begin(std::size_t body) {
     for (int axis = 0; axis < 3; ++axis)
         target_m[axis] += random_.uniform(-settings_.target_spread_m, settings_.target_spread_m);
     play.balls_m = ballsAround(settings_.task, target_m, random_);
-    bodies_[body].setState(play.reference->states[play.control]);
+    const auto states = static_cast<std::size_t>(settings_.discriminator_window - 1);
+    play.past.resize(states * stateSize());
+    for (std::size_t i = 0; i < states; ++i) {
+        const std::size_t back = states - 1 - i;
+        bodies_[body].setState(play.reference->states[play.control - std::min(back, play.control)]);
+        observer_.writeState(bodies_[body], std::span(play.past).subspan(i * stateSize(), stateSize()));
+    }
 }
 
 void Environments::seeOne(std::size_t body, std::span<float> out) {
@@ -66,6 +75,18 @@ double Environments::reward(const physics::Body& body, const Play& play) {
     return taskReward(settings_.task, figure.skeleton, figure.map, world, play.reference->hand, play.balls_m);
 }
 
+double Environments::power_w(const physics::Body& body, std::span<const double> targets_rad) const {
+    const auto angles = body.angles_rad(), speeds = body.speeds_rad_s();
+    double out = 0.0;
+    for (std::size_t i = 0; i < targets_rad.size(); ++i) {
+        const physics::Hinge& hinge = body.figure().hinges[i];
+        const double pull = std::clamp(hinge.stiffness_nm_rad * (targets_rad[i] - angles[i]),
+                                       -hinge.max_torque_nm, hinge.max_torque_nm);
+        out += std::abs((pull - hinge.damping_nms_rad * speeds[i]) * speeds[i]);
+    }
+    return out;
+}
+
 Environments::Step Environments::step(std::size_t index, std::span<const double> targets_rad,
                                       std::span<float> after) {
     Play& play = plays_[index];
@@ -80,7 +101,10 @@ Environments::Step Environments::step(std::size_t index, std::span<const double>
     out.task_reward = share * reward(body, play);
     out.task_at_best = share * motion::highest_pointing_reward;
     out.ended = out.fallen || play.control == reference.controls();
+    if (settings_.power_penalty > 0.0) out.power_w = power_w(body, targets_rad);
     seeOne(index, after);
+    std::shift_left(play.past.begin(), play.past.end(), static_cast<std::ptrdiff_t>(stateSize()));
+    std::ranges::copy(after.first(stateSize()), play.past.end() - static_cast<std::ptrdiff_t>(stateSize()));
     if (out.ended) begin(index);
     return out;
 }

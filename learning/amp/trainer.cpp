@@ -39,6 +39,11 @@ std::unique_ptr<torch::optim::Adam> adam(const std::vector<Tensor>& parameters, 
                                                 torch::optim::AdamOptions(rate).weight_decay(decay));
 }
 
+/// With mean 0 and standard deviation 1.
+Tensor evenly(const Tensor& x) {
+    return (x - x.mean()) / x.std().clamp_min(1e-6);
+}
+
 }  // namespace
 
 bool AmpIteration::finite() const {
@@ -57,20 +62,26 @@ AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMot
       actions_(static_cast<std::int64_t>(body.figure().hinges.size())) {
     const auto seen_size = static_cast<std::int64_t>(environments_.seenSize());
     setCloned(body, all);
-    std::vector<float> pair, phases;
+    const auto before = static_cast<std::int64_t>(settings.discriminator_window - 1);
+    std::vector<float> past, after, phases;
     for (const ReferenceMotion& one : references)
         for (const auto& states : one.seen)
             for (std::size_t i = 0; i < one.controls(); ++i) {
-                pair.insert(pair.end(), states[i].begin(), states[i].end());
-                pair.insert(pair.end(), states[i + 1].begin(), states[i + 1].end());
+                for (auto back = static_cast<std::size_t>(before); back-- > 0;) {
+                    const auto& state = states[i - std::min(i, back)];
+                    past.insert(past.end(), state.begin(), state.end());
+                }
+                after.insert(after.end(), states[i + 1].begin(), states[i + 1].end());
                 phases.push_back(static_cast<float>(one.phase(i)));
             }
-    const Tensor both = tensorOf(std::move(pair), 2 * state_size_);
-    const Tensor before = both.narrow(1, 0, state_size_), after = both.narrow(1, state_size_, state_size_);
-    change_sd_ = (after - before).std(0).clamp_min(least_change_sd);
-    demonstrated_pairs_ = pairs(before, after);
+    const Tensor shown_past = tensorOf(std::move(past), before * state_size_);
+    const Tensor shown_after = tensorOf(std::move(after), state_size_);
+    change_sd_ = (shown_after - shown_past.narrow(1, (before - 1) * state_size_, state_size_))
+                     .std(0)
+                     .clamp_min(least_change_sd);
+    demonstrated_windows_ = windows(shown_past, shown_after);
     demonstrated_phases_ = torch::tensor(phases);
-    remembered_pairs_ = torch::zeros({settings.remembered, 2 * state_size_});
+    remembered_windows_ = torch::zeros({settings.remembered, (before + 1) * state_size_});
     remembered_phases_ = torch::zeros({settings.remembered});
 
     const int inputs = static_cast<int>(seen_size);
@@ -78,17 +89,21 @@ AmpTrainer::AmpTrainer(const physics::Body& body, const std::vector<ReferenceMot
         const auto lock = seeded(seed);
         actor_ = std::make_shared<Mlp>(inputs, settings.hidden, static_cast<int>(actions_), 0.1);
         averaged_ = std::make_shared<Mlp>(inputs, settings.hidden, static_cast<int>(actions_), 0.1);
-        critic_ = std::make_shared<Mlp>(inputs, settings.hidden, 1, 0.1);
-        discriminator_ = std::make_shared<Discriminator>(static_cast<int>(2 * state_size_), settings.hidden,
-                                                         settings.variant.phase_functioned);
+        for (int i = 0; i < (settings.separate_critics ? 2 : 1); ++i)
+            critics_.push_back(std::make_shared<Mlp>(inputs, settings.hidden, 1, 0.1));
+        discriminator_ = std::make_shared<Discriminator>(static_cast<int>((before + 1) * state_size_),
+                                                         settings.hidden, settings.variant.phase_functioned);
     }
     actor_optimiser_ = adam(actor_->parameters(), settings.actor_rate, 0.0);
-    critic_optimiser_ = adam(critic_->parameters(), settings.critic_rate, 0.0);
+    std::vector<Tensor> critics;
+    for (const auto& critic : critics_)
+        for (const Tensor& one : critic->parameters()) critics.push_back(one);
+    critic_optimiser_ = adam(critics, settings.critic_rate, 0.0);
     discriminator_optimiser_ =
         adam(discriminator_->parameters(), settings.discriminator_rate, settings.weight_decay);
-    for (const torch::nn::Module* network :
-         std::initializer_list<const torch::nn::Module*>{actor_.get(), critic_.get(), discriminator_.get()})
-        ranks.takeFirst(network->parameters());
+    ranks.takeFirst(actor_->parameters());
+    ranks.takeFirst(critics);
+    ranks.takeFirst(discriminator_->parameters());
 }
 
 void AmpTrainer::setCloned(const physics::Body& body, const std::vector<ReferenceMotion>& all) {
@@ -143,9 +158,13 @@ Tensor AmpTrainer::standardised(const Tensor& seen) const {
     return ((seen - seen_mean_) / seen_sd_).clamp(-physics::largest_input, physics::largest_input);
 }
 
-Tensor AmpTrainer::pairs(const Tensor& before, const Tensor& after) const {
+Tensor AmpTrainer::windows(const Tensor& past, const Tensor& after) const {
     const Tensor mean = seen_mean_.narrow(0, 0, state_size_), sd = seen_sd_.narrow(0, 0, state_size_);
-    return torch::cat({(before - mean) / sd, (after - before) / change_sd_}, 1)
+    const Tensor all = torch::cat({past, after}, 1);
+    const std::int64_t changes = all.size(1) - state_size_;
+    const Tensor change = (all.narrow(1, state_size_, changes) - all.narrow(1, 0, changes)) /
+                          change_sd_.repeat({changes / state_size_});
+    return torch::cat({(all.narrow(1, 0, state_size_) - mean) / sd, change}, 1)
         .clamp(-physics::largest_input, physics::largest_input);
 }
 
@@ -153,8 +172,8 @@ Tensor AmpTrainer::actionOf(const Tensor& seen) {
     return action_mean_ + action_sd_ * actor_->forward(standardised(seen));
 }
 
-Tensor AmpTrainer::valueOf(const Tensor& seen) {
-    return critic_->forward(standardised(seen)).squeeze(1) * valueScale();
+Tensor AmpTrainer::valueOf(Mlp& critic, const Tensor& seen) {
+    return critic.forward(standardised(seen)).squeeze(1) * valueScale();
 }
 
 Tensor AmpTrainer::permutation(std::int64_t count) {
@@ -189,6 +208,8 @@ AmpTrainer::Rollout AmpTrainer::rollOut(double noise_rad) {
     Rollout out;
     out.seen = torch::empty({size, seen_size});
     out.after = torch::empty({size, seen_size});
+    out.past = torch::empty({size, (settings_.discriminator_window - 1) * state_size_});
+    out.power_w = torch::empty({size});
     out.mean = torch::empty({size, actions_});
     out.action = torch::empty({size, actions_});
     out.phase = torch::empty({size});
@@ -212,10 +233,12 @@ AmpTrainer::Rollout AmpTrainer::rollOut(double noise_rad) {
                 targets[d] = static_cast<double>(mean[d]) + random_.normal(0.0, noise_rad);
                 action[d] = static_cast<float>(targets[d]);
             }
+            std::ranges::copy(environments_.past(static_cast<std::size_t>(i)), row(out.past, at).begin());
             const auto step = environments_.step(static_cast<std::size_t>(i), targets, row(out.after, at));
             out.phase.data_ptr<float>()[at] = static_cast<float>(step.phase);
             out.task.data_ptr<float>()[at] = static_cast<float>(step.task_reward);
             out.task_at_best.data_ptr<float>()[at] = static_cast<float>(step.task_at_best);
+            out.power_w.data_ptr<float>()[at] = static_cast<float>(step.power_w);
             out.ended.data_ptr<float>()[at] = step.ended ? 1.0F : 0.0F;
             out.fallen.data_ptr<float>()[at] = step.fallen ? 1.0F : 0.0F;
         }
@@ -225,13 +248,13 @@ AmpTrainer::Rollout AmpTrainer::rollOut(double noise_rad) {
 
 void AmpTrainer::setStyle(Rollout& rollout) {
     torch::NoGradGuard no_gradient;
-    rollout.pairs = pairs(rollout.seen.narrow(1, 0, state_size_), rollout.after.narrow(1, 0, state_size_));
+    rollout.windows = windows(rollout.past, rollout.after.narrow(1, 0, state_size_));
     std::vector<Tensor> logits;
     // All at once would not fit into a processor's cache.
     constexpr std::int64_t portion = 512;
-    for (std::int64_t begin = 0; begin < rollout.pairs.size(0); begin += portion) {
-        const std::int64_t count = std::min(portion, rollout.pairs.size(0) - begin);
-        logits.push_back(discriminator_->forward(rollout.pairs.narrow(0, begin, count),
+    for (std::int64_t begin = 0; begin < rollout.windows.size(0); begin += portion) {
+        const std::int64_t count = std::min(portion, rollout.windows.size(0) - begin);
+        logits.push_back(discriminator_->forward(rollout.windows.narrow(0, begin, count),
                                                  rollout.phase.narrow(0, begin, count)));
     }
     rollout.style = 2.0 * torch::softplus(torch::cat(logits)).clamp_max(largest_style);  // -2 ln(1 - sigmoid)
@@ -239,30 +262,40 @@ void AmpTrainer::setStyle(Rollout& rollout) {
 
 void AmpTrainer::setAdvantages(Rollout& rollout) {
     torch::NoGradGuard no_gradient;
-    const Tensor value = valueOf(rollout.seen);
     // What a control cannot change is taken off: what the task rewards at best, and the style on average. It
     // depends on the time alone, and the critic would have to know it a hundred times better than what
-    // a degree is worth. A body that has fallen gets nothing more, which is as much less; at the end of time
-    // nothing is left to gain.
+    // a degree is worth.
     const double mean_style = rollout.style.mean().item<double>();
-    const Tensor reward = settings_.style_weight * (rollout.style - mean_style) +
-                          settings_.task_weight * (rollout.task - rollout.task_at_best);
-    const double without = settings_.style_weight * mean_style +
-                           settings_.task_weight * rollout.task_at_best.mean().item<double>();
-    const Tensor later = valueOf(rollout.after) * (1.0 - rollout.ended) -
+    const double best_task = rollout.task_at_best.mean().item<double>();
+    const Tensor style = rollout.style - mean_style - settings_.power_penalty * rollout.power_w;
+    const Tensor task = rollout.task - rollout.task_at_best;
+    const double w_style = settings_.style_weight, w_task = settings_.task_weight;
+    if (settings_.separate_critics)
+        rollout.advantage = w_style * evenly(advantageOf(rollout, *critics_[0], style, mean_style)) +
+                            w_task * evenly(advantageOf(rollout, *critics_[1], task, best_task));
+    else
+        rollout.advantage = advantageOf(rollout, *critics_[0], w_style * style + w_task * task,
+                                        w_style * mean_style + w_task * best_task);
+    rollout.advantage = evenly(rollout.advantage);
+}
+
+Tensor AmpTrainer::advantageOf(Rollout& rollout, Mlp& critic, const Tensor& reward, double without) {
+    const Tensor value = valueOf(critic, rollout.seen);
+    // A body that has fallen gets nothing more, which is as much less; at the end of time nothing is left to
+    // gain.
+    const Tensor later = valueOf(critic, rollout.after) * (1.0 - rollout.ended) -
                          without / (1.0 - settings_.discount) * rollout.fallen;
     const Tensor delta = reward + settings_.discount * later - value;
     const Tensor goes_on = settings_.discount * settings_.trace * (1.0 - rollout.ended);
-    rollout.advantage = torch::empty_like(delta);
+    Tensor out = torch::empty_like(delta);
     const auto n = static_cast<std::int64_t>(environments_.count());
     Tensor next = torch::zeros({n});
     for (std::int64_t t = settings_.horizon - 1; t >= 0; --t) {
         next = delta.narrow(0, t * n, n) + goes_on.narrow(0, t * n, n) * next;
-        rollout.advantage.narrow(0, t * n, n).copy_(next);
+        out.narrow(0, t * n, n).copy_(next);
     }
-    rollout.returned = rollout.advantage + value;
-    rollout.advantage =
-        (rollout.advantage - rollout.advantage.mean()) / rollout.advantage.std().clamp_min(1e-6);
+    rollout.returned.push_back(out + value);
+    return out;
 }
 
 void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool actor_too, AmpIteration& out) {
@@ -275,9 +308,12 @@ void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool acto
         for (std::int64_t begin = 0; begin + settings_.minibatch <= size; begin += settings_.minibatch) {
             const Tensor batch = order.narrow(0, begin, settings_.minibatch);
             const Tensor some = seen.index_select(0, batch);
-            const Tensor critic_loss = torch::mse_loss(critic_->forward(some).squeeze(1),
-                                                       scale * rollout.returned.index_select(0, batch));
-            update(*critic_optimiser_, critic_->parameters(), critic_loss);
+            Tensor critic_loss = torch::zeros({});
+            for (std::size_t k = 0; k < critics_.size(); ++k)
+                critic_loss =
+                    critic_loss + torch::mse_loss(critics_[k]->forward(some).squeeze(1),
+                                                  scale * rollout.returned[k].index_select(0, batch));
+            update(*critic_optimiser_, critic_optimiser_->param_groups().front().params(), critic_loss);
             error += critic_loss.item<double>();
             updates += 1.0;
             if (!actor_too) continue;
@@ -303,26 +339,27 @@ void AmpTrainer::learnPolicy(const Rollout& rollout, double noise_rad, bool acto
             clipped += ((ratio - 1.0).abs() > settings_.clip).to(torch::kFloat32).mean().item<double>();
         }
     }
-    const double variance = (scale * rollout.returned).var().item<double>();
+    double variance = 0.0;
+    for (const Tensor& returned : rollout.returned) variance += (scale * returned).var().item<double>();
     out.value_error = error / updates / std::max(variance, 1e-12);
     out.policy_change = clipped / updates;
 }
 
 void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
     const std::int64_t size = settings_.discriminator_batch;
-    const Tensor& now = rollout.pairs;
+    const Tensor& now = rollout.windows;
     const std::int64_t past = std::min<std::int64_t>(remembered_, settings_.remembered);
     const std::int64_t from_past = past > 0 ? size / 2 : 0;
     for (int i = 0; i < settings_.discriminator_updates; ++i) {
         const Tensor fresh = drawnIndices(random_, now.size(0), size - from_past);
-        const Tensor shown = drawnIndices(random_, demonstrated_pairs_.size(0), size);
+        const Tensor shown = drawnIndices(random_, demonstrated_windows_.size(0), size);
         std::vector<Tensor> x{now.index_select(0, fresh)}, phase{rollout.phase.index_select(0, fresh)};
         if (from_past > 0) {
             const Tensor old = drawnIndices(random_, past, from_past);
-            x.push_back(remembered_pairs_.index_select(0, old));
+            x.push_back(remembered_windows_.index_select(0, old));
             phase.push_back(remembered_phases_.index_select(0, old));
         }
-        x.push_back(demonstrated_pairs_.index_select(0, shown));
+        x.push_back(demonstrated_windows_.index_select(0, shown));
         phase.push_back(demonstrated_phases_.index_select(0, shown));
         const Tensor input = torch::cat(x).requires_grad_();
         const Tensor logits = discriminator_->forward(input, torch::cat(phase));
@@ -344,11 +381,11 @@ void AmpTrainer::learnStyle(const Rollout& rollout, AmpIteration& out) {
 }
 
 void AmpTrainer::remember(const Rollout& rollout) {
-    const Tensor& now = rollout.pairs;
+    const Tensor& now = rollout.windows;
     const Tensor some = drawnIndices(random_, now.size(0), settings_.remembered_each);
     const Tensor places = torch::remainder(
         torch::arange(remembered_, remembered_ + settings_.remembered_each), settings_.remembered);
-    remembered_pairs_.index_copy_(0, places, now.index_select(0, some));
+    remembered_windows_.index_copy_(0, places, now.index_select(0, some));
     remembered_phases_.index_copy_(0, places, rollout.phase.index_select(0, some));
     remembered_ += settings_.remembered_each;
 }
@@ -382,15 +419,15 @@ void AmpTrainer::appendPolicy(const std::string& name, std::vector<motion::Named
 }
 
 bool AmpTrainer::sound() const {
-    return fitFloat16(actor_->parameters()) && fitFloat16(critic_->parameters()) &&
-           fitFloat16(discriminator_->parameters());
+    return fitFloat16(actor_->parameters()) && fitFloat16(discriminator_->parameters()) &&
+           std::ranges::all_of(critics_, [](const auto& one) { return fitFloat16(one->parameters()); });
 }
 
 template <typename Do>
 void AmpTrainer::eachPart(const Do& with) const {
     with("actor", *actor_);
     with("averaged", *averaged_);
-    with("critic", *critic_);
+    for (std::size_t i = 0; i < critics_.size(); ++i) with(fmt::format("critic{}", i), *critics_[i]);
     with("discriminator", *discriminator_);
     with("actor_optimiser", *actor_optimiser_);
     with("critic_optimiser", *critic_optimiser_);
@@ -398,7 +435,7 @@ void AmpTrainer::eachPart(const Do& with) const {
 }
 
 void AmpTrainer::save(torch::serialize::OutputArchive& archive) const {
-    eachPart([&archive](const char* name, const auto& part) {
+    eachPart([&archive](const std::string& name, const auto& part) {
         torch::serialize::OutputArchive one;
         part.save(one);
         archive.write(name, one);
@@ -406,7 +443,7 @@ void AmpTrainer::save(torch::serialize::OutputArchive& archive) const {
 }
 
 void AmpTrainer::load(torch::serialize::InputArchive& archive) {
-    eachPart([&archive](const char* name, auto& part) {
+    eachPart([&archive](const std::string& name, auto& part) {
         torch::serialize::InputArchive one;
         archive.read(name, one);
         part.load(one);

@@ -53,25 +53,33 @@ class AmpTrainer {
     /// The controls of an iteration, environment after environment within each time, flattened.
     struct Rollout {
         torch::Tensor seen, after, action, mean;
-        torch::Tensor pairs;  ///< what the discriminator is shown
-        torch::Tensor phase, task, task_at_best, style;
+        torch::Tensor windows;  ///< what the discriminator is shown
+        torch::Tensor past;     ///< states, to the present one
+        torch::Tensor phase, task, task_at_best, style, power_w;
         torch::Tensor ended, fallen;
-        torch::Tensor advantage, returned;
+        torch::Tensor advantage;
+        std::vector<torch::Tensor> returned;  ///< for each critic
     };
     /// with(name, part) for the networks and their optimisers.
     template <typename Do>
     void eachPart(const Do& with) const;
     void setCloned(const physics::Body& body, const std::vector<ReferenceMotion>& all);
     [[nodiscard]] torch::Tensor standardised(const torch::Tensor& seen) const;
-    [[nodiscard]] torch::Tensor pairs(const torch::Tensor& before, const torch::Tensor& after) const;
+    /// The first of some consecutive states, and the changes from one to the next, each in its own scale.
+    /// past: N x all but the last, after: N x the last.
+    [[nodiscard]] torch::Tensor windows(const torch::Tensor& past, const torch::Tensor& after) const;
     [[nodiscard]] torch::Tensor actionOf(const torch::Tensor& seen);
-    [[nodiscard]] torch::Tensor valueOf(const torch::Tensor& seen);
+    [[nodiscard]] torch::Tensor valueOf(Mlp& critic, const torch::Tensor& seen);
     static constexpr double usual_reward = 0.1;  ///< how far a control's is from what is taken off it
     [[nodiscard]] double valueScale() const { return usual_reward / (1.0 - settings_.discount); }
     [[nodiscard]] torch::Tensor permutation(std::int64_t count);
     [[nodiscard]] Rollout rollOut(double noise_rad);
     void setStyle(Rollout& rollout);
     void setAdvantages(Rollout& rollout);
+    /// What a control cannot change is not in `reward`; `without` is that, on average. Adds what `critic`
+    /// should have said to `rollout`, and returns the advantages.
+    [[nodiscard]] torch::Tensor advantageOf(Rollout& rollout, Mlp& critic, const torch::Tensor& reward,
+                                            double without);
     void update(torch::optim::Adam& optimiser, const std::vector<torch::Tensor>& parameters,
                 const torch::Tensor& loss);
     /// Brings the policy this share nearer to the actor.
@@ -89,11 +97,12 @@ class AmpTrainer {
     std::int64_t actions_;
     torch::Tensor seen_mean_, seen_sd_, change_sd_, action_mean_, action_sd_;
     torch::Tensor clone_seen_, clone_action_;
-    torch::Tensor demonstrated_pairs_, demonstrated_phases_;
-    torch::Tensor remembered_pairs_, remembered_phases_;
+    torch::Tensor demonstrated_windows_, demonstrated_phases_;
+    torch::Tensor remembered_windows_, remembered_phases_;
     std::int64_t remembered_ = 0;  ///< so many since the last restart
-    std::shared_ptr<Mlp> actor_, critic_;
-    std::shared_ptr<Mlp> averaged_;  ///< the actor of the last iterations, the policy
+    std::shared_ptr<Mlp> actor_;
+    std::vector<std::shared_ptr<Mlp>> critics_;  ///< one, or style's and task's
+    std::shared_ptr<Mlp> averaged_;              ///< the actor of the last iterations, the policy
     std::shared_ptr<Discriminator> discriminator_;
     std::unique_ptr<torch::optim::Adam> actor_optimiser_, critic_optimiser_, discriminator_optimiser_;
 };

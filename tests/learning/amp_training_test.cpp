@@ -112,6 +112,41 @@ TEST_SUITE("learning/amp_training") {
         }
     }
 
+    TEST_CASE("what is not of the paper makes another policy, alone and together, and goes on as any does") {
+        const TrainingFolder folder;
+        const auto plain = folder.path / "plain";
+        REQUIRE(trained(smallAmp(), plain).has_value());
+        const auto policy = [](const std::filesystem::path& file) {
+            return motion::readWeights(file, "amp").value().arrays;
+        };
+        const auto differ = [](const auto& a, const auto& b) {
+            REQUIRE(a.size() == b.size());
+            for (std::size_t i = 0; i < a.size(); ++i)
+                if (a[i].values != b[i].values) return true;
+            return false;
+        };
+        AmpTraining all = smallAmp();
+        for (const auto& [name, value] : {std::pair{"lipschitz_penalty", "0.002"},
+                                          {"power_penalty", "0.0005"},
+                                          {"discriminator_window", "5"},
+                                          {"separate_critics", "1"},
+                                          {"averaged_iterations", "1"}}) {
+            CAPTURE(name);
+            AmpTraining one = smallAmp();
+            REQUIRE(changeSetting(one.settings, name, value).has_value());
+            REQUIRE(changeSetting(all.settings, name, value).has_value());
+            REQUIRE(trained(one, folder.path / name).has_value());
+            CHECK(differ(policy(folder.path / name), policy(plain)));
+        }
+        const auto whole = folder.path / "whole", parts = folder.path / "parts";
+        REQUIRE(trained(all, whole).has_value());
+        REQUIRE(trained(all, parts, [](const TrainingProgress& progress) {
+                    return progress.update < 4;
+                }).has_value());
+        REQUIRE(trained(all, parts).has_value());
+        CHECK(bytes(parts) == bytes(whole));
+    }
+
     TEST_CASE("a training that was stopped goes on to the very same weights") {
         const TrainingFolder folder;
         const auto whole = folder.path / "whole", parts = folder.path / "parts";

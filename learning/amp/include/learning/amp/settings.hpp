@@ -83,6 +83,11 @@ struct AmpSettings {
     /// Of the square of the slope of an action's log-probability over what the policy sees, standardised
     /// (Chen, He, Wang, Liao, Ze, Li, Sastry, Wu, Sreenath, Gupta & Peng 2025).
     double lipschitz_penalty = 0.0;
+    double power_penalty = 0.0;    ///< taken off the reward for each watt of the actuators, without its sign
+    int discriminator_window = 2;  ///< consecutive states that the discriminator sees; the paper's are two
+    /// Style and task have a critic each, and their advantages are brought to the same spread before they are
+    /// weighted: so one is heard beside the other however little it varies.
+    bool separate_critics = false;
 
     int cloning_updates = 6000;  ///< in which the actor learns the demonstrations' own targets
     int frozen_iterations = 60;  ///< in which critic and discriminator learn alone
