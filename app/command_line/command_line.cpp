@@ -95,7 +95,7 @@ void addCommands(CLI::App& cli, Command& chosen) {
     group("Commands for a study", {addCheckCommand, addPlanCommand, addTargetsCommand, addRunCommand,
                                    addSimulateCommand, addParticipantsCommand, addReplayCommand});
     group("Commands for its results", {addReportCommand, addExportCommand, addMergeCommand, addPackageCommand,
-                                       addPushCommand, addSchemaCommand});
+                                       addPushCommand, addReproductionCommand, addSchemaCommand});
     group("Commands for statistics", {addPowerCommand, addFitCommand, addStatsCommand});
     group("Commands for clips and systems",
           {addGenerateCommand, addEvaluateCommand, addClipsCommand, addViewCommand, addLearnCommand});

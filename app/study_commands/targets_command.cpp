@@ -1,4 +1,5 @@
-// deixis targets: a study's targets and distractors as CSV, and a picture of them; or a grid of test points.
+// deixis targets: a study's targets and distractors as CSV, and a picture of them; or a grid of test points,
+// or what the synthetic demonstrations point at.
 #include <fmt/format.h>
 
 #include <memory>
@@ -26,8 +27,19 @@ struct TargetsArguments {
     bool force = false;
     int grid = 0;
     bool spherical = false;
+    bool demonstrations = false;
     std::string training;
 };
+
+Result<void> printDemonstrations() {
+    const auto library = syntheticDemonstrations();
+    if (!library) return tl::unexpected(library.error());
+    std::vector<studies::TargetItem> targets;
+    for (const auto& one : library->made)
+        targets.push_back({.id = fmt::format("D{:02}", targets.size() + 1), .target = one.target});
+    fmt::print("{}", studies::targetsCsv(targets, {}));
+    return {};
+}
 
 Result<void> printGrid(const TargetsArguments& options) {
     const auto training = loadTrainingTargets(options.training);
@@ -85,13 +97,20 @@ void addTargetsCommand(Parser cli, Command& chosen) {
                     "A grid even in azimuth, elevation and distance, not along x, y and z");
     command.addOption("--training", options->training,
                       "Manifest or CSV of the training targets [those of the synthetic demonstrations]");
+    command.addFlag("--demonstrations", options->demonstrations,
+                    "Instead: what the synthetic demonstrations point at, without their mirror images");
     command.callback([options, grid_option, &chosen] {
         const bool grid = grid_option.given();
-        if (grid != options->study.empty()) rejectUsage("targets", "Give either STUDY or --grid");
+        if (int{grid} + int{options->demonstrations} + int{!options->study.empty()} != 1)
+            rejectUsage("targets", "Give one of STUDY, --grid and --demonstrations");
         if (!grid && !options->training.empty())
             rejectUsage("--training", "Only with --grid: a study has its own targets");
         if (!grid && options->spherical) rejectUsage("--spherical", "Only with --grid");
-        chosen = [options, grid] { return grid ? printGrid(*options) : printTargets(*options); };
+        chosen = [options, grid] {
+            return options->demonstrations ? printDemonstrations()
+                   : grid                  ? printGrid(*options)
+                                           : printTargets(*options);
+        };
     });
 }
 

@@ -14,6 +14,7 @@ void addMergeCommand(Parser cli, Command& chosen);
 void addPackageCommand(Parser cli, Command& chosen);
 void addPushCommand(Parser cli, Command& chosen);
 void addStatsCommand(Parser cli, Command& chosen);
+void addReproductionCommand(Parser cli, Command& chosen);
 void addSchemaCommand(Parser cli, Command& chosen);
 
 }  // namespace deixis::app

@@ -1,0 +1,132 @@
+#include "figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "paper_figures.hpp"
+#include "results/page/figure_boxes.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+constexpr std::size_t max_box_points = 100;
+constexpr double highest_accuracy = 0.64;
+
+/// What stands for the paper in both figures.
+FigureJson paperMark() {
+    return {{"type", "point"},     {"shape", "stroke"}, {"size", 700}, {"filled", false},
+            {"color", ink_colour}, {"strokeWidth", 3},  {"opacity", 1}};
+}
+
+FigureJson xyEncoding() {
+    return {{"x", quantity("x")}, {"y", quantity("y")}, {"tooltip", {{"field", "tip"}}}};
+}
+
+}  // namespace
+
+Figure accuracyBesidePaper(const GridFigures& grid, const std::string& name, Numbering& figures) {
+    BoxPlot plot;
+    double low = 0.5;
+    FigureJson paper = FigureJson::array();
+    for (const GridFigures::System& one : grid.systems) {
+        for (const double value : one.accuracies) low = std::min(low, value);
+        if (const PaperSystem* found = paperSystem(one.system); found != nullptr && found->equation_2)
+            paper.push_back(
+                {{"x", plot.boxes.size()},
+                 {"y", *found->equation_2},
+                 {"tip", fmt::format("{} in the paper: mean {:.2f}", found->name, *found->equation_2)}});
+        plot.boxes.push_back({one.system, one.accuracies});
+    }
+    plot.low = std::max(0.0, std::floor(low / 0.05) * 0.05);
+    plot.high = highest_accuracy;
+    plot.axis = {{"title", "accuracy (Eq. 2)"}, {"format", ".2f"}, {"tickCount", 8}};
+    plot.height_px = 340.0;
+    plot.text = [](double value) { return fixedText(value, 3); };
+    plot.nothing = "no accuracy";
+    plot.max_points = max_box_points;
+    FigureJson spec = boxPlotSpec(plot);
+    spec["layer"].push_back(layerOf(std::move(paper), paperMark(), xyEncoding()));
+    return {name,
+            figures.next() +
+                fmt::format(" Accuracy at {} points, {} (the paper&#8217;s Figure&#160;9). Bars: the means "
+                            "that the paper prints. Diamonds: our means.",
+                            grid.points, escapeHtml(grid.grid)),
+            "Accuracy by system. Medians: " + mediansText(plot), std::move(spec), true};
+}
+
+Figure studyBesidePaper(const ReproductionInput& input, const std::string& measure, Numbering& figures) {
+    const bool accuracy = measure == "accuracy";
+    std::vector<std::vector<std::string>> names;
+    FigureJson paper = FigureJson::array(), points = FigureJson::array();
+    std::string label;
+    for (const PaperSystem& one : paper_systems) {
+        const auto value = accuracy ? one.accuracy : one.naturalness;
+        if (!value) continue;
+        const double x = static_cast<double>(names.size());
+        const std::string system(one.system);
+        names.push_back(brokenName(system));
+        paper.push_back(
+            {{"x", x}, {"y", *value}, {"tip", fmt::format("{} in the paper: {:g}", one.name, *value)}});
+        label += fmt::format(" {}: paper {:g}", system, *value);
+        for (std::size_t k = 0; k < input.studies.size(); ++k) {
+            const StudyFigures& study = input.studies[k];
+            const double aside =
+                0.18 * (static_cast<double>(k) - 0.5 * (static_cast<double>(input.studies.size()) - 1.0));
+            for (const StudyFigures::Score& score : study.scores) {
+                if (score.measure != measure || score.system != system) continue;
+                points.push_back(
+                    {{"x", x + aside},
+                     {"y", score.mean},
+                     {"low", score.lower.value_or(score.mean)},
+                     {"high", score.upper.value_or(score.mean)},
+                     {"kind", study.participants_kind},
+                     {"tip", fmt::format("{}, {}: {:.3g}", system, study.participants_kind, score.mean)}});
+                label += fmt::format(", {} {:.3g}", study.participants_kind, score.mean);
+            }
+        }
+        label += ".";
+    }
+    FigureJson kinds = FigureJson::array(), colours = FigureJson::array();
+    for (std::size_t k = 0; k < input.studies.size(); ++k) {
+        kinds.push_back(input.studies[k].participants_kind);
+        colours.push_back(systemColour(k));
+    }
+    const FigureJson colour = {{"field", "kind"},
+                               {"type", "nominal"},
+                               {"scale", {{"domain", kinds}, {"range", colours}}},
+                               {"legend", {{"title", nullptr}, {"orient", "bottom"}}}};
+    FigureJson x = quantity("x");
+    x["scale"] = {
+        {"domain", {-0.5, static_cast<double>(names.size()) - 0.5}}, {"nice", false}, {"zero", false}};
+    x["axis"] = nameAxis(names);
+    FigureJson y = quantity("y");
+    y["scale"] = {
+        {"domain", accuracy ? FigureJson{0.0, 1.0} : FigureJson{1.0, 5.0}}, {"nice", false}, {"zero", false}};
+    y["axis"] = accuracy ? FigureJson{{"title", "right choices"}, {"format", ".0%"}}
+                         : FigureJson{{"title", "naturalness"}, {"tickCount", 5}};
+    FigureJson rule = {
+        {"x", quantity("x")}, {"y", quantity("low")}, {"y2", {{"field", "high"}}}, {"color", colour}};
+    FigureJson mark = xyEncoding();
+    mark["color"] = colour;
+    FigureJson first = xyEncoding();
+    first["x"] = std::move(x);
+    first["y"] = std::move(y);
+    FigureJson layers = FigureJson::array();
+    layers.push_back(layerOf(std::move(paper), paperMark(), std::move(first)));
+    layers.push_back(layerOf(points, {{"type", "rule"}, {"strokeWidth", 1.5}}, std::move(rule)));
+    layers.push_back(layerOf(std::move(points),
+                             {{"type", "point"}, {"filled", true}, {"size", 70}, {"opacity", 1}},
+                             std::move(mark)));
+    return {"study-" + measure,
+            figures.next() +
+                (accuracy ? " Right choices (the paper&#8217;s Figure&#160;7)."
+                          : " Naturalness (the paper&#8217;s Figure&#160;7).") +
+                " Bars: the paper&#8217;s means. Points: ours, with their intervals.",
+            label.empty() ? "Nothing." : label.substr(1),
+            {{"height", 300}, {"layer", std::move(layers)}}};
+}
+
+}  // namespace deixis::results

@@ -1,0 +1,318 @@
+// The page: what stands where.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "claims.hpp"
+#include "figures.hpp"
+#include "paper_figures.hpp"
+#include "results/page/html_table.hpp"
+#include "results/page/page.hpp"
+#include "results/reproduction/reproduction.hpp"
+
+namespace deixis::results {
+
+namespace {
+
+bool anySimulated(const ReproductionInput& input) {
+    return std::ranges::any_of(input.studies, [](const StudyFigures& one) { return one.synthetic; });
+}
+
+std::string lead(const ReproductionInput& input, const std::vector<Claim>& claims) {
+    const auto agree =
+        std::ranges::count_if(claims, [](const Claim& one) { return one.verdict == Verdict::agrees; });
+    std::string out = fmt::format(
+        "<p class=\"lead\">Of the paper&#8217;s claims, looked at {} times (each on every grid and by every "
+        "kind of "
+        "participants), {} came out here, too.</p>",
+        claims.size(), agree);
+    std::string synthetic =
+        "The demonstrations are synthetic, so all systems learned from formulas, not from people";
+    if (anySimulated(input))
+        synthetic +=
+            ", and all participants are simulated: their answers follow from assumptions and say nothing "
+            "about people";
+    return out + "<p class=\"synthetic\"><b>Synthetic:</b> " + synthetic +
+           ". No number of ours stands for one of the paper&#8217;s; what can be compared is what follows "
+           "from "
+           "its methods.</p>";
+}
+
+/// Each claim once, and under it what came out, by each grid and kind of participants.
+std::string claimsSection(const std::vector<Claim>& claims) {
+    std::vector<std::pair<const Claim*, std::string>> items;
+    for (const Claim& one : claims) {
+        auto found =
+            std::ranges::find_if(items, [&](const auto& item) { return item.first->claim == one.claim; });
+        if (found == items.end())
+            found = items.insert(
+                items.end(),
+                {&one, fmt::format("<b>{}</b> (section {}; the paper: {})<ul>", escapeHtml(one.claim),
+                                   escapeHtml(one.section), escapeHtml(one.paper))});
+        found->second +=
+            fmt::format("<li><b>{}</b>, {}: {}</li>", one.verdict == Verdict::agrees ? "Agrees" : "Differs",
+                        escapeHtml(one.where), escapeHtml(one.ours));
+    }
+    std::vector<std::string> listed;
+    for (const auto& [claim, html] : items) listed.push_back(html + "</ul>");
+    std::string out = "\n<h2>What agrees and what does not</h2>" + itemsHtml(listed);
+    // One reason may stand for several claims.
+    std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+    for (const Claim& one : claims) {
+        if (one.why.empty()) continue;
+        auto found =
+            std::ranges::find_if(reasons, [&](const auto& reason) { return reason.first == one.why; });
+        if (found == reasons.end()) found = reasons.insert(reasons.end(), {one.why, {}});
+        if (std::ranges::find(found->second, one.claim) == found->second.end())
+            found->second.push_back(one.claim);
+    }
+    std::vector<std::string> why_not;
+    for (const auto& [why, of] : reasons) {
+        std::string claims_text;
+        for (const std::string& claim : of)
+            claims_text += (claims_text.empty() ? "" : " ") + escapeHtml(claim);
+        why_not.push_back("<i>" + claims_text + "</i> " + escapeHtml(why));
+    }
+    if (!why_not.empty()) out += "<p><b>Why not.</b> As far as is known:</p>" + itemsHtml(why_not);
+    return out;
+}
+
+std::string objectiveSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+    if (input.grids.empty()) return "";
+    using Row = GridFigures::System;
+    std::string out =
+        "\n<h2>Objective evaluation</h2>\n<p class=\"small intro\">Equation&#160;2 of each system&#8217;s "
+        "clips at "
+        "test points that it was not trained on (the paper&#8217;s Figure&#160;9 and Table&#160;2). The "
+        "paper calls "
+        "its grid uniform and also spherical; both are here.</p>";
+    std::string drawn, written;
+    for (const GridFigures& grid : input.grids) {
+        drawn += figureHtml(
+            accuracyBesidePaper(grid, fmt::format("grid-{}", &grid - input.grids.data() + 1), figures));
+        Table table = tableOf<Row>(
+            "grid", units::clips, "",
+            {{"system", &Row::system},
+             {"paper_mean",
+              [](const Row& one) {
+                  const PaperSystem* paper = paperSystem(one.system);
+                  return paper != nullptr ? paper->equation_2 : std::nullopt;
+              },
+              {.label = "paper"}},
+             {"mean", &Row::mean, {.label = "ours", .format = Format::three_decimals}},
+             {"sd", &Row::sd, {.label = "SD", .format = Format::three_decimals}},
+             {"median", &Row::median, {.label = "median", .format = Format::three_decimals}},
+             {"error_deg", &Row::error_deg, {.label = "error (\u00b0)", .format = Format::one_decimal}},
+             {"outliers", [](const Row& one) { return lowOutliers(one.accuracies); }, {.label = "outliers"}},
+             {"missing", &Row::missing, {.label = "missing"}},
+             {"paper_rho",
+              [](const Row& one) {
+                  const PaperSystem* paper = paperSystem(one.system);
+                  return paper != nullptr ? paper->density_rho : std::nullopt;
+              },
+              {.label = "\u03c1 in the paper", .format = Format::three_decimals}},
+             {"rho", &Row::density_rho, {.label = "\u03c1, ours", .format = Format::three_decimals}},
+             {"p", &Row::density_p}},
+            grid.systems);
+        written += tableHtml(
+            table,
+            fmt::format(
+                "Accuracy at {} points, {}: mean of Equation 2, the paper\u2019s beside ours; outliers are "
+                "below the lower quartile by more than 1.5 times the quartiles\u2019 distance; \u03c1 is "
+                "Spearman\u2019s correlation with the density of {} training targets.",
+                grid.points, grid.grid, grid.training_targets),
+            tables, dense_table);
+    }
+    return out + figuresPlaced(drawn) + written;
+}
+
+/// A row for each system, a column for each kind of participants.
+Table scoresTable(const ReproductionInput& input, const std::string& measure) {
+    Table table{measure, units::means, "", {{"system", ColumnKind::text}, {"paper", ColumnKind::number}}};
+    table.column("paper").label = "paper";
+    table.column("paper").format = Format::score;
+    for (const StudyFigures& study : input.studies) {
+        Column& column = table.columns.emplace_back(study.participants_kind, ColumnKind::number);
+        column.label = study.participants_kind;
+        column.format = Format::score;
+    }
+    for (const PaperSystem& paper : paper_systems) {
+        const auto value = measure == "accuracy" ? paper.accuracy : paper.naturalness;
+        if (!value) continue;
+        Table::Row& row = table.rows.emplace_back(Table::Row{{paper.system, *value}});
+        row.percent = measure == "accuracy";
+        for (const StudyFigures& study : input.studies) {
+            Cell& cell = row.cells.emplace_back();
+            for (const StudyFigures::Score& one : study.scores)
+                if (one.measure == measure && one.system == paper.system) cell = one.mean;
+        }
+    }
+    return table;
+}
+
+Table layoutsTable(const ReproductionInput& input) {
+    Table table{"layouts",
+                units::answers,
+                "",
+                {{"system", ColumnKind::text}, {"layout", ColumnKind::text}, {"paper", ColumnKind::number}}};
+    table.column("layout").label = "layout";
+    table.column("paper").label = "paper";
+    for (const StudyFigures& study : input.studies) {
+        Column& column = table.columns.emplace_back(study.participants_kind, ColumnKind::text);
+        column.label = study.participants_kind;
+        column.right = true;
+    }
+    for (const PaperSystem& paper : paper_systems)
+        for (const auto& [layout, value] :
+             {std::pair{"across", paper.across}, std::pair{"side-by-side", paper.side_by_side}}) {
+            if (!value) continue;
+            Table::Row& row = table.rows.emplace_back(Table::Row{{paper.system, layout, *value}});
+            for (const StudyFigures& study : input.studies) {
+                Cell& cell = row.cells.emplace_back();
+                for (const StudyFigures::Layout& one : study.layouts)
+                    if (one.system == paper.system && one.layout == layout)
+                        cell = fmt::format("{} \u00b1 {}", fixedText(one.mean, 2), fixedText(one.sd, 2));
+            }
+        }
+    return table;
+}
+
+std::string ceilingHtml(const CeilingFigures& ceiling, Numbering& tables) {
+    std::vector<std::string> observers;
+    for (const auto& one : ceiling.readings)
+        if (std::ranges::find(observers, one.observer) == observers.end()) observers.push_back(one.observer);
+    Table table{"ceilings", units::trials, "", {{"system", ColumnKind::text}}};
+    for (const std::string& one : observers) {
+        Column& column = table.columns.emplace_back(one, ColumnKind::number);
+        column.label = one;
+        column.format = Format::percent;
+    }
+    for (const auto& one : ceiling.readings) {
+        auto row = std::ranges::find_if(
+            table.rows, [&](const Table::Row& other) { return other.cells.front().text() == one.system; });
+        if (row == table.rows.end()) row = table.rows.insert(table.rows.end(), Table::Row{{one.system}});
+        row->cells.resize(table.columns.size());
+        row->cells[table.at(one.observer)] = one.without_error;
+    }
+    std::string out = tableHtml(
+        table,
+        "Ceilings: shares of games in which the target is what is read, by observers who make no error.",
+        tables);
+    if (ceiling.nearest_target_share)
+        out += noteHtml(fmt::format(
+            "GT-nn can reach {} % at best, whatever its arm is read by: so often the target is the ball "
+            "nearest to "
+            "the demonstration\u2019s own target, seen from between the pointer\u2019s eyes. The "
+            "paper\u2019s "
+            "participants got 85.6 % of its GT-nn right: its demonstrations were nearer to the test targets.",
+            fixedText(100.0 * *ceiling.nearest_target_share, 1)));
+    return out;
+}
+
+std::string studySection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+    if (input.studies.empty()) return "";
+    double least = 1.0, most = 0.0;
+    for (const PaperSystem& paper : paper_systems) {
+        double low = 2.0, high = -1.0;
+        for (const StudyFigures& study : input.studies)
+            for (const StudyFigures::Score& one : study.scores)
+                if (one.measure == "accuracy" && one.system == paper.system) {
+                    low = std::min(low, one.mean);
+                    high = std::max(high, one.mean);
+                }
+        if (high < low) continue;
+        least = std::min(least, high - low);
+        most = std::max(most, high - low);
+    }
+    std::string out = fmt::format(
+        "\n<h2>The study</h2>\n<p class=\"small intro\">{} participants each{}. The same clips were seen by "
+        "all; the "
+        "kinds differ in how they read an arm. That alone moves a system&#8217;s share of right choices by "
+        "{} to {} "
+        "percentage points (the paper&#8217;s Figure&#160;7 and Table&#160;1).</p>",
+        input.studies.front().participants, anySimulated(input) ? ", simulated" : "",
+        fixedText(100.0 * least, 0), fixedText(100.0 * most, 0));
+    out += figuresPlaced(figureHtml(studyBesidePaper(input, "accuracy", figures)) +
+                         figureHtml(studyBesidePaper(input, "naturalness", figures)));
+    out += tableHtml(scoresTable(input, "accuracy"), "Right choices, mean over participants.", tables);
+    if (input.ceiling) out += ceilingHtml(*input.ceiling, tables);
+    out += tableHtml(scoresTable(input, "naturalness"), "Naturalness from 1 to 5, mean over participants.",
+                     tables);
+    return out + tableHtml(layoutsTable(input),
+                           "Share of right choices by layout, \u00b1 the standard deviation over answers.",
+                           tables);
+}
+
+std::string demonstrationsSection(const ReproductionInput& input, Numbering& figures, Numbering& tables) {
+    const auto compared = compareHands(input.demonstrations);
+    if (compared.empty() && input.targets_svg.empty()) return "";
+    std::string out = "\n<h2>Demonstrations</h2>";
+    if (!input.targets_svg.empty())
+        out += "<figure id=\"targets\">" + input.targets_svg + "<figcaption>" + figures.next() +
+               " Targets of the demonstrations (blue) and of the study (red), as in the paper&#8217;s "
+               "Figure&#160;1.</figcaption></figure>";
+    if (compared.empty()) return out;
+    using Row = HandsCompared;
+    return out +
+           tableHtml(
+               tableOf<Row>("hands", units::clips, "",
+                            {{"measure", &Row::measure},
+                             {"n_left", &Row::n_left, {.label = "left"}},
+                             {"n_right", &Row::n_right, {.label = "right"}},
+                             {"median_left",
+                              &Row::median_left,
+                              {.label = "median, left", .format = Format::three_decimals}},
+                             {"median_right",
+                              &Row::median_right,
+                              {.label = "median, right", .format = Format::three_decimals}},
+                             {"p", &Row::p},
+                             {"p_holm", &Row::p_holm}},
+                            compared),
+               "Demonstrations by hand, of which the paper has 25 by the left and 27 by the right; exact "
+               "rank-sum tests, two-sided, and Holm\u2019s correction over both.",
+               tables);
+}
+
+std::string sizesSection(const ReproductionInput& input, Numbering& tables) {
+    if (input.sizes.empty()) return "";
+    using Row = SystemSize;
+    return "\n<h2>Sizes</h2>" +
+           tableHtml(tableOf<Row>("sizes", units::none, "",
+                                  {{"system", &Row::system},
+                                   {"numbers", &Row::numbers, {.label = "numbers learned"}},
+                                   {"bytes", &Row::bytes, {.label = "bytes of the file"}},
+                                   {"trained", &Row::trained, {.label = "trained by"}}},
+                                  input.sizes),
+                     "What each system has learned, as its file holds it. The paper gives no sizes.", tables);
+}
+
+std::string provenance(const ReproductionInput& input) {
+    std::vector<Fact> facts{{"Program", escapeHtml(input.program)}};
+    for (const GridFigures& one : input.grids) facts.push_back({"Evaluation", escapeHtml(one.file)});
+    if (input.ceiling) facts.push_back({"Evaluation", escapeHtml(input.ceiling->file)});
+    for (const StudyFigures& one : input.studies) facts.push_back({"Study", escapeHtml(one.file)});
+    for (const std::string& one : input.pages)
+        facts.push_back({"More", fmt::format("<a href=\"{0}\">{0}</a>", escapeHtml(one))});
+    return "\n<h2>Where the numbers come from</h2>" + factsHtml(facts);
+}
+
+}  // namespace
+
+std::string renderReproduction(const ReproductionInput& input) {
+    const std::vector<Claim> claims = paperClaims(input);
+    Numbering figures("Figure");
+    Numbering tables;
+    std::string sections = claimsSection(claims);
+    sections += objectiveSection(input, figures, tables);
+    sections += studySection(input, figures, tables);
+    sections += demonstrationsSection(input, figures, tables);
+    sections += sizesSection(input, tables);
+    const std::string title = "Deichler et al. (2023), and the same here";
+    return withContents(pageStart(title, title) + lead(input, claims), sections + provenance(input)) +
+           pageEnd("The tables have the figures' numbers.");
+}
+
+}  // namespace deixis::results
